@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace rocking::base {
+
+using Sha256 = std::array<std::byte, 32>;
+
+/// Lower-case hexadecimal, 64 characters.
+[[nodiscard]] std::string to_hex(const Sha256& digest);
+
+/// SHA-256 (FIPS 180-4) of what is fed to it. Numbers go in as their bytes in little-endian order, so that a digest is the
+/// same on every machine; -0.0 and 0.0 differ.
+class Sha256Builder {
+ public:
+  Sha256Builder();
+  ~Sha256Builder();
+  Sha256Builder(Sha256Builder&&) noexcept;
+  Sha256Builder& operator=(Sha256Builder&&) noexcept;
+
+  void add(std::string_view text);
+  void add(std::uint64_t number);
+  void add(double number);
+  void add(std::span<const double> numbers);
+  void add(const Sha256& digest);
+
+  /// The digest of all that was added. Afterwards the builder is spent.
+  [[nodiscard]] Sha256 finish();
+
+ private:
+  struct Context;
+  std::unique_ptr<Context> context_;
+};
+
+[[nodiscard]] Sha256 sha256(std::string_view text);
+
+}  // namespace rocking::base

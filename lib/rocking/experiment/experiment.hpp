@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/formulation.hpp"
+
+namespace rocking::experiment {
+
+/// A law on an interval: every value in [low, high) equally likely.
+struct Uniform {
+  double low = 0.0;
+  double high = 0.0;
+};
+
+/// N(mean, sigma^2).
+struct Normal {
+  double mean = 0.0;
+  double sigma = 0.0;
+};
+
+/// A number, or the law from which each realisation draws it once.
+using Quantity = std::variant<double, Uniform, Normal>;
+
+/// a_h/g = A_h psi sin(Omega_h tau + Phi).
+struct Excitation {
+  double amplitude = 0.0;        ///< A_h [-]
+  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]
+  Quantity phase = 0.0;          ///< Phi [rad]
+};
+
+struct Friction {
+  double static_coefficient = 0.0;   ///< mean of mu_s [-]
+  double kinetic_coefficient = 0.0;  ///< mean of mu_k [-]
+};
+
+/// Standard deviations, in the unit of the mean. 0: the source is off and no number is drawn for it.
+struct Fluctuation {
+  double static_friction = 0.0;
+  double kinetic_friction = 0.0;
+  int refreshes_per_period = 200;  ///< intervals of constant kinetic friction in an excitation period
+  double restitution = 0.0;
+  double amplitude = 0.0;
+};
+
+struct InitialState {
+  Quantity tilt = 0.0;       ///< Theta = theta/psi
+  Quantity tilt_rate = 0.0;  ///< Theta' = w/psi
+  Quantity slip_rate = 0.0;  ///< V
+};
+
+/// One block on one shaken base: all that a realisation's motion depends on, but for its draws.
+struct Scene {
+  dynamics::Block block;
+  dynamics::SlideInertia slide_inertia = dynamics::SlideInertia::centroidal;
+  dynamics::ImpactSlipRule impact_slip_rule = dynamics::ImpactSlipRule::absolute;
+  double restitution = 0.0;  ///< mean of e; `jy25` is worked out by the reader
+  Excitation excitation;
+  std::optional<Friction> friction;  ///< absent: the block cannot slide, and nothing of sliding is computed
+  Fluctuation fluctuation;
+  InitialState initial;
+};
+
+struct Horizon {
+  int transient_periods = 500;  ///< dropped before the response is named
+  int sampled_periods = 120;    ///< of which the strobe points are used
+};
+
+/// What a sweep changed for a condition: a pointer into the experiment file and the value there, as JSON text.
+struct Parameter {
+  std::string pointer;
+  std::string value;
+};
+
+/// One point of the sweep.
+struct Condition {
+  std::vector<Parameter> parameters;
+  Scene scene;
+  Horizon horizon;
+  double tolerance = 1e-10;  ///< largest last Taylor term of a step, in units of Theta, Theta'
+  std::uint64_t realisations = 1;
+  double confidence = 0.95;
+};
+
+/// A question, as a user declared it.
+struct Experiment {
+  std::string title;
+  std::uint64_t seed = 0;
+  std::vector<Condition> conditions;
+  std::string canonical_text;  ///< the file with every default written out: JSON text, the same for equal questions
+};
+
+/// Whether anything in the scene is drawn at random. If not, one realisation says all.
+[[nodiscard]] bool is_random(const Scene& scene);
+
+}  // namespace rocking::experiment

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+
+namespace rocking::section {
+
+/// What a response does in the long run.
+enum class ResponseKind : std::uint8_t { periodic, chaotic, overturned, rest, unresolved };
+
+/// The long-time class of a response; (m, n) where it is periodic.
+struct ResponseMode {
+  ResponseKind kind = ResponseKind::unresolved;
+  int rocks = 0;    ///< m: pairs of impacts in n periods; 0 unless periodic
+  int periods = 0;  ///< n: excitation periods until it repeats; 0 unless periodic
+
+  /// Order of tables: periodic by n, then m; then chaotic, overturned, rest, unresolved.
+  friend std::strong_ordering operator<=>(const ResponseMode& a, const ResponseMode& b) {
+    if (const auto by_kind = a.kind <=> b.kind; by_kind != 0) return by_kind;
+    if (const auto by_periods = a.periods <=> b.periods; by_periods != 0) return by_periods;
+    return a.rocks <=> b.rocks;
+  }
+  friend bool operator==(const ResponseMode&, const ResponseMode&) = default;
+};
+
+[[nodiscard]] constexpr ResponseMode periodic(int rocks, int periods) {
+  return {ResponseKind::periodic, rocks, periods};
+}
+
+/// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
+[[nodiscard]] std::string to_string(const ResponseMode& mode);
+
+}  // namespace rocking::section

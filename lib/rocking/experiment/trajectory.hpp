@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/experiment/experiment.hpp"
+
+namespace rocking::experiment {
+
+/// Why a realisation ended.
+enum class Termination : std::uint8_t { reached_horizon, overturned, painleve, stopped };
+
+[[nodiscard]] std::string_view to_string(Termination termination);
+
+/// State at tau = 2 pi period/Omega_h, after the events of that instant.
+struct TrajectorySample {
+  std::int64_t period;
+  double tilt;       ///< Theta
+  double tilt_rate;  ///< Theta'
+  double slip;       ///< X
+  double slip_rate;  ///< V
+  dynamics::ContactState contact;
+};
+
+/// Something that happened, with the state after it.
+struct TrajectoryEvent {
+  double tau;
+  dynamics::EventKind kind;
+  double tilt;       ///< Theta
+  double tilt_rate;  ///< Theta'
+  double slip;       ///< X
+  double slip_rate;  ///< V
+};
+
+struct Trajectory {
+  std::vector<TrajectorySample> strobe;
+  std::vector<TrajectoryEvent> events;
+  Termination termination = Termination::reached_horizon;
+};
+
+/// One realisation in full, over exactly `periods` excitation periods from its initial state.
+[[nodiscard]] Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                                       std::int64_t periods);
+
+}  // namespace rocking::experiment

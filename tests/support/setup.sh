@@ -1,0 +1,129 @@
+# shellcheck shell=bash disable=SC2034  # the lists are for those who source this
+# What experiments/demo and tests/all share: the packages, the build, and plain words about each step.
+# Sourced, never run; defines names only. Every step's output goes to build/log; a step that fails shows the end of its
+# log, says where the rest is, and ends the script.
+
+top=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
+logs=$top/build/log
+
+# Everything that comes from the system, by Debian 12's names. Boost stands apart: see boost_version_below.
+build_packages=(
+  g++ cmake make pkg-config git
+  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libeigen3-dev
+  libgtest-dev libgmock-dev
+)
+boost_package=libboost1.81-dev
+oldest_boost=107400
+full_packages=(clang)
+
+say() { printf '%s\n' "$*"; }
+
+fail() {
+  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  exit 1
+}
+
+# start_in_clone: goes to the clone's root and finds out as whom to work there. Root (or sudo) works as the clone's owner
+# where it can, so that no file of root's is left in a user's clone.
+start_in_clone() {
+  cd -- "$top" || exit
+  drop_root=()
+  local uid gid home
+  uid=$(stat -c %u .) gid=$(stat -c %g .)
+  if ((EUID == 0 && uid != 0)); then
+    home=$(getent passwd "$uid" | cut -d: -f6) || true
+    drop_root=(setpriv --reuid "$uid" --regid "$gid" --clear-groups env "HOME=${home:-/tmp}")
+    if ! "${drop_root[@]}" test -w "$top" 2>/dev/null; then
+      say "   (the clone's owner, user $uid, cannot work in $top: going on as root)"
+      drop_root=()
+    fi
+  fi
+  if ! as_owner mkdir -p "$logs" || ! as_owner test -w build || ! as_owner test -w "$logs"; then
+    fail "cannot write in $top/build; give it to the clone's owner, or remove it"
+  fi
+}
+
+# as_owner COMMAND...
+as_owner() { ${drop_root[@]+"${drop_root[@]}"} "$@"; }
+
+# step NAME WORDS COMMAND...: the command's output goes to build/log/NAME.log.
+step() {
+  local name=$1 words=$2 began=$SECONDS
+  shift 2
+  printf -- '-- %s ... ' "$words"
+  as_owner touch "$logs/$name.log"
+  if "$@" >"$logs/$name.log" 2>&1; then
+    say "done in $((SECONDS - began)) s"
+    return
+  fi
+  say "failed after $((SECONDS - began)) s; the end of what it said:"
+  tail -n 30 "$logs/$name.log" >&2
+  fail "step '$words' failed; its whole output is in $logs/$name.log"
+}
+
+# boost_version_below FOLDER: prints BOOST_VERSION of the headers there, if they will do (1.74 or later, with Boost.Math).
+boost_version_below() {
+  local version
+  [[ -r $1/boost/version.hpp && -r $1/boost/math/distributions/beta.hpp ]] || return 1
+  version=$(sed -n 's/^#define BOOST_VERSION \([0-9]*\).*/\1/p' "$1/boost/version.hpp")
+  [[ -n $version ]] && ((version >= oldest_boost)) && printf '%s\n' "$version"
+}
+
+# missing_boost [FOLDER...]: prints the package to install unless one of the folders holds a Boost that will do. Debian's
+# Boost packages exclude each other, so none is ever installed beside one that is there.
+missing_boost() {
+  local folder
+  for folder in "$@"; do
+    if boost_version_below "$folder" >/dev/null; then return; fi
+  done
+  printf '%s\n' "$boost_package"
+}
+
+# missing_of PACKAGE...: prints those that are not installed.
+missing_of() {
+  local package
+  for package in "$@"; do
+    [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || printf '%s\n' "$package"
+  done
+}
+
+# install_missing PACKAGE...: installs what is not there of these and of Boost. Touches nothing where all is there.
+install_missing() {
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
+    say "-- no apt-get here: going on with what is installed. Needed, by Debian's names: $* $boost_package"
+    return
+  fi
+  local missing
+  mapfile -t missing < <(missing_of "$@" && missing_boost /usr/local/include /usr/include)
+  if ((${#missing[@]} == 0)); then
+    say "-- packages: all there"
+    return
+  fi
+  local as_root=()
+  if ((EUID != 0)); then
+    command -v sudo >/dev/null ||
+      fail "not installed: ${missing[*]}. As root: apt-get install --no-install-recommends ${missing[*]}"
+    as_root=(sudo)
+    say "-- sudo is asked to install packages; it may want your password"
+  fi
+  local apt=(${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
+  step package-lists "reading the package lists" "${apt[@]}" update
+  # --no-remove: rather fail than take something away from the machine.
+  step packages "installing ${missing[*]}" "${apt[@]}" install -y --no-install-recommends --no-remove "${missing[@]}"
+}
+
+# architecture: the instruction set to build for. An older processor gets the same results, slower.
+architecture() {
+  if [[ $(uname -m) == x86_64 ]] && ! grep -qw avx2 /proc/cpuinfo; then say x86-64; else say x86-64-v3; fi
+}
+
+# build FOLDER PRESET [CMAKE OPTION...]: configures and builds in build/FOLDER. Warnings are errors.
+build() {
+  local folder=$1 preset=$2
+  shift 2
+  step "configure-$folder" "configuring build/$folder" as_owner cmake --preset "$preset" -B "build/$folder" \
+    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_CXX_COMPILER=g++ "-DROCKING_ARCHITECTURE=$(architecture)" \
+    "-DCMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true)" "$@"
+  step "build-$folder" "building build/$folder on $(nproc) cores (minutes, the first time)" \
+    as_owner cmake --build "build/$folder" -j "$(nproc)"
+}

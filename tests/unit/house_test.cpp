@@ -1,0 +1,212 @@
+// The house's rules that a reader of the sources can check: which module may use which, what a library may not do, which
+// functions would tie results to one machine's C library. Each rule is a pure function from a text to its offences, and
+// is shown made-up offences before it is trusted with the tree.
+
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+
+using Offences = std::vector<std::string>;
+
+/// Which modules a module may include, besides itself. An arrow that is not here does not exist: none is inherited.
+const std::map<std::string, std::set<std::string>> allowed_uses = {
+    {"base", {}},
+    {"random", {"base"}},
+    {"stats", {"base"}},
+    {"dynamics", {"base"}},
+    {"integrate", {"base"}},
+    {"section", {"base", "integrate"}},
+    {"experiment", {"base", "random", "stats", "dynamics", "integrate", "section"}},
+    {"report", {"base", "stats", "dynamics", "section", "experiment"}},  // for their value types
+};
+
+/// Modules whose results reach a realisation's record bit for bit.
+const std::set<std::string> portable_modules = {"random", "dynamics", "integrate", "section"};
+
+Offences matches(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  Offences found;
+  for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match) {
+    found.push_back(match->str());
+  }
+  return found;
+}
+
+/// The text without what stands behind `//`. A `//` within a string literal hides the rest of that line too.
+std::string without_comments(const std::string& text) {
+  std::istringstream lines(text);
+  std::string code;
+  for (std::string line; std::getline(lines, line);) code += line.substr(0, line.find("//")) + '\n';
+  return code;
+}
+
+/// Modules that a source of `module` includes and may not.
+Offences forbidden_uses(const std::string& module, const std::string& source) {
+  static const std::regex include(R"(#\s*include\s*["<]rocking/(\w+)/)");
+  Offences found;
+  for (std::sregex_iterator match(source.begin(), source.end(), include), end; match != end; ++match) {
+    const std::string used = match->str(1);
+    if (used != module && !allowed_uses.at(module).contains(used)) found.push_back(module + " -> " + used);
+  }
+  return found;
+}
+
+/// JSON is read and written in one module only.
+Offences stray_json(const std::string& module, const std::string& source) {
+  return module == "report" ? Offences{} : matches(source, R"(#\s*include\s*["<]nlohmann/[^">]*)");
+}
+
+/// What no library function may do: print, end the program, read the clock, the environment or an entropy source, draw
+/// from a distribution whose bits the standard leaves open.
+Offences outside_world(const std::string& source) {
+  return matches(
+      without_comments(source),
+      R"(\bstd::(cout|cerr|clog|cin)\b|\b(v?f?printf|puts|fputs|putchar|perror)\s*\(|\bfmt::print\b)"
+      R"(|\b(secure_)?getenv\b|\b(_exit|exit|quick_exit|abort|terminate)\s*\()"
+      R"(|\b(system|steady|high_resolution|utc)_clock\b|\bclock_gettime\b|\btime\s*\(\s*(nullptr|NULL|0)\s*\))"
+      R"(|\brandom_device\b|\bstd::\w+_distribution\b|\bs?rand\s*\()");
+}
+
+/// Calls of C library functions whose last bit differs between machines. sqrt, fma, abs, floor and the like are exact.
+Offences unportable_functions(const std::string& source) {
+  return matches(without_comments(source),
+                 R"((\bstd::|(^|[^\w.:>~]))(a?(sin|cos|tan)h?|atan2|sincos|exp2?|expm1|log(2|10|1p)?|l?gamma|erfc?|)"
+                 R"(pow|hypot|cbrt|fmod|remainder)[fl]?\s*\()");
+}
+
+/// A user's clone stands alone: no text may send its reader to a folder beside it.
+Offences neighbours(const std::string& text) { return matches(text, R"(\.\./shared\b)"); }
+
+struct File {
+  fs::path path;
+  std::string module;  ///< of the library; empty elsewhere
+  std::string text;
+};
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+/// The project's own files: not version control's, not what was built or simulated here.
+std::vector<File> files_of_tree() {
+  const fs::path root = ROCKING_SOURCE_DIR;
+  const fs::path library = root / "lib/rocking";
+  const std::set<fs::path> skipped = {root / ".git", root / "build", root / "reports/local"};
+  std::vector<File> files;
+  for (auto entry = fs::recursive_directory_iterator(root); entry != fs::recursive_directory_iterator(); ++entry) {
+    if (skipped.contains(entry->path())) {
+      entry.disable_recursion_pending();
+    } else if (entry->is_regular_file()) {
+      const fs::path below = entry->path().lexically_relative(library);
+      const bool inside = *below.begin() != "..";
+      files.push_back({entry->path(), inside ? below.begin()->string() : "", text_of(entry->path())});
+    }
+  }
+  return files;
+}
+
+std::vector<File> sources_of_library() {
+  std::vector<File> sources;
+  for (File& file : files_of_tree()) {
+    const std::string extension = file.path.extension().string();
+    if (!file.module.empty() && (extension == ".hpp" || extension == ".cpp" || extension == ".in")) {
+      sources.push_back(std::move(file));
+    }
+  }
+  return sources;
+}
+
+TEST(TheHouse, HasOnlyTheModulesOfTheTable) {
+  std::set<std::string> modules;
+  for (const File& file : sources_of_library()) modules.insert(file.module);
+  std::set<std::string> table;
+  for (const auto& [module, uses] : allowed_uses) table.insert(module);
+  EXPECT_EQ(modules, table);
+}
+
+TEST(TheHouse, HasArrowsOneWayOnly) {
+  for (const File& file : sources_of_library()) {
+    ASSERT_TRUE(allowed_uses.contains(file.module)) << file.path;
+    EXPECT_THAT(forbidden_uses(file.module, file.text), IsEmpty()) << file.path;
+  }
+}
+
+TEST(TheHouse, ReadsAndWritesJsonInOneModule) {
+  for (const File& file : sources_of_library()) EXPECT_THAT(stray_json(file.module, file.text), IsEmpty()) << file.path;
+}
+
+TEST(TheHouse, NeverPrintsExitsNorReadsClockOrEnvironment) {
+  for (const File& file : sources_of_library()) EXPECT_THAT(outside_world(file.text), IsEmpty()) << file.path;
+}
+
+TEST(TheHouse, LetsNoMachinesLibraryReachARecord) {
+  for (const File& file : sources_of_library()) {
+    if (portable_modules.contains(file.module)) {
+      EXPECT_THAT(unportable_functions(file.text), IsEmpty()) << file.path;
+    }
+  }
+}
+
+TEST(TheHouse, StandsAlone) {
+  const std::vector<File> files = files_of_tree();
+  EXPECT_GT(files.size(), 50U);
+  for (const File& file : files) EXPECT_THAT(neighbours(file.text), IsEmpty()) << file.path;
+}
+
+TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
+  EXPECT_THAT(forbidden_uses("dynamics", "#include \"rocking/integrate/step.hpp\"\n"),
+              ElementsAre("dynamics -> integrate"));
+  EXPECT_THAT(forbidden_uses("base", "# include <rocking/report/json.hpp>\n"), ElementsAre("base -> report"));
+  EXPECT_THAT(forbidden_uses("report", "#include \"rocking/random/normal.hpp\""), ElementsAre("report -> random"));
+  EXPECT_THAT(forbidden_uses("section", "#include \"rocking/base/lane.hpp\"\n#include \"rocking/section/a.hpp\"\n"),
+              IsEmpty());
+}
+
+TEST(TheHouseRules, FindJsonOutsideTheReport) {
+  EXPECT_THAT(stray_json("experiment", "#include <nlohmann/json.hpp>\n"), SizeIs(1));
+  EXPECT_THAT(stray_json("report", "#include <nlohmann/json.hpp>\n"), IsEmpty());
+}
+
+TEST(TheHouseRules, FindWhatALibraryMayNotDo) {
+  for (const char* offence :
+       {"std::cerr << 1;", "printf(\"%d\", 1);", "std::fprintf(stderr, x);", "std::getenv(\"HOME\");", "std::exit(1);",
+        "std::chrono::steady_clock::now();", "std::time(nullptr);", "std::random_device source;",
+        "std::normal_distribution<double> law;", "fmt::print(\"x\");"}) {
+    EXPECT_THAT(outside_world(offence), SizeIs(1)) << offence;
+  }
+  EXPECT_THAT(outside_world("// as printf( does\nboost::math::normal_distribution<> law; std::snprintf(a, n, f);"),
+              IsEmpty());
+}
+
+TEST(TheHouseRules, FindACallOfTheMachinesLibrary) {
+  for (const char* offence :
+       {"double y = std::sin(x);", "return atan2(y, x);", "x = -exp (2);", "std::logf(x)", "cos(x)"}) {
+    EXPECT_THAT(unportable_functions(offence), SizeIs(1)) << offence;
+  }
+  EXPECT_THAT(
+      unportable_functions("/// sin(phi)\nbase::sin_cos(x); std::sqrt(x); geometry.tan(x); log_event(x); asinine(x)"),
+      IsEmpty());
+}
+
+TEST(TheHouseRules, FindAReferenceToANeighbour) {
+  EXPECT_THAT(neighbours(std::string("see ..") + "/shared/MODEL.md"), SizeIs(1));
+  EXPECT_THAT(neighbours("shared memory"), IsEmpty());
+}
+
+}  // namespace

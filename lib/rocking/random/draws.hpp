@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "rocking/base/error.hpp"
+#include "rocking/random/box_muller.hpp"
+#include "rocking/random/philox.hpp"
+#include "rocking/random/source.hpp"
+
+namespace rocking::random {
+
+/// One past the largest realisation number: its counter has 56 bits for it.
+inline constexpr std::uint64_t realisation_limit = std::uint64_t{1} << 56U;
+
+/// The index of a draw that is counted in two steps: `minor` since the `major`-th mark.
+///
+/// What is drawn between two marks then leaves every later draw as it is, however many there were. Both below 2^32.
+[[nodiscard]] constexpr std::uint64_t paired_index(std::uint64_t major, std::uint64_t minor) {
+  ROCKING_EXPECT(major >> 32U == 0);  // beyond it another pair's draw would be repeated
+  ROCKING_EXPECT(minor >> 32U == 0);
+  return (major << 32U) | minor;
+}
+
+/// Every random number of one realisation.
+///
+/// A draw is a pure function of (seed, realisation, source, index): it depends on no other draw, on no order, on no
+/// thread. Nothing is stored but the two numbers, so a copy is as good as the original. Layout: lib/docs/draws.md,
+/// `rocking.draws/1`. A source is used for one kind of draw; a uniform and a normal of one index share their bits.
+class Draws {
+ public:
+  constexpr Draws(std::uint64_t seed, std::uint64_t realisation) : seed_(seed), realisation_(realisation) {
+    ROCKING_EXPECT(realisation < realisation_limit);
+  }
+
+  /// 64 random bits.
+  [[nodiscard]] std::uint64_t bits(Source source, std::uint64_t index) const;
+
+  /// A number in [0, 1), a multiple of 2^-53.
+  [[nodiscard]] double uniform(Source source, std::uint64_t index) const;
+
+  /// A number from N(0, 1), no larger than `normal_tail_limit`.
+  [[nodiscard]] double standard_normal(Source source, std::uint64_t index) const;
+
+  /// Draws 2 block and 2 block + 1 at the price of one: who walks along the indices keeps the pair of index / 2 and asks
+  /// it for `pair[index]`.
+  [[nodiscard]] NormalPair standard_normal_pair(Source source, std::uint64_t block) const;
+
+ private:
+  [[nodiscard]] Words block_at(Source source, std::uint64_t block) const;
+
+  std::uint64_t seed_;
+  std::uint64_t realisation_;
+};
+
+}  // namespace rocking::random

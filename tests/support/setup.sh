@@ -19,7 +19,7 @@ full_packages=(clang)
 say() { printf '%s\n' "$*"; }
 
 fail() {
-  printf '%s: %s\n' "${0##*/}" "$*" >&2
+  printf '%s: %s\n' "$0" "$*" >&2
   exit 1
 }
 
@@ -117,13 +117,22 @@ architecture() {
   if [[ $(uname -m) == x86_64 ]] && ! grep -qw avx2 /proc/cpuinfo; then say x86-64; else say x86-64-v3; fi
 }
 
+# compiler_launcher: ccache, where it is there and can write its cache.
+compiler_launcher() {
+  local cache
+  if cache=$(as_owner ccache --get-config cache_dir 2>/dev/null) && as_owner mkdir -p "$cache" 2>/dev/null &&
+    as_owner test -w "$cache"; then
+    say ccache
+  fi
+}
+
 # build FOLDER PRESET [CMAKE OPTION...]: configures and builds in build/FOLDER. Warnings are errors.
 build() {
   local folder=$1 preset=$2
   shift 2
   step "configure-$folder" "configuring build/$folder" as_owner cmake --preset "$preset" -B "build/$folder" \
     -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_CXX_COMPILER=g++ "-DROCKING_ARCHITECTURE=$(architecture)" \
-    "-DCMAKE_CXX_COMPILER_LAUNCHER=$(command -v ccache || true)" "$@"
-  step "build-$folder" "building build/$folder on $(nproc) cores (minutes, the first time)" \
+    "-DCMAKE_CXX_COMPILER_LAUNCHER=$(compiler_launcher)" "$@"
+  step "build-$folder" "building build/$folder on $(nproc) cores" \
     as_owner cmake --build "build/$folder" -j "$(nproc)"
 }

@@ -1,18 +1,15 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 #include <vector>
 
 #include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/termination.hpp"
 #include "rocking/experiment/experiment.hpp"
 
 namespace rocking::experiment {
 
-/// Why a realisation ended.
-enum class Termination : std::uint8_t { reached_horizon, overturned, painleve, stopped };
-
-[[nodiscard]] std::string_view to_string(Termination termination);
+using dynamics::Termination;
 
 /// State at tau = 2 pi period/Omega_h, after the events of that instant.
 struct TrajectorySample {

@@ -1,0 +1,278 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <optional>
+
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/clock.hpp"
+#include "rocking/dynamics/coefficients.hpp"
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/forces.hpp"
+#include "rocking/dynamics/formulation.hpp"
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/dynamics/termination.hpp"
+
+namespace rocking::dynamics {
+
+/// What a scene fixes for a realisation.
+struct Setting {
+  Geometry block;
+  double frequency;  ///< Omega_h
+  double inertia;    ///< J
+  ImpactSlipRule impact_slip_rule;
+  double tolerance;  ///< of a step, in Theta and Theta'; of a hop, see Automaton::hop_is_too_small
+};
+
+/// The reset map of MODEL: what follows, at one instant, from each event. It knows no integrator: it is told which guard
+/// fired and leaves the state from which the next smooth piece starts.
+///
+/// `Observer` offers `event(kind, tau, state)`. Every rule is in lib/docs/model.md, section 3.
+template <CoefficientSource Coefficients, class Observer>
+class Automaton {
+ public:
+  Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, Observer& observer)
+      : setting_(setting), clock_(clock), coefficients_(coefficients), observer_(&observer) {}
+
+  [[nodiscard]] const State& state() const { return state_; }
+  [[nodiscard]] const Clock& clock() const { return clock_; }
+  [[nodiscard]] const Coefficients& coefficients() const { return coefficients_; }
+  [[nodiscard]] std::optional<Termination> termination() const { return termination_; }
+
+  /// Base acceleration alpha = A_h psi sin(Omega_h u) now, in g.
+  [[nodiscard]] double base_acceleration() {
+    return base_amplitude() * base::sin_cos(setting_.frequency * clock_.now().time).sine;
+  }
+
+ protected:
+  [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * setting_.block.shape_angle; }
+  [[nodiscard]] bool is_slipping() const {
+    return state_.contact == ContactState::slide || state_.contact == ContactState::rock_slide;
+  }
+
+  /// The initial state and what follows from it at once.
+  void enter(const State& initial) {
+    state_ = initial;
+    was_past_balance_ = std::abs(state_.tilt) >= setting_.block.shape_angle;
+    const bool flat = state_.tilt == 0.0 && state_.tilt_rate == 0.0;
+    state_.slip_direction = sign(state_.slip_rate);
+    state_.side = sign(state_.tilt != 0.0 ? state_.tilt : state_.tilt_rate);
+    if (!flat) {
+      state_.contact = state_.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
+      check_friction();
+    } else if (state_.slip_rate != 0.0) {
+      state_.contact = ContactState::slide;
+      check_tipping();
+    } else {
+      state_.contact = ContactState::rest;
+      check_full_contact();
+    }
+  }
+
+  void overturn() {
+    state_.contact = ContactState::overturned;
+    termination_ = Termination::overturned;
+    record(EventKind::overturn);
+  }
+
+  void pass_balance() {
+    was_past_balance_ = true;
+    record(EventKind::past_balance);
+  }
+
+  void end(Termination reason) { termination_ = reason; }
+
+  /// theta has become 0. `slip_ended`: V has become 0 at the same instant.
+  void land(bool slip_ended) {
+    state_.tilt = 0.0;
+    if (slip_ended) state_.slip_rate = 0.0;
+    bool is_stop = slip_ended;
+    if (state_.side * state_.tilt_rate < 0.0) {
+      const double slip_before = state_.slip_rate;
+      if (!impact()) return;
+      is_stop = is_stop || (slip_before != 0.0 && state_.slip_rate == 0.0);
+    } else {
+      state_.tilt_rate = 0.0;  // a touch: no impulse
+    }
+    if (is_stop) coefficients_.stop();
+    if (hop_is_too_small()) return end_chatter();
+    if (state_.tilt_rate == 0.0 && state_.slip_rate == 0.0) return leave_full_contact(sign(base_acceleration()), false);
+    state_.contact = state_.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
+    check_friction();
+  }
+
+  /// V has become 0.
+  void stop_slipping() {
+    state_.slip_rate = 0.0;
+    coefficients_.stop();
+    if (state_.contact == ContactState::slide) {
+      if (full_contact_holds()) {
+        state_.contact = ContactState::rest;
+        record(EventKind::slide_stop);
+      } else {
+        leave_full_contact(sign(base_acceleration()), false);
+      }
+      return;
+    }
+    const Forces forces = rocking_forces(state_, base_acceleration(), setting_.block);
+    if (friction_holds(forces)) {
+      state_.contact = ContactState::rock;
+      record(EventKind::slip_stop);
+    } else {
+      state_.slip_direction = -sign(forces.friction);
+      record(EventKind::slip_reverse);
+    }
+  }
+
+  /// Rocking: friction is exhausted; the block starts to slip in `direction`. `at_threshold`: found as a root.
+  void start_slipping(double direction, bool at_threshold) {
+    state_.contact = ContactState::rock_slide;
+    state_.slip_direction = direction;
+    slip_starts_flat_ = at_threshold && kinetic_equals_static();
+    record(EventKind::slip_start);
+  }
+
+  /// Full contact cannot hold. `push`: sign of the base acceleration; `at_threshold`: found as a root, so that nothing is
+  /// compared again and the accelerations that vanish at the threshold are exactly 0.
+  void leave_full_contact(double push, bool at_threshold) {
+    const bool was_sliding = state_.contact == ContactState::slide;
+    state_.slip_rate = 0.0;
+    if (coefficients_.has_friction()) {
+      const double mu_s = coefficients_.static_friction();
+      if (mu_s <= setting_.block.tangent) return start_sliding(push, at_threshold, was_sliding);
+      state_.side = push;
+      const Forces forces = rocking_forces(state_, base_acceleration(), setting_.block);
+      if (!friction_holds(forces)) {
+        if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) {
+          return start_sliding(push, at_threshold, was_sliding);
+        }
+        state_.contact = ContactState::rock;
+        record(EventKind::lift);
+        return start_slipping(-sign(forces.friction), false);
+      }
+    }
+    state_.side = push;
+    state_.contact = ContactState::rock;
+    lift_starts_flat_ = at_threshold;
+    record(EventKind::lift);
+  }
+
+  /// Slide: new friction above tan(psi) tips the block over its leading edge.
+  void check_tipping() {
+    if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) return;
+    state_.side = -state_.slip_direction;
+    state_.contact = ContactState::rock_slide;
+    record(EventKind::tip);
+  }
+
+  Setting setting_;
+  Clock clock_;
+  Coefficients coefficients_;
+  State state_;
+  bool was_past_balance_ = false;
+  bool lift_starts_flat_ = false;  ///< w' = 0 exactly at the start of the coming step
+  bool slip_starts_flat_ = false;  ///< V' = 0 exactly at the start of the coming step
+
+ private:
+  [[nodiscard]] static double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
+
+  void record(EventKind kind) { observer_->event(kind, clock_.tau(), state_); }
+
+  [[nodiscard]] bool kinetic_equals_static() {
+    return coefficients_.kinetic_friction(clock_) == coefficients_.static_friction();
+  }
+
+  /// Friction is tested only while the block presses on the base.
+  [[nodiscard]] bool friction_holds(const Forces& forces) const {
+    return forces.normal <= 0.0 || std::abs(forces.friction) <= coefficients_.static_friction() * forces.normal;
+  }
+
+  [[nodiscard]] bool full_contact_holds() {
+    return std::abs(base_acceleration()) <= std::min(setting_.block.tangent, coefficients_.static_friction());
+  }
+
+  void check_full_contact() {
+    if (!full_contact_holds()) leave_full_contact(sign(base_acceleration()), false);
+  }
+
+  /// Rock: whether the friction that it needs is there.
+  void check_friction() {
+    if (state_.contact != ContactState::rock || !coefficients_.has_friction()) return;
+    const Forces forces = rocking_forces(state_, base_acceleration(), setting_.block);
+    if (!friction_holds(forces)) start_slipping(-sign(forces.friction), false);
+  }
+
+  void start_sliding(double push, bool at_threshold, bool was_sliding) {
+    state_.contact = ContactState::slide;
+    state_.slip_direction = -push;
+    slip_starts_flat_ = at_threshold && kinetic_equals_static();
+    record(was_sliding ? EventKind::slip_reverse : EventKind::slide_start);
+  }
+
+  /// The impulse. False if the model has no answer.
+  [[nodiscard]] bool impact() {
+    const double restitution = coefficients_.restitution();
+    ImpactKind kind = ImpactKind::stick;
+    if (coefficients_.has_friction()) {
+      const ImpactOutcome after = resolve_impact({.tilt_rate = state_.tilt_rate,
+                                                  .slip_rate = state_.slip_rate,
+                                                  .restitution = restitution,
+                                                  .static_friction = coefficients_.static_friction(),
+                                                  .kinetic_friction = coefficients_.kinetic_friction(clock_)},
+                                                 setting_.block, setting_.impact_slip_rule);
+      if (after.kind == ImpactKind::painleve) {
+        end(Termination::painleve);
+        return false;
+      }
+      kind = after.kind;
+      state_.tilt_rate = after.tilt_rate;
+      state_.slip_rate = after.slip_rate;
+    } else {
+      state_.tilt_rate = sticking_tilt_rate(state_.tilt_rate, 0.0, restitution, setting_.block);
+    }
+    if (state_.tilt_rate != 0.0) state_.side = sign(state_.tilt_rate);
+    if (state_.slip_rate != 0.0) state_.slip_direction = sign(state_.slip_rate);
+    record(kind == ImpactKind::stick ? EventKind::impact_stick : EventKind::impact_slip);
+    return true;
+  }
+
+  /// After an impact: whether the coming hop's duration 2 abs(w)/a and its height w^2/(2a) over psi are both below the
+  /// tolerance (or the resolution of time), a being the acceleration that brings the block back. The hops that would
+  /// follow last abs(delta)/(1 - abs(delta)) times as long in all, and the energy they hold is w^2/2 over p^2.
+  [[nodiscard]] bool hop_is_too_small() {
+    const bool slips = state_.slip_rate != 0.0;
+    const double alpha = base_acceleration();
+    double acceleration = 0.0;
+    if (slips) {
+      const double mu_k = coefficients_.kinetic_friction(clock_);
+      if (mu_k > setting_.block.tangent) return false;
+      acceleration = slipping_acceleration(state_, setting_.inertia, mu_k, setting_.block);
+    } else {
+      if (std::abs(alpha) > setting_.block.tangent) return false;
+      acceleration = rocking_forces(state_, alpha, setting_.block).acceleration;
+    }
+    const double pull = -state_.side * acceleration;
+    const double rate = std::abs(state_.tilt_rate);
+    const double limit = std::max(setting_.tolerance, clock_.resolution());
+    return pull >= 0.0 && 2.0 * rate <= limit * pull && rate * rate <= 2.0 * limit * pull * setting_.block.shape_angle;
+  }
+
+  void end_chatter() {
+    coefficients_.chatter_ended();
+    state_.tilt_rate = 0.0;
+    if (state_.slip_rate != 0.0) {
+      state_.contact = ContactState::slide;
+      record(EventKind::to_slide);
+      return;
+    }
+    state_.contact = ContactState::rest;
+    record(EventKind::to_rest);
+    check_full_contact();
+  }
+
+  Observer* observer_;
+  std::optional<Termination> termination_;
+};
+
+}  // namespace rocking::dynamics

@@ -1,0 +1,257 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "rocking/dynamics/automaton.hpp"
+#include "rocking/dynamics/guards.hpp"
+#include "rocking/dynamics/motion_series.hpp"
+
+namespace rocking::dynamics {
+
+/// When a run is sampled and how long it is.
+struct Schedule {
+  Instant first_strobe;       ///< the following ones come a period apart
+  std::int64_t strobes = 0;   ///< after the last the run ends
+};
+
+/// A block on a shaken base as a hybrid system: smooth pieces as Taylor polynomials, guards as polynomials, resets by the
+/// automaton. Models the concept that the integrator asks for, without knowing an integrator.
+///
+/// `Steps` turns the last two terms of a series into the length of a step: double(last_but_one, last, order, largest).
+/// `Observer` offers `event(kind, tau, state)` and `strobe(state)`. Copying copies the whole realisation as it stands.
+template <CoefficientSource Coefficients, class Observer, class Steps>
+class BlockMotion : public Automaton<Coefficients, Observer> {
+  using Base = Automaton<Coefficients, Observer>;
+  using Base::clock_;
+  using Base::coefficients_;
+  using Base::setting_;
+  using Base::state_;
+
+ public:
+  BlockMotion(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const State& initial,
+              const Schedule& schedule, Observer& observer, Steps steps = {})
+      : Base(setting, clock, coefficients, observer),
+        schedule_(schedule),
+        next_strobe_(schedule.first_strobe),
+        steps_(steps),
+        strobe_observer_(&observer) {
+    this->enter(initial);
+    settle();
+  }
+
+  [[nodiscard]] bool ended() const { return this->termination().has_value(); }
+  [[nodiscard]] double time_resolution() const { return clock_.resolution(); }
+  [[nodiscard]] double time_to_strobe() const { return clock_.until(next_strobe_); }
+  [[nodiscard]] double time_to_breakpoint() const {
+    return breakpoint_ ? clock_.until(*breakpoint_) : std::numeric_limits<double>::infinity();
+  }
+  [[nodiscard]] std::uint64_t slip_steps() const { return slip_steps_; }
+  [[nodiscard]] std::uint64_t losses_of_contact() const { return losses_of_contact_; }
+  [[nodiscard]] double first_loss_of_contact() const { return first_loss_of_contact_; }  ///< tau; of use after a loss
+  [[nodiscard]] bool was_past_balance() const { return Base::was_past_balance_; }
+
+  /// The series of the coming step; returns its length.
+  [[nodiscard]] double expand(double reach) {
+    if (++steps_since_strobe_ > step_budget) this->end(Termination::stopped);
+    if (this->is_slipping()) ++slip_steps_;
+    // A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
+    if (reach <= short_step * clock_.period_length()) {
+      const double length = expand_to<short_order>();
+      if (length >= reach) return reach;
+    }
+    return std::min({expand_to<full_order>(), reach, clock_.period_length()});
+  }
+
+  template <class Visitor>
+  void for_each_guard(Visitor&& visit) const {
+    visit_guards(guard_context(), series_, visit);
+  }
+
+  void strobe(double x) {
+    strobe_observer_->strobe(state_at(x));
+    ++next_strobe_.period;
+    steps_since_strobe_ = 0;
+    if (++strobes_done_ == schedule_.strobes) this->end(Termination::reached_horizon);
+  }
+
+  void move(double x) {
+    if (x > 0.0) {
+      state_ = state_at(x);
+      clock_.advance(x);
+      Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
+      normal_starts_at_zero_ = false;
+    }
+  }
+
+  /// `fired` is indexed by Guard.
+  template <class Fired>
+  void reset(const Fired& fired, bool at_breakpoint) {
+    if (fired.none() && !at_breakpoint) return;
+    if (at_breakpoint) {
+      clock_.set(*breakpoint_);
+      if (state_.contact == ContactState::slide) this->check_tipping();
+    }
+    const auto has_fired = [&fired](Guard guard) { return fired[static_cast<std::size_t>(guard)]; };
+    if (has_fired(Guard::overturn)) return this->overturn();
+    if (has_fired(Guard::determinant)) return this->end(Termination::painleve);
+    if (has_fired(Guard::tilt)) {
+      this->land(has_fired(Guard::slip));
+    } else if (has_fired(Guard::slip)) {
+      this->stop_slipping();
+    } else if (has_fired(Guard::friction_inward)) {
+      this->start_slipping(-state_.side, true);
+    } else if (has_fired(Guard::friction_outward)) {
+      this->start_slipping(state_.side, true);
+    } else if (has_fired(Guard::leave_right)) {
+      this->leave_full_contact(1.0, true);
+    } else if (has_fired(Guard::leave_left)) {
+      this->leave_full_contact(-1.0, true);
+    }
+    if (has_fired(Guard::past_balance)) this->pass_balance();
+    if (has_fired(Guard::normal)) {
+      set_off_ground(!off_ground_);
+      normal_starts_at_zero_ = true;
+    }
+    settle();
+  }
+
+ private:
+  static constexpr int short_order = 8;
+  static constexpr double short_step = 1.0 / 64.0;  ///< of a period
+  static constexpr std::int64_t step_budget = 1'000'000;
+
+  /// In full contact the frame of the series is the fixed one.
+  [[nodiscard]] double frame() const { return state_.contact == ContactState::slide ? 1.0 : state_.side; }
+
+  /// After events: what the coming steps need to know.
+  void settle() {
+    if (ended()) return;
+    breakpoint_ = coefficients_.next_change(clock_, this->is_slipping());
+    kinetic_friction_ = this->is_slipping() ? coefficients_.kinetic_friction(clock_) : 0.0;
+    const bool rocks = state_.contact == ContactState::rock || state_.contact == ContactState::rock_slide;
+    if (!rocks) off_ground_ = false;
+    if (rocks && !normal_starts_at_zero_) {
+      expand_to<2>();
+      if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
+        return this->end(Termination::painleve);
+      }
+      set_off_ground(series_.normal[0] <= 0.0);
+    }
+  }
+
+  void set_off_ground(bool off) {
+    if (off && !off_ground_ && losses_of_contact_++ == 0) first_loss_of_contact_ = clock_.tau();
+    off_ground_ = off;
+  }
+
+  [[nodiscard]] double determinant() const {
+    return setting_.inertia + series_.sine[0] * series_.arm[0];
+  }
+
+  /// min over phi of D = J + 1/2 - sqrt(1 + mu_k^2)/2.
+  [[nodiscard]] bool determinant_may_vanish() const {
+    const double limit = 2.0 * setting_.inertia + 1.0;
+    return 1.0 + kinetic_friction_ * kinetic_friction_ >= limit * limit;
+  }
+
+  [[nodiscard]] GuardContext guard_context() const {
+    return {.contact = state_.contact,
+            .block = setting_.block,
+            .order = order_,
+            .side = frame(),
+            .static_friction = coefficients_.static_friction(),
+            .inertia = setting_.inertia,
+            .slip_sign = frame() * state_.slip_direction,
+            .tilt_zeros = state_.tilt != 0.0 ? 0U : state_.tilt_rate != 0.0 ? 1U : Base::lift_starts_flat_ ? 3U : 2U,
+            .slip_zeros = state_.slip_rate != 0.0 ? 0U : Base::slip_starts_flat_ ? 2U : 1U,
+            .normal_zeros = normal_starts_at_zero_ ? 1U : 0U,
+            .was_past_balance = Base::was_past_balance_,
+            .off_ground = off_ground_,
+            .has_friction = coefficients_.has_friction(),
+            .determinant_may_vanish = determinant_may_vanish()};
+  }
+
+  /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
+  template <int order>
+  double expand_to() {
+    order_ = order;
+    const double side = frame();
+    expand_harmonic<order>(series_.base, side * this->base_amplitude(), setting_.frequency,
+                           base::sin_cos(setting_.frequency * clock_.now().time));
+    const double largest = setting_.tolerance * setting_.block.shape_angle;
+    const SlipParameters<double> slip{.inertia = setting_.inertia,
+                                      .drag = side * state_.slip_direction * kinetic_friction_,
+                                      .first_rate_gate = Base::slip_starts_flat_ ? 0.0 : 1.0};
+    const auto length = [this, largest](const auto& row) {
+      return steps_(row[order - 1], row[order], order, largest);
+    };
+    series_.slip_rate[0] = side * state_.slip_rate;
+    series_.slip[0] = side * state_.slip;
+    switch (state_.contact) {
+      case ContactState::rest: return length(series_.base);
+      case ContactState::slide: expand_slide<order>(series_, slip); return length(series_.slip_rate);
+      case ContactState::rock:
+        begin_rocking(side);
+        expand_rock<order>(series_, Base::lift_starts_flat_ ? 0.0 : 1.0);
+        return length(series_.tilt_rate);
+      case ContactState::rock_slide:
+        begin_rocking(side);
+        expand_rock_slide<order>(series_, slip);
+        return std::min(length(series_.tilt_rate), length(series_.slip_rate));
+      case ContactState::overturned: break;
+    }
+    return 0.0;
+  }
+
+  void begin_rocking(double side) {
+    const auto [sine, cosine] = edge_angle(state_, setting_.block);
+    series_.tilt[0] = side * state_.tilt;
+    series_.tilt_rate[0] = side * state_.tilt_rate;
+    series_.sine[0] = sine;
+    series_.cosine[0] = cosine;
+  }
+
+  [[nodiscard]] State state_at(double x) const {
+    const double side = frame();
+    const auto value = [this, x, side](const auto& row, int degree) {
+      double sum = row[static_cast<std::size_t>(degree)];
+      for (int k = degree - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
+      return side * sum;
+    };
+    State state = state_;
+    if (state.contact == ContactState::rock || state.contact == ContactState::rock_slide) {
+      state.tilt = value(series_.tilt, order_ + 1);
+      state.tilt_rate = value(series_.tilt_rate, order_);
+    }
+    if (this->is_slipping()) {
+      state.slip_rate = value(series_.slip_rate, order_);
+      state.slip = value(series_.slip, order_ + 1);
+    }
+    return state;
+  }
+
+  Schedule schedule_;
+  Instant next_strobe_;
+  std::int64_t strobes_done_ = 0;
+  std::int64_t steps_since_strobe_ = 0;
+  std::uint64_t slip_steps_ = 0;
+  std::optional<Instant> breakpoint_;
+  double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step, while slipping
+  MotionSeries<double> series_{};
+  int order_ = full_order;
+  bool off_ground_ = false;  ///< N <= 0
+  bool normal_starts_at_zero_ = false;
+  std::uint64_t losses_of_contact_ = 0;
+  double first_loss_of_contact_ = 0.0;
+  Steps steps_;
+  Observer* strobe_observer_;
+};
+
+}  // namespace rocking::dynamics

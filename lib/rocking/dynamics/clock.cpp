@@ -1,0 +1,30 @@
+#include "rocking/dynamics/clock.hpp"
+
+namespace rocking::dynamics {
+namespace {
+constexpr double two_pi = 0x1.921fb54442d18p+2;
+}
+
+Clock::Clock(double frequency, double phase)
+    : length_(two_pi / frequency), start_(phase / frequency), now_{.period = 0, .time = start_} {
+  wrap();
+}
+
+void Clock::advance(double duration) {
+  now_.time += duration;
+  wrap();
+}
+
+void Clock::set(const Instant& instant) {
+  now_ = instant;
+  wrap();
+}
+
+void Clock::wrap() {
+  while (now_.time >= length_) {  // exact while the time is below two periods
+    now_.time -= length_;
+    ++now_.period;
+  }
+}
+
+}  // namespace rocking::dynamics

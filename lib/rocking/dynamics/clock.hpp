@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+namespace rocking::dynamics {
+
+/// A moment: a count of excitation periods and the time since the last one began.
+struct Instant {
+  std::int64_t period = 0;
+  double time = 0.0;
+};
+
+/// Time as a count of excitation periods and the time within the current one.
+///
+/// A period starts where the argument of the base motion's sine is a multiple of 2 pi, so that the excitation is
+/// sin(Omega_h u) with u < T however long the run: no digit is lost to accumulated time, and the strobe does not drift.
+class Clock {
+ public:
+  /// At tau = 0. `frequency` = Omega_h; `phase` = Phi in [0, 2 pi).
+  Clock(double frequency, double phase);
+
+  [[nodiscard]] const Instant& now() const { return now_; }       ///< period >= 0, time u in [0, T)
+  [[nodiscard]] double period_length() const { return length_; }  ///< T = 2 pi/Omega_h
+  [[nodiscard]] double start() const { return start_; }           ///< u at tau = 0
+  [[nodiscard]] double tau() const { return static_cast<double>(now_.period) * length_ + (now_.time - start_); }
+
+  /// Instants closer than this are one: a few roundings of a time within a period.
+  [[nodiscard]] double resolution() const { return 0x1p-49 * length_; }
+
+  [[nodiscard]] double until(const Instant& instant) const {
+    return static_cast<double>(instant.period - now_.period) * length_ + (instant.time - now_.time);
+  }
+
+  void advance(double duration);
+
+  /// Puts the clock on an instant that it has reached to rounding.
+  void set(const Instant& instant);
+
+ private:
+  void wrap();
+
+  double length_;
+  double start_;
+  Instant now_;
+};
+
+}  // namespace rocking::dynamics

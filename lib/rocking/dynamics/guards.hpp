@@ -1,0 +1,101 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/motion_series.hpp"
+
+namespace rocking::dynamics {
+
+/// Functions of the motion that stay >= 0 until something happens. In the side frame, so that the two signs of a mirrored
+/// pair have names of their own.
+enum class Guard : std::size_t {
+  overturn,          ///< pi/2 - S theta
+  determinant,       ///< D, where friction is large enough for it to vanish
+  tilt,              ///< S theta
+  slip,              ///< V times the direction of slip
+  friction_inward,   ///< mu_s N - S F
+  friction_outward,  ///< mu_s N + S F
+  leave_right,       ///< full contact: threshold - alpha
+  leave_left,        ///< full contact: threshold + alpha
+  past_balance,      ///< psi - S theta, until the first time
+  normal,            ///< N on the ground, -N off it
+};
+
+/// What the guards depend on besides the series.
+struct GuardContext {
+  ContactState contact;
+  const Geometry& block;
+  int order;               ///< of the series
+  double side;             ///< S of the frame of the series
+  double static_friction;  ///< mu_s in force
+  double inertia;          ///< J
+  double slip_sign;        ///< of V in the frame of the series
+  std::size_t tilt_zeros;    ///< coefficients of S theta at the start that are known to be 0
+  std::size_t slip_zeros;    ///< of V
+  std::size_t normal_zeros;  ///< of N
+  bool was_past_balance;
+  bool off_ground;
+  bool has_friction;
+  bool determinant_may_vanish;
+};
+
+/// Calls visit(number, coefficients) for each guard that is armed, its known zeros at the start divided out: a tolerance
+/// there would find false events or miss true ones.
+template <class Visitor>
+void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Visitor&& visit) {
+  constexpr double half_pi = 0x1.921fb54442d18p+0;
+  std::array<double, full_order + 2> guard{};
+  const auto order = static_cast<std::size_t>(context.order);
+  const auto visit_row = [&](Guard name, std::size_t count, std::size_t zeros, auto&& coefficient) {
+    for (std::size_t k = zeros; k < count; ++k) guard[k] = coefficient(k);
+    visit(static_cast<std::size_t>(name), std::span<const double>(guard.data() + zeros, count - zeros));
+  };
+  const auto below = [&](Guard name, double limit, std::size_t count, const auto& row) {
+    visit_row(name, count, 0, [&](std::size_t k) { return (k == 0 ? limit : 0.0) - row[k]; });
+  };
+  const bool rocks = context.contact == ContactState::rock || context.contact == ContactState::rock_slide;
+  const bool slips = context.contact == ContactState::slide || context.contact == ContactState::rock_slide;
+
+  if (context.contact == ContactState::rest) {
+    const double threshold = std::min(context.block.tangent, context.static_friction);
+    visit_row(Guard::leave_right, order + 1, 0,
+              [&](std::size_t k) { return (k == 0 ? threshold : 0.0) - context.side * m.base[k]; });
+    visit_row(Guard::leave_left, order + 1, 0,
+              [&](std::size_t k) { return (k == 0 ? threshold : 0.0) + context.side * m.base[k]; });
+  }
+  if (slips) {
+    visit_row(Guard::slip, order + 1, context.slip_zeros,
+              [&](std::size_t k) { return context.slip_sign * m.slip_rate[k]; });
+  }
+  if (!rocks) return;
+  visit_row(Guard::tilt, order + 2, context.tilt_zeros, [&](std::size_t k) { return m.tilt[k]; });
+  if (context.was_past_balance) {
+    below(Guard::overturn, half_pi, order + 2, m.tilt);
+  } else {
+    below(Guard::past_balance, context.block.shape_angle, order + 2, m.tilt);
+  }
+  const double ground = context.off_ground ? -1.0 : 1.0;
+  visit_row(Guard::normal, order, context.normal_zeros, [&](std::size_t k) { return ground * m.normal[k]; });
+  if (!slips && context.has_friction && !context.off_ground) {
+    const auto friction = [&m](std::size_t k) {
+      return 4.0 / 3.0 * m.base[k] - static_cast<double>(k + 1) * m.rate_cosine[k + 1];
+    };
+    const double mu_s = context.static_friction;
+    visit_row(Guard::friction_inward, order, 0, [&](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
+    visit_row(Guard::friction_outward, order, 0, [&](std::size_t k) { return mu_s * m.normal[k] + friction(k); });
+  }
+  if (slips && context.determinant_may_vanish) {
+    visit_row(Guard::determinant, order + 1, 0, [&](std::size_t k) {
+      double sum = k == 0 ? context.inertia : 0.0;
+      for (std::size_t i = 0; i <= k; ++i) sum += m.sine[i] * m.arm[k - i];
+      return sum;
+    });
+  }
+}
+
+}  // namespace rocking::dynamics

@@ -1,0 +1,192 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <type_traits>
+#include <utility>
+
+#include "rocking/base/elementary.hpp"
+#include "rocking/base/lane.hpp"
+
+/// Taylor series of the block's motion about an instant: the stepping kernel.
+///
+/// All quantities are seen from the side on which the block stands (the side frame): a block rocking about its right edge
+/// is the mirror image of one rocking about its left edge. With S the side, beta = S alpha, omega = S w, v = S V and
+/// phi = psi - S theta, the sines and cosines s = sin(phi), c = cos(phi) obey
+///
+///     s' = -omega c        c' = omega s        (S theta)' = omega
+///
+/// and the contact forces over m R p^2 are
+///
+///     N = 4/3 + c''          S F = (4/3) beta + v' + s''
+///
+/// rock:        omega' = -s + beta c
+/// rock-slide:  J omega' = -N r,  r = s + nu c,  nu = S s_slip mu_k;   v' = -(4/3) beta - nu N - s''
+///
+/// Both need the same three products of series. N holds c'', hence omega'; solving for it leaves one division by
+/// D = J + s r at the start of the step.
+/// Source: Shenton & Jones (1991), J. Eng. Mech. 117(10) 2286-2306; Jeong & Yang (2012) Eqs. 4-16, with J as the inertia
+/// about the centre of mass (lib/docs/model.md).
+namespace rocking::dynamics {
+
+inline constexpr int full_order = 14;
+
+/// Coefficients of x^k; all in the side frame.
+template <base::Lane Real>
+struct MotionSeries {
+  using Row = std::array<Real, full_order + 3>;
+  Row base;         ///< beta = S alpha, to the order of the step
+  Row tilt;         ///< S theta, to one order more than the step's
+  Row tilt_rate;    ///< omega
+  Row sine;         ///< s, to one order more
+  Row cosine;       ///< c, to one order more
+  Row rate_sine;    ///< omega s = c'
+  Row rate_cosine;  ///< omega c = -s'
+  Row normal;       ///< N, to one order less
+  Row arm;          ///< r = s + nu c, only while slipping
+  Row slip_rate;    ///< v
+  Row slip;         ///< S X, to one order more
+};
+
+/// What stays constant over a step with slip.
+template <base::Lane Real>
+struct SlipParameters {
+  Real inertia;          ///< J
+  Real drag;             ///< nu = S s_slip mu_k
+  Real first_rate_gate;  ///< 0 where v' is known to vanish at the start of the step, else 1
+};
+
+namespace kernel {
+
+/// sum_{i < k} a_i b_{k - i}: the product's coefficient k but for its newest term a_k b_0. Summed from the middle outwards
+/// in two chains, so that the newest coefficients, on the critical path, come last.
+template <int k, base::Lane Real>
+[[nodiscard]] inline Real product_but_newest(const Real* a, const Real* b) {
+  using base::fused;
+  if constexpr (k == 0) {
+    return Real(0.0);
+  } else if constexpr (k == 1) {
+    return a[0] * b[1];
+  } else {
+    constexpr int middle = k / 2;
+    Real left = a[middle] * b[k - middle];
+    Real right = k % 2 == 0 ? Real(0.0) : a[k - middle] * b[middle];
+#pragma GCC unroll 16
+    for (int i = middle - 1; i >= 1; --i) {
+      left = fused(a[i], b[k - i], left);
+      right = fused(a[k - i], b[i], right);
+    }
+    return fused(a[0], b[k], left + right);
+  }
+}
+
+/// (a b)_k.
+template <int k, base::Lane Real>
+[[nodiscard]] inline Real product(const Real* a, const Real* b) {
+  return base::fused(a[k], b[0], product_but_newest<k>(a, b));
+}
+
+template <int k>
+inline constexpr double over = 1.0 / k;
+
+/// Calls step(0), ..., step(count - 1) with the numbers as compile-time constants.
+template <int count, class Step>
+inline void repeat(Step&& step) {
+  [&]<int... k>(std::integer_sequence<int, k...>) {
+    (step(std::integral_constant<int, k>{}), ...);
+  }(std::make_integer_sequence<int, count>{});
+}
+
+/// From omega_k and the products at k: sine, cosine and tilt at k + 1.
+template <int k, base::Lane Real>
+inline void extend_angle(MotionSeries<Real>& m) {
+  m.rate_cosine[k] = product<k>(m.tilt_rate.data(), m.cosine.data());
+  m.cosine[k + 1] = m.rate_sine[k] * Real(over<k + 1>);
+  m.sine[k + 1] = -m.rate_cosine[k] * Real(over<k + 1>);
+  m.tilt[k + 1] = m.tilt_rate[k] * Real(over<k + 1>);
+}
+
+}  // namespace kernel
+
+/// Rock: from base, tilt[0], tilt_rate[0], sine[0], cosine[0] to all that rocking needs, to `order`.
+///
+/// `first_rate_gate` is 0 where omega' is known to vanish at the start (a lift at the threshold), else 1.
+template <int order, base::Lane Real>
+inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
+  using namespace kernel;
+  repeat<order>([&](auto index) {
+    constexpr int k = index;
+    m.rate_sine[k] = product<k>(m.tilt_rate.data(), m.sine.data());
+    const Real demand = product<k>(m.base.data(), m.cosine.data());
+    extend_angle<k>(m);
+    m.tilt_rate[k + 1] = (demand - m.sine[k]) * Real(over<k + 1>);
+    if constexpr (k == 0) m.tilt_rate[1] = m.tilt_rate[1] * first_rate_gate;
+  });
+  m.rate_sine[order] = product<order>(m.tilt_rate.data(), m.sine.data());
+  extend_angle<order>(m);
+  repeat<order>([&](auto index) {
+    constexpr int k = index;
+    m.normal[k] = Real(k == 0 ? 4.0 / 3.0 : 0.0) + Real(k + 1) * m.rate_sine[k + 1];
+  });
+}
+
+/// Rock-slide: from base, tilt[0], tilt_rate[0], sine[0], cosine[0], slip_rate[0], slip[0] to all series, to `order`.
+template <int order, base::Lane Real>
+inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
+  using base::fused;
+  using namespace kernel;
+  m.arm[0] = fused(slip.drag, m.cosine[0], m.sine[0]);
+  m.rate_sine[0] = m.tilt_rate[0] * m.sine[0];
+  const Real minus_over_d = Real(-1.0) / fused(m.sine[0], m.arm[0], slip.inertia);
+  repeat<order>([&](auto index) {
+    constexpr int k = index;
+    extend_angle<k>(m);
+    m.arm[k + 1] = fused(slip.drag, m.cosine[k + 1], m.sine[k + 1]);
+    // N_k = G_k + (k + 1) (omega s)_{k+1}; all of it is known but the term omega_{k+1} s_0.
+    const Real known = product_but_newest<k + 1>(m.tilt_rate.data(), m.sine.data());
+    const Real normal = fused(Real(k + 1), known, Real(k == 0 ? 4.0 / 3.0 : 0.0));
+    const Real torque = fused(normal, m.arm[0], product_but_newest<k>(m.normal.data(), m.arm.data()));
+    m.tilt_rate[k + 1] = torque * minus_over_d * Real(over<k + 1>);
+    m.rate_sine[k + 1] = fused(m.tilt_rate[k + 1], m.sine[0], known);
+    m.normal[k] = fused(Real(k + 1) * m.tilt_rate[k + 1], m.sine[0], normal);
+  });
+  extend_angle<order>(m);
+  repeat<order>([&](auto index) {
+    constexpr int k = index;
+    const Real force = fused(slip.drag, m.normal[k], Real(4.0 / 3.0) * m.base[k]);
+    m.slip_rate[k + 1] = fused(force, Real(-over<k + 1>), m.rate_cosine[k + 1]);
+    if constexpr (k == 0) m.slip_rate[1] = m.slip_rate[1] * slip.first_rate_gate;
+    m.slip[k + 1] = m.slip_rate[k] * Real(over<k + 1>);
+  });
+  m.slip[order + 1] = m.slip_rate[order] * Real(over<order + 1>);
+}
+
+/// Slide in full contact: from base, slip_rate[0], slip[0] to the slip's series, to `order`. N = 4/3 throughout.
+template <int order, base::Lane Real>
+inline void expand_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
+  using namespace kernel;
+  repeat<order>([&](auto index) {
+    constexpr int k = index;
+    const Real drag = k == 0 ? slip.drag : Real(0.0);
+    m.slip_rate[k + 1] = (m.base[k] + drag) * Real(-4.0 / 3.0 * over<k + 1>);
+    if constexpr (k == 0) m.slip_rate[1] = m.slip_rate[1] * slip.first_rate_gate;
+    m.slip[k + 1] = m.slip_rate[k] * Real(over<k + 1>);
+  });
+  m.slip[order + 1] = m.slip_rate[order] * Real(over<order + 1>);
+}
+
+/// beta = amplitude sin(omega x + angle), from sine and cosine of the angle, to `order`.
+template <int order, base::Lane Real>
+inline void expand_harmonic(typename MotionSeries<Real>::Row& base, Real amplitude, Real frequency,
+                            const base::SinCos<Real>& angle) {
+  using namespace kernel;
+  base[0] = amplitude * angle.sine;
+  base[1] = amplitude * frequency * angle.cosine;
+  const Real curvature = -(frequency * frequency);
+  repeat<order - 1>([&](auto index) {
+    constexpr int k = index + 2;
+    base[k] = base[k - 2] * curvature * Real(over<k> * over<k - 1>);
+  });
+}
+
+}  // namespace rocking::dynamics

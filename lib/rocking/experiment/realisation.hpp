@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+#include "rocking/dynamics/block_motion.hpp"
+#include "rocking/experiment/experiment.hpp"
+#include "rocking/experiment/scene_coefficients.hpp"
+#include "rocking/integrate/hybrid.hpp"
+#include "rocking/integrate/step_length.hpp"
+#include "rocking/random/draws.hpp"
+
+/// Where the dynamics and the integrator meet: one seeded run of one condition.
+namespace rocking::experiment {
+
+/// Steps as long as the tolerance allows.
+struct TaylorSteps {
+  double operator()(double last_but_one, double last, int order, double largest) const {
+    return integrate::step_length(last_but_one, last, order, largest);
+  }
+};
+
+template <class Observer>
+using Motion = dynamics::BlockMotion<SceneCoefficients, Observer, TaylorSteps>;
+
+/// What a realisation draws once, at its start.
+struct Start {
+  double phase;  ///< Phi in [0, 2 pi) [rad]
+  dynamics::State state;
+  std::uint64_t draws;  ///< how many numbers that took
+};
+
+[[nodiscard]] Start start_of(const Scene& scene, const random::Draws& draws);
+
+[[nodiscard]] dynamics::Setting setting_of(const Scene& scene, double tolerance);
+
+/// Where strobe points are taken: `poincare` where the excitation's argument is a multiple of 2 pi, `start` a whole number
+/// of periods after tau = 0.
+enum class Strobe : std::uint8_t { poincare, start };
+
+/// A realisation at tau = 0, ready to be advanced over `periods` strobe points.
+template <class Observer>
+[[nodiscard]] Motion<Observer> begin_realisation(const Scene& scene, double tolerance, const random::Draws& draws,
+                                                 const Start& start, Strobe strobe, std::int64_t periods,
+                                                 Observer& observer) {
+  const dynamics::Clock clock(scene.excitation.frequency_ratio, start.phase);
+  const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
+  return Motion<Observer>(setting_of(scene, tolerance), clock, SceneCoefficients(scene, draws), start.state,
+                          {.first_strobe = {.period = 1, .time = first}, .strobes = periods}, observer);
+}
+
+}  // namespace rocking::experiment

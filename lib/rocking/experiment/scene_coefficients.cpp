@@ -1,0 +1,137 @@
+#include "rocking/experiment/scene_coefficients.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace rocking::experiment {
+
+using dynamics::Clock;
+using dynamics::Instant;
+using random::Source;
+
+SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& draws)
+    : friction_(scene.friction),
+      fluctuation_(scene.fluctuation),
+      restitution_mean_(scene.restitution),
+      amplitude_mean_(scene.excitation.amplitude),
+      draws_(draws),
+      static_friction_(std::numeric_limits<double>::infinity()) {
+  if (friction_) draw_static_friction();
+}
+
+void SceneCoefficients::draw_static_friction() {
+  static_friction_ = friction_->static_coefficient;
+  if (fluctuation_.static_friction > 0.0) {
+    ++static_draws_;
+    const auto index = random::paired_index(stops_.chatters, stops_.since);
+    static_friction_ += fluctuation_.static_friction * draws_.standard_normal(Source::static_friction, index);
+    if (static_friction_ < 0.0) {
+      static_friction_ = 0.0;
+      ++clamps_.static_at_zero;
+    }
+    if (fluctuation_.kinetic_friction == 0.0) held_at_static_ = false;
+  }
+}
+
+void SceneCoefficients::stop() {
+  ++stops_.since;
+  if (friction_) draw_static_friction();
+}
+
+void SceneCoefficients::chatter_ended() {
+  const bool had_stops = stops_.since > 0;
+  stops_ = {.chatters = stops_.chatters + 1, .since = 0};
+  impacts_ = {.chatters = impacts_.chatters + 1, .since = 0};
+  if (friction_ && had_stops) draw_static_friction();
+}
+
+double SceneCoefficients::kinetic_friction(const Clock& clock) {
+  const double wanted =
+      fluctuation_.kinetic_friction > 0.0 ? drawn_kinetic_friction(clock) : friction_->kinetic_coefficient;
+  if (wanted <= static_friction_) return wanted;
+  if (!held_at_static_) ++clamps_.kinetic_at_static;
+  held_at_static_ = true;
+  return static_friction_;
+}
+
+double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
+  const std::int64_t interval = grid_index(clock);
+  if (interval != interval_) {
+    const auto index = static_cast<std::uint64_t>(interval);
+    const bool same_pair = interval_ >= 0 && interval / 2 == interval_ / 2;
+    if (!same_pair) kinetic_pair_ = draws_.standard_normal_pair(Source::kinetic_friction, index / 2);
+    interval_ = interval;
+    held_at_static_ = false;
+    ++kinetic_draws_;
+    kinetic_friction_ = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * kinetic_pair_[index];
+    if (kinetic_friction_ < 0.0) {
+      kinetic_friction_ = 0.0;
+      ++clamps_.kinetic_at_zero;
+    }
+  }
+  return kinetic_friction_;
+}
+
+double SceneCoefficients::restitution() {
+  if (fluctuation_.restitution == 0.0) return restitution_mean_;
+  ++restitution_draws_;
+  const auto index = random::paired_index(impacts_.chatters, impacts_.since++);
+  const double value = restitution_mean_ + fluctuation_.restitution * draws_.standard_normal(Source::restitution, index);
+  const double clamped = std::clamp(value, -0.999, 1.0);
+  if (clamped != value) ++clamps_.restitution;
+  return clamped;
+}
+
+double SceneCoefficients::amplitude(const Clock& clock) {
+  if (fluctuation_.amplitude == 0.0) return amplitude_mean_;
+  const std::int64_t period = clock.now().period;
+  if (period != amplitude_period_) {
+    amplitude_period_ = period;
+    ++amplitude_draws_;
+    const auto index = static_cast<std::uint64_t>(period);
+    amplitude_ = amplitude_mean_ + fluctuation_.amplitude * draws_.standard_normal(Source::amplitude, index);
+    if (amplitude_ < 0.0) {
+      amplitude_ = 0.0;
+      ++clamps_.amplitude_at_zero;
+    }
+  }
+  return amplitude_;
+}
+
+Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t index) const {
+  const std::int64_t count = fluctuation_.refreshes_per_period;
+  const std::int64_t rest = index % count;
+  return {.period = index / count,
+          .time = clock.start() + static_cast<double>(rest) * clock.period_length() / static_cast<double>(count)};
+}
+
+/// The interval that now lies in; now counts as after a boundary that it has reached to within the clock's resolution.
+std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
+  const std::int64_t count = fluctuation_.refreshes_per_period;
+  const double local = (clock.now().time - clock.start()) / clock.period_length() * static_cast<double>(count);
+  std::int64_t index = std::max<std::int64_t>(
+      0, clock.now().period * count + static_cast<std::int64_t>(std::floor(local)));
+  while (clock.until(grid_instant(clock, index + 1)) <= clock.resolution()) ++index;
+  while (index > 0 && clock.until(grid_instant(clock, index)) > clock.resolution()) --index;
+  return index;
+}
+
+std::optional<Instant> SceneCoefficients::next_change(const Clock& clock, bool slipping) const {
+  std::optional<Instant> next;
+  if (fluctuation_.amplitude > 0.0) next = Instant{.period = clock.now().period + 1, .time = 0.0};
+  if (slipping && fluctuation_.kinetic_friction > 0.0) {
+    const Instant refresh = grid_instant(clock, grid_index(clock) + 1);
+    if (!next || clock.until(refresh) < clock.until(*next)) next = refresh;
+  }
+  return next;
+}
+
+void SceneCoefficients::add_to(Effort& effort) const {
+  effort.static_friction_draws += static_draws_;
+  effort.kinetic_friction_draws += kinetic_draws_;
+  effort.restitution_draws += restitution_draws_;
+  effort.amplitude_draws += amplitude_draws_;
+}
+
+}  // namespace rocking::experiment

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "rocking/dynamics/clock.hpp"
+#include "rocking/experiment/experiment.hpp"
+#include "rocking/experiment/result.hpp"
+#include "rocking/random/draws.hpp"
+
+namespace rocking::experiment {
+
+/// Friction, restitution and amplitude of one realisation: means from the scene, deviations from its draws. A source whose
+/// sigma is 0 draws nothing. Models dynamics::CoefficientSource; the rules are in lib/docs/model.md, section 5.
+///
+/// Kinetic friction is a function of time alone (one draw for each interval of a grid), held at the static friction in
+/// force. Static friction and restitution count their draws from the last chatter's end, so that what a chatter consumes,
+/// which depends on the tolerance, is not seen later: where a chatter held stops, the static friction after it is the first
+/// draw of the new count.
+class SceneCoefficients {
+ public:
+  SceneCoefficients(const Scene& scene, const random::Draws& draws);
+
+  [[nodiscard]] bool has_friction() const { return friction_.has_value(); }
+  [[nodiscard]] double static_friction() const { return static_friction_; }
+  [[nodiscard]] double kinetic_friction(const dynamics::Clock& clock);
+  [[nodiscard]] double restitution();
+  [[nodiscard]] double amplitude(const dynamics::Clock& clock);
+  void stop();
+  void chatter_ended();
+  [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
+
+  /// Draws made so far, and of them those clamped where they were used.
+  void add_to(Effort& effort) const;
+  [[nodiscard]] const Clamps& clamps() const { return clamps_; }
+
+ private:
+  /// Counts of what has happened, from which the indices of draws are made.
+  struct Count {
+    std::uint64_t chatters = 0;
+    std::uint64_t since = 0;  ///< impacts or stops since the last chatter's end
+  };
+
+  [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t index) const;
+  [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
+  void draw_static_friction();
+  [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
+
+  std::optional<Friction> friction_;
+  Fluctuation fluctuation_;
+  double restitution_mean_;
+  double amplitude_mean_;
+  random::Draws draws_;
+
+  double static_friction_;
+  Count stops_;
+  Count impacts_;
+  std::int64_t interval_ = -1;  ///< of the kinetic friction held below
+  random::NormalPair kinetic_pair_{};
+  double kinetic_friction_ = 0.0;
+  bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted
+  std::int64_t amplitude_period_ = -1;
+  double amplitude_ = 0.0;
+
+  Clamps clamps_;
+  std::uint64_t static_draws_ = 0;
+  std::uint64_t kinetic_draws_ = 0;
+  std::uint64_t restitution_draws_ = 0;
+  std::uint64_t amplitude_draws_ = 0;
+};
+
+}  // namespace rocking::experiment

@@ -1,0 +1,50 @@
+#include "rocking/experiment/trajectory.hpp"
+
+#include "rocking/experiment/realisation.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+/// Keeps everything, in the units of files.
+class Recorder {
+ public:
+  explicit Recorder(double shape_angle) : shape_angle_(shape_angle) {}
+
+  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) {
+    trajectory.events.push_back({.tau = tau,
+                                 .kind = kind,
+                                 .tilt = state.tilt / shape_angle_,
+                                 .tilt_rate = state.tilt_rate / shape_angle_,
+                                 .slip = state.slip,
+                                 .slip_rate = state.slip_rate});
+  }
+
+  void strobe(const dynamics::State& state) {
+    trajectory.strobe.push_back({.period = static_cast<std::int64_t>(trajectory.strobe.size()) + 1,
+                                 .tilt = state.tilt / shape_angle_,
+                                 .tilt_rate = state.tilt_rate / shape_angle_,
+                                 .slip = state.slip,
+                                 .slip_rate = state.slip_rate,
+                                 .contact = state.contact});
+  }
+
+  Trajectory trajectory;
+
+ private:
+  double shape_angle_;
+};
+
+}  // namespace
+
+Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                         std::int64_t periods) {
+  const random::Draws draws(seed, realisation);
+  Recorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle);
+  auto motion = begin_realisation(condition.scene, condition.tolerance, draws, start_of(condition.scene, draws),
+                                  Strobe::start, periods, recorder);
+  integrate::advance(motion);
+  recorder.trajectory.termination = motion.termination().value_or(Termination::stopped);
+  return std::move(recorder.trajectory);
+}
+
+}  // namespace rocking::experiment

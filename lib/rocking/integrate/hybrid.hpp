@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <bitset>
+#include <concepts>
+#include <cstdint>
+#include <span>
+
+#include "rocking/integrate/polynomial.hpp"
+#include "rocking/integrate/sign_loss.hpp"
+
+/// The hybrid loop: smooth steps on a Taylor polynomial, events where a guard loses its sign, resets, strobe samples.
+namespace rocking::integrate {
+
+/// Guards are known by small numbers that the system gives them.
+inline constexpr std::size_t max_guards = 16;
+using FiredGuards = std::bitset<max_guards>;
+
+/// Takes a guard's number and its polynomial over the coming step, zeros at the start that are known exactly divided out.
+struct IgnoreGuard {
+  void operator()(std::size_t, std::span<const double>) const {}
+};
+
+/// What a system offers to be advanced. Time is measured from the start of the coming step.
+template <class System>
+concept HybridSystem = requires(System system, const System constant, double x, FiredGuards fired, IgnoreGuard visitor) {
+  { constant.ended() } -> std::same_as<bool>;
+  { constant.time_resolution() } -> std::convertible_to<double>;    // instants closer than this are one
+  { constant.time_to_breakpoint() } -> std::convertible_to<double>; // until which the equations hold
+  { constant.time_to_strobe() } -> std::convertible_to<double>;
+  { system.expand(x) } -> std::convertible_to<double>;              // series of the motion; length of the step, <= x
+  constant.for_each_guard(visitor);
+  system.strobe(x);                                                 // records the state x into the step
+  system.move(x);                                                   // to the end of the step
+  system.reset(fired, true);                                        // events and, if true, the breakpoint, in their order
+};
+
+struct LoopCounts {
+  std::uint64_t steps = 0;
+  std::uint64_t root_isolations = 0;  ///< guards that the cheap bound did not clear
+};
+
+/// When the first guards fire within a step, and which.
+struct FirstLoss {
+  double time;
+  FiredGuards fired;
+};
+
+/// Finds the earliest loss of sign within a step; losses within `resolution` of it count as simultaneous.
+template <HybridSystem System>
+[[nodiscard]] FirstLoss first_loss(const System& system, double length, double resolution, LoopCounts& counts) {
+  std::array<double, max_guards> instants{};
+  FiredGuards candidates;
+  double earliest = length;
+  system.for_each_guard([&](std::size_t guard, std::span<const double> coefficients) {
+    std::array<double, max_coefficients> storage;
+    const auto scaled = scale_to_unit(coefficients, length, storage);
+    if (is_clearly_positive(scaled)) return;
+    ++counts.root_isolations;
+    const auto loss = first_sign_loss(scaled);
+    if (!loss) return;
+    instants[guard] = *loss * length;
+    candidates.set(guard);
+    if (instants[guard] < earliest) earliest = instants[guard];
+  });
+  for (std::size_t guard = 0; guard < max_guards; ++guard) {
+    if (candidates[guard] && instants[guard] > earliest + resolution) candidates.reset(guard);
+  }
+  return {earliest, candidates};
+}
+
+/// Advances a system until it has ended.
+///
+/// A strobe sample shows the state after the events of its instant: one that falls within the time resolution of a step's
+/// end waits for the next step.
+template <HybridSystem System>
+LoopCounts advance(System& system) {
+  LoopCounts counts;
+  const double resolution = system.time_resolution();
+  while (!system.ended()) {
+    const double reach = system.time_to_breakpoint();
+    const double length = system.expand(reach);
+    ++counts.steps;
+    const auto [time, fired] = first_loss(system, length, resolution, counts);
+    while (!system.ended() && system.time_to_strobe() < time - resolution) {
+      const double instant = system.time_to_strobe();
+      system.strobe(instant > resolution ? instant : 0.0);
+    }
+    if (system.ended()) break;
+    system.move(time);
+    system.reset(fired, time >= reach - resolution);
+  }
+  return counts;
+}
+
+}  // namespace rocking::integrate

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rocking/base/lane.hpp"
+
+namespace rocking::integrate {
+
+/// More coefficients than any step's polynomial or guard has.
+inline constexpr std::size_t max_coefficients = 20;
+
+/// sum c[k] x^k by Horner's rule, each step fused.
+template <base::Lane Real>
+[[nodiscard]] Real evaluate(std::span<const Real> c, Real x) {
+  using base::fused;
+  Real value = c.back();
+  for (std::size_t k = c.size() - 1; k-- > 0;) value = fused(value, x, c[k]);
+  return value;
+}
+
+/// d/dx of the above.
+template <base::Lane Real>
+[[nodiscard]] Real evaluate_derivative(std::span<const Real> c, Real x) {
+  using base::fused;
+  Real value(0.0);
+  for (std::size_t k = c.size() - 1; k >= 1; --k) value = fused(value, x, Real(static_cast<double>(k)) * c[k]);
+  return value;
+}
+
+/// The same polynomial in t = x/length: coefficients c[k] length^k, so that the step is t in [0, 1].
+inline std::span<const double> scale_to_unit(std::span<const double> c, double length,
+                                             std::array<double, max_coefficients>& scaled) {
+  double power = 1.0;
+  for (std::size_t k = 0; k < c.size(); ++k, power *= length) scaled[k] = c[k] * power;
+  return {scaled.data(), c.size()};
+}
+
+}  // namespace rocking::integrate

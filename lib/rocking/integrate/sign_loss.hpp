@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace rocking::integrate {
+
+/// Whether a cheap bound shows that p(t) = sum c[k] t^k stays positive on [0, 1]. False means "not shown".
+///
+/// On [0, 1] a polynomial c0 + t q(t) is at least c0 + min(0, min q); applied from the last coefficient to the first.
+[[nodiscard]] inline bool is_clearly_positive(std::span<const double> c) {
+  double bound = 0.0;
+  for (std::size_t k = c.size(); k-- > 0;) bound = c[k] + (bound < 0.0 ? bound : 0.0);
+  return bound > 0.0;
+}
+
+/// First t in [0, 1] at which p(t) = sum c[k] t^k goes from p >= 0 to p < 0; 0 if it starts below zero, or starts at zero
+/// and leaves downwards. Absent if p stays >= 0: a touch without crossing (a double root) is no loss of sign.
+///
+/// Rigorous up to rounding of the coefficients: Bernstein coefficients enclose the polynomial, so an interval on which all
+/// are >= 0 has no crossing and one with a single change of sign has exactly one (Descartes); anything else is halved
+/// until one of the two holds or the interval has shrunk to rounding. No crossing is missed by looking at too few points.
+/// Cost: about n^2 additions for n coefficients, and as much for each halving. At most `max_coefficients` coefficients.
+/// Source: Lane & Riesenfeld (1981), BIT 21, 112-117 (isolation); Farouki & Rajan (1987), CAGD 4, 191-216 (stability).
+[[nodiscard]] std::optional<double> first_sign_loss(std::span<const double> c);
+
+}  // namespace rocking::integrate

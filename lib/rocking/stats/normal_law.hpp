@@ -1,0 +1,20 @@
+#pragma once
+
+namespace rocking::stats {
+
+/// N(mean, sigma^2), given, not estimated from the sample. sigma > 0.
+struct NormalLaw {
+  double mean = 0.0;
+  double sigma = 1.0;
+
+  /// Distance of `x` from the mean in units of sigma.
+  [[nodiscard]] constexpr double score(double x) const { return (x - mean) / sigma; }
+};
+
+/// Probability that a standard normal number is at most z. Keeps its relative precision down to z = -37.
+[[nodiscard]] double normal_cdf(double z);
+
+/// ln of `normal_cdf(z)`, for z > -1e150, also where the probability itself is too small for a double.
+[[nodiscard]] double log_normal_cdf(double z);
+
+}  // namespace rocking::stats

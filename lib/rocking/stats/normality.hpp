@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "rocking/stats/normal_law.hpp"
+
+namespace rocking::stats {
+
+/// A test of fit: how far the sample is from the law, and how probable that or more is under the law.
+struct TestOfFit {
+  double statistic = 0.0;
+  double p_value = 1.0;
+};
+
+/// Normal with any mean and sigma? n/6 (g1^2 + (b2 - 3)^2/4), compared with chi-squared of 2 degrees.
+///
+/// Needs n >= 4, not all alike. The p-value is that of n = infinity, approached slowly: for samples of thousands.
+/// Source: Jarque & Bera (1987), Int. Stat. Rev. 55, 163-172.
+[[nodiscard]] TestOfFit jarque_bera(std::span<const double> sample);
+
+/// Normal with any mean and sigma? K^2 = Z(g1)^2 + Z(b2)^2, compared with chi-squared of 2 degrees; the two are transformed to be
+/// normal already at small n.
+///
+/// Needs n >= 20 (8 at least), not all alike.
+/// Source: D'Agostino & Pearson (1973), Biometrika 60, 613-622; D'Agostino (1970), Biometrika 57, 679-681, for g1;
+/// Anscombe & Glynn (1983), Biometrika 70, 227-234, for b2.
+[[nodiscard]] TestOfFit dagostino_pearson(std::span<const double> sample);
+
+/// This very law? Anderson & Darling's A^2, which weighs both tails up. Needs n >= 1.
+///
+/// p-value to 2e-6 absolute: below that it only says "small".
+/// Source: Anderson & Darling (1954), J. Am. Stat. Assoc. 49, 765-769; Marsaglia & Marsaglia (2004), J. Stat. Softw. 9(2).
+[[nodiscard]] TestOfFit anderson_darling(std::span<const double> sample, const NormalLaw& law);
+
+/// This very law? The largest distance D between the empirical and the law's distribution function. Needs n >= 1.
+[[nodiscard]] TestOfFit kolmogorov_smirnov(std::span<const double> sample, const NormalLaw& law);
+
+/// Probability that the D of n independent numbers, from whatever continuous law they are compared with, is at least `distance`.
+///
+/// Kolmogorov's limit law at x + 1/(6 sqrt n) + (x - 1)/(4n), x = sqrt(n) D.
+/// Source: Vrbik (2018), Pioneer J. Theor. Appl. Stat. 15, 15-23.
+[[nodiscard]] double kolmogorov_p_value(double distance, std::size_t n);
+
+}  // namespace rocking::stats

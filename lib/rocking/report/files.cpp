@@ -1,0 +1,109 @@
+#include "rocking/report/files.hpp"
+
+#include <cerrno>
+#include <system_error>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+namespace rocking::report {
+namespace {
+
+[[noreturn]] void fail(const std::filesystem::path& path, const char* what) {
+  throw std::system_error(errno, std::generic_category(), path.string() + ": " + what);
+}
+
+class FileDescriptor {
+ public:
+  explicit FileDescriptor(int number) : number_(number) {}
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
+  ~FileDescriptor() {
+    if (number_ >= 0) ::close(number_);
+  }
+  [[nodiscard]] int number() const { return number_; }
+  [[nodiscard]] int close() { return ::close(std::exchange(number_, -1)); }
+
+ private:
+  int number_;
+};
+
+// A file under a name of its own, removed again unless it is renamed.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::filesystem::path& folder)
+      : name_((folder / ".rocking-XXXXXX").string()), descriptor_(::mkstemp(name_.data())) {
+    if (descriptor_.number() < 0) fail(folder, "cannot make a file here");
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  ~TemporaryFile() {
+    if (!name_.empty()) ::unlink(name_.c_str());
+  }
+
+  void write(std::string_view content) {
+    while (!content.empty()) {
+      const auto written = ::write(descriptor_.number(), content.data(), content.size());
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail(name_, "cannot be written");
+      content.remove_prefix(static_cast<std::size_t>(written));
+    }
+  }
+
+  void rename_to(const std::filesystem::path& path) {
+    // mkstemp keeps others out; a report is for all whom the folder lets in.
+    if (::fchmod(descriptor_.number(), S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) != 0) fail(name_, "cannot be made readable");
+    if (::fsync(descriptor_.number()) != 0) fail(name_, "cannot be flushed to the disk");
+    if (descriptor_.close() != 0) fail(name_, "cannot be closed");
+    if (::rename(name_.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
+    name_.clear();
+  }
+
+ private:
+  std::string name_;
+  FileDescriptor descriptor_;
+};
+
+std::filesystem::path folder_of(const std::filesystem::path& path) {
+  return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+}
+
+}  // namespace
+
+std::string read_file(const std::filesystem::path& path) {
+  const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
+  if (file.number() < 0) fail(path, "cannot be opened");
+  std::string content;
+  char buffer[65536];
+  while (true) {
+    const auto count = ::read(file.number(), buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail(path, "cannot be read");
+    if (count == 0) return content;
+    content.append(buffer, static_cast<std::size_t>(count));
+  }
+}
+
+void write_atomically(const std::filesystem::path& path, std::string_view content) {
+  const std::filesystem::path folder = folder_of(path);
+  TemporaryFile file(folder);
+  file.write(content);
+  file.rename_to(path);
+  // The new name is on the disk only when the folder is.
+  const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (directory.number() >= 0) ::fsync(directory.number());
+}
+
+void ensure_writable(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) throw std::system_error(error, folder.string() + ": cannot make this folder");
+  if (!std::filesystem::is_directory(folder)) {
+    throw std::system_error(std::make_error_code(std::errc::not_a_directory), folder.string() + ": is not a folder");
+  }
+  const TemporaryFile probe(folder);
+}
+
+}  // namespace rocking::report

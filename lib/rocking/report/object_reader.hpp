@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/base/error.hpp"
+#include "rocking/report/json.hpp"
+
+namespace rocking::report {
+
+using Problems = std::vector<base::Problem>;
+
+/// What a number must be, and how to say so.
+struct NumberRule {
+  bool (*allows)(double);
+  std::string_view demand;   ///< `must be ...`
+  std::string_view example;  ///< JSON text of a value that would do
+  std::optional<double> standard = std::nullopt;  ///< used where the key is absent; without it the key must be there
+};
+
+struct IntegerRule {
+  std::int64_t low;
+  std::int64_t high;
+  std::optional<std::int64_t> standard = std::nullopt;
+};
+
+/// Reads one JSON object, key by key. Each call checks a key, remembers that it is known, and writes the value, or its
+/// default, to the canonical object in the order of the calls. Problems are collected, never thrown; a call that met one
+/// returns a value that is safe to go on with.
+class ObjectReader {
+ public:
+  /// `source` may be of any type: one that is not an object is a problem.
+  ObjectReader(const Json& source, std::string place, Problems& problems);
+  ObjectReader(const ObjectReader&) = delete;
+  ObjectReader& operator=(const ObjectReader&) = delete;
+
+  [[nodiscard]] bool has(std::string_view key);
+  [[nodiscard]] double number(std::string_view key, const NumberRule& rule);
+  [[nodiscard]] std::int64_t integer(std::string_view key, const IntegerRule& rule);
+  [[nodiscard]] std::string text(std::string_view key, std::string_view standard);
+  /// Index into `names` of the one that stands there.
+  [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string_view> names, std::size_t standard);
+
+  /// The value as it stands, for what has no simple type; absent where the key is. The caller writes it.
+  [[nodiscard]] const Json* value(std::string_view key);
+  void write(std::string_view key, Json canonical);
+
+  /// Calls `read(ObjectReader&)` on the object at `key`, on an empty one where it is absent.
+  template <class Read>
+  void object(std::string_view key, Read read) {
+    static const Json empty = Json::object();
+    const Json* source = value(key);
+    ObjectReader inner(source == nullptr ? empty : *source, place_of(key), *problems_);
+    read(inner);
+    write(key, inner.finish());
+  }
+
+  void reject(std::string_view key, std::string reason, std::string remedy);
+  [[nodiscard]] std::string place_of(std::string_view key) const { return child_pointer(place_, key); }
+  [[nodiscard]] Problems& problems() { return *problems_; }
+
+  /// Reports the keys that nobody asked for; returns the canonical object.
+  [[nodiscard]] Json finish();
+
+ private:
+  void report_missing(std::string_view key, std::string_view example);
+
+  const Json* source_;
+  std::string place_;
+  Problems ignored_;  ///< of an object that is none: one problem is enough
+  Problems* problems_;
+  std::vector<std::string> known_;
+  Json canonical_ = Json::object();
+};
+
+/// Checks that `value` is a number that the rule allows, or reports why not.
+[[nodiscard]] std::optional<double> checked_number(const Json& value, const std::string& place, const NumberRule& rule,
+                                                   Problems& problems);
+
+}  // namespace rocking::report

@@ -1,0 +1,148 @@
+#include "rocking/report/parse_json.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <list>
+#include <string>
+#include <utility>
+
+namespace rocking::report {
+namespace {
+
+constexpr std::size_t deepest = 32;  // our formats need 5; unbounded nesting would exhaust the stack
+
+std::string place_of(std::string_view text, std::size_t position) {
+  const std::string_view before = text.substr(0, position == 0 ? 0 : std::min(position - 1, text.size()));
+  const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+  const auto newline = before.rfind('\n');
+  const auto column = 1 + (newline == std::string_view::npos ? before.size() : before.size() - newline - 1);
+  return "line " + std::to_string(line) + ", column " + std::to_string(column);
+}
+
+// Whether a word stands at the start of `text`, whatever its case and sign.
+bool begins_with_word(std::string_view text, std::string_view word) {
+  if (text.starts_with('-')) text.remove_prefix(1);
+  if (text.size() < word.size()) return false;
+  return std::equal(word.begin(), word.end(), text.begin(), [](char expected, char actual) {
+    return expected == static_cast<char>(std::tolower(static_cast<unsigned char>(actual)));
+  });
+}
+
+// Builds the document from the parser's calls.
+class DocumentBuilder final : public nlohmann::json_sax<Json> {
+ public:
+  DocumentBuilder(std::string_view text, std::vector<base::Problem>& problems) : text_(text), problems_(problems) {}
+
+  Json take() { return std::move(root_); }
+
+  bool null() override { return put(Json()); }
+  bool boolean(bool value) override { return put(Json(value)); }
+  bool number_integer(number_integer_t value) override { return put(Json(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return put(Json(value)); }
+  bool number_float(number_float_t value, const string_t&) override { return put(Json(value)); }
+  bool string(string_t& value) override { return put(Json(value)); }
+  bool binary(binary_t&) override { return false; }  // not in text
+
+  bool start_object(std::size_t) override { return open(Json::object()); }
+  bool start_array(std::size_t) override { return open(Json::array()); }
+  bool end_object() override { return close(); }
+  bool end_array() override { return close(); }
+
+  bool key(string_t& name) override {
+    open_.back().key = name;
+    if (!open_.back().node->contains(name)) return true;
+    problems_.push_back({.place = pointer(), .value = "", .reason = "this key stands twice", .remedy = "keep one of them"});
+    return true;
+  }
+
+  bool parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) override {
+    const std::size_t start = position < last_token.size() ? 0 : position - last_token.size();
+    const std::string_view rest = text_.substr(std::min(start, text_.size()));
+    base::Problem problem{.place = place_of(text_, position), .value = last_token, .reason = {}, .remedy = {}};
+    if (begins_with_word(rest, "nan") || begins_with_word(rest, "inf")) {
+      problem.reason = "not a number that JSON knows";
+      problem.remedy = "give a finite number, or leave the key out";
+    } else if (error.id == 406) {
+      problem.reason = "beyond the largest double, 1.8e308";
+      problem.remedy = "give a finite number";
+    } else {
+      problem.reason = "not JSON: " + explanation_in(error.what());
+      problem.remedy = "look for a missing or superfluous comma, quote or bracket before it";
+    }
+    throw base::InputError(std::move(problem));
+  }
+
+ private:
+  struct Frame {
+    Json* node;
+    std::string key;
+  };
+
+  // What the parser says, without its number and place: `syntax error while parsing value - unexpected ...`.
+  static std::string explanation_in(std::string_view message) {
+    if (const auto column = message.find("column "); column != std::string_view::npos) {
+      if (const auto colon = message.find(": ", column); colon != std::string_view::npos) message.remove_prefix(colon + 2);
+    }
+    return std::string(message);
+  }
+
+  bool put(Json value) {
+    static_cast<void>(attach(std::move(value)));
+    return true;
+  }
+
+  Json* attach(Json value) {
+    if (open_.empty()) {
+      root_ = std::move(value);
+      return &root_;
+    }
+    Frame& parent = open_.back();
+    if (parent.node->is_array()) {
+      parent.node->push_back(std::move(value));
+      return &parent.node->back();
+    }
+    if (parent.node->contains(parent.key)) {  // a key's second value: read, and dropped
+      return &dropped_.emplace_back(std::move(value));
+    }
+    return &((*parent.node)[parent.key] = std::move(value));
+  }
+
+  bool open(Json container) {
+    if (open_.size() >= deepest) {
+      throw base::InputError({.place = pointer(), .value = "", .reason = "nested deeper than any of our formats", .remedy = "see `rocking schema experiment`"});
+    }
+    open_.push_back({attach(std::move(container)), {}});
+    return true;
+  }
+
+  bool close() {
+    open_.pop_back();
+    return true;
+  }
+
+  std::string pointer() const {
+    std::string place;
+    for (const Frame& frame : open_) {
+      const bool in_list = frame.node->is_array();
+      const std::size_t size = frame.node->size();
+      place = child_pointer(place, in_list ? std::to_string(size == 0 ? 0 : size - 1) : frame.key);
+    }
+    return place;
+  }
+
+  std::string_view text_;
+  std::vector<base::Problem>& problems_;
+  Json root_;
+  std::list<Json> dropped_;  // a list: open frames point into it
+  std::vector<Frame> open_;
+};
+
+}  // namespace
+
+Json parse_json(std::string_view text, std::vector<base::Problem>& problems) {
+  DocumentBuilder builder(text, problems);
+  Json::sax_parse(text.begin(), text.end(), &builder);
+  return builder.take();
+}
+
+}  // namespace rocking::report

@@ -1,0 +1,166 @@
+#include "rocking/report/read_experiment.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rocking/report/check_scene.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/parse_json.hpp"
+#include "rocking/report/read_question.hpp"
+#include "rocking/report/sweep.hpp"
+
+namespace rocking::report {
+namespace {
+
+constexpr std::size_t most_problems = 100;  // a bad sweep must not bury its first message
+
+// Replaces values of the file by those of the command line.
+void apply(const Overrides& overrides, Json& document) {
+  if (!document.is_object()) return;
+  if (overrides.seed) document["seed"] = *overrides.seed;
+  if (overrides.realisations) {
+    const Json number = Json::parse(*overrides.realisations, nullptr, false);
+    document["realisations"] = number.is_number() ? number : Json(*overrides.realisations);
+  }
+}
+
+// Tells a user of the flag that is wrong, not of the key that it replaced.
+void name_flags(const Overrides& overrides, Problems& problems) {
+  for (base::Problem& problem : problems) {
+    if (overrides.seed && problem.place == "/seed") problem.place = "--seed";
+    if (overrides.realisations && problem.place == "/realisations") problem.place = "--realisations";
+  }
+}
+
+bool is_same(const base::Problem& a, const base::Problem& b) {
+  return a.place == b.place && a.value == b.value && a.reason == b.reason;
+}
+
+class ExperimentBuilder {
+ public:
+  ExperimentBuilder(Json document, Problems problems) : document_(std::move(document)), problems_(std::move(problems)) {}
+
+  experiment::Experiment build(const Overrides& overrides) {
+    apply(overrides, document_);
+    const bool swept = document_.is_object() && document_.contains("sweep");
+    Problems of_base;
+    Question base = read_question(document_, of_base);
+    if (swept) {
+      axes_ = read_sweep(document_["sweep"], base.canonical, of_base);
+      refuse_swept_flag(overrides, of_base);
+    }
+    merge(of_base, "");
+    name_flags(overrides, problems_);
+    if (axes_.empty() || grid_size(axes_) <= most_conditions) build_conditions();
+    if (!problems_.empty()) throw base::InputError(std::move(problems_));
+    if (swept) base.canonical["sweep"] = canonical_sweep();
+    return {.title = base.title, .seed = base.seed, .conditions = std::move(conditions_), .canonical_text = base.canonical.dump()};
+  }
+
+ private:
+  void refuse_swept_flag(const Overrides& overrides, Problems& problems) const {
+    if (!overrides.realisations) return;
+    for (const SweepAxis& axis : axes_) {
+      if (axis.pointer != "/realisations") continue;
+      problems.push_back({"--realisations", *overrides.realisations, "the sweep of the file sets the realisations", "leave the flag out"});
+    }
+  }
+
+  void merge(const Problems& found, const std::string& where) {
+    for (const base::Problem& problem : found) {
+      const auto known = [&problem](const base::Problem& other) { return is_same(problem, other); };
+      if (std::any_of(seen_.begin(), seen_.end(), known)) continue;
+      seen_.push_back(problem);
+      problems_.push_back(problem);
+      problems_.back().reason += where;
+    }
+  }
+
+  // Every condition is read as a file of its own, in which the swept values stand in their places.
+  void build_conditions() {
+    const std::size_t size = grid_size(axes_);
+    Json document = document_;
+    if (!axes_.empty()) document["sweep"] = swept_places();
+    for (std::size_t index = 0; index < size && problems_.size() < most_problems; ++index) {
+      const auto values = grid_point(axes_, index);
+      std::string where;
+      for (std::size_t i = 0; i < axes_.size(); ++i) {
+        if (!put(document, axes_[i].pointer, *values[i])) return;
+        where += (i == 0 ? " (where the sweep sets " : ", ") + axes_[i].pointer + " = " + brief(*values[i]);
+      }
+      if (!where.empty()) where += ')';
+      Problems found;
+      Question question = read_question(document, found);
+      check_scene(question.condition.scene, question.canonical, found);
+      merge(found, where);
+      if (problems_.empty()) keep(std::move(question), index);
+    }
+  }
+
+  // The sweep without its values, which no condition needs.
+  Json swept_places() const {
+    Json places = Json::array();
+    for (const SweepAxis& axis : axes_) places.push_back({{"parameter", axis.pointer}});
+    return places;
+  }
+
+  // A place that cannot be reached belongs to a part of the file that was already refused.
+  static bool put(Json& document, const std::string& pointer, const Json& value) {
+    try {
+      document[Json::json_pointer(pointer)] = value;
+      return true;
+    } catch (const Json::exception&) {
+      return false;
+    }
+  }
+
+  void keep(Question question, std::size_t index) {
+    std::size_t stride = grid_size(axes_);
+    for (SweepAxis& axis : axes_) {
+      stride /= axis.values.size();
+      const Json& canonical = question.canonical.at(Json::json_pointer(axis.pointer));
+      question.condition.parameters.push_back({axis.pointer, canonical.dump()});
+      // The first condition with this value, at the first values of the others, gives its canonical form.
+      const std::size_t place = (index / stride) % axis.values.size();
+      if (index == place * stride) axis.canonical_values.push_back(canonical);
+    }
+    conditions_.push_back(std::move(question.condition));
+  }
+
+  Json canonical_sweep() const {
+    Json sweep = Json::array();
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      Json entry = Json::object();
+      entry["parameter"] = axes_[i].pointer;
+      if (axes_[i].evenly_spaced) {
+        for (const char* key : {"from", "to", "step"}) entry[key] = document_["sweep"][i][key].get<double>();
+      } else {
+        entry["values"] = axes_[i].canonical_values;
+      }
+      sweep.push_back(std::move(entry));
+    }
+    return sweep;
+  }
+
+  Json document_;
+  Problems problems_;
+  Problems seen_;
+  std::vector<SweepAxis> axes_;
+  std::vector<experiment::Condition> conditions_;
+};
+
+}  // namespace
+
+experiment::Experiment read_experiment(std::string_view text, const Overrides& overrides) {
+  Problems problems;
+  Json document = parse_json(text, problems);
+  return ExperimentBuilder(std::move(document), std::move(problems)).build(overrides);
+}
+
+experiment::Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides) {
+  return read_experiment(read_file(path), overrides);
+}
+
+}  // namespace rocking::report

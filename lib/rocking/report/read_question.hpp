@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "rocking/experiment/experiment.hpp"
+#include "rocking/report/object_reader.hpp"
+
+namespace rocking::report {
+
+/// Value of `format` in an experiment file.
+inline constexpr std::string_view experiment_format = "rocking.experiment/1";
+
+/// An experiment file, its sweep left aside: one condition.
+struct Question {
+  std::string title;
+  std::uint64_t seed = 0;
+  experiment::Condition condition;
+  Json canonical;  ///< every default written out, keys in their fixed order; `sweep` holds its place as it was written
+};
+
+/// Reads each key by itself; what values demand of each other is for check_scene.
+[[nodiscard]] Question read_question(const Json& document, Problems& problems);
+
+}  // namespace rocking::report

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace rocking::report {
+
+/// A JSON Schema (draft 07) of one of our formats, as in reports/schemas.
+struct Schema {
+  std::string_view name;  ///< `experiment`, `report`, `trajectory`, `check_normal`
+  std::string_view text;
+};
+
+[[nodiscard]] std::span<const Schema> schemas();
+[[nodiscard]] std::optional<std::string_view> schema_text(std::string_view name);
+
+}  // namespace rocking::report

@@ -1,0 +1,178 @@
+#include "rocking/report/sweep.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string_view>
+
+#include "rocking/report/spelling.hpp"
+
+namespace rocking::report {
+namespace {
+
+constexpr NumberRule any_number{
+    .allows = [](double) { return true; }, .demand = "must be a number", .example = "1.0"};
+
+std::vector<std::string> pointers_into(const Json& document) {
+  std::vector<std::string> pointers;
+  for (const auto& [key, value] : document.items()) {
+    if (key == "format" || key == "title" || key == "seed" || key == "sweep") continue;
+    const std::string place = child_pointer("", key);
+    pointers.push_back(place);
+    if (!value.is_object()) continue;
+    for (const std::string& inner : pointers_into(value)) pointers.push_back(place + inner);
+  }
+  return pointers;
+}
+
+bool is_within(std::string_view inner, std::string_view outer) {
+  return inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
+}
+
+class AxisReader {
+ public:
+  AxisReader(ObjectReader& in, const Json& base) : in_(in), base_(base) {}
+
+  SweepAxis read() {
+    SweepAxis axis;
+    axis.pointer = read_pointer();
+    const bool listed = in_.has("values");
+    const bool stepped = in_.has("from") || in_.has("to") || in_.has("step");
+    if (listed && stepped) {
+      in_.reject("values", "excludes \"from\", \"to\" and \"step\"", "keep one of the two ways");
+    } else if (listed) {
+      axis.values = read_values();
+    } else {
+      axis.evenly_spaced = true;
+      axis.values = read_steps();
+    }
+    return axis;
+  }
+
+ private:
+  std::string read_pointer() {
+    if (!in_.has("parameter")) {
+      in_.reject("parameter", "is missing", "name what is swept, as \"parameter\": \"/excitation/amplitude\"");
+      return {};
+    }
+    std::string pointer = in_.text("parameter", "");
+    if (!pointer.empty() && !leads_somewhere(pointer)) {
+      const auto known = pointers_into(base_);
+      const auto nearest = nearest_word(pointer, known);
+      in_.reject("parameter", "leads to nothing that this file holds and a sweep may change",
+                 nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"");
+    }
+    return pointer;
+  }
+
+  bool leads_somewhere(const std::string& pointer) const {
+    for (const std::string_view fixed : {"/format", "/title", "/seed", "/sweep"}) {
+      if (is_within(pointer, fixed)) return false;
+    }
+    try {
+      return base_.contains(Json::json_pointer(pointer));
+    } catch (const Json::exception&) {  // not a pointer at all
+      return false;
+    }
+  }
+
+  std::vector<Json> read_values() {
+    const Json& values = *in_.value("values");
+    if (!values.is_array() || values.empty()) {
+      in_.reject("values", "must be a list of at least one value", "give a list such as [0.3, 0.4]");
+      return {};
+    }
+    return {values.begin(), values.end()};
+  }
+
+  std::vector<Json> read_steps() {
+    const std::size_t problems_before = in_.problems().size();
+    const double from = in_.number("from", any_number);
+    const double to = in_.number("to", any_number);
+    const double step = in_.number("step", any_number);
+    if (in_.problems().size() != problems_before) return {};
+    if (step == 0.0) {
+      in_.reject("step", "must not be 0", "leave the sweep out to run one condition");
+      return {};
+    }
+    const double steps = (to - from) / step;
+    if (steps < 0.0) {
+      in_.reject("step", "leads away from \"to\"", "change its sign, or swap \"from\" and \"to\"");
+      return {};
+    }
+    if (!(steps < static_cast<double>(most_conditions))) {
+      in_.reject("step", "makes more than 1000000 points", "give a larger step");
+      return {};
+    }
+    // The rounding of from, to and step moves the quotient by a few of its ulps, below 1e-9 for a million steps.
+    constexpr double rounding = 1e-9;
+    const double count = std::round(steps);
+    if (std::abs(steps - count) > rounding) {
+      in_.reject("step", "does not divide the way from \"from\" to \"to\"",
+                 "end at " + Json(from + std::floor(steps) * step).dump() + ", or give another step");
+      return {};
+    }
+    return points(from, step, static_cast<std::size_t>(count));
+  }
+
+  std::vector<Json> points(double from, double step, std::size_t count) {
+    std::vector<Json> values;
+    values.reserve(count + 1);
+    for (std::size_t i = 0; i <= count; ++i) values.emplace_back(from + static_cast<double>(i) * step);
+    return values;
+  }
+
+  ObjectReader& in_;
+  const Json& base_;
+};
+
+void check_disjoint(const std::vector<SweepAxis>& axes, Problems& problems) {
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (axes[i].pointer.empty() || axes[j].pointer.empty()) continue;
+      if (!is_within(axes[i].pointer, axes[j].pointer) && !is_within(axes[j].pointer, axes[i].pointer)) continue;
+      problems.push_back({"/sweep/" + std::to_string(i) + "/parameter", '"' + axes[i].pointer + '"',
+                          "is also swept by /sweep/" + std::to_string(j), "keep one of them"});
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, Problems& problems) {
+  std::vector<SweepAxis> axes;
+  if (!sweep.is_array() || sweep.empty()) {
+    problems.push_back({"/sweep", brief(sweep), "must be a list of at least one entry", "leave \"sweep\" out to run one condition"});
+    return axes;
+  }
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    ObjectReader in(sweep[i], "/sweep/" + std::to_string(i), problems);
+    axes.push_back(AxisReader(in, base).read());
+    static_cast<void>(in.finish());
+  }
+  check_disjoint(axes, problems);
+  if (grid_size(axes) > most_conditions) {
+    problems.push_back({"/sweep", "", "makes more than 1000000 conditions", "give larger steps or fewer entries"});
+  }
+  return axes;
+}
+
+std::size_t grid_size(const std::vector<SweepAxis>& axes) {
+  std::size_t size = 1;
+  for (const SweepAxis& axis : axes) {
+    size *= axis.values.size();
+    if (size > most_conditions) return most_conditions + 1;
+  }
+  return size;
+}
+
+std::vector<const Json*> grid_point(const std::vector<SweepAxis>& axes, std::size_t index) {
+  std::vector<const Json*> point(axes.size());
+  for (std::size_t i = axes.size(); i-- > 0;) {
+    point[i] = &axes[i].values[index % axes[i].values.size()];
+    index /= axes[i].values.size();
+  }
+  return point;
+}
+
+}  // namespace rocking::report

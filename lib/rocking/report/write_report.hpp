@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "rocking/base/build_info.hpp"
+#include "rocking/experiment/experiment.hpp"
+#include "rocking/experiment/result.hpp"
+
+namespace rocking::report {
+
+/// Value of `format` in a report.
+inline constexpr std::string_view report_format = "rocking.report/1";
+
+/// What may differ between two equal runs. The caller reads it from its surroundings; this library never does.
+struct SystemFacts {
+  base::BuildInfo build;
+  std::string machine;      ///< processor and operating system
+  std::string start;        ///< ISO 8601 in UTC, as `2012-02-01T12:00:00Z`
+  double duration_s = 0.0;  ///< wall-clock time of the run [s]
+  unsigned threads = 1;
+};
+
+/// The report of a run as JSON text. All but `system` are the same bytes for equal input.
+[[nodiscard]] std::string report_text(const experiment::Experiment& experiment,
+                                      const experiment::ExperimentResult& result, const SystemFacts& system);
+
+}  // namespace rocking::report

@@ -1,0 +1,53 @@
+#include "rocking/report/write_trajectory.hpp"
+
+#include "rocking/report/json.hpp"
+
+namespace rocking::report {
+namespace {
+
+Json line_of(const experiment::TrajectorySample& sample) {
+  Json line = Json::object();
+  line["period"] = sample.period;
+  line["tilt"] = sample.tilt;
+  line["tilt_rate"] = sample.tilt_rate;
+  line["slip"] = sample.slip;
+  line["slip_rate"] = sample.slip_rate;
+  line["contact"] = to_string(sample.contact);
+  return line;
+}
+
+Json line_of(const experiment::TrajectoryEvent& event) {
+  Json line = Json::object();
+  line["tau"] = event.tau;
+  line["kind"] = to_string(event.kind);
+  line["tilt"] = event.tilt;
+  line["tilt_rate"] = event.tilt_rate;
+  line["slip"] = event.slip;
+  line["slip_rate"] = event.slip_rate;
+  return line;
+}
+
+// A JSON list with a line for each entry: thousands of them stay readable, and tools that work by lines can cope.
+template <class Entries>
+std::string list_of(const Entries& entries) {
+  std::string text = "[";
+  for (const auto& entry : entries) {
+    if (text.size() > 1) text += ',';
+    text += "\n    " + line_of(entry).dump();
+  }
+  return text + (entries.empty() ? "]" : "\n  ]");
+}
+
+}  // namespace
+
+std::string trajectory_text(const RealisationKey& key, const experiment::Trajectory& trajectory) {
+  std::string text = "{\n  \"format\": " + Json(trajectory_format).dump();
+  text += ",\n  \"condition\": " + std::to_string(key.condition);
+  text += ",\n  \"realisation\": " + std::to_string(key.realisation);
+  text += ",\n  \"strobe\": " + list_of(trajectory.strobe);
+  text += ",\n  \"events\": " + list_of(trajectory.events);
+  text += ",\n  \"termination\": " + Json(to_string(trajectory.termination)).dump();
+  return text + "\n}\n";
+}
+
+}  // namespace rocking::report

@@ -1,0 +1,99 @@
+#include "rocking/section/classify.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "rocking/base/error.hpp"
+#include "rocking/section/noisy_response.hpp"
+#include "rocking/section/recurrence.hpp"
+
+namespace rocking::section {
+namespace {
+
+constexpr std::size_t fewest_noise_free = 2 * static_cast<std::size_t>(longest_period);
+constexpr std::size_t fewest_random = 4 * static_cast<std::size_t>(longest_period);
+
+// An exponent is clear of zero beyond three standard errors, and if it grows or shrinks a distance by more than a factor
+// e over the window: below that the window itself could not have shown it.
+constexpr double clear_standard_errors = 3.0;
+constexpr double clear_growth = 1.0;
+
+enum class Sign : std::uint8_t { negative, unclear, positive };
+
+struct ExponentVerdict {
+  Sign sign = Sign::unclear;
+  double margin = 0.0;
+};
+
+ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, std::size_t periods) {
+  if (!estimate) return {};
+  const double needed =
+      std::max(clear_standard_errors * estimate->standard_error, clear_growth / static_cast<double>(periods));
+  const double margin = std::min(std::max(estimate->exponent, -estimate->exponent) / needed, largest_margin);
+  if (estimate->exponent > needed) return {Sign::positive, margin};
+  if (estimate->exponent < -needed) return {Sign::negative, margin};
+  return {};
+}
+
+Verdict chaotic(const ExponentVerdict& exponent) {
+  return {{ResponseKind::chaotic, 0, 0}, Reason::positive_exponent, false, exponent.margin};
+}
+
+Verdict classify_noise_free(const ClassifierInput& input, const ExponentSource& exponent) {
+  if (input.periods.size() < fewest_noise_free) return unresolved(Reason::too_few_points);
+  if (const auto verdict = find_recurrence(input.periods, input.resolution)) return *verdict;
+  const ExponentVerdict judged = judge(exponent(), input.periods.size());
+  switch (judged.sign) {
+    case Sign::positive: return chaotic(judged);
+    case Sign::negative: return unresolved(Reason::not_periodic);
+    case Sign::unclear: break;
+  }
+  return unresolved(Reason::exponent_unclear);
+}
+
+Verdict classify_random(const ClassifierInput& input, const ExponentSource& exponent) {
+  if (input.periods.size() < fewest_random) return unresolved(Reason::too_few_points);
+  Finding finding = find_clouds(input.periods, input.resolution);
+  if (finding.need == ExponentNeed::none) return finding.verdict;
+  const ExponentVerdict judged = judge(exponent(), input.periods.size());
+  if (judged.sign == Sign::positive) return chaotic(judged);
+  if (finding.need == ExponentNeed::to_find_chaos) return finding.verdict;
+  if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, finding.verdict.in_transient);
+  finding.verdict.margin = std::min(finding.verdict.margin, judged.margin);
+  return finding.verdict;
+}
+
+}  // namespace
+
+std::string_view to_string(Reason reason) {
+  switch (reason) {
+    case Reason::never_moved: return "never_moved";
+    case Reason::points_coincide: return "points_coincide";
+    case Reason::points_converge: return "points_converge";
+    case Reason::tight_clouds: return "tight_clouds";
+    case Reason::contracting_clouds: return "contracting_clouds";
+    case Reason::positive_exponent: return "positive_exponent";
+    case Reason::too_few_points: return "too_few_points";
+    case Reason::still_converging: return "still_converging";
+    case Reason::not_periodic: return "not_periodic";
+    case Reason::exponent_unclear: return "exponent_unclear";
+    case Reason::clouds_overlap: return "clouds_overlap";
+    case Reason::period_too_long: return "period_too_long";
+    case Reason::out_of_order: return "out_of_order";
+    case Reason::not_stationary: return "not_stationary";
+    case Reason::slow_memory: return "slow_memory";
+    case Reason::impacts_irregular: return "impacts_irregular";
+  }
+  return "";
+}
+
+Verdict classify(const ClassifierInput& input, const ExponentSource& exponent) {
+  ROCKING_EXPECT(input.resolution > 0.0);
+  const bool moved = std::ranges::any_of(input.periods, [](const Period& p) { return p.moved || p.impacts != 0; });
+  if (!moved && !input.periods.empty()) {
+    return {{ResponseKind::rest, 0, 0}, Reason::never_moved, false, largest_margin};
+  }
+  return input.random ? classify_random(input, exponent) : classify_noise_free(input, exponent);
+}
+
+}  // namespace rocking::section

@@ -1,0 +1,151 @@
+#include "rocking/section/clouds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rocking/base/error.hpp"
+#include "rocking/section/period.hpp"
+
+namespace rocking::section {
+namespace {
+
+// Strays: up to a tenth of the points are left out of a scatter.
+constexpr double kept_share = 0.9;
+
+// For a normal law in the plane the squared distance is exponential with mean 2. Below its 90 % point, 2 ln 10, its mean
+// is 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this is the factor that undoes the trimming.
+constexpr double trimming_correction = 1.0 / 0.74415721411178;
+
+double median(std::vector<double>& values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  if (values.size() % 2 == 1) return *middle;
+  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
+}
+
+std::vector<PlanePoint> centres_of(std::span<const PlanePoint> points, const Classes& classes) {
+  std::vector<std::vector<double>> xs(classes.count);
+  std::vector<std::vector<double>> ys(classes.count);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    xs[classes.of[k]].push_back(points[k].x);
+    ys[classes.of[k]].push_back(points[k].y);
+  }
+  std::vector<PlanePoint> centres(classes.count);
+  for (std::size_t c = 0; c < classes.count; ++c) centres[c] = {median(xs[c]), median(ys[c])};
+  return centres;
+}
+
+/// Median absolute deviation of each coordinate, not below the floor.
+PlanePoint typical_size(std::span<const PlanePoint> deviations, double floor) {
+  std::vector<double> xs;
+  std::vector<double> ys;
+  for (const PlanePoint& d : deviations) {
+    xs.push_back(std::abs(d.x));
+    ys.push_back(std::abs(d.y));
+  }
+  return {std::max(median(xs), floor), std::max(median(ys), floor)};
+}
+
+/// Value below which `kept_share` of the values lie.
+double trimming_point(std::vector<double> values) {
+  const auto kept = static_cast<std::ptrdiff_t>(kept_share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + kept, values.end());
+  return values[static_cast<std::size_t>(kept)];
+}
+
+/// Covariance of the deviations without its strays, about 0.
+Covariance trimmed_covariance(std::span<const PlanePoint> deviations, double resolution) {
+  const PlanePoint size = typical_size(deviations, resolution);
+  std::vector<double> distances;
+  distances.reserve(deviations.size());
+  for (const PlanePoint& d : deviations) {
+    distances.push_back((d.x / size.x) * (d.x / size.x) + (d.y / size.y) * (d.y / size.y));
+  }
+  const double limit = trimming_point(distances);
+  Covariance sum;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < deviations.size(); ++k) {
+    if (distances[k] > limit) continue;
+    sum.add(deviations[k]);
+    ++kept;
+  }
+  return sum.scaled(trimming_correction / static_cast<double>(kept));
+}
+
+double farthest_turn(const Clouds& clouds, std::size_t divisor) {
+  double farthest = 0.0;
+  const std::size_t n = clouds.centres.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const PlanePoint step = clouds.centres[k] - clouds.centres[(k + divisor) % n];
+    farthest = std::max(farthest, squared_distance(step, clouds.scatter));
+  }
+  return std::sqrt(farthest);
+}
+
+}  // namespace
+
+Classes classes_by_phase(std::size_t points, std::size_t n) { return classes_by_phase_and_time(points, n, 1); }
+
+Classes classes_by_phase_and_time(std::size_t points, std::size_t n, std::size_t parts) {
+  Classes classes{std::vector<std::uint32_t>(points), n * parts};
+  for (std::size_t k = 0; k < points; ++k) {
+    classes.of[k] = static_cast<std::uint32_t>(k % n + n * (parts * k / points));
+  }
+  return classes;
+}
+
+Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution) {
+  ROCKING_EXPECT(points.size() > classes.count && classes.of.size() == points.size());
+  Clouds clouds;
+  clouds.centres = centres_of(points, classes);
+  clouds.deviations.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    clouds.deviations.push_back(points[k] - clouds.centres[classes.of[k]]);
+  }
+  const auto all = static_cast<double>(points.size());
+  const double correction = all / (all - static_cast<double>(classes.count));
+  clouds.scatter = trimmed_covariance(clouds.deviations, resolution).scaled(correction);
+  clouds.scatter.xx += resolution * resolution;
+  clouds.scatter.yy += resolution * resolution;
+  return clouds;
+}
+
+std::vector<Separation> separations(const Clouds& clouds) {
+  std::vector<Separation> result;
+  const std::size_t n = clouds.centres.size();
+  for (const std::size_t prime : {2U, 3U, 5U, 7U, 11U}) {
+    if (n % prime == 0) result.push_back({n / prime, farthest_turn(clouds, n / prime)});
+  }
+  return result;
+}
+
+double share_beyond(const Clouds& clouds, double limit) {
+  std::size_t beyond = 0;
+  for (const PlanePoint& d : clouds.deviations) {
+    if (squared_distance(d, clouds.scatter) > limit * limit) ++beyond;
+  }
+  return static_cast<double>(beyond) / static_cast<double>(clouds.deviations.size());
+}
+
+double longest_memory(const Clouds& clouds, double resolution) {
+  const std::size_t points = clouds.deviations.size();
+  double longest = 0.0;
+  for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
+    std::vector<PlanePoint> steps;
+    for (std::size_t k = lag; k < points; ++k) steps.push_back(clouds.deviations[k] - clouds.deviations[k - lag]);
+    const Covariance step = trimmed_covariance(steps, resolution);
+    const Covariance& c = clouds.scatter;
+    const double squared = (step.xx * c.yy - 2.0 * step.xy * c.xy + step.yy * c.xx) / c.determinant();
+    longest = std::max(longest, 1.0 - 0.25 * squared);
+  }
+  return longest;
+}
+
+double largest_deviation(const Covariance& scatter) {
+  const double half_sum = 0.5 * (scatter.xx + scatter.yy);
+  const double half_difference = 0.5 * (scatter.xx - scatter.yy);
+  return std::sqrt(half_sum + std::sqrt(half_difference * half_difference + scatter.xy * scatter.xy));
+}
+
+}  // namespace rocking::section

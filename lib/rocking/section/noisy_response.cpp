@@ -1,0 +1,144 @@
+#include "rocking/section/noisy_response.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+#include "rocking/base/elementary.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/section/clouds.hpp"
+#include "rocking/section/rocks.hpp"
+#include "rocking/section/spectral_line.hpp"
+
+namespace rocking::section {
+namespace {
+
+// Derivations: lib/docs/methods-classification.md.
+constexpr double line_chance = 1e-4 / line_count;  // false alarms of all lines of a series together: 1e-4
+constexpr double least_separation = 4.0;           // scatters between centres: each cloud reaches two to the middle
+constexpr double separation_growth = 40.6;         // ln(separation/2) > this over the cycles of a divisor
+constexpr double largest_stray_share = 0.05;
+constexpr double tiny_share = 0.01;                // of the extent of the motion and of the separation
+constexpr double longest_usable_memory = 0.92;
+constexpr double least_regular_share = 0.9;
+constexpr double stationarity_scale = 81.0;
+
+std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
+  const bool rocks = std::ranges::any_of(periods, [](const Period& p) {
+    return p.impacts != 0 || p.point.tilt != 0.0 || p.point.tilt_rate != 0.0;
+  });
+  std::vector<PlanePoint> points;
+  points.reserve(periods.size());
+  for (const Period& p : periods) {
+    points.push_back(rocks ? PlanePoint{p.point.tilt, p.point.tilt_rate} : PlanePoint{p.point.slip_rate, 0.0});
+  }
+  return points;
+}
+
+struct Phases {
+  int n = 1;
+  double chance_left = 1.0;  ///< of the strongest line not taken up
+};
+
+/// The least common period of all lines, found one by one: each is taken away with the class means before the next is
+/// looked for, so that a strong line does not hide a weak one.
+std::optional<Phases> find_phases(std::span<const PlanePoint> points, double resolution) {
+  Phases phases;
+  while (true) {
+    const auto n = static_cast<std::size_t>(phases.n);
+    const Clouds clouds = gather(points, classes_by_phase(points.size(), n), resolution);
+    const std::optional<Line> line = strongest_line(clouds.deviations, phases.n, resolution);
+    if (!line) return phases;
+    if (line->chance >= line_chance) {
+      phases.chance_left = line->chance;
+      return phases;
+    }
+    phases.n = std::lcm(phases.n, line->denominator);
+    if (phases.n > longest_period) return std::nullopt;
+  }
+}
+
+/// The least of the separations that tell n from its divisors; unlimited for n = 1.
+double least_distance(const Clouds& clouds) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Separation& s : separations(clouds)) least = std::min(least, s.distance);
+  return least;
+}
+
+/// Distance of the farthest centre from the origin, where the block stands upright: how far the motion goes.
+double extent_of(const Clouds& clouds) {
+  double extent = 0.0;
+  for (const PlanePoint& c : clouds.centres) extent = std::max(extent, std::sqrt(c.x * c.x + c.y * c.y));
+  return extent;
+}
+
+/// Whether cutting the window into parts explains more of the scatter than chance does.
+bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, double resolution) {
+  const std::size_t n = clouds.centres.size();
+  const std::size_t cycles = points.size() / n;
+  const std::size_t parts = cycles >= 16 ? 4 : 2;
+  const Clouds cut = gather(points, classes_by_phase_and_time(points.size(), n, parts), resolution);
+  const double ratio = clouds.scatter.determinant() / cut.scatter.determinant();
+  return base::natural_logarithm(ratio) > stationarity_scale / static_cast<double>(cycles);
+}
+
+/// How many times the separation that n clouds need they have; the least over the largest proper divisors d of n, of
+/// which the window holds N/d cycles. Noise remembered from cycle to cycle can pass for a split if there are few.
+double separation_margin(const Clouds& clouds) {
+  double margin = largest_margin;
+  for (const Separation& s : separations(clouds)) {
+    const double cycles = static_cast<double>(clouds.deviations.size()) / static_cast<double>(s.divisor);
+    const double grown = base::natural_logarithm(std::max(0.5 * s.distance, 1.0)) * cycles / separation_growth;
+    margin = std::min({margin, s.distance / least_separation, grown});
+  }
+  return margin;
+}
+
+bool are_tiny(const Clouds& clouds, double resolution) {
+  const double deviation = largest_deviation(clouds.scatter);
+  const double extent = extent_of(clouds);
+  const bool at_resolution = deviation <= 10.0 * resolution;
+  return (at_resolution || deviation <= tiny_share * extent) && least_distance(clouds) >= 1.0 / tiny_share;
+}
+
+Finding doubtful(Reason reason, bool in_transient = false) {
+  return {unresolved(reason, in_transient), ExponentNeed::to_find_chaos};
+}
+
+Finding final_doubt(Reason reason, bool in_transient = false) {
+  return {unresolved(reason, in_transient), ExponentNeed::none};
+}
+
+}  // namespace
+
+Finding find_clouds(std::span<const Period> periods, double resolution) {
+  ROCKING_EXPECT(periods.size() >= 4 * static_cast<std::size_t>(longest_period));
+  const std::vector<PlanePoint> points = plane_points(periods);
+  const std::optional<Phases> phases = find_phases(points, resolution);
+  if (!phases) return doubtful(Reason::period_too_long);
+
+  const auto n = static_cast<std::size_t>(phases->n);
+  const Clouds clouds = gather(points, classes_by_phase(points.size(), n), resolution);
+  const double apart = separation_margin(clouds);
+  const bool moving = moves_with_time(points, clouds, resolution);
+  const bool tiny = are_tiny(clouds, resolution);
+  if (apart < 1.0) return doubtful(Reason::clouds_overlap, moving);
+  if (n > 1 && share_beyond(clouds, std::max(0.5 * least_distance(clouds), 4.0)) > largest_stray_share) return final_doubt(Reason::out_of_order);
+  if (moving && !tiny) return final_doubt(Reason::not_stationary, true);
+  if (!tiny && longest_memory(clouds, resolution) > longest_usable_memory) return doubtful(Reason::slow_memory);
+
+  const Rocks rocks = count_rocks(periods, phases->n);
+  if (rocks.regular_share < least_regular_share) {
+    return tiny ? final_doubt(Reason::impacts_irregular) : doubtful(Reason::impacts_irregular);
+  }
+  const double margin = std::clamp(std::min(apart, phases->chance_left / line_chance), 1.0, largest_margin);
+  const Reason reason = tiny ? Reason::tight_clouds : Reason::contracting_clouds;
+  return {{periodic(rocks.rocks, phases->n), reason, moving, margin},
+          tiny ? ExponentNeed::none : ExponentNeed::to_confirm};
+}
+
+}  // namespace rocking::section

@@ -1,0 +1,96 @@
+#include "rocking/section/recurrence.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+#include "rocking/base/error.hpp"
+#include "rocking/section/rocks.hpp"
+
+namespace rocking::section {
+namespace {
+
+// Two points that are each right to within the resolution, one period of error growth apart, still differ by a few of it.
+constexpr double coincidence_in_resolutions = 10.0;
+
+// Geometric convergence is told from a power law (at a bifurcation, 1/k) by its ratio over a third of the window: after
+// a transient at least as long as the window a power law has a ratio above 5/6 there.
+constexpr double slowest_ratio = 0.8;
+
+// What may still come, in units of Theta: a thousandth of a tilt that overturns.
+constexpr double small_drift = 1e-3;
+
+double distance(const StrobePoint& a, const StrobePoint& b) {
+  return std::max({std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
+}
+
+/// Largest distance between points n apart, in the first, middle and last third of the window.
+struct Returns {
+  std::array<double, 3> thirds{};
+  double last_half = 0.0;
+};
+
+Returns returns_after(std::span<const Period> periods, std::size_t n) {
+  Returns returns;
+  const std::size_t count = periods.size() - n;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double d = distance(periods[k].point, periods[k + n].point);
+    double& third = returns.thirds[3 * k / count];
+    third = std::max(third, d);
+    if (2 * k >= count) returns.last_half = std::max(returns.last_half, d);
+  }
+  return returns;
+}
+
+/// How far the points still have to go if their distances keep shrinking as they did; nothing if they do not shrink.
+/// A third holds N/(3n) returns, each at most D3 r^j in the j-th third to come: (N/3n) D3 (r + r^2 + ...).
+std::optional<double> remaining_drift(const Returns& returns, double returns_per_third) {
+  const auto& [first, middle, last] = returns.thirds;
+  const double ratio = std::max(middle / first, last / middle);
+  if (!(ratio < slowest_ratio)) return std::nullopt;  // also where a distance is 0
+  return returns_per_third * last * ratio / (1.0 - ratio);
+}
+
+/// The margin of a coincidence: how far below the threshold these points are, and how far above it those of the divisors.
+double margin_of(std::span<const Period> periods, int n, double separation, double threshold) {
+  double margin = separation > 0.0 ? threshold / separation : largest_margin;
+  for (int divisor = 1; divisor < n; ++divisor) {
+    if (n % divisor != 0) continue;
+    margin = std::min(margin, returns_after(periods, static_cast<std::size_t>(divisor)).last_half / threshold);
+  }
+  return std::clamp(margin, 1.0, largest_margin);
+}
+
+Verdict periodic_verdict(std::span<const Period> periods, int n, Reason reason, double margin) {
+  // Early impacts may belong to the transient; those of the last half, at least one cycle, are the response's.
+  const std::size_t half = std::max(periods.size() / 2, static_cast<std::size_t>(n));
+  const Rocks rocks = count_rocks(periods.last(half), n);
+  if (rocks.regular_share < 1.0) return unresolved(Reason::impacts_irregular);
+  return {periodic(rocks.rocks, n), reason, false, margin};
+}
+
+}  // namespace
+
+std::optional<Verdict> find_recurrence(std::span<const Period> periods, double resolution) {
+  ROCKING_EXPECT(periods.size() >= 2 * static_cast<std::size_t>(longest_period));
+  const double threshold = coincidence_in_resolutions * resolution;
+  bool converging = false;
+  for (int n = 1; n <= longest_period; ++n) {
+    const Returns returns = returns_after(periods, static_cast<std::size_t>(n));
+    if (returns.last_half <= threshold) {
+      const double margin = margin_of(periods, n, returns.last_half, threshold);
+      return periodic_verdict(periods, n, Reason::points_coincide, margin);
+    }
+    const double returns_per_third = static_cast<double>(periods.size()) / (3.0 * n);
+    const std::optional<double> drift = remaining_drift(returns, returns_per_third);
+    if (drift && *drift <= small_drift) {
+      return periodic_verdict(periods, n, Reason::points_converge, std::min(small_drift / *drift, largest_margin));
+    }
+    converging = converging || drift.has_value();
+  }
+  if (converging) return unresolved(Reason::still_converging, true);
+  return std::nullopt;
+}
+
+}  // namespace rocking::section

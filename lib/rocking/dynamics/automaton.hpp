@@ -12,6 +12,7 @@
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/dynamics/impact.hpp"
+#include "rocking/dynamics/observer.hpp"
 #include "rocking/dynamics/termination.hpp"
 
 namespace rocking::dynamics {
@@ -27,9 +28,8 @@ struct Setting {
 
 /// The reset map of MODEL: what follows, at one instant, from each event. It knows no integrator: it is told which guard
 /// fired and leaves the state from which the next smooth piece starts.
-///
-/// `Observer` offers `event(kind, tau, state)`. Every rule is in lib/docs/model.md, section 3.
-template <CoefficientSource Coefficients, class Observer>
+/// Every rule is in lib/docs/model.md, section 3.
+template <CoefficientSource Coefficients>
 class Automaton {
  public:
   Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, Observer& observer)
@@ -40,6 +40,9 @@ class Automaton {
   [[nodiscard]] const Coefficients& coefficients() const { return coefficients_; }
   [[nodiscard]] std::optional<Termination> termination() const { return termination_; }
 
+  /// From now on, tells `observer`.
+  void observe_with(Observer& observer) { observer_ = &observer; }
+
   /// Base acceleration alpha = A_h psi sin(Omega_h u) now, in g.
   [[nodiscard]] double base_acceleration() {
     return base_amplitude() * base::sin_cos(setting_.frequency * clock_.now().time).sine;
@@ -47,6 +50,7 @@ class Automaton {
 
  protected:
   [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * setting_.block.shape_angle; }
+  [[nodiscard]] Observer& observer() const { return *observer_; }
   [[nodiscard]] bool is_slipping() const {
     return state_.contact == ContactState::slide || state_.contact == ContactState::rock_slide;
   }
@@ -82,6 +86,10 @@ class Automaton {
   }
 
   void end(Termination reason) { termination_ = reason; }
+
+  void go_on() {
+    if (termination_ == Termination::reached_horizon) termination_.reset();
+  }
 
   /// theta has become 0. `slip_ended`: V has become 0 at the same instant.
   void land(bool slip_ended) {

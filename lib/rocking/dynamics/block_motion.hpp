@@ -21,14 +21,21 @@ struct Schedule {
   std::int64_t strobes = 0;   ///< after the last the run ends
 };
 
+/// A small change of state: Theta, Theta', V.
+struct Displacement {
+  double tilt = 0.0;
+  double tilt_rate = 0.0;
+  double slip_rate = 0.0;
+};
+
 /// A block on a shaken base as a hybrid system: smooth pieces as Taylor polynomials, guards as polynomials, resets by the
 /// automaton. Models the concept that the integrator asks for, without knowing an integrator.
 ///
 /// `Steps` turns the last two terms of a series into the length of a step: double(last_but_one, last, order, largest).
-/// `Observer` offers `event(kind, tau, state)` and `strobe(state)`. Copying copies the whole realisation as it stands.
-template <CoefficientSource Coefficients, class Observer, class Steps>
-class BlockMotion : public Automaton<Coefficients, Observer> {
-  using Base = Automaton<Coefficients, Observer>;
+/// Copying copies the whole realisation as it stands.
+template <CoefficientSource Coefficients, class Steps>
+class BlockMotion : public Automaton<Coefficients> {
+  using Base = Automaton<Coefficients>;
   using Base::clock_;
   using Base::coefficients_;
   using Base::setting_;
@@ -40,8 +47,7 @@ class BlockMotion : public Automaton<Coefficients, Observer> {
       : Base(setting, clock, coefficients, observer),
         schedule_(schedule),
         next_strobe_(schedule.first_strobe),
-        steps_(steps),
-        strobe_observer_(&observer) {
+        steps_(steps) {
     this->enter(initial);
     settle();
   }
@@ -56,6 +62,35 @@ class BlockMotion : public Automaton<Coefficients, Observer> {
   [[nodiscard]] std::uint64_t losses_of_contact() const { return losses_of_contact_; }
   [[nodiscard]] double first_loss_of_contact() const { return first_loss_of_contact_; }  ///< tau; of use after a loss
   [[nodiscard]] bool was_past_balance() const { return Base::was_past_balance_; }
+
+  /// After the last strobe point: goes on for `more` of them, as if the run had been that long from the start.
+  void extend(std::int64_t more) {
+    schedule_.strobes += more;
+    this->go_on();
+  }
+
+  /// After the last strobe point: puts the clock on its instant.
+  void move_to_last_strobe() {
+    const double past = clock_.until({.period = next_strobe_.period - 1, .time = next_strobe_.time});
+    if (past <= clock_.resolution()) return;
+    move(past);
+    settle();
+  }
+
+  /// Displaces the state, within its contact state, by rates and tilt in units of Theta; returns what was displaced.
+  Displacement displace(const Displacement& wanted) {
+    Displacement done;
+    if (state_.contact == ContactState::rock || state_.contact == ContactState::rock_slide) {
+      done.tilt = wanted.tilt;
+      done.tilt_rate = wanted.tilt_rate;
+    }
+    if (this->is_slipping()) done.slip_rate = wanted.slip_rate;
+    state_.tilt += done.tilt * setting_.block.shape_angle;
+    state_.tilt_rate += done.tilt_rate * setting_.block.shape_angle;
+    state_.slip_rate += done.slip_rate;
+    settle();
+    return done;
+  }
 
   /// The series of the coming step; returns its length.
   [[nodiscard]] double expand(double reach) {
@@ -75,7 +110,7 @@ class BlockMotion : public Automaton<Coefficients, Observer> {
   }
 
   void strobe(double x) {
-    strobe_observer_->strobe(state_at(x));
+    this->observer().strobe(state_at(x));
     ++next_strobe_.period;
     steps_since_strobe_ = 0;
     if (++strobes_done_ == schedule_.strobes) this->end(Termination::reached_horizon);
@@ -251,7 +286,6 @@ class BlockMotion : public Automaton<Coefficients, Observer> {
   std::uint64_t losses_of_contact_ = 0;
   double first_loss_of_contact_ = 0.0;
   Steps steps_;
-  Observer* strobe_observer_;
 };
 
 }  // namespace rocking::dynamics

@@ -81,7 +81,7 @@ struct Condition {
   std::vector<Parameter> parameters;
   Scene scene;
   Horizon horizon;
-  double tolerance = 1e-10;  ///< largest last Taylor term of a step, in units of Theta, Theta'
+  double tolerance = 1e-13;  ///< largest last Taylor term of a step, in units of Theta, Theta'
   std::uint64_t realisations = 1;
   double confidence = 0.95;
 };

@@ -19,8 +19,7 @@ struct TaylorSteps {
   }
 };
 
-template <class Observer>
-using Motion = dynamics::BlockMotion<SceneCoefficients, Observer, TaylorSteps>;
+using Motion = dynamics::BlockMotion<SceneCoefficients, TaylorSteps>;
 
 /// What a realisation draws once, at its start.
 struct Start {
@@ -31,21 +30,12 @@ struct Start {
 
 [[nodiscard]] Start start_of(const Scene& scene, const random::Draws& draws);
 
-[[nodiscard]] dynamics::Setting setting_of(const Scene& scene, double tolerance);
-
 /// Where strobe points are taken: `poincare` where the excitation's argument is a multiple of 2 pi, `start` a whole number
 /// of periods after tau = 0.
 enum class Strobe : std::uint8_t { poincare, start };
 
 /// A realisation at tau = 0, ready to be advanced over `periods` strobe points.
-template <class Observer>
-[[nodiscard]] Motion<Observer> begin_realisation(const Scene& scene, double tolerance, const random::Draws& draws,
-                                                 const Start& start, Strobe strobe, std::int64_t periods,
-                                                 Observer& observer) {
-  const dynamics::Clock clock(scene.excitation.frequency_ratio, start.phase);
-  const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
-  return Motion<Observer>(setting_of(scene, tolerance), clock, SceneCoefficients(scene, draws), start.state,
-                          {.first_strobe = {.period = 1, .time = first}, .strobes = periods}, observer);
-}
+[[nodiscard]] Motion begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
+                                       Strobe strobe, std::int64_t periods, dynamics::Observer& observer);
 
 }  // namespace rocking::experiment

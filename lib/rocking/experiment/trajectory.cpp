@@ -1,16 +1,18 @@
 #include "rocking/experiment/trajectory.hpp"
 
+#include <utility>
+
 #include "rocking/experiment/realisation.hpp"
 
 namespace rocking::experiment {
 namespace {
 
 /// Keeps everything, in the units of files.
-class Recorder {
+class Recorder final : public dynamics::Observer {
  public:
   explicit Recorder(double shape_angle) : shape_angle_(shape_angle) {}
 
-  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) {
+  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
     trajectory.events.push_back({.tau = tau,
                                  .kind = kind,
                                  .tilt = state.tilt / shape_angle_,
@@ -19,7 +21,7 @@ class Recorder {
                                  .slip_rate = state.slip_rate});
   }
 
-  void strobe(const dynamics::State& state) {
+  void strobe(const dynamics::State& state) override {
     trajectory.strobe.push_back({.period = static_cast<std::int64_t>(trajectory.strobe.size()) + 1,
                                  .tilt = state.tilt / shape_angle_,
                                  .tilt_rate = state.tilt_rate / shape_angle_,
@@ -40,8 +42,8 @@ Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::ui
                          std::int64_t periods) {
   const random::Draws draws(seed, realisation);
   Recorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle);
-  auto motion = begin_realisation(condition.scene, condition.tolerance, draws, start_of(condition.scene, draws),
-                                  Strobe::start, periods, recorder);
+  Motion motion =
+      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, periods, recorder);
   integrate::advance(motion);
   recorder.trajectory.termination = motion.termination().value_or(Termination::stopped);
   return std::move(recorder.trajectory);

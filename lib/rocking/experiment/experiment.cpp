@@ -1,0 +1,13 @@
+#include "rocking/experiment/experiment.hpp"
+
+namespace rocking::experiment {
+
+bool is_random(const Scene& scene) {
+  const auto is_law = [](const Quantity& quantity) { return !std::holds_alternative<double>(quantity); };
+  const Fluctuation& f = scene.fluctuation;
+  return f.static_friction > 0.0 || f.kinetic_friction > 0.0 || f.restitution > 0.0 || f.amplitude > 0.0 ||
+         is_law(scene.excitation.phase) || is_law(scene.initial.tilt) || is_law(scene.initial.tilt_rate) ||
+         is_law(scene.initial.slip_rate);
+}
+
+}  // namespace rocking::experiment

@@ -9,7 +9,7 @@ logs=$top/build/log
 # Everything that comes from the system, by Debian 12's names. Boost stands apart: see boost_version_below.
 build_packages=(
   g++ cmake make pkg-config git
-  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libeigen3-dev
+  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev
   libgtest-dev libgmock-dev
 )
 boost_package=libboost1.81-dev

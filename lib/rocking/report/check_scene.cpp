@@ -1,7 +1,6 @@
 #include "rocking/report/check_scene.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <initializer_list>
 #include <numbers>
@@ -9,17 +8,12 @@
 #include <string_view>
 
 #include "rocking/report/read_quantity.hpp"
+#include "rocking/report/text_table.hpp"
 
 namespace rocking::report {
 namespace {
 
-// A number for a message: six digits.
-std::string shown(double number) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, number, std::chars_format::general, 6);
-  static_cast<void>(error);  // six digits, sign and exponent fit
-  return {text, end};
-}
+std::string shown(double number) { return significant(number, 6); }
 
 class SceneChecker {
  public:

@@ -1,12 +1,12 @@
 #include "rocking/report/mode_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <string_view>
 #include <vector>
 
 #include "rocking/report/json.hpp"
+#include "rocking/report/text_table.hpp"
 
 namespace rocking::report {
 namespace {
@@ -17,27 +17,9 @@ using experiment::ExperimentResult;
 using section::ResponseMode;
 
 constexpr std::size_t widest = 120;
-constexpr std::string_view gap = "  ";
+constexpr std::size_t gap = 2;
 
-using Row = std::vector<std::string>;
-
-std::string general(double number, int digits) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, number, std::chars_format::general, digits);
-  static_cast<void>(error);  // few digits, sign and exponent fit
-  return {text, end};
-}
-
-std::string per_cent(double probability) {
-  char text[32];
-  const auto [end, error] = std::to_chars(text, text + sizeof text, 100.0 * probability, std::chars_format::fixed, 1);
-  static_cast<void>(error);  // at most 100.0
-  return {text, end};
-}
-
-std::string padded(const std::string& text, std::size_t width) {
-  return std::string(width > text.size() ? width - text.size() : 0, ' ') + text;
-}
+std::string per_cent(double probability) { return fixed_point(100.0 * probability, 1); }
 
 // `/excitation/amplitude` is called `amplitude`.
 std::string short_name(const std::string& pointer) { return pointer.substr(pointer.rfind('/') + 1); }
@@ -82,41 +64,25 @@ std::string rest_of(const ConditionResult& condition, const std::vector<Response
   return per_cent(static_cast<double>(count) / static_cast<double>(condition.realisations));
 }
 
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-  }
-  std::string text;
-  for (const Row& row : rows) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (i > 0) text += gap;
-      text += padded(row[i], widths[i]);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
-Row leading_cells(const experiment::Condition& condition, const ConditionResult& result) {
-  Row row;
+TextRow leading_cells(const experiment::Condition& condition, const ConditionResult& result) {
+  TextRow row;
   for (const experiment::Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
   row.push_back(std::to_string(result.realisations));
   return row;
 }
 
-std::vector<Row> leading_columns(const Experiment& experiment, const ExperimentResult& result) {
-  Row header;
+std::vector<TextRow> leading_columns(const Experiment& experiment, const ExperimentResult& result) {
+  TextRow header;
   for (const auto& parameter : experiment.conditions.front().parameters) header.push_back(short_name(parameter.pointer));
   header.emplace_back("n");
-  std::vector<Row> rows{header};
+  std::vector<TextRow> rows{header};
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     rows.push_back(leading_cells(experiment.conditions[i], result.conditions[i]));
   }
   return rows;
 }
 
-std::size_t width_of(const std::vector<Row>& rows) {
+std::size_t width_of(const std::vector<TextRow>& rows) {
   const std::string text = aligned(rows);
   return text.find('\n');
 }
@@ -125,22 +91,22 @@ std::size_t width_of(const std::vector<Row>& rows) {
 
 std::string short_value(const experiment::Parameter& parameter) {
   const Json value = Json::parse(parameter.value);
-  if (value.is_number_float()) return general(value.get<double>(), 6);
+  if (value.is_number_float()) return significant(value.get<double>(), 6);
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_object()) return brief(value);
   std::string text;
   for (const auto& [key, part] : value.items()) {
     if (!text.empty()) text += '/';
-    text += part.is_number() ? general(part.get<double>(), 6) : brief(part);
+    text += part.is_number() ? significant(part.get<double>(), 6) : brief(part);
   }
   return text;
 }
 
 std::string mode_table(const Experiment& experiment, const ExperimentResult& result) {
   if (result.conditions.empty()) return {};
-  std::vector<Row> rows = leading_columns(experiment, result);
-  constexpr std::size_t cell_width = std::string_view("100.0 [100.0, 100.0]").size() + gap.size();
-  constexpr std::size_t rest_width = std::string_view("others").size() + gap.size();
+  std::vector<TextRow> rows = leading_columns(experiment, result);
+  constexpr std::size_t cell_width = std::string_view("100.0 [100.0, 100.0]").size() + gap;
+  constexpr std::size_t rest_width = std::string_view("others").size() + gap;
   const std::size_t used = width_of(rows) + rest_width;
   const std::size_t room = used < widest ? std::max<std::size_t>(1, (widest - used) / cell_width) : 1;
 

@@ -1,0 +1,43 @@
+#include "rocking/report/text_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking::report {
+namespace {
+
+std::string in_format(double number, std::chars_format format, int precision) {
+  char text[400];  // 1.8e308 has 309 digits before the point
+  const auto [end, error] = std::to_chars(text, text + sizeof text, number, format, precision);
+  ROCKING_EXPECT(error == std::errc());
+  static_cast<void>(error);
+  return {text, end};
+}
+
+}  // namespace
+
+std::string significant(double number, int digits) { return in_format(number, std::chars_format::general, digits); }
+
+std::string fixed_point(double number, int decimals) { return in_format(number, std::chars_format::fixed, decimals); }
+
+std::string aligned(const std::vector<TextRow>& rows) {
+  if (rows.empty()) return {};
+  std::vector<std::size_t> widths(rows.front().size(), 0);
+  for (const TextRow& row : rows) {
+    ROCKING_EXPECT(row.size() == widths.size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  }
+  std::string text;
+  for (const TextRow& row : rows) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      text.append(widths[i] - row[i].size() + (i == 0 ? 0 : 2), ' ');
+      text += row[i];
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace rocking::report

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace rocking::report {
+
+/// `number` in `digits` significant digits, in the shorter of the two notations.
+[[nodiscard]] std::string significant(double number, int digits);
+
+/// `number` with `decimals` digits after the point.
+[[nodiscard]] std::string fixed_point(double number, int decimals);
+
+using TextRow = std::vector<std::string>;
+
+/// Rows of equal length as lines of columns, each as wide as its widest cell, two blanks apart, flush right.
+[[nodiscard]] std::string aligned(const std::vector<TextRow>& rows);
+
+}  // namespace rocking::report

@@ -92,6 +92,16 @@ Offences unportable_functions(const std::string& source) {
 /// A user's clone stands alone: no text may send its reader to a folder beside it.
 Offences neighbours(const std::string& text) { return matches(text, R"(\.\./shared\b)"); }
 
+/// Links of a document that lead to no file. Links to the web and within the page are not followed.
+Offences dead_links(const fs::path& folder, const std::string& document) {
+  static const std::regex link(R"(\]\(([^)#:\s]+)\))");
+  Offences found;
+  for (std::sregex_iterator match(document.begin(), document.end(), link), end; match != end; ++match) {
+    if (!fs::exists(folder / match->str(1))) found.push_back(match->str(1));
+  }
+  return found;
+}
+
 struct File {
   fs::path path;
   std::string module;  ///< of the library; empty elsewhere
@@ -169,6 +179,14 @@ TEST(TheHouse, StandsAlone) {
   for (const File& file : files) EXPECT_THAT(neighbours(file.text), IsEmpty()) << file.path;
 }
 
+TEST(TheHouse, LeadsItsReadersSomewhere) {
+  for (const File& file : files_of_tree()) {
+    if (file.path.extension() == ".md") {
+      EXPECT_THAT(dead_links(file.path.parent_path(), file.text), IsEmpty()) << file.path;
+    }
+  }
+}
+
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
   EXPECT_THAT(forbidden_uses("dynamics", "#include \"rocking/integrate/step.hpp\"\n"),
               ElementsAre("dynamics -> integrate"));
@@ -207,6 +225,11 @@ TEST(TheHouseRules, FindACallOfTheMachinesLibrary) {
 TEST(TheHouseRules, FindAReferenceToANeighbour) {
   EXPECT_THAT(neighbours(std::string("see ..") + "/shared/MODEL.md"), SizeIs(1));
   EXPECT_THAT(neighbours("shared memory"), IsEmpty());
+}
+
+TEST(TheHouseRules, FindALinkToNowhere) {
+  EXPECT_THAT(dead_links(ROCKING_SOURCE_DIR, "[a](README.md), [b](nowhere.md), [c](https://example.org), [d](#here)"),
+              ElementsAre("nowhere.md"));
 }
 
 }  // namespace

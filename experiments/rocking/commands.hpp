@@ -1,0 +1,24 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "exit_code.hpp"
+
+namespace rocking::program {
+
+/// The command that was given, ready to be carried out.
+using Action = std::function<ExitCode()>;
+
+/// Each function adds its command to `app`. Parsing a command line that names it sets `action`.
+void add_run(CLI::App& app, Action& action);
+void add_trajectory(CLI::App& app, Action& action);
+void add_check_normal(CLI::App& app, Action& action);
+void add_validate(CLI::App& app, Action& action);
+void add_schema(CLI::App& app, Action& action);
+void add_doctor(CLI::App& app, Action& action);
+
+}  // namespace rocking::program

@@ -1,0 +1,42 @@
+#include "machine.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+#include <fstream>
+#include <string_view>
+#include <thread>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/utsname.h>
+
+namespace rocking::program {
+namespace {
+
+std::string processor_name() {
+  std::ifstream facts("/proc/cpuinfo");
+  for (std::string line; std::getline(facts, line);) {
+    const auto colon = line.find(": ");
+    if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
+  }
+  return "unknown processor";
+}
+
+}  // namespace
+
+std::string machine_description() {
+  utsname system{};
+  const bool known = uname(&system) == 0;
+  const std::string name = known ? fmt::format("{} {} {}", system.sysname, system.release, system.machine) : "unknown system";
+  return fmt::format("{}, {} threads, {}", processor_name(), available_threads(), name);
+}
+
+std::string utc_now() {
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+unsigned available_threads() { return std::max(1U, std::thread::hardware_concurrency()); }
+
+}  // namespace rocking::program

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+namespace rocking::program {
+
+/// Processor, its threads and the operating system, as they call themselves.
+[[nodiscard]] std::string machine_description();
+
+/// The time now, ISO 8601 in UTC: `2012-02-01T12:00:00Z`.
+[[nodiscard]] std::string utc_now();
+
+/// How many threads this process may run at once; at least 1.
+[[nodiscard]] unsigned available_threads();
+
+}  // namespace rocking::program

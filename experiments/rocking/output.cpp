@@ -1,0 +1,54 @@
+#include "output.hpp"
+
+#include <cerrno>
+#include <cmath>
+#include <cstdio>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "exit_code.hpp"
+
+namespace rocking::program {
+
+void add_loudness(CLI::App& command, Loudness& loudness) {
+  command.add_flag("--json", loudness.json, "Print the result as JSON on standard output, and nothing else there");
+  const auto quiet = command.add_flag("-q,--quiet", loudness.quiet, "Say nothing but results and errors");
+  command.add_flag("-v,--verbose", loudness.verbose, "Say more about what is done")->excludes(quiet);
+  command.add_flag("--no-progress", loudness.no_progress, "Show no progress on standard error");
+}
+
+void print_result(std::string_view text) {
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
+}
+
+void print_notice(std::string_view text) { fmt::print(stderr, "rocking: {}\n", text); }
+
+experiment::Experiment load_experiment(const std::string& path, const report::Overrides& overrides) {
+  try {
+    return report::read_experiment_file(path, overrides);
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
+
+std::string listed_problems(const base::InputError& error) {
+  std::string text = counted(error.problems().size(), "problem");
+  for (const base::Problem& problem : error.problems()) text += "\n  " + to_string(problem);
+  return text;
+}
+
+std::string counted(std::uint64_t number, std::string_view noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string spoken_duration(double seconds) {
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const auto whole = static_cast<std::int64_t>(std::llround(std::min(seconds, 1e15)));
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {:02} s", whole / 60, whole % 60);
+  return fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);
+}
+
+}  // namespace rocking::program

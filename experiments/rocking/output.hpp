@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+
+#include "rocking/base/error.hpp"
+#include "rocking/report/read_experiment.hpp"
+
+namespace rocking::program {
+
+/// How much to say, and to whom. Results go to standard output, everything else to standard error.
+struct Loudness {
+  bool json = false;
+  bool quiet = false;
+  bool verbose = false;
+  bool no_progress = false;
+};
+
+/// Adds `--json`, `-q`, `-v` and `--no-progress` to a command.
+void add_loudness(CLI::App& command, Loudness& loudness);
+
+/// Writes to standard output and makes sure that it got there. Throws std::system_error.
+void print_result(std::string_view text);
+
+/// Writes `rocking: text` to standard error.
+void print_notice(std::string_view text);
+
+/// Reads an experiment file. Throws base::InputError, or MissingInput where the file cannot be read.
+[[nodiscard]] experiment::Experiment load_experiment(const std::string& path, const report::Overrides& overrides);
+
+/// `FILE: 2 problems` and a line for each.
+[[nodiscard]] std::string listed_problems(const base::InputError& error);
+
+/// `1 condition`, `2 conditions`.
+[[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
+
+/// `12 s`, `3 min 20 s`, `2 h 05 min`.
+[[nodiscard]] std::string spoken_duration(double seconds);
+
+}  // namespace rocking::program

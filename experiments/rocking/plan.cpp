@@ -1,0 +1,72 @@
+#include "plan.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "output.hpp"
+#include "rocking/experiment/run.hpp"
+
+namespace rocking::program {
+namespace {
+
+using experiment::Scene;
+
+bool is_drawn(const experiment::Quantity& quantity) { return !std::holds_alternative<double>(quantity); }
+
+struct Effect {
+  const char* name;
+  bool (*is_on)(const Scene&);
+};
+
+constexpr std::array<Effect, 9> effects{{
+    {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
+    {"static friction drawn at each stop", [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
+    {"kinetic friction drawn on a grid in time", [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
+    {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
+    {"amplitude drawn each period", [](const Scene& s) { return s.fluctuation.amplitude > 0.0; }},
+    {"phase drawn once", [](const Scene& s) { return is_drawn(s.excitation.phase); }},
+    {"initial tilt drawn once", [](const Scene& s) { return is_drawn(s.initial.tilt); }},
+    {"initial tilt rate drawn once", [](const Scene& s) { return is_drawn(s.initial.tilt_rate); }},
+    {"initial slip rate drawn once", [](const Scene& s) { return is_drawn(s.initial.slip_rate); }},
+}};
+
+}  // namespace
+
+Plan plan_of(const experiment::Experiment& experiment) {
+  Plan plan{.title = experiment.title, .conditions = experiment.conditions.size(), .effects = {}};
+  for (const experiment::Condition& condition : experiment.conditions) {
+    const std::uint64_t realisations = effective_realisations(condition);
+    plan.realisations += realisations;
+    const auto [transient, sampled] = condition.horizon;
+    plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
+  }
+  for (const Effect& effect : effects) {
+    for (const experiment::Condition& condition : experiment.conditions) {
+      if (!effect.is_on(condition.scene)) continue;
+      plan.effects.emplace_back(effect.name);
+      break;
+    }
+  }
+  return plan;
+}
+
+std::string to_text(const Plan& plan) {
+  std::string text = plan.title.empty() ? "" : plan.title + '\n';
+  text += fmt::format("{}, {}, {} of the excitation\n", counted(plan.conditions, "condition"),
+                      counted(plan.realisations, "realisation"), counted(plan.periods, "period"));
+  if (plan.effects.empty()) return text + "rocking only: nothing slides and nothing is random\n";
+  text += "beside rocking:\n";
+  for (const std::string& effect : plan.effects) text += "  " + effect + '\n';
+  return text;
+}
+
+std::vector<report::Fact> facts_of(const Plan& plan) {
+  return {{"title", plan.title},
+          {"conditions", plan.conditions},
+          {"realisations", plan.realisations},
+          {"periods", plan.periods},
+          {"effects", plan.effects}};
+}
+
+}  // namespace rocking::program

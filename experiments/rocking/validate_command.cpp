@@ -1,0 +1,50 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "plan.hpp"
+#include "rocking/report/write_facts.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct ValidateRequest {
+  std::string file;
+  Loudness loudness;
+};
+
+ExitCode validate(const ValidateRequest& request) {
+  try {
+    const experiment::Experiment experiment = load_experiment(request.file, {});
+    if (request.loudness.json) {
+      print_result(report::validation_text(experiment));
+    } else if (!request.loudness.quiet) {
+      const Plan plan = plan_of(experiment);
+      print_result(fmt::format("{}: valid: {}\n", request.file, to_text(plan)));
+    }
+    return ExitCode::done;
+  } catch (const base::InputError& error) {
+    if (!request.loudness.json) throw;
+    print_result(report::validation_text(error.problems()));
+    return ExitCode::bad_input;
+  }
+}
+
+}  // namespace
+
+void add_validate(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<ValidateRequest>();
+  CLI::App* command = app.add_subcommand("validate", "Check an experiment file without simulating");
+  command->footer("Example: rocking validate my-experiment.json\n"
+                  "tells every problem at once, each with its place, value and remedy; with --json it prints the file with\n"
+                  "every default written out.");
+  command->add_option("FILE", request->file, "Experiment file (JSON)")->required();
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] {
+    action = [request] { return validate(*request); };
+  });
+}
+
+}  // namespace rocking::program

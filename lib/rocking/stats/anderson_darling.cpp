@@ -42,6 +42,12 @@ double finite_sample_correction(double n, double x) {
 
 }  // namespace
 
+double anderson_darling_p_value(double statistic, std::size_t n) {
+  ROCKING_EXPECT(n >= 1);
+  const double limit = limiting_tail(statistic);
+  return std::clamp(limit - finite_sample_correction(static_cast<double>(n), 1.0 - limit), 0.0, 1.0);
+}
+
 TestOfFit anderson_darling(std::span<const double> sample, const NormalLaw& law) {
   ROCKING_EXPECT(!sample.empty() && law.sigma > 0.0);
   std::vector<double> sorted(sample.begin(), sample.end());
@@ -54,8 +60,7 @@ TestOfFit anderson_darling(std::span<const double> sample, const NormalLaw& law)
     sum.add(static_cast<double>(2 * i + 1) * (from_below + from_above));
   }
   const double statistic = -n - sum.value() / n;
-  const double limit = limiting_tail(statistic);
-  return {statistic, std::clamp(limit - finite_sample_correction(n, 1.0 - limit), 0.0, 1.0)};
+  return {statistic, anderson_darling_p_value(statistic, sorted.size())};
 }
 
 }  // namespace rocking::stats

@@ -1,5 +1,6 @@
 #include "rocking/stats/moments.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <boost/math/special_functions/gamma.hpp>
@@ -12,6 +13,12 @@ namespace {
 
 Moment compared(double value, double expected, double standard_error) {
   return {value, standard_error, (value - expected) / standard_error};
+}
+
+/// Asked of the numbers themselves: a rounded mean can leave equal numbers a second moment above 0.
+bool all_alike(std::span<const double> sample) {
+  const auto [smallest, largest] = std::minmax_element(sample.begin(), sample.end());
+  return *smallest == *largest;
 }
 
 /// E(s)/sigma of n normal draws. 1 - c4^2 is about 1/(2n), so that it loses digits as n grows: 1e-9 of it at n = 1e6.
@@ -44,9 +51,8 @@ CentralMoments central_moments(std::span<const double> sample) {
 
 std::optional<SampleMoments> sample_moments(std::span<const double> sample, const NormalLaw& law) {
   ROCKING_EXPECT(law.sigma > 0.0);
-  if (sample.size() < 4) return std::nullopt;
+  if (sample.size() < 4 || all_alike(sample)) return std::nullopt;
   const CentralMoments central = central_moments(sample);
-  if (!(central.second > 0.0)) return std::nullopt;
   const auto n = static_cast<double>(sample.size());
   const double c4 = mean_ratio_of_standard_deviation(n);
   const double skewness_variance = 6.0 * (n - 2.0) / ((n + 1.0) * (n + 3.0));

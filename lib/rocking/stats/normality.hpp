@@ -29,16 +29,21 @@ struct TestOfFit {
 
 /// This very law? Anderson & Darling's A^2, which weighs both tails up. Needs n >= 1.
 ///
-/// p-value to 2e-6 absolute: below that it only says "small".
 /// Source: Anderson & Darling (1954), J. Am. Stat. Assoc. 49, 765-769; Marsaglia & Marsaglia (2004), J. Stat. Softw. 9(2).
 [[nodiscard]] TestOfFit anderson_darling(std::span<const double> sample, const NormalLaw& law);
+
+/// Probability that the A^2 of n independent numbers, from whatever continuous law they are compared with, is at least `statistic`.
+///
+/// Absolute error about 2e-6 + 1e-3/n for n of ten or more: below that it only says "small".
+[[nodiscard]] double anderson_darling_p_value(double statistic, std::size_t n);
 
 /// This very law? The largest distance D between the empirical and the law's distribution function. Needs n >= 1.
 [[nodiscard]] TestOfFit kolmogorov_smirnov(std::span<const double> sample, const NormalLaw& law);
 
 /// Probability that the D of n independent numbers, from whatever continuous law they are compared with, is at least `distance`.
 ///
-/// Kolmogorov's limit law at x + 1/(6 sqrt n) + (x - 1)/(4n), x = sqrt(n) D.
+/// Kolmogorov's limit law at x + 1/(6 sqrt n) + (x - 1)/(4n), x = sqrt(n) D. Absolute error below 0.03/n for n >= 20 (1.1e-6 at
+/// n = 20000), as found by comparison with the exact law.
 /// Source: Vrbik (2018), Pioneer J. Theor. Appl. Stat. 15, 15-23.
 [[nodiscard]] double kolmogorov_p_value(double distance, std::size_t n);
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "rocking/base/error.hpp"
 #include "rocking/section/period.hpp"
@@ -15,6 +16,9 @@ constexpr double kept_share = 0.9;
 // For a normal law in the plane the squared distance is exponential with mean 2. Below its 90 % point, 2 ln 10, its mean
 // is 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this is the factor that undoes the trimming.
 constexpr double trimming_correction = 1.0 / 0.74415721411178;
+
+// Of the squared distance from the centre, in units of the scatter, for a normal law in the plane: 2 ln 2.
+constexpr double median_of_squares = 2.0 * std::numbers::ln2;
 
 double median(std::vector<double>& values) {
   if (values.empty()) return 0.0;
@@ -73,6 +77,13 @@ Covariance trimmed_covariance(std::span<const PlanePoint> deviations, double res
   return sum.scaled(trimming_correction / static_cast<double>(kept));
 }
 
+/// Least of the variances of `a` in units of that of `b`, over all directions: the lesser root of det(A - z B) = 0.
+double least_ratio(const Covariance& a, const Covariance& b) {
+  const double half_trace = 0.5 * (a.xx * b.yy - 2.0 * a.xy * b.xy + a.yy * b.xx) / b.determinant();
+  const double product = a.determinant() / b.determinant();
+  return half_trace - std::sqrt(std::max(half_trace * half_trace - product, 0.0));
+}
+
 double farthest_turn(const Clouds& clouds, std::size_t divisor) {
   double farthest = 0.0;
   const std::size_t n = clouds.centres.size();
@@ -120,24 +131,33 @@ std::vector<Separation> separations(const Clouds& clouds) {
   return result;
 }
 
-double share_beyond(const Clouds& clouds, double limit) {
-  std::size_t beyond = 0;
-  for (const PlanePoint& d : clouds.deviations) {
-    if (squared_distance(d, clouds.scatter) > limit * limit) ++beyond;
+std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& clouds, double scatters, double least) {
+  const std::size_t n = clouds.centres.size();
+  std::vector<bool> result(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const PlanePoint& d = clouds.deviations[k];
+    const double own = squared_distance(d, clouds.scatter);
+    if (own <= scatters * scatters || d.x * d.x + d.y * d.y <= least * least) continue;
+    bool nearer_elsewhere = n == 1;
+    for (const PlanePoint& centre : clouds.centres) {
+      nearer_elsewhere = nearer_elsewhere || squared_distance(points[k] - centre, clouds.scatter) < own;
+    }
+    result[k] = nearer_elsewhere;
   }
-  return static_cast<double>(beyond) / static_cast<double>(clouds.deviations.size());
+  return result;
 }
 
 double longest_memory(const Clouds& clouds, double resolution) {
-  const std::size_t points = clouds.deviations.size();
   double longest = 0.0;
   for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
     std::vector<PlanePoint> steps;
-    for (std::size_t k = lag; k < points; ++k) steps.push_back(clouds.deviations[k] - clouds.deviations[k - lag]);
-    const Covariance step = trimmed_covariance(steps, resolution);
-    const Covariance& c = clouds.scatter;
-    const double squared = (step.xx * c.yy - 2.0 * step.xy * c.xy + step.yy * c.xx) / c.determinant();
-    longest = std::max(longest, 1.0 - 0.25 * squared);
+    std::vector<double> squares;
+    for (std::size_t k = lag; k < clouds.deviations.size(); ++k) {
+      steps.push_back(clouds.deviations[k] - clouds.deviations[k - lag]);
+      squares.push_back(squared_distance(steps.back(), clouds.scatter));
+    }
+    const double least = least_ratio(trimmed_covariance(steps, resolution), clouds.scatter);
+    longest = std::max({longest, 1.0 - 0.5 * least, 1.0 - 0.5 * median(squares) / median_of_squares});
   }
   return longest;
 }

@@ -45,11 +45,14 @@ struct Separation {
 /// coincide with the one d turns later.
 [[nodiscard]] std::vector<Separation> separations(const Clouds& clouds);
 
-/// Share of the points further than `limit` scatters from the centre of their class.
-[[nodiscard]] double share_beyond(const Clouds& clouds, double limit);
+/// By point: whether it lies further than `scatters` from the centre of its class and further than `least`, and nearer to
+/// the centre of another class, if there is another.
+[[nodiscard]] std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& clouds, double scatters,
+                                       double least);
 
-/// Largest correlation of deviations `lag` apart over lags 1 ... 12: 1 - D/2, with D the mean squared Mahalanobis
-/// distance per coordinate (the largest 10 % left out).
+/// Largest correlation of deviations `lag` apart, over lags 1 ... 12 and directions in the plane: 1 - D/2, with D the
+/// covariance of the differences in units of the scatter. Also taken with the median of the squared differences, which
+/// shows a return that a few jumps interrupt.
 [[nodiscard]] double longest_memory(const Clouds& clouds, double resolution);
 
 /// Largest standard deviation in any direction.

@@ -21,11 +21,12 @@ namespace {
 constexpr double line_chance = 1e-4 / line_count;  // false alarms of all lines of a series together: 1e-4
 constexpr double least_separation = 4.0;           // scatters between centres: each cloud reaches two to the middle
 constexpr double separation_growth = 40.6;         // ln(separation/2) > this over the cycles of a divisor
+constexpr double stray_distance = 5.0;              // scatters; a normal law throws 4e-6 of the points that far
 constexpr double largest_stray_share = 0.05;
 constexpr double tiny_share = 0.01;                // of the extent of the motion and of the separation
-constexpr double longest_usable_memory = 0.92;
+constexpr double longest_usable_memory = 0.96;
 constexpr double least_regular_share = 0.9;
-constexpr double stationarity_scale = 81.0;
+constexpr double chance_per_cut = 53.0;             // cycles that a cut of the window explains by chance
 
 std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
   const bool rocks = std::ranges::any_of(periods, [](const Period& p) {
@@ -82,8 +83,8 @@ bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, d
   const std::size_t cycles = points.size() / n;
   const std::size_t parts = cycles >= 16 ? 4 : 2;
   const Clouds cut = gather(points, classes_by_phase_and_time(points.size(), n, parts), resolution);
-  const double ratio = clouds.scatter.determinant() / cut.scatter.determinant();
-  return base::natural_logarithm(ratio) > stationarity_scale / static_cast<double>(cycles);
+  const double ratio = std::sqrt(clouds.scatter.determinant() / cut.scatter.determinant());
+  return ratio > 1.0 + chance_per_cut * static_cast<double>(parts - 1) / static_cast<double>(cycles);
 }
 
 /// How many times the separation that n clouds need they have; the least over the largest proper divisors d of n, of
@@ -103,6 +104,19 @@ bool are_tiny(const Clouds& clouds, double resolution) {
   const double extent = extent_of(clouds);
   const bool at_resolution = deviation <= 10.0 * resolution;
   return (at_resolution || deviation <= tiny_share * extent) && least_distance(clouds) >= 1.0 / tiny_share;
+}
+
+struct Strays {
+  double share = 0.0;
+  bool at_the_end = false;  ///< most of the last two cycles: the response has become another one
+};
+
+Strays find_strays(std::span<const PlanePoint> points, const Clouds& clouds) {
+  const std::vector<bool> stray = strays(points, clouds, stray_distance, tiny_share * extent_of(clouds));
+  const auto count = static_cast<double>(std::ranges::count(stray, true));
+  const auto last = static_cast<std::ptrdiff_t>(std::max<std::size_t>(2 * clouds.centres.size(), 4));
+  const auto at_end = std::count(stray.end() - last, stray.end(), true);
+  return {count / static_cast<double>(points.size()), 2 * at_end > last};
 }
 
 Finding doubtful(Reason reason, bool in_transient = false) {
@@ -127,9 +141,11 @@ Finding find_clouds(std::span<const Period> periods, double resolution) {
   const bool moving = moves_with_time(points, clouds, resolution);
   const bool tiny = are_tiny(clouds, resolution);
   if (apart < 1.0) return doubtful(Reason::clouds_overlap, moving);
-  if (n > 1 && share_beyond(clouds, std::max(0.5 * least_distance(clouds), 4.0)) > largest_stray_share) return final_doubt(Reason::out_of_order);
+  const Strays astray = find_strays(points, clouds);
+  if (astray.at_the_end) return final_doubt(Reason::not_stationary, true);
+  if (astray.share > largest_stray_share) return doubtful(Reason::out_of_order, moving);
   if (moving && !tiny) return final_doubt(Reason::not_stationary, true);
-  if (!tiny && longest_memory(clouds, resolution) > longest_usable_memory) return doubtful(Reason::slow_memory);
+  if (!tiny && longest_memory(clouds, resolution) > longest_usable_memory) return doubtful(Reason::slow_memory, true);
 
   const Rocks rocks = count_rocks(periods, phases->n);
   if (rocks.regular_share < least_regular_share) {

@@ -34,7 +34,7 @@ enum class Reason : std::uint8_t {
 struct Verdict {
   ResponseMode mode;
   Reason reason = Reason::too_few_points;
-  bool in_transient = false;  ///< still drifting at the end of the sampled periods
+  bool in_transient = false;  ///< had not settled by the end of the sampled periods: drifting, or of slow memory
   /// Factor by which the deciding quantity nearest to its threshold clears it: 1 at the edge of another verdict, larger is
   /// surer. 0 where unresolved; infinity is cut at `largest_margin`.
   double margin = 0.0;

@@ -96,12 +96,9 @@ class BlockMotion : public Automaton<Coefficients> {
   [[nodiscard]] double expand(double reach) {
     if (++steps_since_strobe_ > step_budget) this->end(Termination::stopped);
     if (this->is_slipping()) ++slip_steps_;
-    // A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
-    if (reach <= short_step * clock_.period_length()) {
-      const double length = expand_to<short_order>();
-      if (length >= reach) return reach;
-    }
-    return std::min({expand_to<full_order>(), reach, clock_.period_length()});
+    const double length = length_of_series(reach);
+    if (after_reset_) look_at_validity();
+    return length;
   }
 
   template <class Visitor>
@@ -158,27 +155,43 @@ class BlockMotion : public Automaton<Coefficients> {
   }
 
  private:
-  static constexpr int short_order = 8;
+  static constexpr int short_order = 9;
   static constexpr double short_step = 1.0 / 64.0;  ///< of a period
   static constexpr std::int64_t step_budget = 1'000'000;
 
   /// In full contact the frame of the series is the fixed one.
   [[nodiscard]] double frame() const { return state_.contact == ContactState::slide ? 1.0 : state_.side; }
 
+  /// Fills the series as far as the coming step needs it; returns the step's length.
+  [[nodiscard]] double length_of_series(double reach) {
+    // A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
+    if (reach <= short_step * clock_.period_length() && expand_to<short_order>() >= reach) return reach;
+    return std::min({expand_to<full_order>(), reach, clock_.period_length()});
+  }
+
+  [[nodiscard]] bool rocks() const {
+    return state_.contact == ContactState::rock || state_.contact == ContactState::rock_slide;
+  }
+
   /// After events: what the coming steps need to know.
   void settle() {
     if (ended()) return;
-    breakpoint_ = coefficients_.next_change(clock_, this->is_slipping());
     kinetic_friction_ = this->is_slipping() ? coefficients_.kinetic_friction(clock_) : 0.0;
-    const bool rocks = state_.contact == ContactState::rock || state_.contact == ContactState::rock_slide;
-    if (!rocks) off_ground_ = false;
-    if (rocks && !normal_starts_at_zero_) {
-      expand_to<2>();
-      if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
-        return this->end(Termination::painleve);
-      }
-      set_off_ground(series_.normal[0] <= 0.0);
+    breakpoint_ = coefficients_.next_change(clock_, this->is_slipping());
+    after_reset_ = true;
+  }
+
+  /// A reset makes the forces jump: whether the block still presses on the base, and the equations still have a solution.
+  void look_at_validity() {
+    after_reset_ = false;
+    if (!rocks()) {
+      off_ground_ = false;
+      return;
     }
+    if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
+      this->end(Termination::painleve);
+    }
+    if (!normal_starts_at_zero_) set_off_ground(series_.normal[0] <= 0.0);
   }
 
   void set_off_ground(bool off) {
@@ -261,7 +274,7 @@ class BlockMotion : public Automaton<Coefficients> {
       return side * sum;
     };
     State state = state_;
-    if (state.contact == ContactState::rock || state.contact == ContactState::rock_slide) {
+    if (rocks()) {
       state.tilt = value(series_.tilt, order_ + 1);
       state.tilt_rate = value(series_.tilt_rate, order_);
     }
@@ -281,6 +294,7 @@ class BlockMotion : public Automaton<Coefficients> {
   double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step, while slipping
   MotionSeries<double> series_{};
   int order_ = full_order;
+  bool after_reset_ = true;
   bool off_ground_ = false;  ///< N <= 0
   bool normal_starts_at_zero_ = false;
   std::uint64_t losses_of_contact_ = 0;

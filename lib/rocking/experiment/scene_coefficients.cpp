@@ -107,13 +107,19 @@ Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t index) 
 }
 
 /// The interval that now lies in; now counts as after a boundary that it has reached to within the clock's resolution.
+/// Most often that is the one last seen or the next.
 std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
-  const std::int64_t count = fluctuation_.refreshes_per_period;
-  const double local = (clock.now().time - clock.start()) / clock.period_length() * static_cast<double>(count);
-  std::int64_t index = std::max<std::int64_t>(
-      0, clock.now().period * count + static_cast<std::int64_t>(std::floor(local)));
-  while (clock.until(grid_instant(clock, index + 1)) <= clock.resolution()) ++index;
-  while (index > 0 && clock.until(grid_instant(clock, index)) > clock.resolution()) --index;
+  const auto is_reached = [&](std::int64_t index) {
+    return clock.until(grid_instant(clock, index)) <= clock.resolution();
+  };
+  std::int64_t index = interval_;
+  if (index < 0 || !is_reached(index) || is_reached(index + 2)) {
+    const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
+    const double local = (clock.now().time - clock.start()) / clock.period_length() * count;
+    index = clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
+    index = std::max<std::int64_t>(index - 1, 0);  // floor may be one too high, by rounding
+  }
+  while (is_reached(index + 1)) ++index;
   return index;
 }
 

@@ -53,11 +53,10 @@ template <HybridSystem System>
   FiredGuards candidates;
   double earliest = length;
   system.for_each_guard([&](std::size_t guard, std::span<const double> coefficients) {
-    std::array<double, max_coefficients> storage;
-    const auto scaled = scale_to_unit(coefficients, length, storage);
-    if (is_clearly_positive(scaled)) return;
+    if (is_clearly_positive(coefficients, length)) return;
     ++counts.root_isolations;
-    const auto loss = first_sign_loss(scaled);
+    std::array<double, max_coefficients> storage;
+    const auto loss = first_sign_loss(scale_to_unit(coefficients, length, storage));
     if (!loss) return;
     instants[guard] = *loss * length;
     candidates.set(guard);

@@ -1,16 +1,18 @@
 #pragma once
 
+#include <cmath>
+#include <cstddef>
 #include <optional>
 #include <span>
 
 namespace rocking::integrate {
 
-/// Whether a cheap bound shows that p(t) = sum c[k] t^k stays positive on [0, 1]. False means "not shown".
+/// Whether a cheap bound shows that p(x) = sum c[k] x^k stays positive on [0, length]. False means "not shown".
 ///
-/// On [0, 1] a polynomial c0 + t q(t) is at least c0 + min(0, min q); applied from the last coefficient to the first.
-[[nodiscard]] inline bool is_clearly_positive(std::span<const double> c) {
+/// There c0 + x q(x) is at least c0 + length min(0, min q); applied from the last coefficient to the first.
+[[nodiscard]] inline bool is_clearly_positive(std::span<const double> c, double length) {
   double bound = 0.0;
-  for (std::size_t k = c.size(); k-- > 0;) bound = c[k] + (bound < 0.0 ? bound : 0.0);
+  for (std::size_t k = c.size(); k-- > 0;) bound = std::fma(bound < 0.0 ? bound : 0.0, length, c[k]);
   return bound > 0.0;
 }
 

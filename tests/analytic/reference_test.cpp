@@ -1,0 +1,161 @@
+// Our trajectories against those of an independent program in 50 and 80 digits (tests/reference/README.md).
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include "rocking/experiment/trajectory.hpp"
+
+namespace rocking {
+namespace {
+
+using experiment::Trajectory;
+using experiment::TrajectoryEvent;
+using nlohmann::json;
+
+const std::filesystem::path folder = std::filesystem::path(ROCKING_SOURCE_DIR) / "tests" / "reference";
+
+json load(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  return json::parse(stream);
+}
+
+double number(const json& text) {
+  const auto value = text.get<std::string>();
+  return value == "pi/2" ? 0x1.921fb54442d18p+0 : std::stod(value);
+}
+
+experiment::Condition condition_of(const json& reference) {
+  const json& params = reference["params"];
+  const json& initial = reference["initial"];
+  experiment::Condition condition;
+  experiment::Scene& scene = condition.scene;
+  scene.block = {.width = number(params["B"]), .height = number(params["H"]), .gravity = number(params["g"])};
+  scene.excitation = {.amplitude = number(params["A_h"]),
+                      .frequency_ratio = number(params["Omega"]),
+                      .phase = number(params["Phi"])};
+  scene.restitution = number(params["e"]);
+  if (params["sliding"].get<bool>()) {
+    scene.friction = experiment::Friction{.static_coefficient = number(params["mu_s"]),
+                                          .kinetic_coefficient = number(params["mu_k"])};
+  }
+  if (params["inertia"] != "centroidal_gamma_3") scene.slide_inertia = dynamics::SlideInertia::edge;
+  if (params["impact_rule"] != "physical_abs") scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;
+  scene.initial = {.tilt = number(initial["Theta"]),
+                   .tilt_rate = number(initial["dTheta_dtau"]),
+                   .slip_rate = number(initial["dX_dtau"])};
+  return condition;
+}
+
+/// What a good double implementation comes within: a hundred times the reference algorithm's own error in double, or
+/// 1e-12, whichever is larger.
+double attainable(const std::string& name, int period) {
+  static const json table = load(folder / "attainable.json");
+  const auto error = table.contains(name) && table[name].contains(std::to_string(period))
+                         ? table[name][std::to_string(period)].get<double>()
+                         : 0.0;
+  return std::max(1e-12, 100.0 * error);
+}
+
+std::vector<TrajectoryEvent> without_past_balance(const Trajectory& trajectory) {
+  std::vector<TrajectoryEvent> events = trajectory.events;
+  std::erase_if(events, [](const auto& event) { return event.kind == dynamics::EventKind::past_balance; });
+  return events;
+}
+
+class ReferenceTrajectory : public testing::TestWithParam<std::string> {
+ protected:
+  void SetUp() override {
+    reference_ = load(folder / (GetParam() + ".json"));
+    const std::int64_t periods = GetParam().starts_with("18") ? 5 : 20;
+    trajectory_ = experiment::trajectory_of(condition_of(reference_), 0, 0, periods);
+  }
+
+  /// Event times and the states after them lose what the states at the cycle ends lose; the worst of the run bounds them.
+  [[nodiscard]] double event_tolerance() const { return attainable(GetParam(), 20); }
+
+  json reference_;
+  Trajectory trajectory_;
+};
+
+TEST_P(ReferenceTrajectory, AgreesAtTheCycleEndsToTheAttainableDigits) {
+  for (const json& row : reference_["cycle_ends"]) {
+    const int period = row[0].get<int>();
+    ASSERT_GE(trajectory_.strobe.size(), static_cast<std::size_t>(period));
+    const auto& sample = trajectory_.strobe[static_cast<std::size_t>(period) - 1];
+    const double tolerance = attainable(GetParam(), period);
+    EXPECT_EQ(sample.period, period);
+    EXPECT_NEAR(sample.tilt, number(row[1]), tolerance) << "period " << period;
+    EXPECT_NEAR(sample.tilt_rate, number(row[2]), tolerance) << "period " << period;
+    EXPECT_NEAR(sample.slip, number(row[3]), tolerance) << "period " << period;
+    EXPECT_NEAR(sample.slip_rate, number(row[4]), tolerance) << "period " << period;
+    const std::vector<std::string> contacts{"rest", "slide", "rock", "rock_slide"};
+    EXPECT_EQ(to_string(sample.contact), contacts.at(row[6].get<std::size_t>())) << "period " << period;
+  }
+}
+
+TEST_P(ReferenceTrajectory, HasTheSameEventsInTheSameOrder) {
+  // In case 17 the chatter's last impacts are closer together than doubles resolve: there the list goes on with to_slide.
+  const bool chatter_while_sliding = GetParam().starts_with("17");
+  const auto events = without_past_balance(trajectory_);
+  std::size_t next = 0;
+  for (const json& row : reference_["events"]) {
+    ASSERT_LT(next, events.size());
+    const TrajectoryEvent& event = events[next];
+    if (chatter_while_sliding && event.kind == dynamics::EventKind::to_slide && row[1] != "to_slide") {
+      EXPECT_LT(std::abs(number(row[3])), 1e-12) << "an impact that matters was dropped";
+      continue;
+    }
+    EXPECT_EQ(to_string(event.kind), row[1].get<std::string>()) << "event " << next;
+    EXPECT_NEAR(event.tau, number(row[0]), event_tolerance()) << "event " << next;
+    EXPECT_NEAR(event.tilt, number(row[2]), event_tolerance()) << "event " << next;
+    EXPECT_NEAR(event.tilt_rate, number(row[3]), event_tolerance()) << "event " << next;
+    EXPECT_NEAR(event.slip, number(row[4]), event_tolerance()) << "event " << next;
+    EXPECT_NEAR(event.slip_rate, number(row[5]), event_tolerance()) << "event " << next;
+    ++next;
+  }
+}
+
+TEST_P(ReferenceTrajectory, HasAsManyEventsOfEachKind) {
+  std::map<std::string, int> counts;
+  for (const TrajectoryEvent& event : without_past_balance(trajectory_)) ++counts[std::string(to_string(event.kind))];
+  std::map<std::string, int> expected = reference_["event_counts"].get<std::map<std::string, int>>();
+  if (GetParam().starts_with("17") || GetParam().starts_with("18")) {  // as many impacts in a chatter as it is cut off
+    for (const char* impact : {"impact_stick", "impact_slip"}) {
+      counts.erase(impact);
+      expected.erase(impact);
+    }
+  }
+  EXPECT_EQ(counts, expected);
+}
+
+TEST_P(ReferenceTrajectory, EndsAsTheReferenceDoes) {
+  const bool overturns = reference_["event_counts"].contains("overturn");
+  EXPECT_EQ(trajectory_.termination,
+            overturns ? experiment::Termination::overturned : experiment::Termination::reached_horizon);
+}
+
+std::vector<std::string> names_of_cases() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    const std::string stem = entry.path().stem().string();
+    if (entry.path().extension() == ".json" && stem != "attainable") names.push_back(stem);
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, ReferenceTrajectory, testing::ValuesIn(names_of_cases()),
+                         [](const auto& instance) { return instance.param; });
+
+TEST(Reference, HasTwentyTwoCases) { EXPECT_EQ(names_of_cases().size(), 22U); }
+
+}  // namespace
+}  // namespace rocking

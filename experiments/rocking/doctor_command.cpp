@@ -48,7 +48,8 @@ std::string elementary_digest() {
   return base::to_hex(digest.finish());
 }
 
-constexpr std::string_view expected_elementary_digest = "GOLDEN";
+constexpr std::string_view expected_elementary_digest = 
+    "3b6356537cfaf16f85ff3151a10ff43c21265480e780436cb0806ea056338e07";
 
 std::vector<Fact> build_facts() {
   const base::BuildInfo build = base::build_info();

@@ -96,10 +96,10 @@ ExitCode run(const RunRequest& request) {
   }
   const std::string text = report::report_text(experiment, *result, system);
   report::write_atomically(report_path(request), text);
-  print_result(loudness.json ? text : summary_of(experiment, *result));
+  const std::string where = fmt::format("report: {}\n", report_path(request).string());
+  print_result(loudness.json ? text : summary_of(experiment, *result) + where);
   if (!loudness.quiet) {
-    print_notice(fmt::format("{} on {}; the report is {}", spoken_duration(system.duration_s),
-                             counted(request.threads, "thread"), report_path(request).string()));
+    print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(request.threads, "thread")));
   }
   return ExitCode::done;
 }

@@ -45,7 +45,7 @@ std::string bars(const stats::Histogram& histogram) {
     text += table.substr(start, end - start);
     if (row > 0 && tallest > 0.0) {
       const double length = longest * static_cast<double>(histogram.counts[row - 1]) / tallest;
-      text += "  " + std::string(static_cast<std::size_t>(std::lround(length)), '#');
+      if (length >= 0.5) text += "  " + std::string(static_cast<std::size_t>(std::lround(length)), '#');
     }
     text += '\n';
     start = end + 1;

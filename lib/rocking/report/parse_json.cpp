@@ -28,6 +28,17 @@ bool begins_with_word(std::string_view text, std::string_view word) {
   });
 }
 
+// The word or number around a position; empty at the end of the text.
+std::string_view word_at(std::string_view text, std::size_t position) {
+  const auto belongs = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.'; };
+  if (position >= text.size()) return {};
+  std::size_t start = position;
+  while (start > 0 && belongs(text[position]) && belongs(text[start - 1])) --start;
+  std::size_t end = position;
+  while (end < text.size() && belongs(text[end])) ++end;
+  return text.substr(start, std::min<std::size_t>(40, std::max(end, position + 1) - start));
+}
+
 // Builds the document from the parser's calls.
 class DocumentBuilder final : public nlohmann::json_sax<Json> {
  public:
@@ -51,15 +62,15 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   bool key(string_t& name) override {
     open_.back().key = name;
     if (!open_.back().node->contains(name)) return true;
-    problems_.push_back({.place = pointer(), .value = "", .reason = "this key stands twice", .remedy = "keep one of them"});
+    problems_.push_back(
+        {.place = pointer(), .value = "", .reason = "this key stands twice", .remedy = "keep one of them"});
     return true;
   }
 
-  bool parse_error(std::size_t position, const std::string& last_token, const Json::exception& error) override {
-    const std::size_t start = position < last_token.size() ? 0 : position - last_token.size();
-    const std::string_view rest = text_.substr(std::min(start, text_.size()));
-    base::Problem problem{.place = place_of(text_, position), .value = last_token, .reason = {}, .remedy = {}};
-    if (begins_with_word(rest, "nan") || begins_with_word(rest, "inf")) {
+  bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
+    const std::string_view word = word_at(text_, position == 0 ? 0 : position - 1);
+    base::Problem problem{.place = place_of(text_, position), .value = std::string(word), .reason = {}, .remedy = {}};
+    if (begins_with_word(word, "nan") || begins_with_word(word, "inf")) {
       problem.reason = "not a number that JSON knows";
       problem.remedy = "give a finite number, or leave the key out";
     } else if (error.id == 406) {
@@ -78,11 +89,12 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     std::string key;
   };
 
-  // What the parser says, without its number and place: `syntax error while parsing value - unexpected ...`.
+  // What the parser says, without its number, its place and what it read last.
   static std::string explanation_in(std::string_view message) {
     if (const auto column = message.find("column "); column != std::string_view::npos) {
       if (const auto colon = message.find(": ", column); colon != std::string_view::npos) message.remove_prefix(colon + 2);
     }
+    message = message.substr(0, message.find("; last read"));
     return std::string(message);
   }
 
@@ -109,7 +121,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
 
   bool open(Json container) {
     if (open_.size() >= deepest) {
-      throw base::InputError({.place = pointer(), .value = "", .reason = "nested deeper than any of our formats", .remedy = "see `rocking schema experiment`"});
+      throw base::InputError({.place = pointer(),
+                              .value = "",
+                              .reason = "nested deeper than any of our formats",
+                              .remedy = "see `rocking schema experiment`"});
     }
     open_.push_back({attach(std::move(container)), {}});
     return true;

@@ -44,27 +44,38 @@ class ExperimentBuilder {
 
   experiment::Experiment build(const Overrides& overrides) {
     apply(overrides, document_);
+    Problems found;
+    Question base = read_question(document_, found);
     const bool swept = document_.is_object() && document_.contains("sweep");
-    Problems of_base;
-    Question base = read_question(document_, of_base);
-    if (swept) {
-      axes_ = read_sweep(document_["sweep"], base.canonical, of_base);
-      refuse_swept_flag(overrides, of_base);
-    }
-    merge(of_base, "");
+    if (swept) read_axes(base.canonical, overrides, found);
+    merge(found, "");
+    if (document_.is_object()) build_conditions();
     name_flags(overrides, problems_);
-    if (axes_.empty() || grid_size(axes_) <= most_conditions) build_conditions();
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
     if (swept) base.canonical["sweep"] = canonical_sweep();
-    return {.title = base.title, .seed = base.seed, .conditions = std::move(conditions_), .canonical_text = base.canonical.dump()};
+    return {.title = base.title,
+            .seed = base.seed,
+            .conditions = std::move(conditions_),
+            .canonical_text = base.canonical.dump()};
   }
 
  private:
+  void read_axes(const Json& canonical, const Overrides& overrides, Problems& found) {
+    Json known = canonical;
+    known.merge_patch(document_);  // a place whose value is refused is a place nonetheless
+    Problems of_sweep;
+    axes_ = read_sweep(document_["sweep"], known, of_sweep);
+    refuse_swept_flag(overrides, of_sweep);
+    if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
+    found.insert(found.end(), of_sweep.begin(), of_sweep.end());
+  }
+
   void refuse_swept_flag(const Overrides& overrides, Problems& problems) const {
     if (!overrides.realisations) return;
     for (const SweepAxis& axis : axes_) {
       if (axis.pointer != "/realisations") continue;
-      problems.push_back({"--realisations", *overrides.realisations, "the sweep of the file sets the realisations", "leave the flag out"});
+      problems.push_back({"--realisations", *overrides.realisations, "the sweep of the file sets the realisations",
+                          "leave the flag out"});
     }
   }
 

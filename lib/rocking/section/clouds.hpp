@@ -30,9 +30,8 @@ struct Classes {
 
 /// The clouds of the given classes.
 ///
-/// The scatter is the covariance of the 90 % of deviations that are smallest (in units of the median absolute deviation
-/// of each coordinate), scaled to be right for a normal law in the plane, plus `resolution`^2 in each coordinate, below
-/// which nothing is known.
+/// The scatter is the covariance of the 90 % of deviations that are smallest in its own metric, scaled to be right for a
+/// normal law in the plane, plus `resolution`^2 in each coordinate, below which nothing is known.
 [[nodiscard]] Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution);
 
 /// What tells n clouds from a divisor of n.

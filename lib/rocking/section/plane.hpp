@@ -8,6 +8,7 @@ struct PlanePoint {
   double x = 0.0;
   double y = 0.0;
 
+  [[nodiscard]] PlanePoint scaled(double factor) const { return {factor * x, factor * y}; }
   friend PlanePoint operator-(const PlanePoint& a, const PlanePoint& b) { return {a.x - b.x, a.y - b.y}; }
 };
 

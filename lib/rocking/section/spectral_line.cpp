@@ -88,8 +88,11 @@ double chance_of(int numerator, int denominator, int n, std::span<const PlanePoi
 
   const Amplitude line = amplitude_at(frequency, points);
   Covariance both = noise;
-  both.add(line.real);
-  if (denominator > 2) both.add(line.imaginary);
+  if (denominator == 2) {
+    both.add(line.real.scaled(std::numbers::sqrt2 / 2.0));  // all of the power is in the real part, else half of it
+  } else {
+    line.add_to(both);
+  }
   const double ratio = std::sqrt(noise.determinant() / both.determinant());
   const int degrees = 2 * count;
   const double tail = power(ratio, degrees - 1);

@@ -18,9 +18,9 @@ std::string message_of(const std::vector<Problem>& problems) {
 
 std::string to_string(const Problem& problem) {
   std::string text = problem.place;
-  if (!problem.value.empty()) text += " = " + problem.value;
-  text += ": " + problem.reason;
-  if (!problem.remedy.empty()) text += "; " + problem.remedy;
+  if (!problem.value.empty()) text.append(" = ").append(problem.value);
+  text.append(": ").append(problem.reason);
+  if (!problem.remedy.empty()) text.append("; ").append(problem.remedy);
   return text;
 }
 

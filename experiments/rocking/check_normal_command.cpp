@@ -5,7 +5,6 @@
 #include "commands.hpp"
 #include "output.hpp"
 #include "rocking/random/sampler.hpp"
-#include "rocking/report/json.hpp"
 #include "rocking/report/read_quantity.hpp"
 #include "rocking/report/write_check_normal.hpp"
 #include "rocking/stats/correlation.hpp"
@@ -50,7 +49,7 @@ bool is_refuted(const report::NormalCheck& check) {
 }
 
 ExitCode check_normal(const CheckNormalRequest& request) {
-  const auto seed = report::seed_in(report::Json(request.seed));
+  const auto seed = report::seed_from_text(request.seed);
   if (!seed) throw UsageError("--seed " + request.seed + ": must be a whole number of at most 64 bits; give a value such as 0x2012 or 8210");
   if (!(request.law.sigma > 0.0)) throw UsageError("--sigma: must be positive; give a value such as 0.03");
   const auto kind = random::sampler_from_string(request.sampler);

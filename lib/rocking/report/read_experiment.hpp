@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/base/error.hpp"
 #include "rocking/experiment/experiment.hpp"
 
 namespace rocking::report {

@@ -66,18 +66,13 @@ double mean_of(const Quantity& quantity) {
   return std::get<double>(quantity);
 }
 
-std::optional<std::uint64_t> seed_in(const Json& value) {
-  if (value.is_number_unsigned()) return value.get<std::uint64_t>();
-  if (!value.is_string()) return std::nullopt;
-  std::string_view digits = value.get_ref<const std::string&>();
-  int base = 10;
-  if (digits.starts_with("0x") || digits.starts_with("0X")) {
-    digits.remove_prefix(2);
-    base = 16;
-  }
+std::optional<std::uint64_t> seed_from_text(std::string_view text) {
+  const bool hexadecimal = text.starts_with("0x") || text.starts_with("0X");
+  if (hexadecimal) text.remove_prefix(2);
   std::uint64_t seed = 0;
-  const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), seed, base);
-  if (error != std::errc() || end != digits.data() + digits.size()) return std::nullopt;
+  const char* const all_read = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), all_read, seed, hexadecimal ? 16 : 10);
+  if (error != std::errc() || end != all_read) return std::nullopt;
   return seed;
 }
 

@@ -17,8 +17,8 @@ namespace rocking::report {
 /// Mean of the law; the number itself where it is one.
 [[nodiscard]] double mean_of(const experiment::Quantity& quantity);
 
-/// 64 bits, as a whole number, as text in decimal or as text in hexadecimal after `0x`.
-[[nodiscard]] std::optional<std::uint64_t> seed_in(const Json& value);
+/// 64 bits in decimal, or in hexadecimal after `0x`; absent where the text is neither.
+[[nodiscard]] std::optional<std::uint64_t> seed_from_text(std::string_view text);
 
 /// `0x2012`: how a seed is written everywhere, since not every program reads 64 bits from a JSON number.
 [[nodiscard]] std::string seed_text(std::uint64_t seed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string_view>
 
 #include "rocking/report/read_quantity.hpp"
@@ -37,6 +38,12 @@ std::uint64_t read_realisations(ObjectReader& in) {
     return 1;
   }
   return static_cast<std::uint64_t>(in.integer("realisations", rules::realisations));
+}
+
+std::optional<std::uint64_t> seed_in(const Json& value) {
+  if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+  if (!value.is_string()) return std::nullopt;
+  return seed_from_text(value.get_ref<const std::string&>());
 }
 
 std::uint64_t read_seed(ObjectReader& in) {

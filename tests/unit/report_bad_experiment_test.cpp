@@ -1,0 +1,163 @@
+// Bad experiment files: each fault is found, at its place, with its value and a remedy; and all faults at once.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/report/read_experiment.hpp"
+#include "support/experiment_text.hpp"
+
+namespace {
+
+using namespace rocking;
+using ::testing::HasSubstr;
+using support::example_experiment;
+using support::least_experiment;
+using support::with;
+using support::without;
+
+std::vector<base::Problem> problems_of(const report::Json& document, const report::Overrides& overrides = {}) {
+  try {
+    static_cast<void>(report::read_experiment(document.dump(), overrides));
+  } catch (const base::InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+/// One thing done to the example, and what must be said of it.
+struct Fault {
+  const char* pointer;
+  const char* value;
+  const char* place;   ///< where it is told; same as pointer if empty
+  const char* reason;  ///< part of it
+  const char* remedy;  ///< part of it
+};
+
+void PrintTo(const Fault& fault, std::ostream* out) { *out << fault.pointer << " = " << fault.value; }
+
+class OneFault : public ::testing::TestWithParam<Fault> {};
+
+TEST_P(OneFault, IsToldWithPlaceValueReasonAndRemedy) {
+  const Fault& fault = GetParam();
+  const auto document = with(without(example_experiment(), "sweep"), fault.pointer, fault.value);
+  const auto problems = problems_of(document);
+  ASSERT_EQ(problems.size(), 1U) << base::InputError(problems).what();
+  const std::string place = *fault.place == '\0' ? fault.pointer : fault.place;
+  EXPECT_EQ(problems[0].place, place);
+  EXPECT_EQ(problems[0].value, report::brief(document.at(report::Json::json_pointer(place))));
+  EXPECT_THAT(problems[0].reason, HasSubstr(fault.reason));
+  EXPECT_THAT(problems[0].remedy, HasSubstr(fault.remedy));
+}
+
+INSTANTIATE_TEST_SUITE_P(Keys, OneFault, ::testing::Values(
+    Fault{"/titel", "\"x\"", "", "is not a key", "\"title\""},
+    Fault{"/block/width", "1", "", "is not a key", "\"width_m\""},
+    Fault{"/friction/sttic", "1", "", "is not a key", "\"static\""},
+    Fault{"/excitation/zzzzzzzzzz", "1", "", "is not a key", "\"amplitude\""}));
+
+INSTANTIATE_TEST_SUITE_P(Types, OneFault, ::testing::Values(
+    Fault{"/block/width_m", "\"1.0\"", "", "must be a number, not text", "without quotes"},
+    Fault{"/block", "[1, 4]", "", "must be an object, not a list", "{"},
+    Fault{"/friction", "0.3", "", "must be an object, not a number", "{"},
+    Fault{"/title", "3", "", "must be text", "quotes"},
+    Fault{"/horizon/transient_periods", "500.5", "", "must be a whole number", "500"},
+    Fault{"/confidence", "true", "", "not true or false", "0.95"},
+    Fault{"/excitation/amplitude", "null", "", "not null", "4.2"},
+    Fault{"/initial/tilt", "[0, 1]", "", "must be a number, not a list", "0.0"}));
+
+INSTANTIATE_TEST_SUITE_P(Ranges, OneFault, ::testing::Values(
+    Fault{"/format", "\"rocking.experiment/9\"", "", "not a format", "rocking.experiment/1"},
+    Fault{"/block/width_m", "-0.1", "", "must be a positive number of metres", "1.0"},
+    Fault{"/block/height_m", "0", "", "must be a positive number of metres", "1.0"},
+    Fault{"/block/gravity_m_s2", "-9.81", "", "must be a positive", "9.81"},
+    Fault{"/excitation/amplitude", "-1", "", "from 0", "4.2"},
+    Fault{"/excitation/frequency_ratio", "0", "", "must be a positive", "10.0"},
+    Fault{"/friction/kinetic", "-0.3", "", "must not be negative", "0.35"},
+    Fault{"/accuracy/tolerance", "1e-17", "", "1e-16", "1e-10"},
+    Fault{"/accuracy/tolerance", "0.1", "", "1e-2", "1e-10"},
+    Fault{"/confidence", "1", "", "between 0 and 1", "0.95"},
+    Fault{"/realisations", "0", "", "must be a whole number from 1", "1"},
+    Fault{"/horizon/sampled_periods", "0", "", "from 1", "120"},
+    Fault{"/fluctuation/friction/sigma", "-0.1", "", "must not be negative", "0.03"},
+    Fault{"/fluctuation/friction/refreshes_per_period", "0", "", "from 1 to 100000", "200"},
+    Fault{"/restitution", "-1", "", "above -1", "0.0"},
+    Fault{"/restitution", "\"jy26\"", "", "above -1", "jy25"},
+    Fault{"/formulation", "\"as-ploted\"", "", "one of", "as-plotted"},
+    Fault{"/slide_inertia", "\"central\"", "", "one of", ""},
+    Fault{"/seed", "-1", "", "64 bits", "0x2012"},
+    Fault{"/seed", "\"0x1ffffffffffffffff\"", "", "64 bits", "0x2012"},
+    Fault{"/seed", "1.5", "", "64 bits", "0x2012"}));
+
+INSTANTIATE_TEST_SUITE_P(Laws, OneFault, ::testing::Values(
+    Fault{"/initial/tilt", R"({"uniform": [0.2, 0.1]})", "/initial/tilt/uniform", "first end", "swap"},
+    Fault{"/initial/tilt", R"({"uniform": [0.2]})", "/initial/tilt/uniform", "two numbers", "["},
+    Fault{"/initial/tilt", R"({"triangular": 1, "normal": {"mean": 0, "sigma": 1}})", "/initial/tilt/triangular", "is not a key", ""},
+    Fault{"/initial/tilt_rate", "{}", "", "names no law", "uniform"},
+    Fault{"/excitation/phase_rad", R"({"normal": {"mean": 0, "sigma": -1}})", "/excitation/phase_rad/normal/sigma", "negative", "0.03"}));
+
+INSTANTIATE_TEST_SUITE_P(Between, OneFault, ::testing::Values(
+    Fault{"/friction/static", "0.2", "", "below the kinetic", "at least 0.3"},
+    Fault{"/friction", R"({"static": 2, "kinetic": 1.34})", "/friction/kinetic", "Painleve", "less than 1.33333"},
+    Fault{"/initial/tilt", "6.42", "", "lies on its side", "smaller"},
+    Fault{"/initial/tilt", R"({"uniform": [-7, 0]})", "", "lies on its side", "smaller"},
+    Fault{"/fluctuation/friction/relative_sigma", "0.1", "", "excludes", "keep one"},
+    Fault{"/fluctuation/kinetic_friction", R"({"sigma": 0.1})", "", "excludes \"friction\"", "keep one"}));
+
+INSTANTIATE_TEST_SUITE_P(NotYet, OneFault, ::testing::Values(
+    Fault{"/excitation/kind", "\"recorded\"", "", "not available in this version", "harmonic"},
+    Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 20000}})", "", "not available in this version", "200"}));
+
+TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
+  auto document = with(example_experiment(), "/block/width_m", "-1");
+  document = with(document, "/friction/static", "0.1");
+  document = with(document, "/sweep/0/step", "0.3");
+  document = with(document, "/confidence", "95");
+  document = with(document, "/tilt", "0");
+  EXPECT_EQ(problems_of(document).size(), 5U);
+}
+
+TEST(BadExperiment, MissesWhatMustBeSaid) {
+  const auto problems = problems_of(report::Json::object());
+  std::vector<std::string> places;
+  for (const auto& problem : problems) {
+    places.push_back(problem.place);
+    EXPECT_THAT(problem.reason, HasSubstr("is missing"));
+    EXPECT_THAT(problem.remedy, HasSubstr("add \""));
+  }
+  EXPECT_THAT(places, ::testing::UnorderedElementsAre("/format", "/block/width_m", "/block/height_m",
+                                                      "/excitation/amplitude", "/excitation/frequency_ratio"));
+}
+
+TEST(BadExperiment, CannotSlideNorFluctuateWithoutFriction) {
+  EXPECT_EQ(problems_of(with(least_experiment(), "/initial", R"({"slip_rate": 0.1})"))[0].place, "/initial/slip_rate");
+  EXPECT_TRUE(problems_of(with(least_experiment(), "/initial", R"({"slip_rate": 0})")).empty());
+  for (const std::string source : {"friction", "static_friction", "kinetic_friction"}) {
+    const auto problems = problems_of(with(least_experiment(), "/fluctuation/" + source, R"({"sigma": 0.1})"));
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_EQ(problems[0].place, "/fluctuation/" + source);
+  }
+}
+
+TEST(BadExperiment, MeetsPainleveSoonerWithTheInertiaAboutTheEdge) {
+  // (1/3 + sin^2 psi)/(sin psi cos psi) of H/B = 4: (1/3 + 1/17)/(4/17) = 5/3.
+  const auto edge = with(least_experiment(), "/slide_inertia", "\"edge\"");
+  EXPECT_TRUE(problems_of(with(edge, "/friction", R"({"static": 2, "kinetic": 1.666})")).empty());
+  const auto problems = problems_of(with(edge, "/friction", R"({"static": 2, "kinetic": 1.667})"));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_THAT(problems[0].remedy, HasSubstr("1.66667"));
+}
+
+TEST(BadExperiment, NamesTheFlagThatReplacedTheKey) {
+  const auto problems = problems_of(example_experiment(), {.seed = "0xz", .realisations = "many"});
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0].place, "--realisations");
+  EXPECT_EQ(problems[1].place, "--seed");
+}
+
+TEST(BadExperiment, KeepsAHugeValueOutOfTheMessage) {
+  const auto problems = problems_of(with(least_experiment(), "/title", report::Json(std::vector<int>(10'000, 7)).dump()));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_LE(problems[0].value.size(), 60U);
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+// JSON that is almost right: every fault must be found, and told where it stands.
+
+#include "rocking/report/parse_json.hpp"
+
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using rocking::base::InputError;
+using rocking::base::Problem;
+using rocking::report::Json;
+using rocking::report::parse_json;
+
+/// The one problem for which the text is refused.
+Problem refusal_of(const std::string& text) {
+  std::vector<Problem> problems;
+  try {
+    static_cast<void>(parse_json(text, problems));
+  } catch (const InputError& error) {
+    return error.problems().front();
+  }
+  ADD_FAILURE() << "was read: " << text;
+  return {};
+}
+
+TEST(ParseJson, TellsLineAndColumnOfWhatIsNoJson) {
+  EXPECT_EQ(refusal_of("{\n  \"a\": 1,\n}").place, "line 3, column 1");
+  EXPECT_EQ(refusal_of("hello").place, "line 1, column 1");
+  EXPECT_EQ(refusal_of("").place, "line 1, column 1");
+  EXPECT_EQ(refusal_of("{\"a\" 1}").value, "1");
+}
+
+TEST(ParseJson, RefusesNumbersThatJsonDoesNotKnow) {
+  for (const std::string word : {"NaN", "nan", "Infinity", "-Infinity", "inf"}) {
+    const Problem problem = refusal_of("{\"a\": " + word + "}");
+    EXPECT_EQ(problem.value, word);
+    EXPECT_EQ(problem.reason, "not a number that JSON knows");
+    EXPECT_EQ(problem.remedy, "give a finite number, or leave the key out");
+  }
+}
+
+TEST(ParseJson, RefusesNumbersBeyondTheRangeOfDoubles) {
+  const Problem problem = refusal_of("{\n\"a\": 1e999}");
+  EXPECT_EQ(problem.place.substr(0, 6), "line 2");
+  EXPECT_EQ(problem.value, "1e999");
+  EXPECT_EQ(problem.reason, "beyond the largest double, 1.8e308");
+}
+
+TEST(ParseJson, FindsEveryKeyThatStandsTwice) {
+  std::vector<Problem> problems;
+  const Json document = parse_json(R"({"a": 1, "a": {"x": {"b": 1, "b": [2]}}, "l": [0, {"c": 1, "c": 2}]})", problems);
+  ASSERT_EQ(problems.size(), 3U);
+  EXPECT_EQ(problems[0].place, "/a");
+  EXPECT_EQ(problems[1].place, "/a/x/b");
+  EXPECT_EQ(problems[2].place, "/l/1/c");
+  EXPECT_EQ(document["a"], 1) << "the first value stays";
+  EXPECT_EQ(document["l"][1]["c"], 1);
+}
+
+TEST(ParseJson, RefusesDepthThatWouldExhaustTheStack) {
+  EXPECT_EQ(refusal_of(std::string(100'000, '[')).reason, "nested deeper than any of our formats");
+}
+
+TEST(ParseJson, ReadsDoublesToTheBit) {
+  std::vector<Problem> problems;
+  for (const double x : {0.1, 1.0 / 3.0, 5e-324, 1.7976931348623157e308, -0.0}) {
+    EXPECT_EQ(parse_json(Json(x).dump(), problems).get<double>(), x);
+  }
+}
+
+}  // namespace

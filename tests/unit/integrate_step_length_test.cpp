@@ -1,0 +1,93 @@
+// How long a step may be, from the last two terms of its series.
+
+#include "rocking/integrate/step_length.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <gtest/gtest.h>
+
+#include "support/split_mix.hpp"
+
+namespace rocking::integrate {
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Largest error of reading a double's bits as its binary logarithm: max of log2(1 + f) - f.
+constexpr double bits_error = 0.08608;
+
+// The bits are too low a logarithm by up to 0.0861 (divided by the degree), and too high an exponential by up to as much.
+TEST(RoughRoot, IsWithinItsBoundsOverTheWholeRangeOfDoubles) {
+  support::SplitMix draw(1);
+  for (int i = 0; i < 1'000'000; ++i) {
+    const int degree = 1 + draw.below(20);
+    const double y = std::ldexp(draw.uniform(1.0, 2.0), draw.below(2046) - 1022);
+    const double error = std::log2(rough_root(y, degree)) - std::log2(y) / degree;
+    ASSERT_LE(error, bits_error) << "y = " << y << ", degree " << degree;
+    ASSERT_GE(error, -bits_error / degree - 1e-12) << "y = " << y << ", degree " << degree;
+  }
+}
+
+TEST(RoughRoot, IsExactAtPowersOfItsDegree) {
+  for (int exponent = -60; exponent <= 60; ++exponent) {
+    EXPECT_EQ(rough_root(std::ldexp(1.0, 14 * exponent), 14), std::ldexp(1.0, exponent));
+  }
+}
+
+TEST(RoughRoot, NeverFallsAsItsArgumentGrows) {
+  double last = 0.0;
+  for (int i = -30000; i <= 30000; ++i) {
+    const double root = rough_root(std::exp2(i / 31.0), 13);
+    EXPECT_GE(root, last);
+    last = root;
+  }
+}
+
+/// Both last terms at length h, as parts of the largest one allowed.
+double larger_term(double last_but_one, double last, int order, double largest, double h) {
+  return std::fmax(std::abs(last_but_one) * std::pow(h, order - 1), std::abs(last) * std::pow(h, order)) / largest;
+}
+
+TEST(StepLength, BringsTheLargerLastTermToTheLargestAllowed) {
+  support::SplitMix draw(2);
+  for (int i = 0; i < 100'000; ++i) {
+    const int order = 2 + draw.below(14);
+    const double a = std::exp2(draw.uniform(-40.0, 60.0)) * (draw.below(2) == 0 ? 1.0 : -1.0);
+    const double b = std::exp2(draw.uniform(-40.0, 60.0)) * (draw.below(2) == 0 ? 1.0 : -1.0);
+    const double largest = std::exp2(draw.uniform(-55.0, -20.0));
+    const double h = step_length(a, b, order, largest);
+    const double logarithm = std::log2(larger_term(a, b, order, largest, h));
+    ASSERT_LE(logarithm, bits_error * order) << a << " " << b << " " << order << " " << largest;
+    ASSERT_GE(logarithm, -bits_error - 1e-9) << a << " " << b << " " << order << " " << largest;
+  }
+}
+
+// About a zero of a sine every second coefficient vanishes: the other of the last two decides.
+TEST(StepLength, SeesASineAboutItsZero) {
+  const double frequency = 10.0;
+  for (const int order : {9, 14}) {
+    const auto coefficient = [&](int k) { return k % 2 == 0 ? 0.0 : std::pow(frequency, k) / std::tgamma(k + 1.0); };
+    const double h = step_length(coefficient(order - 1), coefficient(order), order, 1e-13);
+    ASSERT_TRUE(std::isfinite(h));
+    const double term = larger_term(coefficient(order - 1), coefficient(order), order, 1e-13, h);
+    EXPECT_LT(term, std::exp2(bits_error * order));
+    EXPECT_GT(term, std::exp2(-bits_error));
+  }
+}
+
+TEST(StepLength, IsInfiniteWhereBothTermsVanish) {
+  EXPECT_EQ(step_length(0.0, 0.0, 14, 1e-13), infinite);
+  EXPECT_EQ(step_length(1e-320, 0.0, 14, 1e-13), infinite) << "a term that no length of use brings to 1e-13";
+  EXPECT_LT(step_length(1.0, 0.0, 14, 1e-13), 1.0);
+  EXPECT_LT(step_length(0.0, 1.0, 14, 1e-13), 1.0);
+}
+
+TEST(StepLength, ShrinksByTheRootOfTheTolerance) {
+  const double coarse = step_length(1.0, 1.0, 14, 1e-6);
+  const double fine = step_length(1.0, 1.0, 14, 1e-13);
+  EXPECT_NEAR(std::log2(coarse / fine), std::log2(1e7) / 13.0, 2.0 * bits_error);
+}
+
+}  // namespace
+}  // namespace rocking::integrate

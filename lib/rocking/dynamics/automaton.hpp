@@ -9,6 +9,7 @@
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/excitation.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/dynamics/impact.hpp"
@@ -29,11 +30,16 @@ struct Setting {
 /// The reset map of MODEL: what follows, at one instant, from each event. It knows no integrator: it is told which guard
 /// fired and leaves the state from which the next smooth piece starts.
 /// Every rule is in lib/docs/model.md, section 3.
-template <CoefficientSource Coefficients>
+template <CoefficientSource Coefficients, BaseExcitation Excitation>
 class Automaton {
  public:
-  Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, Observer& observer)
-      : setting_(setting), clock_(clock), coefficients_(coefficients), observer_(&observer) {}
+  Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const Excitation& excitation,
+            Observer& observer)
+      : setting_(setting),
+        clock_(clock),
+        coefficients_(coefficients),
+        excitation_(excitation),
+        observer_(&observer) {}
 
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Clock& clock() const { return clock_; }
@@ -43,13 +49,11 @@ class Automaton {
   /// From now on, tells `observer`.
   void observe_with(Observer& observer) { observer_ = &observer; }
 
-  /// Base acceleration alpha = A_h psi sin(Omega_h u) now, in g.
-  [[nodiscard]] double base_acceleration() {
-    return base_amplitude() * base::sin_cos(setting_.frequency * clock_.now().time).sine;
-  }
+  /// Horizontal base acceleration alpha now, in g.
+  [[nodiscard]] double base_acceleration() { return excitation_.horizontal(clock_, base_amplitude()); }
 
  protected:
-  [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * setting_.block.shape_angle; }
+  [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * excitation_.unit(setting_.block); }
   [[nodiscard]] Observer& observer() const { return *observer_; }
   [[nodiscard]] bool is_slipping() const {
     return state_.contact == ContactState::slide || state_.contact == ContactState::rock_slide;
@@ -123,7 +127,7 @@ class Automaton {
       }
       return;
     }
-    const Forces forces = rocking_forces(state_, base_acceleration(), setting_.block);
+    const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
     if (friction_holds(forces)) {
       state_.contact = ContactState::rock;
       record(EventKind::slip_stop);
@@ -150,7 +154,7 @@ class Automaton {
       const double mu_s = coefficients_.static_friction();
       if (mu_s <= setting_.block.tangent) return start_sliding(push, at_threshold, was_sliding);
       state_.side = push;
-      const Forces forces = rocking_forces(state_, base_acceleration(), setting_.block);
+      const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
       if (!friction_holds(forces)) {
         if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) {
           return start_sliding(push, at_threshold, was_sliding);
@@ -177,12 +181,14 @@ class Automaton {
   Setting setting_;
   Clock clock_;
   Coefficients coefficients_;
+  Excitation excitation_;
   State state_;
   bool was_past_balance_ = false;
   bool lift_starts_flat_ = false;  ///< w' = 0 exactly at the start of the coming step
   bool slip_starts_flat_ = false;  ///< V' = 0 exactly at the start of the coming step
 
  private:
+  [[nodiscard]] double weight() const { return excitation_.weight(clock_); }
   [[nodiscard]] static double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
   void record(EventKind kind) { observer_->event(kind, clock_.tau(), state_); }
@@ -197,7 +203,8 @@ class Automaton {
   }
 
   [[nodiscard]] bool full_contact_holds() {
-    return std::abs(base_acceleration()) <= std::min(setting_.block.tangent, coefficients_.static_friction());
+    return std::abs(base_acceleration()) <=
+           std::min(setting_.block.tangent, coefficients_.static_friction()) * weight();
   }
 
   void check_full_contact() {
@@ -207,7 +214,7 @@ class Automaton {
   /// Rock: whether the friction that it needs is there.
   void check_friction() {
     if (state_.contact != ContactState::rock || !coefficients_.has_friction()) return;
-    const Forces forces = rocking_forces(state_, base_acceleration(), setting_.block);
+    const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
     if (!friction_holds(forces)) start_slipping(-sign(forces.friction), false);
   }
 
@@ -255,10 +262,10 @@ class Automaton {
     if (slips) {
       const double mu_k = coefficients_.kinetic_friction(clock_);
       if (mu_k > setting_.block.tangent) return false;
-      acceleration = slipping_acceleration(state_, setting_.inertia, mu_k, setting_.block);
+      acceleration = slipping_acceleration(state_, setting_.inertia, mu_k, weight(), setting_.block);
     } else {
-      if (std::abs(alpha) > setting_.block.tangent) return false;
-      acceleration = rocking_forces(state_, alpha, setting_.block).acceleration;
+      if (std::abs(alpha) > setting_.block.tangent * weight()) return false;
+      acceleration = rocking_forces(state_, alpha, weight(), setting_.block).acceleration;
     }
     const double pull = -state_.side * acceleration;
     const double rate = std::abs(state_.tilt_rate);

@@ -33,18 +33,19 @@ struct Displacement {
 ///
 /// `Steps` turns the last two terms of a series into the length of a step: double(last_but_one, last, order, largest).
 /// Copying copies the whole realisation as it stands.
-template <CoefficientSource Coefficients, class Steps>
-class BlockMotion : public Automaton<Coefficients> {
-  using Base = Automaton<Coefficients>;
+template <CoefficientSource Coefficients, class Steps, BaseExcitation Excitation = HarmonicExcitation>
+class BlockMotion : public Automaton<Coefficients, Excitation> {
+  using Base = Automaton<Coefficients, Excitation>;
   using Base::clock_;
   using Base::coefficients_;
+  using Base::excitation_;
   using Base::setting_;
   using Base::state_;
 
  public:
   BlockMotion(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const State& initial,
-              const Schedule& schedule, Observer& observer, Steps steps = {})
-      : Base(setting, clock, coefficients, observer),
+              const Schedule& schedule, Observer& observer, const Excitation& excitation = {}, Steps steps = {})
+      : Base(setting, clock, coefficients, excitation, observer),
         schedule_(schedule),
         next_strobe_(schedule.first_strobe),
         steps_(steps) {
@@ -162,6 +163,11 @@ class BlockMotion : public Automaton<Coefficients> {
   /// In full contact the frame of the series is the fixed one.
   [[nodiscard]] double frame() const { return state_.contact == ContactState::slide ? 1.0 : state_.side; }
 
+  [[nodiscard]] std::optional<Instant> earlier(const std::optional<Instant>& a, const std::optional<Instant>& b) const {
+    if (!a || !b) return a ? a : b;
+    return clock_.until(*a) < clock_.until(*b) ? a : b;
+  }
+
   /// Fills the series as far as the coming step needs it; returns the step's length.
   [[nodiscard]] double length_of_series(double reach) {
     // A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
@@ -177,7 +183,7 @@ class BlockMotion : public Automaton<Coefficients> {
   void settle() {
     if (ended()) return;
     kinetic_friction_ = this->is_slipping() ? coefficients_.kinetic_friction(clock_) : 0.0;
-    breakpoint_ = coefficients_.next_change(clock_, this->is_slipping());
+    breakpoint_ = earlier(coefficients_.next_change(clock_, this->is_slipping()), excitation_.next_change(clock_));
     after_reset_ = true;
   }
 
@@ -223,7 +229,8 @@ class BlockMotion : public Automaton<Coefficients> {
             .was_past_balance = Base::was_past_balance_,
             .off_ground = off_ground_,
             .has_friction = coefficients_.has_friction(),
-            .determinant_may_vanish = determinant_may_vanish()};
+            .determinant_may_vanish = determinant_may_vanish(),
+            .vertical = Excitation::has_vertical};
   }
 
   /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
@@ -231,8 +238,8 @@ class BlockMotion : public Automaton<Coefficients> {
   double expand_to() {
     order_ = order;
     const double side = frame();
-    expand_harmonic<order>(series_.base, side * this->base_amplitude(), setting_.frequency,
-                           base::sin_cos(setting_.frequency * clock_.now().time));
+    constexpr bool vertical = Excitation::has_vertical;
+    excitation_.template expand<order>(series_, clock_, side * this->base_amplitude());
     const double largest = setting_.tolerance * setting_.block.shape_angle;
     const SlipParameters<double> slip{.inertia = setting_.inertia,
                                       .drag = side * state_.slip_direction * kinetic_friction_,
@@ -244,14 +251,14 @@ class BlockMotion : public Automaton<Coefficients> {
     series_.slip[0] = side * state_.slip;
     switch (state_.contact) {
       case ContactState::rest: return length(series_.base);
-      case ContactState::slide: expand_slide<order>(series_, slip); return length(series_.slip_rate);
+      case ContactState::slide: expand_slide<order, vertical>(series_, slip); return length(series_.slip_rate);
       case ContactState::rock:
         begin_rocking(side);
-        expand_rock<order>(series_, Base::lift_starts_flat_ ? 0.0 : 1.0);
+        expand_rock<order, vertical>(series_, Base::lift_starts_flat_ ? 0.0 : 1.0);
         return length(series_.tilt_rate);
       case ContactState::rock_slide:
         begin_rocking(side);
-        expand_rock_slide<order>(series_, slip);
+        expand_rock_slide<order, vertical>(series_, slip);
         return std::min(length(series_.tilt_rate), length(series_.slip_rate));
       case ContactState::overturned: break;
     }

@@ -6,7 +6,7 @@ constexpr double two_pi = 0x1.921fb54442d18p+2;
 }
 
 Clock::Clock(double frequency, double phase)
-    : length_(two_pi / frequency), start_(phase / frequency), now_{.period = 0, .time = start_} {
+    : frequency_(frequency), length_(two_pi / frequency), start_(phase / frequency), now_{.period = 0, .time = start_} {
   wrap();
 }
 

@@ -21,6 +21,8 @@ class Clock {
 
   [[nodiscard]] const Instant& now() const { return now_; }       ///< period >= 0, time u in [0, T)
   [[nodiscard]] double period_length() const { return length_; }  ///< T = 2 pi/Omega_h
+  [[nodiscard]] double frequency() const { return frequency_; }   ///< Omega_h
+  [[nodiscard]] double angle() const { return frequency_ * now_.time; }  ///< argument of the base motion's sine [rad]
   [[nodiscard]] double start() const { return start_; }           ///< u at tau = 0
   [[nodiscard]] double tau() const { return static_cast<double>(now_.period) * length_ + (now_.time - start_); }
 
@@ -39,6 +41,7 @@ class Clock {
  private:
   void wrap();
 
+  double frequency_;
   double length_;
   double start_;
   Instant now_;

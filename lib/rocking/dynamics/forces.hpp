@@ -19,24 +19,24 @@ struct Forces {
   return base::sin_cos(block.shape_angle - state.side * state.tilt);
 }
 
-/// Forces of rocking without slip under the base acceleration alpha (in g).
-[[nodiscard]] inline Forces rocking_forces(const State& state, double alpha, const Geometry& block) {
+/// Forces of rocking without slip under the base acceleration alpha (in g) and the weight 1 + alpha_v.
+[[nodiscard]] inline Forces rocking_forces(const State& state, double alpha, double weight, const Geometry& block) {
   const auto [s, c] = edge_angle(state, block);
   const double beta = state.side * alpha;
   const double omega = state.side * state.tilt_rate;
-  const double rate = beta * c - s;
-  return {.normal = 4.0 / 3.0 + (rate * s - omega * omega * c),
+  const double rate = beta * c - weight * s;
+  return {.normal = 4.0 / 3.0 * weight + (rate * s - omega * omega * c),
           .friction = state.side * (4.0 / 3.0 * beta - (rate * c + omega * omega * s)),
           .acceleration = state.side * rate};
 }
 
 /// w' of rocking with slip: -(G - w^2 cos(phi)) q/D.
 [[nodiscard]] inline double slipping_acceleration(const State& state, double inertia, double kinetic_friction,
-                                                  const Geometry& block) {
+                                                  double weight, const Geometry& block) {
   const auto [s, c] = edge_angle(state, block);
   const double omega = state.side * state.tilt_rate;
   const double arm = s + state.side * state.slip_direction * kinetic_friction * c;
-  return -state.side * (4.0 / 3.0 - omega * omega * c) * arm / (inertia + s * arm);
+  return -state.side * (4.0 / 3.0 * weight - omega * omega * c) * arm / (inertia + s * arm);
 }
 
 }  // namespace rocking::dynamics

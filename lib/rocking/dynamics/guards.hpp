@@ -20,8 +20,8 @@ enum class Guard : std::size_t {
   slip,              ///< V times the direction of slip
   friction_inward,   ///< mu_s N - S F
   friction_outward,  ///< mu_s N + S F
-  leave_right,       ///< full contact: threshold - alpha
-  leave_left,        ///< full contact: threshold + alpha
+  leave_right,       ///< full contact: threshold (1 + alpha_v) - alpha
+  leave_left,        ///< full contact: threshold (1 + alpha_v) + alpha
   past_balance,      ///< psi - S theta, until the first time
   normal,            ///< N on the ground, -N off it
 };
@@ -42,6 +42,7 @@ struct GuardContext {
   bool off_ground;
   bool has_friction;
   bool determinant_may_vanish;
+  bool vertical;  ///< the base moves vertically
 };
 
 /// Calls visit(number, coefficients) for each guard that is armed, its known zeros at the start divided out: a tolerance
@@ -63,10 +64,12 @@ void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Vi
 
   if (context.contact == ContactState::rest) {
     const double threshold = std::min(context.block.tangent, context.static_friction);
-    visit_row(Guard::leave_right, order + 1, 0,
-              [&](std::size_t k) { return (k == 0 ? threshold : 0.0) - context.side * m.base[k]; });
-    visit_row(Guard::leave_left, order + 1, 0,
-              [&](std::size_t k) { return (k == 0 ? threshold : 0.0) + context.side * m.base[k]; });
+    const auto hold = [&](std::size_t k) {
+      if (context.vertical) return threshold * m.weight[k];
+      return k == 0 ? threshold : 0.0;
+    };
+    visit_row(Guard::leave_right, order + 1, 0, [&](std::size_t k) { return hold(k) - context.side * m.base[k]; });
+    visit_row(Guard::leave_left, order + 1, 0, [&](std::size_t k) { return hold(k) + context.side * m.base[k]; });
   }
   if (slips) {
     visit_row(Guard::slip, order + 1, context.slip_zeros,

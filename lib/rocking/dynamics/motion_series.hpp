@@ -18,13 +18,14 @@
 ///
 /// and the contact forces over m R p^2 are
 ///
-///     N = 4/3 + c''          S F = (4/3) beta + v' + s''
+///     N = (4/3) g + c''          S F = (4/3) beta + v' + s''          g = 1 + alpha_v
 ///
-/// rock:        omega' = -s + beta c
+/// rock:        omega' = -g s + beta c
 /// rock-slide:  J omega' = -N r,  r = s + nu c,  nu = S s_slip mu_k;   v' = -(4/3) beta - nu N - s''
 ///
 /// Both need the same three products of series. N holds c'', hence omega'; solving for it leaves one division by
-/// D = J + s r at the start of the step.
+/// D = J + s r at the start of the step. `vertical` says whether the base moves vertically: if not, g = 1 and its product
+/// with s is not formed.
 /// Source: Shenton & Jones (1991), J. Eng. Mech. 117(10) 2286-2306; Jeong & Yang (2012) Eqs. 4-16, with J as the inertia
 /// about the centre of mass (lib/docs/model.md).
 namespace rocking::dynamics {
@@ -36,6 +37,7 @@ template <base::Lane Real>
 struct MotionSeries {
   using Row = std::array<Real, full_order + 3>;
   Row base;         ///< beta = S alpha, to the order of the step
+  Row weight;       ///< g = 1 + alpha_v, only where the base moves vertically
   Row tilt;         ///< S theta, to one order more than the step's
   Row tilt_rate;    ///< omega
   Row sine;         ///< s, to one order more
@@ -89,6 +91,16 @@ template <int k, base::Lane Real>
 template <int k>
 inline constexpr double over = 1.0 / k;
 
+/// (4/3) g_k: what N would be without the block's own acceleration.
+template <int k, bool vertical, base::Lane Real>
+[[nodiscard]] inline Real static_normal(const MotionSeries<Real>& m) {
+  if constexpr (vertical) {
+    return Real(4.0 / 3.0) * m.weight[k];
+  } else {
+    return Real(k == 0 ? 4.0 / 3.0 : 0.0);
+  }
+}
+
 /// Calls step(0), ..., step(count - 1) with the numbers as compile-time constants.
 template <int count, class Step>
 inline void repeat(Step&& step) {
@@ -108,10 +120,10 @@ inline void extend_angle(MotionSeries<Real>& m) {
 
 }  // namespace kernel
 
-/// Rock: from base, tilt[0], tilt_rate[0], sine[0], cosine[0] to all that rocking needs, to `order`.
+/// Rock: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0] to all that rocking needs, to `order`.
 ///
 /// `first_rate_gate` is 0 where omega' is known to vanish at the start (a lift at the threshold), else 1.
-template <int order, base::Lane Real>
+template <int order, bool vertical, base::Lane Real>
 inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
   using namespace kernel;
   repeat<order>([&](auto index) {
@@ -119,19 +131,24 @@ inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
     m.rate_sine[k] = product<k>(m.tilt_rate.data(), m.sine.data());
     const Real demand = product<k>(m.base.data(), m.cosine.data());
     extend_angle<k>(m);
-    m.tilt_rate[k + 1] = (demand - m.sine[k]) * Real(over<k + 1>);
+    if constexpr (vertical) {
+      const Real restoring = product<k>(m.weight.data(), m.sine.data());
+      m.tilt_rate[k + 1] = (demand - restoring) * Real(over<k + 1>);
+    } else {
+      m.tilt_rate[k + 1] = (demand - m.sine[k]) * Real(over<k + 1>);
+    }
     if constexpr (k == 0) m.tilt_rate[1] = m.tilt_rate[1] * first_rate_gate;
   });
   m.rate_sine[order] = product<order>(m.tilt_rate.data(), m.sine.data());
   extend_angle<order>(m);
   repeat<order>([&](auto index) {
     constexpr int k = index;
-    m.normal[k] = Real(k == 0 ? 4.0 / 3.0 : 0.0) + Real(k + 1) * m.rate_sine[k + 1];
+    m.normal[k] = static_normal<k, vertical>(m) + Real(k + 1) * m.rate_sine[k + 1];
   });
 }
 
-/// Rock-slide: from base, tilt[0], tilt_rate[0], sine[0], cosine[0], slip_rate[0], slip[0] to all series, to `order`.
-template <int order, base::Lane Real>
+/// Rock-slide: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0], slip_rate[0], slip[0] to all series, to `order`.
+template <int order, bool vertical, base::Lane Real>
 inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
   using base::fused;
   using namespace kernel;
@@ -142,9 +159,9 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
     constexpr int k = index;
     extend_angle<k>(m);
     m.arm[k + 1] = fused(slip.drag, m.cosine[k + 1], m.sine[k + 1]);
-    // N_k = G_k + (k + 1) (omega s)_{k+1}; all of it is known but the term omega_{k+1} s_0.
+    // N_k = (4/3) g_k + (k + 1) (omega s)_{k+1}; all of it is known but the term omega_{k+1} s_0.
     const Real known = product_but_newest<k + 1>(m.tilt_rate.data(), m.sine.data());
-    const Real normal = fused(Real(k + 1), known, Real(k == 0 ? 4.0 / 3.0 : 0.0));
+    const Real normal = fused(Real(k + 1), known, static_normal<k, vertical>(m));
     const Real torque = fused(normal, m.arm[0], product_but_newest<k>(m.normal.data(), m.arm.data()));
     m.tilt_rate[k + 1] = torque * minus_over_d * Real(over<k + 1>);
     m.rate_sine[k + 1] = fused(m.tilt_rate[k + 1], m.sine[0], known);
@@ -161,14 +178,19 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
   m.slip[order + 1] = m.slip_rate[order] * Real(over<order + 1>);
 }
 
-/// Slide in full contact: from base, slip_rate[0], slip[0] to the slip's series, to `order`. N = 4/3 throughout.
-template <int order, base::Lane Real>
+/// Slide in full contact: from base, weight, slip_rate[0], slip[0] to the slip's series, to `order`. N = (4/3) g.
+template <int order, bool vertical, base::Lane Real>
 inline void expand_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
   using namespace kernel;
   repeat<order>([&](auto index) {
     constexpr int k = index;
-    const Real drag = k == 0 ? slip.drag : Real(0.0);
-    m.slip_rate[k + 1] = (m.base[k] + drag) * Real(-4.0 / 3.0 * over<k + 1>);
+    Real push = m.base[k];
+    if constexpr (vertical) {
+      push = base::fused(slip.drag, m.weight[k], push);
+    } else if constexpr (k == 0) {
+      push = push + slip.drag;
+    }
+    m.slip_rate[k + 1] = push * Real(-4.0 / 3.0 * over<k + 1>);
     if constexpr (k == 0) m.slip_rate[1] = m.slip_rate[1] * slip.first_rate_gate;
     m.slip[k + 1] = m.slip_rate[k] * Real(over<k + 1>);
   });

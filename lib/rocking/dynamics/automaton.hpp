@@ -66,16 +66,10 @@ class Automaton {
     const bool flat = state_.tilt == 0.0 && state_.tilt_rate == 0.0;
     state_.slip_direction = sign(state_.slip_rate);
     state_.side = sign(state_.tilt != 0.0 ? state_.tilt : state_.tilt_rate);
-    if (!flat) {
-      state_.contact = state_.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
-      check_friction();
-    } else if (state_.slip_rate != 0.0) {
-      state_.contact = ContactState::slide;
-      check_tipping();
-    } else {
-      state_.contact = ContactState::rest;
-      check_full_contact();
-    }
+    const bool slips = state_.slip_rate != 0.0;
+    state_.contact = flat ? (slips ? ContactState::slide : ContactState::rest)
+                          : (slips ? ContactState::rock_slide : ContactState::rock);
+    check_contact();
   }
 
   void overturn() {
@@ -111,7 +105,7 @@ class Automaton {
     if (hop_is_too_small()) return end_chatter();
     if (state_.tilt_rate == 0.0 && state_.slip_rate == 0.0) return leave_full_contact(sign(base_acceleration()), false);
     state_.contact = state_.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
-    check_friction();
+    check_contact();
   }
 
   /// V has become 0.
@@ -170,12 +164,15 @@ class Automaton {
     record(EventKind::lift);
   }
 
-  /// Slide: new friction above tan(psi) tips the block over its leading edge.
-  void check_tipping() {
-    if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) return;
-    state_.side = -state_.slip_direction;
-    state_.contact = ContactState::rock_slide;
-    record(EventKind::tip);
+  /// Whether the contact can stay as it is: after the start, and wherever friction or the base acceleration jumps.
+  void check_contact() {
+    switch (state_.contact) {
+      case ContactState::rest: return check_full_contact();
+      case ContactState::slide: return check_tipping();
+      case ContactState::rock: return check_friction();
+      case ContactState::rock_slide:
+      case ContactState::overturned: return;
+    }
   }
 
   Setting setting_;
@@ -211,9 +208,17 @@ class Automaton {
     if (!full_contact_holds()) leave_full_contact(sign(base_acceleration()), false);
   }
 
+  /// Slide: friction above tan(psi) tips the block over its leading edge.
+  void check_tipping() {
+    if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) return;
+    state_.side = -state_.slip_direction;
+    state_.contact = ContactState::rock_slide;
+    record(EventKind::tip);
+  }
+
   /// Rock: whether the friction that it needs is there.
   void check_friction() {
-    if (state_.contact != ContactState::rock || !coefficients_.has_friction()) return;
+    if (!coefficients_.has_friction()) return;
     const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
     if (!friction_holds(forces)) start_slipping(-sign(forces.friction), false);
   }

@@ -127,10 +127,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
     if (fired.none() && !at_breakpoint) return;
-    if (at_breakpoint) {
-      clock_.set(*breakpoint_);
-      if (state_.contact == ContactState::slide) this->check_tipping();
-    }
+    if (at_breakpoint) clock_.set(*breakpoint_);
     const auto has_fired = [&fired](Guard guard) { return fired[static_cast<std::size_t>(guard)]; };
     if (has_fired(Guard::overturn)) return this->overturn();
     if (has_fired(Guard::determinant)) return this->end(Termination::painleve);
@@ -146,6 +143,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       this->leave_full_contact(1.0, true);
     } else if (has_fired(Guard::leave_left)) {
       this->leave_full_contact(-1.0, true);
+    } else if (at_breakpoint) {
+      this->check_contact();
     }
     if (has_fired(Guard::past_balance)) this->pass_balance();
     if (has_fired(Guard::normal)) {

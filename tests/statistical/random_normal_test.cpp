@@ -1,5 +1,5 @@
-// Are the draws what they claim to be: independent numbers from N(0, 1)? Every sample has a fixed seed, so a verdict never
-// changes; the stated false-alarm probability is that of an honest generator failing with a seed picked blindly.
+// Are the draws what they claim to be: independent numbers from N(0, 1)? Every sample has a fixed seed, so a verdict
+// never changes; the stated false-alarm probability is that of an honest generator failing with a seed picked blindly.
 
 #include <algorithm>
 #include <array>
@@ -42,7 +42,8 @@ double uniformity(std::vector<double> p_values) {
   const auto n = static_cast<double>(p_values.size());
   double distance = 0.0;
   for (std::size_t i = 0; i < p_values.size(); ++i) {
-    distance = std::max({distance, p_values[i] - static_cast<double>(i) / n, static_cast<double>(i + 1) / n - p_values[i]});
+    const auto below = static_cast<double>(i);
+    distance = std::max({distance, p_values[i] - below / n, (below + 1.0) / n - p_values[i]});
   }
   return kolmogorov_p_value(distance, p_values.size());
 }
@@ -90,10 +91,13 @@ TEST_P(Sampler, FitsTheLawInALargeSample) {
 TEST_P(Sampler, GivesUncorrelatedNeighbours) {
   const Sample sample = sample_normal(GetParam(), 2012, large, 0.0, 1.0);
   EXPECT_LT(std::abs(pair_correlation(sample, {}).z), largest_score);
-  for (const std::size_t lag : {1U, 2U, 3U, 200U}) EXPECT_LT(std::abs(lag_correlation(sample, {}, lag).z), largest_score) << lag;
+  for (const std::size_t lag : {1U, 2U, 3U, 200U}) {
+    EXPECT_LT(std::abs(lag_correlation(sample, {}, lag).z), largest_score) << lag;
+  }
 }
 
-// The two members of a Box-Muller pair share their radius: independent only if the law of the radius is right. Squares show it.
+// The two members of a Box-Muller pair share their radius: independent only if the law of the radius is right.
+// Squares show it.
 TEST_P(Sampler, GivesUncorrelatedSquares) {
   Sample squares = sample_normal(GetParam(), 2012, large, 0.0, 1.0);
   for (double& value : squares) value *= value;
@@ -121,7 +125,8 @@ TEST(Draws, OfNeighbouringNamesAreUncorrelated) {
   EXPECT_GT(score_between(draws, kinetic, draws, kinetic), 100.0);  // the twin that must fail: a name twice
 }
 
-// A realisation uses few draws of each of many names. Draw 0 of static friction over realisations is what most depends on.
+// A realisation uses few draws of each of many names. Draw 0 of static friction over realisations is what most
+// depends on.
 TEST(Draws, FitTheLawAcrossRealisationsAndAcrossPairs) {
   Sample across_realisations, across_chatters;
   for (std::uint64_t k = 0; k < 200000; ++k) {
@@ -187,8 +192,8 @@ TEST(Sabotage, ASpareNeverRenewedIsFoundOutByEveryTest) {
   EXPECT_LT(dagostino_pearson(sample).p_value, false_alarm);
 }
 
-// Neave (1973), Appl. Stat. 22, 92-97: neighbours from a multiplicative congruential generator with a small multiplier, put through
-// Box-Muller, lie on a spiral; the tails go missing.
+// Neave (1973), Appl. Stat. 22, 92-97: neighbours from a multiplicative congruential generator with a small
+// multiplier, put through Box-Muller, lie on a spiral; the tails go missing.
 TEST(Sabotage, ACongruentialGeneratorIsFoundOutByItsTails) {
   std::uint64_t state = 20120213;
   const auto uniform = [&state] {

@@ -1,4 +1,5 @@
-// The portable elementary functions against 50-digit arithmetic. Errors are in units in the last place of the true value.
+// The portable elementary functions against 50-digit arithmetic. Errors are in units in the last place of the true
+// value.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,7 @@
 #include "rocking/random/philox.hpp"
 
+#include <bit>
+
 #include <gtest/gtest.h>
 
 namespace {
@@ -25,7 +27,7 @@ TEST(Philox, ChangesAboutHalfOfAllBitsWhenOneIsFlipped) {
     flipped[bit / 32] ^= std::uint32_t{1} << (bit % 32);
     const Words after = philox(flipped, 7);
     int changed = 0;
-    for (std::size_t i = 0; i < 4; ++i) changed += __builtin_popcount(before[i] ^ after[i]);
+    for (std::size_t i = 0; i < 4; ++i) changed += std::popcount(before[i] ^ after[i]);
     // Binomial(128, 1/2): outside 26 ... 102 with probability 1e-11 a flip.
     EXPECT_GE(changed, 26) << bit;
     EXPECT_LE(changed, 102) << bit;

@@ -23,8 +23,9 @@ std::vector<double> binomial_law(std::uint64_t n, double p) {
 }
 
 TEST(TwoSidedBinomialTest, GivesTheKnownValues) {
-  EXPECT_NEAR(two_sided_binomial_p_value({682, 925}, 0.75), 0.38249155957485168, 1e-12);  // R's example of binom.test: 0.3825
-  EXPECT_NEAR(two_sided_binomial_p_value({10, 15}, 0.4), 0.060947303661568, 1e-14);       // mpmath, here and below
+  // mpmath; the first is the example of R's binom.test, printed there as 0.3825
+  EXPECT_NEAR(two_sided_binomial_p_value({682, 925}, 0.75), 0.38249155957485168, 1e-12);
+  EXPECT_NEAR(two_sided_binomial_p_value({10, 15}, 0.4), 0.060947303661568, 1e-14);
   EXPECT_NEAR(two_sided_binomial_p_value({3, 15}, 0.4), 0.185549310558208, 1e-14);
   EXPECT_NEAR(two_sided_binomial_p_value({0, 50}, 0.1), 0.0083736963432300253, 1e-14);
   EXPECT_NEAR(two_sided_binomial_p_value({12, 50}, 0.1), 0.003219921135909912, 1e-14);

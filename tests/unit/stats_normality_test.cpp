@@ -35,9 +35,10 @@ Sample whole_numbers(std::size_t n) {
 
 TEST(NormalLaw, KeepsItsDigitsFarOut) {
   // mpmath, 40 digits
-  const double known[][2] = {{3.0, -0.0013508099647481938},  {9.0, -1.1285884059538406e-19}, {-1.0, -1.8410216450092635},
-                             {-10.0, -53.231285150512471},   {-29.5, -439.42947460915023},   {-30.5, -469.46273732291211},
-                             {-40.0, -804.60844201375379},   {-100.0, -5005.5242086942051}};
+  const double known[][2] = {{3.0, -0.0013508099647481938}, {9.0, -1.1285884059538406e-19},
+                             {-1.0, -1.8410216450092635},   {-10.0, -53.231285150512471},
+                             {-29.5, -439.42947460915023},  {-30.5, -469.46273732291211},
+                             {-40.0, -804.60844201375379},  {-100.0, -5005.5242086942051}};
   for (const auto& [z, logarithm] : known) EXPECT_NEAR(log_normal_cdf(z), logarithm, 4e-13 * std::abs(logarithm)) << z;
 }
 
@@ -46,8 +47,8 @@ TEST(JarqueBera, GivesTheKnownStatistic) {
   EXPECT_DOUBLE_EQ(jarque_bera(whole_numbers(20)).p_value, std::exp(-0.5 * 1.2120602257523508));
 }
 
-// The scores 3.57177 of the skewness and -1.70581 of the kurtosis are the examples of SciPy's skewtest and kurtosistest;
-// the others and the sums were worked out in 40 digits (mpmath).
+// The scores 3.57177 of the skewness and -1.70581 of the kurtosis are the examples of SciPy's skewtest and
+// kurtosistest; the others and the sums were worked out in 40 digits (mpmath).
 TEST(DAgostinoPearson, GivesTheKnownStatistic) {
   EXPECT_NEAR(dagostino_pearson(whole_numbers(20)).statistic, 1.7058104152122049 * 1.7058104152122049, 1e-13);
   EXPECT_NEAR(dagostino_pearson(Sample{1, 2, 3, 4, 5, 6, 7, 8000}).statistic, 22.957410548037796, 1e-12);
@@ -64,7 +65,8 @@ TEST(MomentTests, DoNotDependOnPlaceAndScale) {
   EXPECT_NEAR(dagostino_pearson(moved).statistic, dagostino_pearson(sample).statistic, 1e-10);
 }
 
-// Percent points of A^2 against a given law: Stephens (1974), J. Am. Stat. Assoc. 69, 730-737, Table 1; to their three decimals.
+// Percent points of A^2 against a given law: Stephens (1974), J. Am. Stat. Assoc. 69, 730-737, Table 1; to their
+// three decimals.
 TEST(AndersonDarling, HasThePublishedPercentPoints) {
   EXPECT_NEAR(anderson_darling_p_value(1.933, 1000000), 0.100, 1e-4);
   EXPECT_NEAR(anderson_darling_p_value(2.492, 1000000), 0.050, 1e-4);
@@ -116,8 +118,8 @@ TEST(KolmogorovSmirnov, JoinsItsTwoSeriesWithoutAStep) {
   for (double x = 0.84; x < 0.86; x += h) EXPECT_NEAR(tail(x - h) - 2.0 * tail(x) + tail(x + h), 0.0, 5.0 * h * h) << x;
 }
 
-/// P(D < d) exactly: the middle of (n!/n^n) H^n. Durbin's matrix as Marsaglia, Tsang & Wang (2003), J. Stat. Softw. 8(18),
-/// write it; for n up to a few hundred, where nothing overflows if n!/n^n is spread over the factors.
+/// P(D < d) exactly: the middle of (n!/n^n) H^n. Durbin's matrix as Marsaglia, Tsang & Wang (2003), J. Stat. Softw.
+/// 8(18), write it; for n up to a few hundred, where nothing overflows if n!/n^n is spread over the factors.
 double exact_probability_below(std::size_t n, double d) {
   const auto size = static_cast<double>(n);
   const auto k = static_cast<std::size_t>(size * d) + 1;

@@ -19,7 +19,8 @@ base::SinCos<double> sin_cos_of_turn(std::uint64_t bits) {
   // A quarter turn swaps the two, half a turn changes a sign. Products, since a branch here goes wrong half the time.
   const auto sign = [](std::uint64_t quarters) { return 1.0 - static_cast<double>(quarters & 2U); };
   const bool swapped = quadrant % 2 == 1;
-  return {sign(quadrant) * base::select(swapped, cosine, sine), sign(quadrant + 1) * base::select(swapped, sine, cosine)};
+  return {sign(quadrant) * base::select(swapped, cosine, sine),
+          sign(quadrant + 1) * base::select(swapped, sine, cosine)};
 }
 
 }  // namespace

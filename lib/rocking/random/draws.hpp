@@ -41,8 +41,8 @@ class Draws {
   /// A number from N(0, 1), no larger than `normal_tail_limit`.
   [[nodiscard]] double standard_normal(Source source, std::uint64_t index) const;
 
-  /// Draws 2 block and 2 block + 1 at the price of one: who walks along the indices keeps the pair of index / 2 and asks
-  /// it for `pair[index]`.
+  /// Draws 2 block and 2 block + 1 at the price of one: who walks along the indices keeps the pair of index / 2 and
+  /// asks it for `pair[index]`.
   [[nodiscard]] NormalPair standard_normal_pair(Source source, std::uint64_t block) const;
 
  private:

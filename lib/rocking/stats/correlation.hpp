@@ -16,7 +16,8 @@ namespace rocking::stats {
 /// Of each number with the one `lag` places later; lag >= 1. Needs more than `lag` numbers.
 [[nodiscard]] Moment lag_correlation(std::span<const double> sample, const NormalLaw& law, std::size_t lag);
 
-/// Within the pairs (0, 1), (2, 3), ... that one Box-Muller block makes. A last number without a partner is left out. Needs two.
+/// Within the pairs (0, 1), (2, 3), ... that one Box-Muller block makes. A last number without a partner is left
+/// out. Needs two.
 [[nodiscard]] Moment pair_correlation(std::span<const double> sample, const NormalLaw& law);
 
 }  // namespace rocking::stats

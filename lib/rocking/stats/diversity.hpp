@@ -5,8 +5,8 @@
 
 namespace rocking::stats {
 
-/// How far a set of classified outcomes is from being all alike. `counts` holds the outcomes of each class; classes with
-/// none change nothing.
+/// How far a set of classified outcomes is from being all alike. `counts` holds the outcomes of each class; classes
+/// with none change nothing.
 
 /// Probability that two outcomes differ in class, estimated without bias from n of them.
 ///

@@ -32,10 +32,12 @@ struct Moment {
   double z = 0.0;
 };
 
-/// The first four moments of a sample, each with its exact mean and standard deviation for n independent draws from a normal law.
+/// The first four moments of a sample, each with its exact mean and standard deviation for n independent draws from
+/// a normal law.
 ///
 /// - mean: N(mean, sigma^2/n);
-/// - standard deviation s, with n - 1: mean c4 sigma, variance (1 - c4^2) sigma^2, c4 = sqrt(2/(n-1)) Gamma(n/2)/Gamma((n-1)/2);
+/// - standard deviation s, with n - 1: mean c4 sigma, variance (1 - c4^2) sigma^2, c4 = sqrt(2/(n-1))
+///   Gamma(n/2)/Gamma((n-1)/2);
 /// - skewness g1: mean 0, variance 6(n-2)/((n+1)(n+3));
 /// - kurtosis b2 (3 for a normal law): mean 3(n-1)/(n+1), variance 24n(n-2)(n-3)/((n+1)^2(n+3)(n+5)).
 ///

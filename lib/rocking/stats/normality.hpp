@@ -19,8 +19,8 @@ struct TestOfFit {
 /// Source: Jarque & Bera (1987), Int. Stat. Rev. 55, 163-172.
 [[nodiscard]] TestOfFit jarque_bera(std::span<const double> sample);
 
-/// Normal with any mean and sigma? K^2 = Z(g1)^2 + Z(b2)^2, compared with chi-squared of 2 degrees; the two are transformed to be
-/// normal already at small n.
+/// Normal with any mean and sigma? K^2 = Z(g1)^2 + Z(b2)^2, compared with chi-squared of 2 degrees; the two are
+/// transformed to be normal already at small n.
 ///
 /// Needs n >= 20 (8 at least), not all alike.
 /// Source: D'Agostino & Pearson (1973), Biometrika 60, 613-622; D'Agostino (1970), Biometrika 57, 679-681, for g1;
@@ -29,10 +29,12 @@ struct TestOfFit {
 
 /// This very law? Anderson & Darling's A^2, which weighs both tails up. Needs n >= 1.
 ///
-/// Source: Anderson & Darling (1954), J. Am. Stat. Assoc. 49, 765-769; Marsaglia & Marsaglia (2004), J. Stat. Softw. 9(2).
+/// Source: Anderson & Darling (1954), J. Am. Stat. Assoc. 49, 765-769; Marsaglia & Marsaglia (2004), J. Stat. Softw.
+/// 9(2).
 [[nodiscard]] TestOfFit anderson_darling(std::span<const double> sample, const NormalLaw& law);
 
-/// Probability that the A^2 of n independent numbers, from whatever continuous law they are compared with, is at least `statistic`.
+/// Probability that the A^2 of n independent numbers, from whatever continuous law they are compared with, is at
+/// least `statistic`.
 ///
 /// Absolute error about 2e-6 + 1e-3/n for n of ten or more: below that it only says "small".
 [[nodiscard]] double anderson_darling_p_value(double statistic, std::size_t n);
@@ -40,10 +42,11 @@ struct TestOfFit {
 /// This very law? The largest distance D between the empirical and the law's distribution function. Needs n >= 1.
 [[nodiscard]] TestOfFit kolmogorov_smirnov(std::span<const double> sample, const NormalLaw& law);
 
-/// Probability that the D of n independent numbers, from whatever continuous law they are compared with, is at least `distance`.
+/// Probability that the D of n independent numbers, from whatever continuous law they are compared with, is at least
+/// `distance`.
 ///
-/// Kolmogorov's limit law at x + 1/(6 sqrt n) + (x - 1)/(4n), x = sqrt(n) D. Absolute error below 0.03/n for n >= 20 (1.1e-6 at
-/// n = 20000), as found by comparison with the exact law.
+/// Kolmogorov's limit law at x + 1/(6 sqrt n) + (x - 1)/(4n), x = sqrt(n) D. Absolute error below 0.03/n for n >= 20
+/// (1.1e-6 at n = 20000), as found by comparison with the exact law.
 /// Source: Vrbik (2018), Pioneer J. Theor. Appl. Stat. 15, 15-23.
 [[nodiscard]] double kolmogorov_p_value(double distance, std::size_t n);
 

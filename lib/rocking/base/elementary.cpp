@@ -42,14 +42,12 @@ double arc_tangent(double x) {
   const double square = t * t;  // t <= tan(pi/16) = 0.199; the first term left out is 2e-20
   double sum = 1.0 / 25.0;
   for (int j = 11; j >= 0; --j) sum = std::fma(sum, -square, 1.0 / (2 * j + 1));
-  double angle = 4.0 * t * sum;
-  const auto [sine, cosine] = reduced_sin_cos(angle);
-  angle += std::fma(rise, cosine, -(run * sine)) / std::fma(run, cosine, rise * sine);
-  if (steep) {
-    constexpr double half_pi_high = 0x1.921fb54442d18p+0;
-    constexpr double half_pi_low = 0x1.1a62633145c07p-54;
-    angle = half_pi_high - (angle - half_pi_low);
-  }
+  const double guess = 4.0 * t * sum;
+  const auto [sine, cosine] = reduced_sin_cos(guess);
+  const double correction = std::fma(rise, cosine, -(run * sine)) / std::fma(run, cosine, rise * sine);
+  constexpr double half_pi_high = 0x1.921fb54442d18p+0;
+  constexpr double half_pi_low = 0x1.1a62633145c07p-54;
+  const double angle = steep ? (half_pi_high - guess) - (correction - half_pi_low) : guess + correction;
   return std::copysign(angle, x);
 }
 

@@ -21,7 +21,6 @@ namespace rocking::dynamics {
 /// What a scene fixes for a realisation.
 struct Setting {
   Geometry block;
-  double frequency;  ///< Omega_h
   double inertia;    ///< J
   ImpactSlipRule impact_slip_rule;
   double tolerance;  ///< of a step, in Theta and Theta'; of a hop, see Automaton::hop_is_too_small

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -8,6 +9,7 @@
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/formulation.hpp"
+#include "rocking/dynamics/recorded_excitation.hpp"
 
 namespace rocking::experiment {
 
@@ -26,11 +28,18 @@ struct Normal {
 /// A number, or the law from which each realisation draws it once.
 using Quantity = std::variant<double, Uniform, Normal>;
 
-/// a_h/g = A_h psi sin(Omega_h tau + Phi).
+/// A base motion as it was recorded.
+struct GroundMotion {
+  std::vector<dynamics::RecordSample> samples;  ///< accelerations over g, before scaling
+  bool has_vertical = false;
+};
+
+/// Harmonic, a_h/g = A_h psi sin(Omega_h tau + Phi), or a record times a scale.
 struct Excitation {
-  double amplitude = 0.0;        ///< A_h [-]
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]
-  Quantity phase = 0.0;          ///< Phi [rad]
+  double amplitude = 0.0;        ///< A_h [-]; of a record: its scale [-]
+  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]; of a record: of the strobe
+  Quantity phase = 0.0;          ///< Phi [rad]; of a record: 0
+  std::shared_ptr<const GroundMotion> record;  ///< absent: harmonic
 };
 
 struct Friction {

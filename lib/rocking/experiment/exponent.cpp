@@ -8,6 +8,8 @@
 namespace rocking::experiment {
 namespace {
 
+using HarmonicMotion = Motion<dynamics::HarmonicExcitation>;
+
 constexpr double start_distance = 1e-7;   ///< well above the tolerance, well below the attractor
 constexpr double least_distance = 1e-16;  ///< what arithmetic can tell apart
 constexpr std::size_t batches = 8;
@@ -50,18 +52,18 @@ section::ExponentEstimate estimate_from(const std::vector<double>& growths) {
 
 }  // namespace
 
-CompanionRun companion_exponent(const Motion& from, double shape_angle, std::int64_t periods) {
+CompanionRun companion_exponent(const HarmonicMotion& from, double shape_angle, std::int64_t periods) {
   CompanionRun run;
   LastStrobe leader_strobe;
   LastStrobe companion_strobe;
-  Motion leader = from;
+  HarmonicMotion leader = from;
   leader.observe_with(leader_strobe);
   std::vector<double> growths;
   growths.reserve(static_cast<std::size_t>(periods));
   dynamics::Displacement direction{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0};
   for (std::int64_t period = 0; period < periods; ++period) {
     leader.move_to_last_strobe();
-    Motion companion = leader;
+    HarmonicMotion companion = leader;
     companion.observe_with(companion_strobe);
     const double before = length_of(companion.displace(direction));
     leader.extend(1);

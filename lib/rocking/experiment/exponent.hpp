@@ -20,6 +20,7 @@ struct CompanionRun {
 ///
 /// The standard error is that of the mean of eight batches in a row.
 /// Source: Benettin, Galgani, Giorgilli & Strelcyn (1980), Meccanica 15, 9-20.
-[[nodiscard]] CompanionRun companion_exponent(const Motion& from, double shape_angle, std::int64_t periods);
+[[nodiscard]] CompanionRun companion_exponent(const Motion<dynamics::HarmonicExcitation>& from, double shape_angle,
+                                              std::int64_t periods);
 
 }  // namespace rocking::experiment

@@ -51,20 +51,19 @@ Start start_of(const Scene& scene, const random::Draws& draws) {
   return start;
 }
 
-Motion begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start, Strobe strobe,
-                         std::int64_t periods, dynamics::Observer& observer) {
+Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start, Strobe strobe,
+                            std::int64_t periods) {
   const Scene& scene = condition.scene;
-  const dynamics::Setting setting{.block = dynamics::geometry_of(scene.block),
-                                  .frequency = scene.excitation.frequency_ratio,
-                                  .inertia = dynamics::inertia_ratio(scene.slide_inertia),
-                                  .impact_slip_rule = scene.impact_slip_rule,
-                                  .tolerance = condition.tolerance};
-  const dynamics::Clock clock(setting.frequency, start.phase);
+  const dynamics::Clock clock(scene.excitation.frequency_ratio, start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
-  return {setting,     clock,
-          SceneCoefficients(scene, draws),
-          start.state, {.first_strobe = {.period = 1, .time = first}, .strobes = periods},
-          observer};
+  return {.setting = {.block = dynamics::geometry_of(scene.block),
+                      .inertia = dynamics::inertia_ratio(scene.slide_inertia),
+                      .impact_slip_rule = scene.impact_slip_rule,
+                      .tolerance = condition.tolerance},
+          .clock = clock,
+          .coefficients = SceneCoefficients(scene, draws),
+          .state = start.state,
+          .schedule = {.first_strobe = {.period = 1, .time = first}, .strobes = periods}};
 }
 
 }  // namespace rocking::experiment

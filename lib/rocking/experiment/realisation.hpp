@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "rocking/dynamics/block_motion.hpp"
 #include "rocking/experiment/experiment.hpp"
@@ -19,7 +20,9 @@ struct TaylorSteps {
   }
 };
 
-using Motion = dynamics::BlockMotion<SceneCoefficients, TaylorSteps>;
+/// A block on a base that moves as `Excitation` says.
+template <dynamics::BaseExcitation Excitation>
+using Motion = dynamics::BlockMotion<SceneCoefficients, TaylorSteps, Excitation>;
 
 /// What a realisation draws once, at its start.
 struct Start {
@@ -34,8 +37,31 @@ struct Start {
 /// of periods after tau = 0.
 enum class Strobe : std::uint8_t { poincare, start };
 
-/// A realisation at tau = 0, ready to be advanced over `periods` strobe points.
-[[nodiscard]] Motion begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
-                                       Strobe strobe, std::int64_t periods, dynamics::Observer& observer);
+/// A realisation at tau = 0, but for the kind of its base motion.
+struct Beginning {
+  dynamics::Setting setting;
+  dynamics::Clock clock;
+  SceneCoefficients coefficients;
+  dynamics::State state;
+  dynamics::Schedule schedule;
+};
+
+[[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
+                                          Strobe strobe, std::int64_t periods);
+
+/// Calls use(motion) with the motion that the scene's excitation asks for, ready to be advanced.
+template <class Use>
+decltype(auto) with_motion(const Scene& scene, const Beginning& beginning, dynamics::Observer& observer, Use&& use) {
+  const auto run = [&]<class Excitation>(const Excitation& excitation) -> decltype(auto) {
+    return use(Motion<Excitation>(beginning.setting, beginning.clock, beginning.coefficients, beginning.state,
+                                  beginning.schedule, observer, excitation));
+  };
+  if (scene.excitation.record == nullptr) return run(dynamics::HarmonicExcitation{});
+  const auto motion = std::make_shared<const dynamics::RecordedMotion>(
+      scene.excitation.record->samples, beginning.setting.block.frequency_parameter, beginning.clock);
+  const double scale = scene.excitation.amplitude;
+  if (scene.excitation.record->has_vertical) return run(dynamics::RecordedExcitation<true>(motion, scale));
+  return run(dynamics::RecordedExcitation<false>(motion, scale));
+}
 
 }  // namespace rocking::experiment

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <type_traits>
 
 #include "rocking/experiment/exponent.hpp"
 #include "rocking/experiment/realisation.hpp"
@@ -20,27 +21,14 @@ void add(Effort& effort, const integrate::LoopCounts& counts) {
 /// A strobe point is about as accurate as the step times a few hundred of them; better than 1e-9 is never needed.
 double resolution_of(double tolerance) { return std::max(1e-9, 1e3 * tolerance); }
 
-}  // namespace
+/// A run has at least one strobe point before the copy for a companion is made.
+std::int64_t strobes_before_copy(const Condition& condition) {
+  return std::max<std::int64_t>(condition.horizon.transient_periods, 1);
+}
 
-Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation) {
-  const random::Draws draws(seed, realisation);
-  const Start start = start_of(condition.scene, draws);
-  const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
-  const std::int64_t transient = condition.horizon.transient_periods;
-  const std::int64_t sampled = condition.horizon.sampled_periods;
-  Record record;
-  record.effort.initial_draws = start.draws;
-
-  StrobeRecorder recorder(shape_angle, transient + sampled);
-  const std::int64_t before_copy = std::max<std::int64_t>(transient, 1);
-  Motion motion = begin_realisation(condition, draws, start, Strobe::poincare, before_copy, recorder);
-  add(record.effort, integrate::advance(motion));
-  const Motion after_transient = motion;
-  if (transient + sampled > before_copy) {
-    motion.extend(transient + sampled - before_copy);
-    add(record.effort, integrate::advance(motion));
-  }
-
+/// What a finished motion leaves behind, but for the verdict.
+template <class Motion>
+void collect(Record& record, const Motion& motion, const StrobeRecorder& recorder) {
   record.termination = motion.termination().value_or(dynamics::Termination::stopped);
   record.losses_of_contact = motion.losses_of_contact();
   record.first_loss_of_contact = motion.first_loss_of_contact();
@@ -49,23 +37,66 @@ Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t rea
   record.effort.events = recorder.events();
   motion.coefficients().add_to(record.effort);
   record.clamps = motion.coefficients().clamps();
-  const auto& periods = recorder.periods();
-  record.strobe.reserve(periods.size());
-  for (const section::Period& period : periods) record.strobe.push_back(period.point);
+  record.strobe.reserve(recorder.periods().size());
+  for (const section::Period& period : recorder.periods()) record.strobe.push_back(period.point);
+}
 
+/// Under a record nothing repeats: a block stands at the end or it does not.
+section::Verdict verdict_after_record(const std::vector<section::Period>& periods) {
+  if (periods.back().moved) return section::unresolved(section::Reason::not_periodic, true);
+  return {.mode = {.kind = section::ResponseKind::rest},
+          .reason = section::Reason::never_moved,
+          .in_transient = false,
+          .margin = section::largest_margin};
+}
+
+/// Runs `motion` over the horizon and names its response. A copy is kept from the end of the transient, for a companion.
+template <class Motion>
+void run_to_horizon(Record& record, Motion& motion, const StrobeRecorder& recorder, const Condition& condition) {
+  const std::int64_t sampled = condition.horizon.sampled_periods;
+  const std::int64_t more = condition.horizon.transient_periods + sampled - strobes_before_copy(condition);
+  add(record.effort, integrate::advance(motion));
+  const Motion after_transient = motion;
+  if (more > 0) {
+    motion.extend(more);
+    add(record.effort, integrate::advance(motion));
+  }
+  collect(record, motion, recorder);
   if (record.termination == dynamics::Termination::overturned) {
     record.verdict.mode = {.kind = section::ResponseKind::overturned};
-  } else if (record.termination == dynamics::Termination::reached_horizon) {
+    return;
+  }
+  if (record.termination != dynamics::Termination::reached_horizon) return;
+  if constexpr (std::is_same_v<Motion, experiment::Motion<dynamics::HarmonicExcitation>>) {
     const auto exponent = [&]() -> std::optional<section::ExponentEstimate> {
+      const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
       const CompanionRun run = companion_exponent(after_transient, shape_angle, sampled);
       record.effort.companion_periods += run.periods;
       return run.exponent;
     };
-    record.verdict = section::classify({.periods = std::span(periods).last(static_cast<std::size_t>(sampled)),
-                                        .random = is_random(condition.scene),
-                                        .resolution = resolution_of(condition.tolerance)},
-                                       exponent);
+    record.verdict =
+        section::classify({.periods = std::span(recorder.periods()).last(static_cast<std::size_t>(sampled)),
+                           .random = is_random(condition.scene),
+                           .resolution = resolution_of(condition.tolerance)},
+                          exponent);
+  } else {
+    record.verdict = verdict_after_record(recorder.periods());
   }
+}
+
+}  // namespace
+
+Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation) {
+  const random::Draws draws(seed, realisation);
+  const Start start = start_of(condition.scene, draws);
+  Record record;
+  record.effort.initial_draws = start.draws;
+  StrobeRecorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle,
+                          condition.horizon.transient_periods + condition.horizon.sampled_periods);
+  const Beginning beginning =
+      begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
+  with_motion(condition.scene, beginning, recorder,
+              [&](auto motion) { run_to_horizon(record, motion, recorder, condition); });
   return record;
 }
 

@@ -42,10 +42,12 @@ Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::ui
                          std::int64_t periods) {
   const random::Draws draws(seed, realisation);
   Recorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle);
-  Motion motion =
-      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, periods, recorder);
-  integrate::advance(motion);
-  recorder.trajectory.termination = motion.termination().value_or(Termination::stopped);
+  const Beginning beginning =
+      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, periods);
+  recorder.trajectory.termination = with_motion(condition.scene, beginning, recorder, [](auto motion) {
+    integrate::advance(motion);
+    return motion.termination().value_or(Termination::stopped);
+  });
   return std::move(recorder.trajectory);
 }
 

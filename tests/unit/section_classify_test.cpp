@@ -143,6 +143,41 @@ TEST(Classify, SaysThatADriftingResponseHasNotSettled) {
   }
 }
 
+TEST(Classify, SaysThatADriftingSubharmonicHasNotSettled) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    auto periods = noisy(3, 1, 0.01, seed);
+    for (std::size_t k = 0; k < periods.size(); ++k) periods[k].point.tilt += 0.003 * static_cast<double>(k);
+    CountedExponent exponent{clearly_negative};
+    const Verdict verdict = exponent.verdict_of(periods, true);
+    EXPECT_EQ(verdict.mode.kind, ResponseKind::unresolved) << seed;
+    EXPECT_TRUE(verdict.in_transient) << seed << ' ' << to_string(verdict.reason);
+  }
+}
+
+TEST(Classify, SeesAShiftInMidWindowThatTheNoiseNearlyHides) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    support::SplitMix draw(seed);
+    support::Synthetic response = support::random_orbit(1, 1, 0.0, draw);
+    response.wander = {0.02, 2.0, 0.0, 0.0, 0.0};
+    auto periods = response.periods(240, draw);
+    for (std::size_t k = 120; k < 240; ++k) periods[k].point.tilt += 5.0 * 0.02;
+    CountedExponent exponent{clearly_negative};
+    EXPECT_EQ(exponent.verdict_of(periods, true).reason, Reason::not_stationary) << seed;
+  }
+}
+
+TEST(Classify, NamesAResponseOfFewBurstsButNotOfMany) {
+  const auto with_bursts = [](int every) {
+    auto periods = noisy(1, 1, 0.005, 1);
+    support::SplitMix draw(3);
+    for (int k = 3; k < 110; k += 1 + draw.below(2 * every)) periods[static_cast<std::size_t>(k)].point.tilt += 0.3;
+    return periods;
+  };
+  CountedExponent exponent{clearly_negative};
+  EXPECT_EQ(exponent.verdict_of(with_bursts(30), true).mode, periodic(1, 1));
+  EXPECT_EQ(exponent.verdict_of(with_bursts(10), true).reason, Reason::out_of_order);
+}
+
 TEST(Classify, SaysSoIfTheResponseBecomesAnotherOneAtTheEnd) {
   auto periods = noisy(1, 1, 0.001, 1);
   const auto other = noisy(3, 1, 0.001, 5);

@@ -102,6 +102,22 @@ TEST(Confusion, SplitsNoWideCloud) {
   }
 }
 
+// Deviations of a (1,3) response that change sign from cycle to cycle and are forgotten as slowly as Housner's impact
+// allows look doubled for a while: in few cycles, clouds must be far apart to be taken for six.
+TEST(Confusion, TakesNoSlowlyForgottenNoiseForADoubling) {
+  for (const std::size_t count : {60U, 120U}) {
+    Score score;
+    support::SplitMix draw(37);
+    for (int k = 0; k < 4000; ++k) {
+      support::Synthetic response = support::random_orbit(3, 1, 0.2, draw);
+      response.wander = {0.01, 2.0, 0.94, std::numbers::pi / 3.0 * draw.uniform(0.9, 1.1), 0.0};
+      score.judge(response.periods(count, draw), periodic(1, 3), contracting);
+    }
+    score.print(row("near doubling, n = ", 3, count).c_str());
+    EXPECT_LE(score.wrong, 4);
+  }
+}
+
 // Two of three clouds in the same place: still three.
 TEST(Confusion, DoesNotNeedAllCloudsApart) {
   Score score;

@@ -20,13 +20,13 @@ namespace {
 // Derivations: lib/docs/methods-classification.md.
 constexpr double line_chance = 1e-4 / line_count;  // false alarms of all lines of a series together: 1e-4
 constexpr double least_separation = 4.0;           // scatters between centres: each cloud reaches two to the middle
-constexpr double separation_growth = 40.6;         // ln(separation/2) > this over the cycles of a divisor
-constexpr double stray_distance = 5.0;              // scatters; a normal law throws 4e-6 of the points that far
+constexpr double separation_growth = 40.6;         // over the cycles of a divisor: least ln(separation/2)
+constexpr double stray_distance = 5.0;             // scatters; a normal law throws 4e-6 of the points that far
 constexpr double largest_stray_share = 0.05;
-constexpr double tiny_share = 0.01;                // of the extent of the motion and of the separation
+constexpr double tiny_share = 0.01;  // of the extent of the motion and of the separation
 constexpr double longest_usable_memory = 0.96;
 constexpr double least_regular_share = 0.9;
-constexpr double chance_per_cut = 53.0;             // cycles that a cut of the window explains by chance
+constexpr double chance_per_cut = 53.0;  // over the cycles: what a cut of the window explains by chance
 
 std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
   const bool rocks = std::ranges::any_of(periods, [](const Period& p) {

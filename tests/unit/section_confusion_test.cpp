@@ -49,7 +49,7 @@ std::string row(const char* what, int n, std::size_t count) {
 
 constexpr ExponentEstimate contracting{-0.2, 0.01};
 
-// Clouds apart: the distance of any two at least 10 scatters (2.4 for n > 8), up to 500; stretched in any ratio from 0.5 to
+// Clouds apart: the distance of any two at least 7 scatters, mostly far more; stretched in any ratio from 0.5 to
 // 3, memory per cycle anywhere up to what Housner's impact allows, turning by any angle, half of the series with 2 %
 // strays at ten scatters.
 Score separated(int n, std::size_t count, int series) {
@@ -215,8 +215,8 @@ TEST(Confusion, NamesNoQuasiPeriodicResponse) {
     score.judge(periods, {}, {-0.002, 0.003});
   }
   score.print("quasi-periodic");
-  // A turn so near j/n that the clouds do not move by their noise within the window cannot be told from (n,n): 46 fractions
-  // with about 2 x 0.005/(120 x 0.2) x sqrt(12) of the range pi each make 1 %.
+  // A turn so near 2 pi j/n that the clouds move by no more than their noise within the window cannot be told from (n,n):
+  // 23 fractions, each with 2 x 0.7e-3 of the range pi (1.4 x 0.005/0.2 x 2/120 rad), make 1 %.
   EXPECT_LT(score.wrong, 0.02 * score.series);
 }
 

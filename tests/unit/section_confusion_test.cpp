@@ -216,7 +216,7 @@ TEST(Confusion, NamesNoQuasiPeriodicResponse) {
   }
   score.print("quasi-periodic");
   // A turn so near 2 pi j/n that the clouds move by no more than their noise within the window cannot be told from (n,n):
-  // 23 fractions, each with 2 x 0.7e-3 of the range pi (1.4 x 0.005/0.2 x 2/120 rad), make 1 %.
+  // 23 fractions, each with 2 x 0.6e-3 of the range pi (1.4 x 0.005/0.2 x 2/120 rad), make 0.9 %.
   EXPECT_LT(score.wrong, 0.02 * score.series);
 }
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <numbers>
+
+#include "rocking/dynamics/block_motion.hpp"
+#include "rocking/integrate/hybrid.hpp"
+#include "rocking/integrate/step_length.hpp"
+#include "support/event_log.hpp"
+
+namespace rocking::support {
+
+/// Steps as long as the tolerance allows.
+struct TaylorSteps {
+  double operator()(double last_but_one, double last, int order, double largest) const {
+    return integrate::step_length(last_but_one, last, order, largest);
+  }
+};
+
+/// A block, a base and a start, without anything of experiments. Angles in radians.
+struct Stage {
+  dynamics::Block block{};
+  double frequency = 10.0;
+  double phase = 0.0;
+  double inertia = 1.0 / 3.0;
+  dynamics::ImpactSlipRule rule = dynamics::ImpactSlipRule::absolute;
+  double tolerance = 1e-13;
+  dynamics::State start{};
+  std::int64_t periods = 1;
+
+  [[nodiscard]] dynamics::Geometry geometry() const { return dynamics::geometry_of(block); }
+  [[nodiscard]] double period_length() const { return 2.0 * std::numbers::pi / frequency; }
+
+  /// A_h psi sin(Omega_h tau + Phi).
+  [[nodiscard]] double base_acceleration(double amplitude, double tau) const {
+    return amplitude * geometry().shape_angle * base::sin_cos(frequency * tau + phase).sine;
+  }
+
+  /// A_h with which the base acceleration's peak is `peak` (in g).
+  [[nodiscard]] double amplitude_for(double peak) const { return peak / geometry().shape_angle; }
+};
+
+/// A block on its stage, with the log of what it does. Strobe points a whole number of periods after tau = 0.
+template <dynamics::CoefficientSource Coefficients>
+class Simulation {
+ public:
+  using Motion = dynamics::BlockMotion<Coefficients, TaylorSteps>;
+
+  Simulation(const Stage& stage, const Coefficients& coefficients)
+      : motion(dynamics::Setting{.block = stage.geometry(),
+                                 .inertia = stage.inertia,
+                                 .impact_slip_rule = stage.rule,
+                                 .tolerance = stage.tolerance},
+               dynamics::Clock(stage.frequency, stage.phase), coefficients, stage.start,
+               dynamics::Schedule{.first_strobe = {.period = 1, .time = stage.phase / stage.frequency},
+                                  .strobes = stage.periods},
+               log) {}
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  Simulation& run() {
+    counts = integrate::advance(motion);
+    return *this;
+  }
+
+  EventLog log;  // before the motion, which tells it what happens from the start
+  Motion motion;
+  integrate::LoopCounts counts;
+};
+
+}  // namespace rocking::support

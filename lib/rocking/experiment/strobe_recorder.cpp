@@ -1,5 +1,6 @@
 #include "rocking/experiment/strobe_recorder.hpp"
 
+#include <cmath>
 #include <limits>
 
 namespace rocking::experiment {
@@ -11,12 +12,12 @@ StrobeRecorder::StrobeRecorder(double shape_angle, std::int64_t periods) : shape
   periods_.reserve(static_cast<std::size_t>(periods));
 }
 
-void StrobeRecorder::event(EventKind kind, double tau, const dynamics::State& state) {
+void StrobeRecorder::event(EventKind kind, double, const dynamics::State& state) {
   ++events_[static_cast<std::size_t>(kind)];
   current_.moved = true;
   switch (kind) {
     case EventKind::impact_stick:
-    case EventKind::impact_slip: count_impact(tau, state.side); break;
+    case EventKind::impact_slip: count_impact(state); break;
     case EventKind::to_rest:
     case EventKind::to_slide: merge_chatter(); break;
     default: break;
@@ -33,12 +34,11 @@ void StrobeRecorder::strobe(const dynamics::State& state) {
   side_ = state.side;
 }
 
-void StrobeRecorder::count_impact(double tau, double side) {
-  const double interval = tau - last_impact_;
-  if (!(interval < last_interval_)) run_.clear();
-  last_impact_ = tau;
-  last_interval_ = interval;
-  if (side == side_) return;
+void StrobeRecorder::count_impact(const dynamics::State& after) {
+  const double rate = std::abs(after.tilt_rate);
+  if (rate >= last_rates_[1]) run_.clear();
+  last_rates_ = {rate, last_rates_[0]};
+  if (after.side == side_) return;
   if (current_.impacts < std::numeric_limits<std::uint16_t>::max()) ++current_.impacts;
   run_.push_back(periods_.size());
 }
@@ -50,7 +50,7 @@ void StrobeRecorder::merge_chatter() {
     --impacts;
   }
   run_.clear();
-  last_interval_ = 0.0;
+  last_rates_ = no_rates;
 }
 
 }  // namespace rocking::experiment

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "rocking/dynamics/observer.hpp"
@@ -12,8 +13,9 @@ namespace rocking::experiment {
 /// Observer of a realisation that keeps what its response mode depends on: a strobe point and the counted impacts for each
 /// excitation period.
 ///
-/// Impacts that put the block back over the same edge are not counted. A chatter, the run of impacts at ever shorter
-/// intervals that leads to full contact, counts once.
+/// Impacts that put the block back over the same edge are not counted. A chatter counts once: the run of impacts that
+/// leads to full contact, each weaker than the one before on its own edge (the two edges may take turns, one weaker than
+/// the other).
 class StrobeRecorder final : public dynamics::Observer {
  public:
   StrobeRecorder(double shape_angle, std::int64_t periods);
@@ -25,7 +27,10 @@ class StrobeRecorder final : public dynamics::Observer {
   [[nodiscard]] const std::array<std::uint64_t, dynamics::event_kind_count>& events() const { return events_; }
 
  private:
-  void count_impact(double tau, double side);
+  static constexpr std::array<double, 2> no_rates{std::numeric_limits<double>::infinity(),
+                                                  std::numeric_limits<double>::infinity()};
+
+  void count_impact(const dynamics::State& after);
   void merge_chatter();
 
   double shape_angle_;
@@ -33,9 +38,9 @@ class StrobeRecorder final : public dynamics::Observer {
   section::Period current_;
   std::array<std::uint64_t, dynamics::event_kind_count> events_{};
   double side_ = 0.0;  ///< over which the block stood before the coming impact; 0: not known yet
-  double last_impact_ = 0.0;
-  double last_interval_ = 0.0;
-  std::vector<std::size_t> run_;  ///< periods of the counted impacts at ever shorter intervals
+  /// Sizes of the tilt rate after the last impact and the one before it; infinite before there was one.
+  std::array<double, 2> last_rates_ = no_rates;
+  std::vector<std::size_t> run_;  ///< periods of the counted impacts of the run that may become a chatter
 };
 
 }  // namespace rocking::experiment

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <exception>
+#include <new>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -54,6 +55,8 @@ ExitCode carry_out(const Action& action) {
     return fail(ExitCode::input_output, error.what());
   } catch (const std::system_error& error) {
     return fail(ExitCode::input_output, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::input_output, "not enough memory; ask for fewer realisations, conditions or sampled periods");
   } catch (const std::exception& error) {
     return fail(ExitCode::our_bug, fmt::format("a bug of ours, please report it with the output of `rocking doctor`: {}", error.what()));
   }

@@ -9,7 +9,7 @@ namespace rocking::report {
 /// a tilt short of overturned, a slip rate only where sliding is possible. A check is left out where `problems` already
 /// tells of one of its values.
 ///
-/// `document` is the experiment file's canonical form, from which the values in messages are taken.
+/// `document` is the experiment file, from which the values in messages are taken.
 void check_scene(const experiment::Scene& scene, const Json& document, Problems& problems);
 
 /// Smallest kinetic friction coefficient for which the equations of sliding lose their meaning (Painleve): D <= 0 at some

@@ -104,7 +104,7 @@ class ExperimentBuilder {
       if (!where.empty()) where += ')';
       Problems found;
       Question question = read_question(document, found);
-      check_scene(question.condition.scene, question.canonical, found);
+      check_scene(question.condition.scene, document, found);
       merge(found, where);
       if (problems_.empty()) keep(std::move(question), index);
     }

@@ -90,7 +90,9 @@ experiment::Excitation read_excitation(ObjectReader& in) {
     const Json* kind = keys.value("kind");
     if (kind != nullptr && *kind == "recorded") {
       keys.reject("kind", "recorded excitations are not available in this version", "use \"harmonic\"");
-      for (const char* key : {"file", "scale", "time_step_s"}) static_cast<void>(keys.has(key));
+      for (const char* key : {"file", "scale", "time_step_s", "amplitude", "frequency_ratio", "phase_rad"}) {
+        static_cast<void>(keys.has(key));  // known, so that one problem is told and not four
+      }
       return;
     }
     constexpr std::array<std::string_view, 1> kinds{"harmonic"};

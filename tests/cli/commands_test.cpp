@@ -1,0 +1,153 @@
+// What each command prints.
+
+#include <algorithm>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using rocking::report::Json;
+using rocking::support::objections;
+using rocking::support::quick_experiment;
+
+class Command : public rocking::support::ProgramTest {
+ protected:
+  Command() { write("quick.json", quick_experiment().dump()); }
+};
+
+TEST_F(Command, HelpsWithAnExample) {
+  const auto all = rocking("--help");
+  EXPECT_EQ(all.exit_code, 0);
+  for (const char* command : {"run", "trajectory", "check-normal", "validate", "schema", "doctor"}) {
+    EXPECT_THAT(all.output, HasSubstr(command));
+    const auto help = rocking(std::string(command) + " --help");
+    EXPECT_EQ(help.exit_code, 0);
+    EXPECT_THAT(help.output, AllOf(HasSubstr(std::string("Example: rocking ") + command), HasSubstr("--json")));
+    EXPECT_EQ(help.errors, "");
+  }
+}
+
+TEST_F(Command, RunWritesAReportThatKeepsToItsSchema) {
+  ASSERT_EQ(rocking("run quick.json -o out").exit_code, 0);
+  EXPECT_EQ(objections("report", read("out/report.json")), "");
+}
+
+TEST_F(Command, RunPrintsTheTableAndWhereTheReportIs) {
+  const auto outcome = rocking("run quick.json -o out");
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("amplitude"), HasSubstr("4.2"), HasSubstr("unresolved"), HasSubstr("report: out/report.json")));
+}
+
+TEST_F(Command, RunWithJsonPrintsTheReportAndNothingElse) {
+  const auto outcome = rocking("run quick.json -o out --json");
+  EXPECT_EQ(outcome.output, read("out/report.json"));
+}
+
+TEST_F(Command, RunQuietlySaysNothingBesideTheResult) {
+  EXPECT_EQ(rocking("run quick.json -o out -q").errors, "");
+}
+
+TEST_F(Command, RunGivesTheSameBytesOnAnyNumberOfThreads) {
+  Json reports[3];
+  for (const int threads : {1, 2, 7}) {
+    const std::string folder = "out" + std::to_string(threads);
+    ASSERT_EQ(rocking("run quick.json -q -o " + folder + " -j " + std::to_string(threads)).exit_code, 0);
+    Json& report = reports[std::min(threads - 1, 2)] = Json::parse(read(folder + "/report.json"));
+    EXPECT_EQ(report["system"]["threads"], threads);
+    report.erase("system");
+  }
+  EXPECT_EQ(reports[0].dump(), reports[1].dump());
+  EXPECT_EQ(reports[0].dump(), reports[2].dump());
+}
+
+TEST_F(Command, RunTakesFlagsBeforeTheFile) {
+  ASSERT_EQ(rocking("run quick.json -o out --seed 17 --realisations 2").exit_code, 0);
+  const Json report = Json::parse(read("out/report.json"));
+  EXPECT_EQ(report["input"]["experiment"]["seed"], "0x11");
+  EXPECT_EQ(report["input"]["experiment"]["realisations"], 2);
+  EXPECT_EQ(report["result"]["conditions"][0]["realisations"], 2);
+}
+
+TEST_F(Command, DryRunTellsThePlanAndWritesNothing) {
+  const auto outcome = rocking("run quick.json -o out --dry-run");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("3 conditions, 12 realisations, 720 periods"), HasSubstr("sliding"),
+                                    HasSubstr("kinetic friction drawn")));
+  EXPECT_FALSE(exists("out"));
+  const Json plan = Json::parse(rocking("run quick.json --dry-run --json").output);
+  EXPECT_EQ(plan["periods"], 720);
+  EXPECT_EQ(plan["effects"].size(), 3U);
+}
+
+TEST_F(Command, DryRunOfADeterministicExperimentCountsOneRealisation) {
+  auto quick = quick_experiment();
+  quick.erase("fluctuation");
+  quick.erase("friction");
+  write("quiet.json", quick.dump());
+  EXPECT_THAT(rocking("run quiet.json --dry-run").output, AllOf(HasSubstr("3 realisations"), HasSubstr("nothing is random")));
+}
+
+TEST_F(Command, TrajectoryKeepsToItsSchema) {
+  const auto outcome = rocking("trajectory quick.json --condition 1 --realisation 3 --periods 5");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(objections("trajectory", outcome.output), "");
+  const Json trajectory = Json::parse(outcome.output);
+  EXPECT_EQ(trajectory["condition"], 1);
+  EXPECT_EQ(trajectory["realisation"], 3);
+  EXPECT_EQ(trajectory["strobe"].size(), 5U);
+}
+
+TEST_F(Command, TrajectoryCoversTheHorizonByItself) {
+  EXPECT_EQ(Json::parse(rocking("trajectory quick.json").output)["strobe"].size(), 60U);
+}
+
+TEST_F(Command, CheckNormalKeepsToItsSchema) {
+  const auto outcome = rocking("check-normal --json");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(objections("check_normal", outcome.output), "");
+  const Json check = Json::parse(outcome.output);
+  EXPECT_EQ(check["n"], 20'000);
+  EXPECT_EQ(check["sampler"], "box-muller");
+  EXPECT_NEAR(check["mean"]["value"].get<double>(), 0.4, 5 * 0.03 / std::sqrt(20'000.0));
+}
+
+TEST_F(Command, CheckNormalSaysWhatASmallSkewnessIsWorth) {
+  const auto outcome = rocking("check-normal --n 20000 --mean 0.4 --sigma 0.03 --seed 7");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.output, HasSubstr("skewness within 0.01: expected in 44 % of samples of this size"));
+}
+
+TEST_F(Command, ValidateTellsProblemsAsJsonToo) {
+  write("bad.json", R"({"format": "rocking.experiment/1"})");
+  const auto outcome = rocking("validate bad.json --json");
+  EXPECT_EQ(outcome.exit_code, 65);
+  const Json json = Json::parse(outcome.output);
+  EXPECT_EQ(json["valid"], false);
+  EXPECT_EQ(json["problems"].size(), 4U);
+  const auto good = Json::parse(rocking("validate quick.json --json").output);
+  EXPECT_EQ(good["valid"], true);
+  EXPECT_EQ(objections("experiment", good["experiment"].dump()), "");
+}
+
+TEST_F(Command, SchemaPrintsWhatIsPublished) {
+  for (const std::string name : {"experiment", "report", "trajectory", "check_normal"}) {
+    const auto outcome = rocking("schema " + name);
+    std::ifstream file(std::string(ROCKING_SOURCE_DIR "/reports/schemas/") + name + ".schema.json");
+    std::ostringstream published;
+    published << file.rdbuf();
+    EXPECT_EQ(outcome.output, published.str());
+  }
+}
+
+TEST_F(Command, DoctorFindsTheArithmeticSound) {
+  const auto outcome = rocking("doctor --json");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(Json::parse(outcome.output)["sound"], true);
+}
+
+}  // namespace

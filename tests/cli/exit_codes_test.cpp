@@ -1,0 +1,121 @@
+// What the program tells the shell, and what it says when something is wrong.
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "cli/program.hpp"
+
+namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using rocking::support::quick_experiment;
+
+class ExitCode : public rocking::support::ProgramTest {
+ protected:
+  ExitCode() { write("quick.json", quick_experiment().dump()); }
+};
+
+TEST_F(ExitCode, Is0WhereAllIsDone) {
+  const auto outcome = rocking("run quick.json -o out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_TRUE(exists("out/report.json"));
+}
+
+TEST_F(ExitCode, Is64ForAMistypedCommandAndNamesTheNearest) {
+  const auto outcome = rocking("rnu quick.json");
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"run\"?"));
+}
+
+TEST_F(ExitCode, Is64ForAMistypedFlagAndNamesTheNearest) {
+  const auto outcome = rocking("run quick.json -o out --relisations 3");
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"--realisations\"?"));
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ExitCode, Is64ForACommandLineThatCannotBeFollowed) {
+  for (const char* arguments : {"", "run", "run quick.json", "run quick.json -o out -j 0", "run quick.json -o out -j two",
+                                "run quick.json -o out --seed 0xz", "run quick.json -o out --realisations 0",
+                                "trajectory quick.json --condition 3", "trajectory quick.json --periods -1",
+                                "check-normal --sigma -1", "check-normal --sigma 0", "check-normal --sampler marsaglia",
+                                "check-normal --n 3", "schema reports", "run quick.json -o out -q -v"}) {
+    const auto outcome = rocking(arguments);
+    EXPECT_EQ(outcome.exit_code, 64) << arguments << '\n' << outcome.errors;
+    EXPECT_FALSE(outcome.errors.empty()) << arguments;
+    EXPECT_EQ(outcome.output, "") << arguments;
+  }
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ExitCode, Is65ForABadFileOfWhichEveryProblemIsTold) {
+  auto bad = quick_experiment();
+  bad["block"]["width_m"] = -1;
+  bad["frction"] = 3;
+  write("bad.json", bad.dump());
+  for (const char* command : {"validate bad.json", "run bad.json -o out", "trajectory bad.json", "run bad.json --dry-run"}) {
+    const auto outcome = rocking(command);
+    EXPECT_EQ(outcome.exit_code, 65) << command;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("/block/width_m = -1: must be a positive number of metres"),
+                                      HasSubstr("did you mean \"friction\"?")));
+  }
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ExitCode, Is65ForWhatIsNoJson) {
+  write("bad.json", "{\n \"format\": NaN }");
+  const auto outcome = rocking("validate bad.json");
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_THAT(outcome.errors, HasSubstr("line 2, column"));
+}
+
+TEST_F(ExitCode, Is66ForAFileThatIsNotThere) {
+  const auto outcome = rocking("run absent.json -o out");
+  EXPECT_EQ(outcome.exit_code, 66);
+  EXPECT_THAT(outcome.errors, HasSubstr("absent.json"));
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ExitCode, Is74ForAFolderThatCannotBeMade) {
+  write("out", "a file stands here");
+  const auto outcome = rocking("run quick.json -o out");
+  EXPECT_EQ(outcome.exit_code, 74);
+  EXPECT_THAT(outcome.errors, HasSubstr("out"));
+  EXPECT_EQ(read("out"), "a file stands here");
+}
+
+TEST_F(ExitCode, Is74ForAFolderThatCannotBeWrittenTo) {
+  if (geteuid() == 0) GTEST_SKIP() << "the superuser may write everywhere";
+  ASSERT_EQ(shell("mkdir out && chmod 500 out").exit_code, 0);
+  EXPECT_EQ(rocking("run quick.json -o out").exit_code, 74);
+}
+
+TEST_F(ExitCode, Is74WhereAReportWouldBeLost) {
+  ASSERT_EQ(rocking("run quick.json -o out").exit_code, 0);
+  const std::string first = read("out/report.json");
+  const auto refused = rocking("run quick.json -o out --seed 5");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(read("out/report.json"), first);
+  EXPECT_EQ(rocking("run quick.json -o out --seed 5 --overwrite").exit_code, 0);
+  EXPECT_NE(read("out/report.json"), first);
+}
+
+TEST_F(ExitCode, Is74WhereTheResultCannotBePrinted) {
+  EXPECT_EQ(rocking("trajectory quick.json > /dev/full").exit_code, 74);
+  EXPECT_EQ(rocking("schema report > /dev/full").exit_code, 74);
+}
+
+TEST_F(ExitCode, Is130WhereItIsInterruptedAndNothingIsWritten) {
+  auto slow = quick_experiment();
+  slow["horizon"]["transient_periods"] = 10'000;
+  slow["realisations"] = 10'000;
+  write("slow.json", slow.dump());
+  const auto outcome = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o out & child=$!; sleep 1; kill -TERM $child; wait $child");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+  EXPECT_THAT(outcome.errors, HasSubstr("nothing was written"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
+}
+
+}  // namespace

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include "rocking/report/json.hpp"
+
+namespace rocking::support {
+
+/// What a run of the program left behind.
+struct Outcome {
+  int exit_code = -1;  ///< -1 where a signal ended it
+  std::string output;  ///< standard output
+  std::string errors;  ///< standard error
+};
+
+/// A test with a folder of its own, in which the program is run.
+class ProgramTest : public ::testing::Test {
+ protected:
+  ProgramTest() {
+    std::string name = (std::filesystem::temp_directory_path() / "rocking-cli-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~ProgramTest() override { std::filesystem::remove_all(folder_); }
+
+  /// Runs `rocking` with these arguments, as a shell reads them.
+  Outcome rocking(const std::string& arguments) const { return shell(std::string("exec '") + ROCKING_PROGRAM + "' " + arguments); }
+
+  /// Runs a script in the folder; its two streams end up in the outcome. After two minutes it is ended, with code 124.
+  Outcome shell(const std::string& script) const {
+    write("script", script + '\n');
+    const std::string command = "cd '" + folder_.string() + "' && timeout 120 sh script >stdout 2>stderr </dev/null";
+    const int status = std::system(command.c_str());
+    return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = read("stdout"), .errors = read("stderr")};
+  }
+
+  void write(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }
+
+  std::string read(const std::string& name) const {
+    std::ostringstream content;
+    content << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
+    return content.str();
+  }
+
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+  std::filesystem::path folder_;
+};
+
+/// A question that is answered at once, yet has a sweep and something random.
+inline report::Json quick_experiment() {
+  return report::Json::parse(R"({
+    "format": "rocking.experiment/1", "title": "quick",
+    "block": { "width_m": 1.0, "height_m": 4.0 },
+    "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
+    "friction": { "static": 0.35, "kinetic": 0.30 },
+    "fluctuation": { "friction": { "sigma": 0.03, "refreshes_per_period": 20 } },
+    "horizon": { "transient_periods": 20, "sampled_periods": 40 },
+    "sweep": [ { "parameter": "/excitation/amplitude", "values": [3.0, 4.2, 6.0] } ],
+    "realisations": 4, "seed": "0x2012" })");
+}
+
+}  // namespace rocking::support

@@ -1,0 +1,71 @@
+// Files that are there in full or not at all.
+
+#include "rocking/report/files.hpp"
+
+#include <cstdlib>
+#include <system_error>
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace rocking::report;
+
+class Files : public ::testing::Test {
+ protected:
+  Files() {
+    std::string name = (fs::temp_directory_path() / "rocking-test-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~Files() override { fs::remove_all(folder_); }
+
+  fs::path folder_;
+};
+
+TEST_F(Files, AreReadAsTheyWereWritten) {
+  const std::string content("a\0b\r\n\xff", 6);
+  write_atomically(folder_ / "x", content);
+  EXPECT_EQ(read_file(folder_ / "x"), content);
+  write_atomically(folder_ / "x", "short");
+  EXPECT_EQ(read_file(folder_ / "x"), "short");
+}
+
+TEST_F(Files, LeaveNothingBesideThem) {
+  write_atomically(folder_ / "x", "content");
+  ensure_writable(folder_);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Files, LeaveNothingWhereTheyCannotBeMade) {
+  fs::create_directory(folder_ / "x");  // a folder stands in the way
+  EXPECT_THROW(write_atomically(folder_ / "x", "content"), std::system_error);
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), fs::directory_iterator()), 1);
+}
+
+TEST_F(Files, NameThePathThatFails) {
+  try {
+    static_cast<void>(read_file(folder_ / "absent"));
+    FAIL();
+  } catch (const std::system_error& error) {
+    EXPECT_EQ(error.code(), std::errc::no_such_file_or_directory);
+    EXPECT_NE(std::string(error.what()).find("absent"), std::string::npos);
+  }
+}
+
+TEST_F(Files, AreReadableByOthers) {
+  write_atomically(folder_ / "x", "content");
+  struct stat facts {};
+  ASSERT_EQ(stat((folder_ / "x").c_str(), &facts), 0);
+  EXPECT_EQ(facts.st_mode & 0777U, 0644U);
+}
+
+TEST_F(Files, AreNotPromisedWhereAFileIsTheFolder) {
+  write_atomically(folder_ / "x", "content");
+  EXPECT_THROW(ensure_writable(folder_ / "x"), std::system_error);
+  EXPECT_THROW(ensure_writable(folder_ / "x" / "y"), std::system_error);
+  EXPECT_NO_THROW(ensure_writable(folder_ / "a" / "b"));
+}
+
+}  // namespace

@@ -1,0 +1,162 @@
+// Reports, trajectories and checks as they are written: they keep to their schemas, and the schemas have teeth.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/report/read_experiment.hpp"
+#include "rocking/report/write_check_normal.hpp"
+#include "rocking/report/write_report.hpp"
+#include "rocking/report/write_trajectory.hpp"
+#include "support/experiment_text.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using namespace rocking;
+using report::Json;
+using support::objections;
+
+experiment::ModeEstimate mode(section::ResponseMode kind, std::uint64_t successes, std::uint64_t trials) {
+  const double p = static_cast<double>(successes) / static_cast<double>(trials);
+  const stats::Interval interval{0.5 * p, 0.5 + 0.5 * p};
+  return {kind, {.counts = {successes, trials}, .estimate = p, .wilson = interval, .clopper_pearson = interval, .simultaneous = interval}};
+}
+
+/// A made-up result: what matters here is how it is written.
+experiment::ExperimentResult result_for(const experiment::Experiment& experiment) {
+  using section::ResponseKind;
+  experiment::ConditionResult condition;
+  condition.realisations = 200;
+  condition.modes = {mode(section::periodic(1, 1), 120, 200), mode(section::periodic(1, 3), 70, 200),
+                     mode({ResponseKind::chaotic}, 0, 200), mode({ResponseKind::overturned}, 10, 200)};
+  condition.non_recurrence.emplace();
+  condition.non_recurrence->arithmetic_tolerance = 1e-11;
+  condition.non_recurrence->friction = {.pairs = 100, .parted = 60, .lower_quartile = 12.0, .median = 80.0, .upper_quartile = {}};
+  condition.validity.clamps.kinetic_at_static = 17;
+  condition.effort.steps = 1000;
+  condition.effort.events[0] = 5;
+  condition.stopped_because = "all_realisations_done";
+  return {.conditions = std::vector(experiment.conditions.size(), condition), .digest = base::sha256("made up")};
+}
+
+experiment::Experiment example() { return report::read_experiment(support::example_experiment().dump()); }
+
+report::SystemFacts facts(const std::string& machine) {
+  return {.build = base::build_info(), .machine = machine, .start = "2012-02-01T12:00:00Z", .duration_s = 1.25, .threads = 2};
+}
+
+std::string example_report() { return report::report_text(example(), result_for(example()), facts("here")); }
+
+TEST(Report, KeepsToItsSchema) { EXPECT_EQ(objections("report", example_report()), ""); }
+
+TEST(Report, OfOneRealisationSaysThatThereIsNothingToCompare) {
+  auto result = result_for(example());
+  result.conditions[0].non_recurrence.reset();
+  const std::string text = report::report_text(example(), result, facts("here"));
+  EXPECT_EQ(objections("report", text), "");
+  EXPECT_TRUE(Json::parse(text)["result"]["conditions"][0]["non_recurrence"].is_null());
+}
+
+TEST(Report, DiffersInSystemOnlyBetweenEqualRuns) {
+  Json here = Json::parse(example_report());
+  Json there = Json::parse(report::report_text(example(), result_for(example()), facts("there")));
+  EXPECT_NE(here["system"], there["system"]);
+  here.erase("system");
+  there.erase("system");
+  EXPECT_EQ(here.dump(), there.dump());
+}
+
+TEST(Report, HasItsKeysInAFixedOrder) {
+  const Json report = Json::parse(example_report());
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_THAT(keys, ::testing::ElementsAre("format", "input", "result", "system", "internal"));
+  keys.clear();
+  for (const auto& [key, value] : report["result"]["conditions"][0].items()) keys.push_back(key);
+  EXPECT_THAT(keys, ::testing::ElementsAre("parameters", "realisations", "counts", "probabilities", "non_recurrence",
+                                           "validity", "stopped_because"));
+}
+
+TEST(Report, HoldsTheExperimentAndItsDigest) {
+  const Json input = Json::parse(example_report())["input"];
+  EXPECT_EQ(input["experiment"].dump(), example().canonical_text);
+  EXPECT_EQ(input["sha256"], base::to_hex(base::sha256(input["experiment"].dump())));
+  EXPECT_EQ(objections("experiment", input["experiment"].dump()), "");
+}
+
+TEST(Report, AddsUpTheEffortOfItsConditions) {
+  const Json internal = Json::parse(example_report())["internal"];
+  EXPECT_EQ(internal["conditions"].size(), 21U);
+  EXPECT_EQ(internal["total"]["steps"], 21 * 1000);
+  EXPECT_EQ(internal["total"]["events"]["lift"], 21 * 5);
+  EXPECT_EQ(internal["total"]["clamped_draws"]["kinetic_friction_at_static"], 21 * 17);
+}
+
+/// A sabotaged report, and that the schema sees it.
+class Sabotage : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(Sabotage, IsSeenByTheSchema) {
+  const auto [pointer, value] = GetParam();
+  EXPECT_NE(objections("report", support::with(Json::parse(example_report()), pointer, value).dump()), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Sabotage, ::testing::Values(
+    std::pair{"/result/digest", "\"abc\""}, std::pair{"/result/extra", "1"},
+    std::pair{"/result/conditions/3/counts/(1,1)", "-1"}, std::pair{"/result/conditions/3/counts/harmonic", "1"},
+    std::pair{"/result/conditions/0/probabilities/(1,1)/wilson", "[0.1]"},
+    std::pair{"/result/conditions/0/probabilities/(1,1)/estimate", "1.5"},
+    std::pair{"/internal/total/events/jump", "1"}, std::pair{"/system/start", "\"today\""},
+    std::pair{"/result/conditions/0/non_recurrence", "{}"}, std::pair{"/format", "\"rocking.report/2\""}));
+
+TEST(ExperimentSchema, AllowsWhatTheReaderAllows) {
+  EXPECT_EQ(objections("experiment", support::example_experiment().dump()), "");
+  EXPECT_EQ(objections("experiment", support::least_experiment().dump()), "");
+  EXPECT_EQ(objections("experiment", report::read_experiment(support::least_experiment().dump()).canonical_text), "");
+}
+
+TEST(ExperimentSchema, RefusesWhatTheReaderRefuses) {
+  for (const auto& [pointer, value] : {std::pair{"/titel", "1"}, {"/block/width_m", "-1"}, {"/confidence", "1"},
+                                       {"/friction/static", "\"0.3\""}, {"/sweep", "[]"}, {"/realisations", "0"},
+                                       {"/fluctuation/static_friction", R"({"sigma": 1})"}, {"/restitution", "-1"},
+                                       {"/seed", "\"0xg\""}, {"/initial/tilt", R"({"uniform": [1]})"},
+                                       {"/fluctuation/friction/relative_sigma", "1"}}) {
+    const std::string text = support::with(support::example_experiment(), pointer, value).dump();
+    EXPECT_NE(objections("experiment", text), "") << pointer;
+    EXPECT_THROW(static_cast<void>(report::read_experiment(text)), base::InputError) << pointer;
+  }
+}
+
+TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
+  experiment::Trajectory trajectory;
+  trajectory.strobe.push_back({1, 1.0 / 3.0, -0.1, 5e-324, -0.0, dynamics::ContactState::rock_slide});
+  trajectory.events.push_back({0.1 + 0.2, dynamics::EventKind::impact_slip, 0.0, 1e-300, 2.0 / 3.0, 1.5});
+  const std::string text = report::trajectory_text({.condition = 3, .realisation = 7}, trajectory);
+  EXPECT_EQ(objections("trajectory", text), "");
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["strobe"][0]["tilt"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(json["strobe"][0]["slip"].get<double>(), 5e-324);
+  EXPECT_EQ(json["strobe"][0]["contact"], "rock_slide");
+  EXPECT_EQ(json["events"][0]["tau"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["events"][0]["kind"], "impact_slip");
+  EXPECT_EQ(json["condition"], 3);
+  EXPECT_EQ(objections("trajectory", report::trajectory_text({}, {})), "") << "an empty one";
+}
+
+TEST(NormalCheck, KeepsToItsSchema) {
+  report::NormalCheck check;
+  check.sampler = "box-muller";
+  check.moments.n = 20'000;
+  for (stats::Moment* moment : {&check.moments.mean, &check.moments.standard_deviation, &check.moments.skewness,
+                                &check.moments.kurtosis, &check.pair_correlation, &check.lag_correlation}) {
+    moment->standard_error = 0.0173;
+  }
+  check.histogram.edges = {0.3, 0.4, 0.5};
+  check.histogram.counts = {2, 1};
+  check.histogram.expected = {1.5, 1.5};
+  EXPECT_EQ(objections("check_normal", report::check_normal_text(check)), "");
+  // erf(0.01/0.0173/sqrt 2) = 0.4367
+  EXPECT_THAT(report::check_normal_summary(check), ::testing::HasSubstr("skewness within 0.01: expected in 44 % of samples of this size"));
+}
+
+}  // namespace

@@ -1,0 +1,333 @@
+#include "differential/peer/block.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "differential/peer/coefficients.hpp"
+#include "differential/peer/flow.hpp"
+#include "differential/peer/impact.hpp"
+#include "differential/peer/mechanics.hpp"
+
+namespace rocking::peer {
+namespace {
+
+constexpr double turn = 2.0 * std::numbers::pi;
+constexpr double weight = 4.0 / 3.0;
+
+enum class Contact { rest, slide, rock, rock_slide };
+enum Watch : std::size_t { overturn, ground, standstill, grip_left, grip_right, balance, determinant };
+
+double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
+
+/// A block, told event by event. Time is tau; what is periodic is counted from tau = 0, or from the sine's zeros.
+class Block final : private Equations {
+ public:
+  Block(const Scene& scene, std::int64_t periods, const Care& care)
+      : scene_(scene),
+        body_(body_of(scene)),
+        coefficients_(scene),
+        care_(care),
+        periods_(periods),
+        period_(turn / scene.frequency),
+        flow_({.longest_step = period_ / care.steps_per_period}) {}
+
+  Story tell() {
+    begin();
+    for (int pieces = 0; story_.ending.empty(); ++pieces) {
+      if (pieces == 1'000'000 || story_.events.size() > 100'000) story_.ending = "stopped";
+      if (story_.ending.empty()) advance();
+    }
+    return std::move(story_);
+  }
+
+ private:
+  // Time, and what depends on it alone.
+
+  /// The first multiple of `pitch` (shifted by `offset`) that is still to come, as a count. What is nearer than a rounding is past.
+  [[nodiscard]] std::int64_t coming(double pitch, double offset = 0.0) const {
+    return static_cast<std::int64_t>(std::floor((tau_ + offset) / pitch + 1e-10)) + 1;
+  }
+  [[nodiscard]] double grid_pitch() const { return period_ / scene_.refreshes_per_period; }
+  [[nodiscard]] double phase_time() const { return scene_.phase / scene_.frequency; }
+  [[nodiscard]] double alpha_at(double time) const {
+    return amplitude_ * body_.psi * std::sin(scene_.frequency * (tau_ + time) + scene_.phase);
+  }
+  [[nodiscard]] double alpha() const { return alpha_at(0.0); }
+
+  void look_up() {
+    amplitude_ = coefficients_.amplitude(coming(period_, phase_time()) - 1);
+    if (scene_.friction) friction_ = coefficients_.friction(coming(grid_pitch()) - 1);
+  }
+
+  [[nodiscard]] double next_break() const {
+    double next = static_cast<double>(coming(period_)) * period_;
+    if (scene_.sigmas.amplitude > 0.0) {
+      next = std::min(next, static_cast<double>(coming(period_, phase_time())) * period_ - phase_time());
+    }
+    const bool slips = contact_ == Contact::slide || contact_ == Contact::rock_slide;
+    if (slips && scene_.sigmas.sliding > 0.0) {
+      next = std::min(next, static_cast<double>(coming(grid_pitch())) * grid_pitch());
+    }
+    return next;
+  }
+
+  // The mechanics of the state of contact that holds.
+
+  [[nodiscard]] Stance stance(const Vector& y) const { return {side_, y[0], y[1]}; }
+  [[nodiscard]] Balance balance_at(double time, const Vector& y) const {
+    const double a = alpha_at(time);
+    return contact_ == Contact::rock ? sticking(body_, stance(y), a)
+                                     : sliding(body_, stance(y), a, direction_, friction_.sliding);
+  }
+
+  [[nodiscard]] Vector rates(double time, const Vector& y) const override {
+    if (contact_ == Contact::slide) {
+      return {0.0, 0.0, y[3], -weight * alpha_at(time) - direction_ * friction_.sliding * weight};
+    }
+    const Balance now = balance_at(time, y);
+    if (contact_ == Contact::rock) return {y[1], now.w_dot, 0.0, 0.0};
+    return {y[1], now.w_dot, y[3], now.v_dot};
+  }
+
+  [[nodiscard]] Guards guards(double time, const Vector& y) const override {
+    Guards g;
+    g.fill(1.0);
+    if (contact_ != Contact::rock) g[standstill] = direction_ * y[3];
+    if (contact_ == Contact::slide) return g;
+    g[overturn] = turn / 4.0 - side_ * y[0];
+    g[ground] = side_ * y[0];
+    if (!past_balance_) g[balance] = body_.psi - side_ * y[0];
+    const Balance now = balance_at(time, y);
+    if (contact_ == Contact::rock_slide) {
+      g[determinant] = now.determinant;
+    } else if (scene_.friction && now.normal > 0.0) {
+      g[grip_left] = friction_.at_rest * now.normal + now.friction;
+      g[grip_right] = friction_.at_rest * now.normal - now.friction;
+    }
+    return g;
+  }
+
+  [[nodiscard]] bool grips(const Balance& now) const {
+    return !scene_.friction || now.normal <= 0.0 || std::abs(now.friction) <= friction_.at_rest * now.normal;
+  }
+  [[nodiscard]] double threshold() const {
+    const double tangent = 1.0 / body_.slenderness;
+    return scene_.friction ? std::min(tangent, friction_.at_rest) : tangent;
+  }
+  [[nodiscard]] bool tips_when_sliding() const { return friction_.sliding > 1.0 / body_.slenderness; }
+
+  // What is told.
+
+  [[nodiscard]] Posture posture() const { return {y_[0] / body_.psi, y_[1] / body_.psi, y_[2], y_[3]}; }
+  void tell_of(std::string_view kind) { story_.events.push_back({tau_, kind, posture()}); }
+
+  // Events.
+
+  void begin() {
+    y_ = {scene_.tilt * body_.psi, scene_.tilt_rate * body_.psi, 0.0, scene_.slip_rate};
+    look_up();
+    direction_ = sign_of(y_[3]);
+    side_ = sign_of(y_[0] != 0.0 ? y_[0] : y_[1]);
+    past_balance_ = std::abs(y_[0]) >= body_.psi;
+    const bool flat = y_[0] == 0.0 && y_[1] == 0.0;
+    if (flat && y_[3] == 0.0) {
+      contact_ = Contact::rest;
+      leave_rest_if_pushed();
+    } else if (flat) {
+      contact_ = Contact::slide;
+      tip_if_gripped();
+    } else {
+      contact_ = y_[3] == 0.0 ? Contact::rock : Contact::rock_slide;
+      slip_if_loose();
+    }
+  }
+
+  void advance() {
+    const double end = next_break();
+    if (contact_ == Contact::rest) {
+      const double leave = time_of_push();
+      if (leave >= end) return arrive(end);
+      tau_ = leave;
+      return leave_full_contact(sign_of(alpha()), true);
+    }
+    const Stretch stretch = flow_.follow(y_, end - tau_, *this);
+    y_ = stretch.state;
+    const auto& fired = stretch.fired;
+    if (std::none_of(fired.begin(), fired.end(), [](bool did) { return did; })) return arrive(end);
+    tau_ += stretch.duration;
+    look_up();
+    if (fired[overturn]) return end_with("overturned", "overturn");
+    if (fired[determinant]) return end_with("painleve");
+    if (fired[ground]) {
+      if (fired[standstill]) y_[3] = 0.0;
+      hit_ground(fired[standstill]);
+    } else if (fired[standstill]) {
+      stand_still();
+    } else if (fired[grip_left] || fired[grip_right]) {
+      slip(fired[grip_left] ? 1.0 : -1.0);
+    }
+    if (fired[balance]) {
+      past_balance_ = true;
+      tell_of("past_balance");
+    }
+  }
+
+  void end_with(std::string_view ending, std::string_view event = {}) {
+    if (!event.empty()) tell_of(event);
+    story_.ending = ending;
+  }
+
+  /// An instant at which something is looked up anew, or looked at.
+  void arrive(double instant) {
+    const auto strobe = coming(period_);
+    tau_ = instant;
+    look_up();
+    if (contact_ == Contact::slide) tip_if_gripped();
+    if (instant < static_cast<double>(strobe) * period_) return;
+    constexpr std::string_view names[] = {"rest", "slide", "rock", "rock_slide"};
+    story_.samples.push_back({names[static_cast<std::size_t>(contact_)], posture()});
+    if (static_cast<std::int64_t>(story_.samples.size()) == periods_) end_with("reached_horizon");
+  }
+
+  /// When the sine next brings the base's acceleration to what full contact can bear.
+  [[nodiscard]] double time_of_push() const {
+    const double ratio = threshold() / (amplitude_ * body_.psi);
+    if (!(ratio < 1.0)) return std::numeric_limits<double>::infinity();
+    const double argument = scene_.frequency * tau_ + scene_.phase;
+    double first = std::numeric_limits<double>::infinity();
+    for (const double root : {std::asin(ratio), turn / 2.0 + std::asin(ratio)}) {
+      first = std::min(first, root + turn * std::ceil((argument - root) / turn));
+    }
+    return std::max(tau_, (first - scene_.phase) / scene_.frequency);
+  }
+
+  void leave_rest_if_pushed() {
+    if (std::abs(alpha()) > threshold()) leave_full_contact(sign_of(alpha()), false);
+  }
+
+  void leave_full_contact(double push, bool at_threshold) {
+    const bool was_sliding = contact_ == Contact::slide;
+    const Balance upright = sticking(body_, {push, 0.0, 0.0}, alpha());
+    const bool too_slippery = scene_.friction && friction_.at_rest <= 1.0 / body_.slenderness;
+    if (!too_slippery && (at_threshold || grips(upright) || tips_when_sliding())) {
+      side_ = push;
+      contact_ = Contact::rock;
+      tell_of("lift");
+      if (!at_threshold) slip_if_loose();
+      return;
+    }
+    contact_ = Contact::slide;
+    direction_ = -push;
+    tell_of(was_sliding ? "slip_reverse" : "slide_start");
+  }
+
+  void slip(double direction) {
+    contact_ = Contact::rock_slide;
+    direction_ = direction;
+    tell_of("slip_start");
+    stand_still_if_pulled_back();
+  }
+
+  void slip_if_loose() {
+    if (contact_ != Contact::rock) return;
+    const Balance now = sticking(body_, stance(y_), alpha());
+    if (!grips(now)) slip(-sign_of(now.friction));
+  }
+
+  /// Only with J = 4/3 can sliding begin against its own direction.
+  void stand_still_if_pulled_back() {}
+
+  void tip_if_gripped() {
+    if (!tips_when_sliding()) return;
+    contact_ = Contact::rock_slide;
+    side_ = -direction_;
+    tell_of("tip");
+  }
+
+  void stand_still() {
+    y_[3] = 0.0;
+    coefficients_.stopped();
+    look_up();
+    if (contact_ == Contact::slide) {
+      if (std::abs(alpha()) > threshold()) return leave_full_contact(sign_of(alpha()), false);
+      contact_ = Contact::rest;
+      return tell_of("slide_stop");
+    }
+    const Balance now = sticking(body_, stance(y_), alpha());
+    if (grips(now)) {
+      contact_ = Contact::rock;
+      return tell_of("slip_stop");
+    }
+    direction_ = -sign_of(now.friction);
+    tell_of("slip_reverse");
+  }
+
+  void hit_ground(bool has_stopped) {
+    y_[0] = 0.0;
+    const double v_before = y_[3];
+    std::optional<Friction> friction;
+    if (scene_.friction) friction = friction_;
+    const Rebound after = land(body_, {.w = y_[1],
+                                       .v = v_before,
+                                       .restitution = coefficients_.next_restitution(),
+                                       .friction = friction,
+                                       .signed_rule = scene_.signed_impact_rule});
+    if (!after.determined) return end_with("painleve");
+    y_[1] = after.w;
+    y_[3] = after.v;
+    side_ = sign_of(after.w);
+    if (after.v != 0.0) direction_ = sign_of(after.v);
+    tell_of(after.slipped ? "impact_slip" : "impact_stick");
+    if (has_stopped || (v_before != 0.0 && after.v == 0.0)) {
+      coefficients_.stopped();
+      look_up();
+    }
+    contact_ = after.v == 0.0 ? Contact::rock : Contact::rock_slide;
+    if (chatters()) return come_down();
+    slip_if_loose();
+  }
+
+  /// Whether the coming hop, up at rate w against the acceleration that brings it back, is too short to follow.
+  [[nodiscard]] bool chatters() const {
+    if (contact_ == Contact::rock_slide ? tips_when_sliding() : std::abs(alpha()) > 1.0 / body_.slenderness) return false;
+    const double pull = -side_ * balance_at(0.0, y_).w_dot;
+    return pull > 0.0 && 2.0 * std::abs(y_[1]) < care_.shortest_hop * pull;
+  }
+
+  void come_down() {
+    y_[1] = 0.0;
+    coefficients_.chatter_ended();
+    look_up();
+    const bool slides = contact_ == Contact::rock_slide;
+    contact_ = slides ? Contact::slide : Contact::rest;
+    tell_of(slides ? "to_slide" : "to_rest");
+    if (!slides) leave_rest_if_pushed();
+  }
+
+  Scene scene_;
+  Body body_;
+  Coefficients coefficients_;
+  Care care_;
+  std::int64_t periods_;
+  double period_;
+  Flow flow_;
+
+  double tau_ = 0.0;
+  Vector y_{};
+  Contact contact_ = Contact::rest;
+  double side_ = 1.0;
+  double direction_ = 1.0;
+  bool past_balance_ = false;
+  double amplitude_ = 0.0;
+  Friction friction_{};
+  Story story_;
+};
+
+}  // namespace
+
+Story story_of(const Scene& scene, std::int64_t periods, const Care& care) {
+  return Block(scene, periods, care).tell();
+}
+
+}  // namespace rocking::peer

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "differential/peer/scene.hpp"
+
+namespace rocking::peer {
+
+/// Theta, Theta', X, V.
+struct Posture {
+  double tilt;
+  double tilt_rate;
+  double slip;
+  double slip_rate;
+};
+
+struct Event {
+  double tau;
+  std::string_view kind;  ///< spelled as in lib/docs/model.md, section 3
+  Posture after;
+};
+
+struct Sample {
+  std::string_view contact;  ///< rest, slide, rock, rock_slide
+  Posture posture;
+};
+
+struct Story {
+  std::vector<Event> events;
+  std::vector<Sample> samples;  ///< at tau = 2 pi k/Omega_h, k = 1, 2, ...
+  std::string_view ending;      ///< reached_horizon, overturned, painleve, stopped
+};
+
+/// How finely the peer looks.
+struct Care {
+  double steps_per_period = 64.0;  ///< at least
+  double shortest_hop = 1e-8;      ///< a chatter ends with the impact after which the block would be up for less [tau]
+};
+
+/// What happens in `scene` over `periods` excitation periods.
+[[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, const Care& care = {});
+
+}  // namespace rocking::peer

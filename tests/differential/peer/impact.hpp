@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+
+#include "differential/peer/mechanics.hpp"
+
+namespace rocking::peer {
+
+/// What is known before the landing.
+struct Landing {
+  double w;
+  double v;
+  double restitution;
+  std::optional<Friction> friction;  ///< in force; absent: the block cannot slip
+  bool signed_rule;
+};
+
+struct Rebound {
+  double w;
+  double v;
+  bool slipped;
+  bool determined = true;  ///< false: 1 + 3q <= 0, the laws have no answer
+};
+
+/// lib/docs/model.md, section 4, by the ratios lambda and delta.
+[[nodiscard]] Rebound land(const Body& body, const Landing& before);
+
+}  // namespace rocking::peer

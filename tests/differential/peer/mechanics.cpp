@@ -1,0 +1,59 @@
+#include "differential/peer/mechanics.hpp"
+
+#include <cmath>
+
+namespace rocking::peer {
+namespace {
+
+constexpr double weight = 4.0 / 3.0;  // g/(R p^2)
+
+/// Newton's law across and along the base, Euler's about the centre of mass, for a trial value of w'.
+struct Trial {
+  double normal;
+  double friction;
+  double v_dot;
+  double moment_left_over;
+};
+
+/// All four are affine in w'. `law(normal, force_of_sticking)` says what friction is.
+template <class FrictionLaw>
+Trial attempt(double w_dot, double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
+  const double phi = body.psi - std::abs(stance.theta);
+  const double across = stance.side * std::sin(phi);
+  const double up = std::cos(phi);
+  const double square = stance.w * stance.w;
+  Trial trial{};
+  trial.normal = weight + w_dot * across - square * up;
+  const double without_slip = weight * alpha - w_dot * up - square * across;
+  trial.friction = law(trial.normal, without_slip);
+  trial.v_dot = trial.friction - without_slip;
+  trial.moment_left_over = inertia * w_dot + across * trial.normal - up * trial.friction;
+  return trial;
+}
+
+template <class FrictionLaw>
+Balance balance(double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
+  const double at_zero = attempt(0.0, inertia, body, stance, alpha, law).moment_left_over;
+  const double slope = attempt(1.0, inertia, body, stance, alpha, law).moment_left_over - at_zero;
+  const double w_dot = -at_zero / slope;
+  const Trial found = attempt(w_dot, inertia, body, stance, alpha, law);
+  return {w_dot, found.v_dot, found.normal, found.friction, slope};
+}
+
+}  // namespace
+
+Body body_of(const Scene& scene) {
+  const double psi = std::atan(1.0 / scene.slenderness);
+  return {psi, std::sin(psi), std::cos(psi), scene.slenderness, scene.edge_inertia ? 4.0 / 3.0 : 1.0 / 3.0};
+}
+
+Balance sticking(const Body& body, const Stance& stance, double alpha) {
+  return balance(1.0 / 3.0, body, stance, alpha, [](double, double without_slip) { return without_slip; });
+}
+
+Balance sliding(const Body& body, const Stance& stance, double alpha, double direction, double mu_k) {
+  return balance(body.slip_inertia, body, stance, alpha,
+                 [=](double normal, double) { return -direction * mu_k * normal; });
+}
+
+}  // namespace rocking::peer

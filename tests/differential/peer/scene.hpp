@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+/// A second implementation of lib/docs/model.md, to compare ours with: plain differential equations in theta, w, X, V,
+/// integrated by SUNDIALS' CVODE with its own root finding. Of the library it knows the random draws, which are an input.
+namespace rocking::peer {
+
+/// Means of mu_s and mu_k.
+struct Friction {
+  double at_rest;
+  double sliding;
+};
+
+/// Standard deviations; 0 where a coefficient does not fluctuate.
+struct Sigmas {
+  double at_rest = 0.0;
+  double sliding = 0.0;
+  double restitution = 0.0;
+  double amplitude = 0.0;
+};
+
+/// A block, its base and its start. Symbols as in lib/docs/model.md.
+struct Scene {
+  double slenderness;  ///< H/B
+  double amplitude;    ///< A_h
+  double frequency;    ///< Omega_h
+  double phase;        ///< Phi in [0, 2 pi)
+  double restitution;  ///< e
+  std::optional<Friction> friction;
+  bool edge_inertia = false;        ///< J = 4/3 instead of 1/3
+  bool signed_impact_rule = false;  ///< Jeong & Yang's Eq. 26 as printed
+  Sigmas sigmas;
+  int refreshes_per_period = 200;
+  double tilt;       ///< Theta at tau = 0
+  double tilt_rate;  ///< Theta'
+  double slip_rate;  ///< V
+  std::uint64_t seed = 0;
+  std::uint64_t realisation = 0;
+};
+
+}  // namespace rocking::peer

@@ -49,7 +49,7 @@ std::string elementary_digest() {
 }
 
 constexpr std::string_view expected_elementary_digest = 
-    "3b6356537cfaf16f85ff3151a10ff43c21265480e780436cb0806ea056338e07";
+    "2a846a212407852e70922205ec897b9328975dfad54ef39934e185e96718351c";
 
 std::vector<Fact> build_facts() {
   const base::BuildInfo build = base::build_info();

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <map>
 #include <string>
 #include <vector>
@@ -12,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "rocking/experiment/trajectory.hpp"
+#include "support/reference_case.hpp"
 
 namespace rocking {
 namespace {
@@ -19,45 +18,15 @@ namespace {
 using experiment::Trajectory;
 using experiment::TrajectoryEvent;
 using nlohmann::json;
+using tests::load_reference;
+using tests::reference_names;
 
-const std::filesystem::path folder = std::filesystem::path(ROCKING_SOURCE_DIR) / "tests" / "reference";
-
-json load(const std::filesystem::path& file) {
-  std::ifstream stream(file);
-  return json::parse(stream);
-}
-
-double number(const json& text) {
-  const auto value = text.get<std::string>();
-  return value == "pi/2" ? 0x1.921fb54442d18p+0 : std::stod(value);
-}
-
-experiment::Condition condition_of(const json& reference) {
-  const json& params = reference["params"];
-  const json& initial = reference["initial"];
-  experiment::Condition condition;
-  experiment::Scene& scene = condition.scene;
-  scene.block = {.width = number(params["B"]), .height = number(params["H"]), .gravity = number(params["g"])};
-  scene.excitation = {.amplitude = number(params["A_h"]),
-                      .frequency_ratio = number(params["Omega"]),
-                      .phase = number(params["Phi"])};
-  scene.restitution = number(params["e"]);
-  if (params["sliding"].get<bool>()) {
-    scene.friction = experiment::Friction{.static_coefficient = number(params["mu_s"]),
-                                          .kinetic_coefficient = number(params["mu_k"])};
-  }
-  if (params["inertia"] != "centroidal_gamma_3") scene.slide_inertia = dynamics::SlideInertia::edge;
-  if (params["impact_rule"] != "physical_abs") scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;
-  scene.initial = {.tilt = number(initial["Theta"]),
-                   .tilt_rate = number(initial["dTheta_dtau"]),
-                   .slip_rate = number(initial["dX_dtau"])};
-  return condition;
-}
+double number(const json& text) { return tests::reference_number(text); }
 
 /// What a good double implementation comes within: a hundred times the reference algorithm's own error in double, or
 /// 1e-12, whichever is larger.
 double attainable(const std::string& name, int period) {
-  static const json table = load(folder / "attainable.json");
+  static const json table = load_reference("attainable");
   const auto error = table.contains(name) && table[name].contains(std::to_string(period))
                          ? table[name][std::to_string(period)].get<double>()
                          : 0.0;
@@ -73,9 +42,9 @@ std::vector<TrajectoryEvent> without_past_balance(const Trajectory& trajectory) 
 class ReferenceTrajectory : public testing::TestWithParam<std::string> {
  protected:
   void SetUp() override {
-    reference_ = load(folder / (GetParam() + ".json"));
+    reference_ = load_reference(GetParam());
     const std::int64_t periods = GetParam().starts_with("18") ? 5 : 20;
-    trajectory_ = experiment::trajectory_of(condition_of(reference_), 0, 0, periods);
+    trajectory_ = experiment::trajectory_of(tests::condition_of_reference(reference_), 0, 0, periods);
   }
 
   /// Event times and the states after them lose what the states at the cycle ends lose; the worst of the run bounds them.
@@ -142,20 +111,10 @@ TEST_P(ReferenceTrajectory, EndsAsTheReferenceDoes) {
             overturns ? experiment::Termination::overturned : experiment::Termination::reached_horizon);
 }
 
-std::vector<std::string> names_of_cases() {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string stem = entry.path().stem().string();
-    if (entry.path().extension() == ".json" && stem != "attainable") names.push_back(stem);
-  }
-  std::sort(names.begin(), names.end());
-  return names;
-}
-
-INSTANTIATE_TEST_SUITE_P(All, ReferenceTrajectory, testing::ValuesIn(names_of_cases()),
+INSTANTIATE_TEST_SUITE_P(All, ReferenceTrajectory, testing::ValuesIn(reference_names()),
                          [](const auto& instance) { return instance.param; });
 
-TEST(Reference, HasTwentyTwoCases) { EXPECT_EQ(names_of_cases().size(), 22U); }
+TEST(Reference, HasTwentyTwoCases) { EXPECT_EQ(reference_names().size(), 22U); }
 
 }  // namespace
 }  // namespace rocking

@@ -1,6 +1,8 @@
 #include "rocking/experiment/exponent.hpp"
 
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "rocking/base/elementary.hpp"
@@ -13,6 +15,8 @@ using HarmonicMotion = Motion<dynamics::HarmonicExcitation>;
 constexpr double start_distance = 1e-7;   ///< well above the tolerance, well below the attractor
 constexpr double least_distance = 1e-16;  ///< what arithmetic can tell apart
 constexpr std::size_t batches = 8;
+constexpr std::size_t shortest_batch = 4;  ///< periods
+constexpr std::int64_t longest_run = 8;    ///< times the periods asked for
 
 /// Keeps the last strobe state.
 class LastStrobe final : public dynamics::Observer {
@@ -35,56 +39,91 @@ dynamics::Displacement difference(const dynamics::State& a, const dynamics::Stat
           .slip_rate = a.slip_rate - b.slip_rate};
 }
 
-section::ExponentEstimate estimate_from(const std::vector<double>& growths) {
+/// Mean growth and the standard error of the mean of batches in a row; absent with too few of them.
+std::optional<section::ExponentEstimate> estimate_from(const std::vector<double>& growths) {
   const std::size_t batch = growths.size() / batches;
-  double means[batches];
-  double mean = 0.0;
+  if (batch < shortest_batch) return std::nullopt;
+  std::array<double, batches> means{};
   for (std::size_t b = 0; b < batches; ++b) {
-    double sum = 0.0;
-    for (std::size_t i = b * batch; i < (b + 1) * batch; ++i) sum += growths[i];
-    means[b] = sum / static_cast<double>(batch);
-    mean += means[b] / static_cast<double>(batches);
+    const auto first = growths.begin() + static_cast<std::ptrdiff_t>(b * batch);
+    means[b] = std::accumulate(first, first + static_cast<std::ptrdiff_t>(batch), 0.0) / static_cast<double>(batch);
   }
+  const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(batches);
   double squares = 0.0;
   for (const double value : means) squares += (value - mean) * (value - mean);
-  return {.exponent = mean, .standard_error = std::sqrt(squares / static_cast<double>(batches * (batches - 1)))};
+  return section::ExponentEstimate{
+      .exponent = mean, .standard_error = std::sqrt(squares / static_cast<double>(batches * (batches - 1)))};
 }
+
+/// Five standard errors of a mean of eight batches: chance gives that to an exponent of zero once in six hundred looks.
+bool is_sure(const std::optional<section::ExponentEstimate>& estimate) {
+  return estimate && std::abs(estimate->exponent) >= 5.0 * estimate->standard_error;
+}
+
+/// A realisation and its companion, side by side from strobe point to strobe point.
+class Companion {
+ public:
+  Companion(const HarmonicMotion& from, double shape_angle) : leader_(from), shape_angle_(shape_angle) {}
+
+  /// Goes on until `periods` in all are done. False if the run ended before.
+  [[nodiscard]] bool run_until(std::int64_t periods) {
+    while (done_ < periods) {
+      if (!run_period()) return false;
+    }
+    return true;
+  }
+
+  /// ln of the growth of the distance over each period in which there was one.
+  [[nodiscard]] const std::vector<double>& growths() const { return growths_; }
+  [[nodiscard]] std::uint64_t periods_run() const { return 2 * static_cast<std::uint64_t>(done_); }
+
+ private:
+  [[nodiscard]] bool run_period() {
+    LastStrobe leader_strobe;
+    LastStrobe companion_strobe;
+    leader_.observe_with(leader_strobe);
+    leader_.move_to_last_strobe();
+    HarmonicMotion companion = leader_;
+    companion.observe_with(companion_strobe);
+    const double before = length_of(companion.displace(direction_));
+    leader_.extend(1);
+    companion.extend(1);
+    integrate::advance(leader_);
+    integrate::advance(companion);
+    ++done_;
+    if (leader_.termination() != dynamics::Termination::reached_horizon) return false;
+    if (companion.termination() != dynamics::Termination::reached_horizon) return false;
+    if (before == 0.0) return true;  // at rest in full contact there is nothing to displace
+    const dynamics::Displacement apart = difference(companion_strobe.state(), leader_strobe.state(), shape_angle_);
+    const double after = length_of(apart);
+    growths_.push_back(base::natural_logarithm(std::fmax(after, least_distance) / before));
+    if (after > least_distance) {
+      const double scale = start_distance / after;
+      direction_ = {
+          .tilt = apart.tilt * scale, .tilt_rate = apart.tilt_rate * scale, .slip_rate = apart.slip_rate * scale};
+    }
+    return true;
+  }
+
+  HarmonicMotion leader_;
+  double shape_angle_;
+  dynamics::Displacement direction_{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0};
+  std::vector<double> growths_;
+  std::int64_t done_ = 0;
+};
 
 }  // namespace
 
 CompanionRun companion_exponent(const HarmonicMotion& from, double shape_angle, std::int64_t periods) {
+  Companion companion(from, shape_angle);
   CompanionRun run;
-  LastStrobe leader_strobe;
-  LastStrobe companion_strobe;
-  HarmonicMotion leader = from;
-  leader.observe_with(leader_strobe);
-  std::vector<double> growths;
-  growths.reserve(static_cast<std::size_t>(periods));
-  dynamics::Displacement direction{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0};
-  for (std::int64_t period = 0; period < periods; ++period) {
-    leader.move_to_last_strobe();
-    HarmonicMotion companion = leader;
-    companion.observe_with(companion_strobe);
-    const double before = length_of(companion.displace(direction));
-    leader.extend(1);
-    companion.extend(1);
-    integrate::advance(leader);
-    integrate::advance(companion);
-    run.periods += 2;
-    const bool both_go_on = leader.termination() == dynamics::Termination::reached_horizon &&
-                            companion.termination() == dynamics::Termination::reached_horizon;
-    if (!both_go_on) break;
-    if (before == 0.0) continue;  // in full contact at rest there is nothing to displace
-    dynamics::Displacement apart = difference(companion_strobe.state(), leader_strobe.state(), shape_angle);
-    const double after = length_of(apart);
-    growths.push_back(base::natural_logarithm(std::fmax(after, least_distance) / before));
-    if (after > least_distance) {
-      const double scale = start_distance / after;
-      direction = {.tilt = apart.tilt * scale, .tilt_rate = apart.tilt_rate * scale,
-                   .slip_rate = apart.slip_rate * scale};
-    }
+  std::int64_t goal = periods;
+  while (companion.run_until(goal)) {
+    run.exponent = estimate_from(companion.growths());
+    if (is_sure(run.exponent) || goal >= longest_run * periods) break;
+    goal *= 2;
   }
-  if (growths.size() >= 4 * batches) run.exponent = estimate_from(growths);
+  run.periods = companion.periods_run();
   return run;
 }
 

@@ -16,7 +16,8 @@ struct CompanionRun {
 
 /// Largest Lyapunov exponent per excitation period, from a companion displaced by 1e-7 under the same draws and put back
 /// to that distance at every strobe point. The companion passes through events of its own, so that the saltation at them
-/// is in its distance. `from`: a realisation at the horizon; it is run on over `periods` more.
+/// is in its distance. `from`: a realisation at the end of its transient; it is run on over `periods` more, and over up to
+/// eight times as many while the exponent is not clear of zero.
 ///
 /// The standard error is that of the mean of eight batches in a row.
 /// Source: Benettin, Galgani, Giorgilli & Strelcyn (1980), Meccanica 15, 9-20.

@@ -1,0 +1,169 @@
+// Trajectories that can be written down: elliptic integrals, exponentials, parabolas.
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include <boost/math/special_functions/ellint_1.hpp>
+#include <gtest/gtest.h>
+
+#include "rocking/experiment/trajectory.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+using dynamics::EventKind;
+
+constexpr double pi = std::numbers::pi;
+
+/// The reference block on a still base, without friction.
+Condition still(double tilt, double height = 4.0) {
+  Condition condition;
+  condition.scene.block.height = height;
+  condition.scene.excitation.frequency_ratio = 10.0;
+  condition.scene.initial.tilt = tilt;
+  return condition;
+}
+
+Trajectory run(const Condition& condition, std::int64_t periods) { return trajectory_of(condition, 0, 0, periods); }
+
+/// Time in which a block let go at the angle phi0 from the vertical falls back on its base, phi = psi.
+///
+/// phi'' = sin(phi) is a pendulum seen from its upper equilibrium: with k = cos(phi0/2) and sin(chi) = cos(phi/2)/k the
+/// time from phi0 to phi is K(k) - F(chi, k).
+double falling_time(double phi0, double psi) {
+  const double k = std::cos(0.5 * phi0);
+  return boost::math::ellint_1(k) - boost::math::ellint_1(k, std::asin(std::cos(0.5 * psi) / k));
+}
+
+TEST(FreeRocking, FallsBackInTheTimeOfTheEllipticIntegral) {
+  for (const double height : {1.0, 2.0, 4.0, 10.0}) {
+    for (const double tilt : {0.05, 0.3, 0.7, 0.95}) {
+      const Condition condition = still(tilt, height);
+      const double psi = dynamics::geometry_of(condition.scene.block).shape_angle;
+      const Trajectory trajectory = run(condition, 20);
+      ASSERT_FALSE(trajectory.events.empty());
+      const double time = falling_time(psi * (1.0 - tilt), psi);
+      // The integral is a difference of two; near the balance phi0 -> 0 its argument loses digits.
+      EXPECT_NEAR(trajectory.events[0].tau, time, 1e-13 / (1.0 - tilt) / tilt) << "H/B " << height << " tilt " << tilt;
+    }
+  }
+}
+
+// psi -> 0: Theta'' = Theta - 1 for Theta > 0, so Theta = 1 - (1 - Theta0) cosh(tau); quarter period arcosh(1/(1 - Theta0)).
+TEST(SlenderBlock, FollowsHousnersLinearSolution) {
+  const double start = 0.4;
+  double last_error = 1.0;
+  for (const double height : {50.0, 100.0, 200.0}) {
+    const Trajectory trajectory = run(still(start, height), 2);
+    const double tau = 0.2 * pi;  // before the first impact
+    const double exact = 1.0 - (1.0 - start) * std::cosh(tau);
+    const double error = std::abs(trajectory.strobe.at(0).tilt - exact);
+    EXPECT_LT(error, 1.0 / (height * height)) << "of second order in psi";
+    EXPECT_NEAR(last_error / error, 4.0, last_error == 1.0 ? 1e9 : 0.05) << "H/B = " << height;
+    last_error = error;
+    EXPECT_NEAR(trajectory.events.empty() ? std::acosh(1.0 / (1.0 - start)) : trajectory.events[0].tau,
+                std::acosh(1.0 / (1.0 - start)), 1.0 / (height * height));
+  }
+}
+
+// Each impact keeps delta^2 of the energy: with 1 - cos as potential, cos(phi_n) - cos(psi) = delta^2 (cos(phi_{n-1}) - cos(psi)).
+TEST(FreeRocking, LosesAtEachImpactTheShareOfTheEnergyThatHousnerSays) {
+  const Condition condition = still(0.8);
+  const auto block = dynamics::geometry_of(condition.scene.block);
+  const double delta = 1.0 - 1.5 * block.sine * block.sine;
+  const Trajectory trajectory = run(condition, 60);
+  double energy = std::cos(0.2 * block.shape_angle) - block.cosine;
+  double tau = falling_time(0.2 * block.shape_angle, block.shape_angle);
+  for (std::size_t n = 0; n < 12; ++n) {
+    energy *= delta * delta;
+    EXPECT_NEAR(std::abs(trajectory.events.at(n).tilt_rate) * block.shape_angle, std::sqrt(2.0 * energy), 1e-12) << n;
+    EXPECT_NEAR(trajectory.events[n].tau, tau, 2e-12) << n;
+    tau += 2.0 * falling_time(std::acos(block.cosine + energy), block.shape_angle);
+  }
+}
+
+/// Phase and amplitude such that the base acceleration peaks at tan(psi), as nearly as doubles go.
+Condition at_threshold(double factor) {
+  Condition condition = still(0.0);
+  const auto block = dynamics::geometry_of(condition.scene.block);
+  condition.scene.excitation.amplitude = block.tangent / block.shape_angle * factor;
+  return condition;
+}
+
+// The peak is a touch of the threshold, not a crossing. Just above, the block is off for the time that the sine is above
+// the threshold, sqrt(8 * excess)/Omega: an excess of 1e-12 still stands out of rounding.
+TEST(StaticThreshold, IsTheSmallestAmplitudeThatLifts) {
+  EXPECT_NEAR(at_threshold(1.0).scene.excitation.amplitude, 1.0205, 5e-5) << "for H/B = 4";
+  for (const double sign : {1.0, -1.0}) {
+    EXPECT_TRUE(run(at_threshold(sign * (1.0 - 1e-15)), 50).events.empty());
+    for (const double excess : {1e-12, 1e-9, 1e-6}) {
+      const Trajectory trajectory = run(at_threshold(sign * (1.0 + excess)), 1);
+      ASSERT_FALSE(trajectory.events.empty()) << excess;
+      EXPECT_EQ(trajectory.events[0].kind, EventKind::lift);
+      const double early = std::sqrt(2.0 * excess) / 10.0;
+      EXPECT_NEAR(trajectory.events[0].tau, 0.05 * pi - early, 0.05 * early) << excess;
+    }
+  }
+}
+
+/// Slides from the start at `slip_rate`, on a base shaken with the peak acceleration `peak` (in g).
+Condition sliding(double slip_rate, double peak, double phase) {
+  Condition condition = still(0.0);
+  condition.scene.friction = Friction{.static_coefficient = 0.2, .kinetic_coefficient = 0.15};
+  condition.scene.initial.slip_rate = slip_rate;
+  condition.scene.excitation.phase = phase;
+  condition.scene.excitation.amplitude = peak / dynamics::geometry_of(condition.scene.block).shape_angle;
+  return condition;
+}
+
+// V = V0 - (4/3)(mu_k s tau + (A/Omega)(cos(Phi) - cos(Omega tau + Phi))), as long as V keeps its sign.
+TEST(Sliding, FollowsItsClosedFormUnderHarmonicShaking) {
+  for (const double direction : {1.0, -1.0}) {
+    for (const double phase : {0.0, 1.0, 4.0}) {
+      const double peak = 1.7;
+      const double start = direction * 3.0;
+      const Trajectory trajectory = run(sliding(start, peak, phase), 10);
+      ASSERT_TRUE(trajectory.events.empty()) << "it slides on";
+      for (const auto& sample : trajectory.strobe) {
+        const double tau = 0.2 * pi * static_cast<double>(sample.period);
+        // After a whole number of periods the cosines cancel; what is left of the base motion in X is its drift.
+        const double rate = start - 4.0 / 3.0 * 0.15 * direction * tau;
+        const double slip = start * tau - 2.0 / 3.0 * 0.15 * direction * tau * tau -
+                            4.0 / 3.0 * peak / 10.0 * std::cos(phase) * tau;
+        EXPECT_NEAR(sample.slip_rate, rate, 2e-13) << sample.period;
+        EXPECT_NEAR(sample.slip, slip, 2e-12) << sample.period;
+        EXPECT_EQ(sample.contact, dynamics::ContactState::slide);
+      }
+    }
+  }
+}
+
+// Strong shaking, weak friction: the block slides back and forth for ever. In the steady motion mu_k > 0 makes the
+// reversals come when the impulse of friction and of the base cancel: V = 0 at each, exactly half a period apart.
+TEST(Sliding, SettlesToReversalsHalfAPeriodApart) {
+  Condition condition = sliding(0.0, 1.7, 0.0);
+  const Trajectory trajectory = run(condition, 60);
+  std::vector<double> reversals;
+  for (const auto& event : trajectory.events) {
+    if (event.kind == EventKind::slip_reverse) reversals.push_back(event.tau);
+  }
+  ASSERT_GT(reversals.size(), 60U);
+  const std::size_t n = reversals.size();
+  EXPECT_NEAR(reversals[n - 1] - reversals[n - 2], 0.1 * pi, 1e-10);
+  // Between reversals at u and u + pi: 2 A cos(u) = mu_k pi, with cos > 0 where the block starts to lag behind.
+  EXPECT_NEAR(std::abs(std::cos(10.0 * reversals[n - 1])), 0.15 * pi / (2.0 * 1.7), 1e-9);
+}
+
+// Free rocking is not troubled by a base that moves steadily: with alpha = 0 every period is the same as none.
+TEST(FreeRocking, DoesNotDependOnTheFrequencyOfABaseThatStandsStill) {
+  Condition slow = still(0.5);
+  slow.scene.excitation.frequency_ratio = 5.0;
+  const Trajectory a = run(still(0.5), 10);
+  const Trajectory b = run(slow, 5);
+  ASSERT_EQ(a.events.size(), b.events.size());
+  for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_NEAR(a.events[i].tau, b.events[i].tau, 1e-13);
+}
+
+}  // namespace
+}  // namespace rocking::experiment

@@ -35,9 +35,16 @@ void drop_chatter_tails(Account& account) {
   account = kept;
 }
 
+/// A run that came to a stop tells the same instant again and again: once is enough.
+void drop_repetitions_at_end(Account& account) {
+  constexpr double rounding = 1e-10;
+  while (account.size() > 1 && account.back().tau - account[account.size() - 2].tau < rounding) account.pop_back();
+}
+
 Account finished(Account events, const Account& samples, std::string_view ending) {
   insert_samples(events, samples);
   drop_chatter_tails(events);
+  if (ending == "stopped") drop_repetitions_at_end(events);
   const double end = events.empty() ? 0.0 : events.back().tau;
   events.push_back({end, ending, {}});
   return events;

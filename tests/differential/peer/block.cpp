@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "differential/peer/coefficients.hpp"
 #include "differential/peer/flow.hpp"
@@ -34,10 +37,7 @@ class Block final : private Equations {
 
   Story tell() {
     begin();
-    for (int pieces = 0; story_.ending.empty(); ++pieces) {
-      if (pieces == 1'000'000 || story_.events.size() > 100'000) story_.ending = "stopped";
-      if (story_.ending.empty()) advance();
-    }
+    while (story_.ending.empty()) advance();
     return std::move(story_);
   }
 
@@ -120,7 +120,12 @@ class Block final : private Equations {
   // What is told.
 
   [[nodiscard]] Posture posture() const { return {y_[0] / body_.psi, y_[1] / body_.psi, y_[2], y_[3]}; }
-  void tell_of(std::string_view kind) { story_.events.push_back({tau_, kind, posture()}); }
+  void tell_of(std::string_view kind) {
+    constexpr std::size_t most_at_once = 1000;
+    story_.events.push_back({tau_, kind, posture()});
+    const std::size_t count = story_.events.size();
+    if (count > most_at_once && tau_ - story_.events[count - most_at_once].tau < 1e-10) story_.ending = "stopped";
+  }
 
   // Events.
 
@@ -149,6 +154,7 @@ class Block final : private Equations {
       const double leave = time_of_push();
       if (leave >= end) return arrive(end);
       tau_ = leave;
+      look_up();
       return leave_full_contact(sign_of(alpha()), true);
     }
     const Stretch stretch = flow_.follow(y_, end - tau_, *this);
@@ -184,7 +190,7 @@ class Block final : private Equations {
     tau_ = instant;
     look_up();
     if (contact_ == Contact::slide) tip_if_gripped();
-    if (instant < static_cast<double>(strobe) * period_) return;
+    if (coming(period_) == strobe) return;
     constexpr std::string_view names[] = {"rest", "slide", "rock", "rock_slide"};
     story_.samples.push_back({names[static_cast<std::size_t>(contact_)], posture()});
     if (static_cast<std::int64_t>(story_.samples.size()) == periods_) end_with("reached_horizon");
@@ -235,8 +241,12 @@ class Block final : private Equations {
     if (!grips(now)) slip(-sign_of(now.friction));
   }
 
-  /// Only with J = 4/3 can sliding begin against its own direction.
-  void stand_still_if_pulled_back() {}
+  /// With J = 4/3 the accelerations jump at the onset of slip, and may pull it back: V is 0 again at once.
+  void stand_still_if_pulled_back() {
+    constexpr double rounding = 1e-9;  // of accelerations at an onset that was found as a root
+    const Balance now = sliding(body_, stance(y_), alpha(), direction_, friction_.sliding);
+    if (direction_ * now.v_dot < -rounding && story_.ending.empty()) stand_still();
+  }
 
   void tip_if_gripped() {
     if (!tips_when_sliding()) return;
@@ -261,6 +271,7 @@ class Block final : private Equations {
     }
     direction_ = -sign_of(now.friction);
     tell_of("slip_reverse");
+    stand_still_if_pulled_back();
   }
 
   void hit_ground(bool has_stopped) {

@@ -48,13 +48,13 @@ std::string elementary_digest() {
   return base::to_hex(digest.finish());
 }
 
-constexpr std::string_view expected_elementary_digest = 
+constexpr std::string_view expected_elementary_digest =
     "2a846a212407852e70922205ec897b9328975dfad54ef39934e185e96718351c";
 
 std::vector<Fact> build_facts() {
   const base::BuildInfo build = base::build_info();
-  return {{"version", std::string(build.version)},     {"revision", std::string(build.revision)},
-          {"compiler", std::string(build.compiler)},   {"flags", std::string(build.flags)},
+  return {{"version", std::string(build.version)},       {"revision", std::string(build.revision)},
+          {"compiler", std::string(build.compiler)},     {"flags", std::string(build.flags)},
           {"build_type", std::string(build.build_type)}, {"machine", machine_description()}};
 }
 
@@ -89,12 +89,11 @@ ExitCode examine(const Loudness& loudness) {
 
 void add_doctor(CLI::App& app, Action& action) {
   const auto loudness = std::make_shared<Loudness>();
-  CLI::App* command = app.add_subcommand("doctor", "Say what was built, where it runs, and whether its arithmetic is right");
+  CLI::App* command =
+      app.add_subcommand("doctor", "Say what was built, where it runs, and whether its arithmetic is right");
   command->footer("Example: rocking doctor\nAdd its output when you report a problem.");
   add_loudness(*command, *loudness);
-  command->final_callback([&action, loudness] {
-    action = [loudness] { return examine(*loudness); };
-  });
+  command->final_callback([&action, loudness] { action = [loudness] { return examine(*loudness); }; });
 }
 
 }  // namespace rocking::program

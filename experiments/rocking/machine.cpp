@@ -28,7 +28,8 @@ std::string processor_name() {
 std::string machine_description() {
   utsname system{};
   const bool known = uname(&system) == 0;
-  const std::string name = known ? fmt::format("{} {} {}", system.sysname, system.release, system.machine) : "unknown system";
+  const std::string name =
+      known ? fmt::format("{} {} {}", system.sysname, system.release, system.machine) : "unknown system";
   return fmt::format("{}, {} threads, {}", processor_name(), available_threads(), name);
 }
 

@@ -18,9 +18,10 @@ namespace {
 void add_commands(CLI::App& app, Action& action) {
   app.set_version_flag("--version", std::string(base::build_info().version));
   app.require_subcommand(1);
-  app.footer("`rocking COMMAND --help` tells more, with an example.\n"
-             "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 a bug of ours,\n"
-             "74 input or output, 130 interrupted.");
+  app.footer(
+      "`rocking COMMAND --help` tells more, with an example.\n"
+      "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 a bug of ours,\n"
+      "74 input or output, 130 interrupted.");
   add_run(app, action);
   add_trajectory(app, action);
   add_check_normal(app, action);
@@ -58,7 +59,8 @@ ExitCode carry_out(const Action& action) {
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::input_output, "not enough memory; ask for fewer realisations, conditions or sampled periods");
   } catch (const std::exception& error) {
-    return fail(ExitCode::our_bug, fmt::format("a bug of ours, please report it with the output of `rocking doctor`: {}", error.what()));
+    return fail(ExitCode::our_bug,
+                fmt::format("a bug of ours, please report it with the output of `rocking doctor`: {}", error.what()));
   }
 }
 

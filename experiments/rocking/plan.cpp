@@ -21,8 +21,10 @@ struct Effect {
 
 constexpr std::array<Effect, 9> effects{{
     {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
-    {"static friction drawn at each stop", [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
-    {"kinetic friction drawn on a grid in time", [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
+    {"static friction drawn at each stop",
+     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
+    {"kinetic friction drawn on a grid in time",
+     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
     {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
     {"amplitude drawn each period", [](const Scene& s) { return s.fluctuation.amplitude > 0.0; }},
     {"phase drawn once", [](const Scene& s) { return is_drawn(s.excitation.phase); }},

@@ -37,7 +37,8 @@ double Progress::elapsed() const { return std::chrono::duration<double>(Clock::n
 std::string progress_line(std::uint64_t done, std::uint64_t all, double elapsed) {
   const auto part = static_cast<double>(done);
   const auto whole = static_cast<double>(all);
-  std::string line = fmt::format("{} of {} realisations ({:.1f} %)", done, all, all == 0 ? 100.0 : 100.0 * part / whole);
+  std::string line =
+      fmt::format("{} of {} realisations ({:.1f} %)", done, all, all == 0 ? 100.0 : 100.0 * part / whole);
   if (done == 0 || elapsed <= 0.0) return line;
   const double rate = part / elapsed;
   line += fmt::format(", {:.3g}/s, {} to go", rate, spoken_duration((whole - part) / rate));

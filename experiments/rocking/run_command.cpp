@@ -29,7 +29,9 @@ struct RunRequest {
   Loudness loudness;
 };
 
-std::filesystem::path report_path(const RunRequest& request) { return std::filesystem::path(request.folder) / "report.json"; }
+std::filesystem::path report_path(const RunRequest& request) {
+  return std::filesystem::path(request.folder) / "report.json";
+}
 
 // Everything that could keep the report from being written shows here, before hours are spent.
 void prepare_folder(const RunRequest& request) {
@@ -67,8 +69,8 @@ std::string summary_of(const experiment::Experiment& experiment, const experimen
   return text;
 }
 
-std::optional<experiment::ExperimentResult> simulate(const RunRequest& request, const experiment::Experiment& experiment,
-                                                     Progress& progress) {
+std::optional<experiment::ExperimentResult> simulate(const RunRequest& request,
+                                                     const experiment::Experiment& experiment, Progress& progress) {
   experiment::RunOptions options;
   options.threads = request.threads;
   options.stop_requested = &stop_on_interrupt();
@@ -83,7 +85,8 @@ ExitCode run(const RunRequest& request) {
   const Loudness& loudness = request.loudness;
   if (loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan_of(experiment))));
 
-  report::SystemFacts system{.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = request.threads};
+  report::SystemFacts system{
+      .build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = request.threads};
   std::optional<experiment::ExperimentResult> result;
   {
     Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
@@ -109,15 +112,25 @@ ExitCode run(const RunRequest& request) {
 void add_run(CLI::App& app, Action& action) {
   const auto request = std::make_shared<RunRequest>();
   CLI::App* command = app.add_subcommand("run", "Simulate an experiment: how likely is each response?");
-  command->footer("Example: rocking run experiments/headline/headline.json -o out\n"
-                  "simulates every realisation of every condition, prints a table of the responses and writes out/report.json.");
-  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); `rocking schema experiment` describes it")->required();
-  const auto folder = command->add_option("-o,--output", request->folder, "Folder for the report; made if need be")->type_name("DIR");
+  command->footer(
+      "Example: rocking run experiments/headline/headline.json -o out\n"
+      "simulates every realisation of every condition, prints a table of the responses and writes out/report.json.");
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); `rocking schema experiment` describes it")
+      ->required();
+  const auto folder =
+      command->add_option("-o,--output", request->folder, "Folder for the report; made if need be")->type_name("DIR");
   command->add_option("-j,--threads", request->threads, "Threads; changes the time, never the result")
-      ->check(CLI::Range(1U, 4096U))->capture_default_str()->type_name("N");
-  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")->type_name("S");
-  command->add_option("--realisations", request->overrides.realisations, "Realisations of each condition in place of the file's")->type_name("N");
-  const auto dry_run = command->add_flag("--dry-run", request->dry_run, "Say what would be done, and stop; writes nothing");
+      ->check(CLI::Range(1U, 4096U))
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+      ->type_name("S");
+  command
+      ->add_option("--realisations", request->overrides.realisations,
+                   "Realisations of each condition in place of the file's")
+      ->type_name("N");
+  const auto dry_run =
+      command->add_flag("--dry-run", request->dry_run, "Say what would be done, and stop; writes nothing");
   command->add_flag("--overwrite", request->overwrite, "Replace a report that is already in the folder");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request, folder, dry_run] {

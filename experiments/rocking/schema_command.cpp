@@ -10,8 +10,9 @@ namespace rocking::program {
 void add_schema(CLI::App& app, Action& action) {
   const auto name = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of a format");
-  command->footer("Example: rocking schema experiment > experiment.schema.json\n"
-                  "An editor that knows JSON Schema then completes and checks experiment files.");
+  command->footer(
+      "Example: rocking schema experiment > experiment.schema.json\n"
+      "An editor that knows JSON Schema then completes and checks experiment files.");
   std::set<std::string> names;
   for (const report::Schema& schema : report::schemas()) names.emplace(schema.name);
   command->add_option("NAME", *name, "Which format")->required()->check(CLI::IsMember(names));

@@ -30,7 +30,8 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
   }
   const experiment::Condition& condition = experiment.conditions[request.key.condition];
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-  const auto trajectory = trajectory_of(condition, experiment.seed, request.key.realisation, request.periods.value_or(horizon));
+  const auto trajectory =
+      trajectory_of(condition, experiment.seed, request.key.realisation, request.periods.value_or(horizon));
   print_result(report::trajectory_text(request.key, trajectory));
   return ExitCode::done;
 }
@@ -39,20 +40,26 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
 
 void add_trajectory(CLI::App& app, Action& action) {
   const auto request = std::make_shared<TrajectoryRequest>();
-  CLI::App* command = app.add_subcommand("trajectory", "Follow one realisation: every event and the state at each period, as JSON");
-  command->footer("Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
-                  "prints the fourth realisation of the thirteenth condition over 20 periods. Counting starts at 0.");
+  CLI::App* command =
+      app.add_subcommand("trajectory", "Follow one realisation: every event and the state at each period, as JSON");
+  command->footer(
+      "Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
+      "prints the fourth realisation of the thirteenth condition over 20 periods. Counting starts at 0.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
-  command->add_option("--condition", request->key.condition, "Which point of the sweep")->capture_default_str()->type_name("I");
+  command->add_option("--condition", request->key.condition, "Which point of the sweep")
+      ->capture_default_str()
+      ->type_name("I");
   command->add_option("--realisation", request->key.realisation, "Which realisation of it")
-      ->check(CLI::Range(std::uint64_t{0}, random::realisation_limit - 1))->capture_default_str()->type_name("K");
+      ->check(CLI::Range(std::uint64_t{0}, random::realisation_limit - 1))
+      ->capture_default_str()
+      ->type_name("K");
   command->add_option("--periods", request->periods, "Periods of the excitation; default: all of the horizon")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{100'000'000}))->type_name("N");
-  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")->type_name("S");
+      ->check(CLI::Range(std::int64_t{0}, std::int64_t{100'000'000}))
+      ->type_name("N");
+  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+      ->type_name("S");
   add_loudness(*command, request->loudness);
-  command->final_callback([&action, request] {
-    action = [request] { return print_trajectory(*request); };
-  });
+  command->final_callback([&action, request] { action = [request] { return print_trajectory(*request); }; });
 }
 
 }  // namespace rocking::program

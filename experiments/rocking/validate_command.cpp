@@ -37,14 +37,13 @@ ExitCode validate(const ValidateRequest& request) {
 void add_validate(CLI::App& app, Action& action) {
   const auto request = std::make_shared<ValidateRequest>();
   CLI::App* command = app.add_subcommand("validate", "Check an experiment file without simulating");
-  command->footer("Example: rocking validate my-experiment.json\n"
-                  "tells every problem at once, each with its place, value and remedy; with --json it prints the file with\n"
-                  "every default written out.");
+  command->footer(
+      "Example: rocking validate my-experiment.json\n"
+      "tells every problem at once, each with its place, value and remedy; with --json it prints the file with\n"
+      "every default written out.");
   command->add_option("FILE", request->file, "Experiment file (JSON)")->required();
   add_loudness(*command, request->loudness);
-  command->final_callback([&action, request] {
-    action = [request] { return validate(*request); };
-  });
+  command->final_callback([&action, request] { action = [request] { return validate(*request); }; });
 }
 
 }  // namespace rocking::program

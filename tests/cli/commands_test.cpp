@@ -10,11 +10,11 @@
 
 namespace {
 
-using ::testing::AllOf;
-using ::testing::HasSubstr;
 using rocking::report::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 class Command : public rocking::support::ProgramTest {
  protected:
@@ -40,7 +40,8 @@ TEST_F(Command, RunWritesAReportThatKeepsToItsSchema) {
 
 TEST_F(Command, RunPrintsTheTableAndWhereTheReportIs) {
   const auto outcome = rocking("run quick.json -o out");
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("amplitude"), HasSubstr("4.2"), HasSubstr("unresolved"), HasSubstr("report: out/report.json")));
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("amplitude"), HasSubstr("4.2"), HasSubstr("unresolved"),
+                                    HasSubstr("report: out/report.json")));
 }
 
 TEST_F(Command, RunWithJsonPrintsTheReportAndNothingElse) {
@@ -48,9 +49,7 @@ TEST_F(Command, RunWithJsonPrintsTheReportAndNothingElse) {
   EXPECT_EQ(outcome.output, read("out/report.json"));
 }
 
-TEST_F(Command, RunQuietlySaysNothingBesideTheResult) {
-  EXPECT_EQ(rocking("run quick.json -o out -q").errors, "");
-}
+TEST_F(Command, RunQuietlySaysNothingBesideTheResult) { EXPECT_EQ(rocking("run quick.json -o out -q").errors, ""); }
 
 TEST_F(Command, RunGivesTheSameBytesOnAnyNumberOfThreads) {
   Json reports[3];
@@ -89,7 +88,8 @@ TEST_F(Command, DryRunOfADeterministicExperimentCountsOneRealisation) {
   quick.erase("fluctuation");
   quick.erase("friction");
   write("quiet.json", quick.dump());
-  EXPECT_THAT(rocking("run quiet.json --dry-run").output, AllOf(HasSubstr("3 realisations"), HasSubstr("nothing is random")));
+  EXPECT_THAT(rocking("run quiet.json --dry-run").output,
+              AllOf(HasSubstr("3 realisations"), HasSubstr("nothing is random")));
 }
 
 TEST_F(Command, TrajectoryKeepsToItsSchema) {

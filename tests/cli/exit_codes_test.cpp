@@ -7,9 +7,9 @@
 
 namespace {
 
+using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-using rocking::support::quick_experiment;
 
 class ExitCode : public rocking::support::ProgramTest {
  protected:
@@ -36,11 +36,12 @@ TEST_F(ExitCode, Is64ForAMistypedFlagAndNamesTheNearest) {
 }
 
 TEST_F(ExitCode, Is64ForACommandLineThatCannotBeFollowed) {
-  for (const char* arguments : {"", "run", "run quick.json", "run quick.json -o out -j 0", "run quick.json -o out -j two",
-                                "run quick.json -o out --seed 0xz", "run quick.json -o out --realisations 0",
-                                "trajectory quick.json --condition 3", "trajectory quick.json --periods -1",
-                                "check-normal --sigma -1", "check-normal --sigma 0", "check-normal --sampler marsaglia",
-                                "check-normal --n 3", "schema reports", "run quick.json -o out -q -v"}) {
+  for (const char* arguments :
+       {"", "run", "run quick.json", "run quick.json -o out -j 0", "run quick.json -o out -j two",
+        "run quick.json -o out --seed 0xz", "run quick.json -o out --realisations 0",
+        "trajectory quick.json --condition 3", "trajectory quick.json --periods -1", "check-normal --sigma -1",
+        "check-normal --sigma 0", "check-normal --sampler marsaglia", "check-normal --n 3", "schema reports",
+        "run quick.json -o out -q -v"}) {
     const auto outcome = rocking(arguments);
     EXPECT_EQ(outcome.exit_code, 64) << arguments << '\n' << outcome.errors;
     EXPECT_FALSE(outcome.errors.empty()) << arguments;
@@ -54,11 +55,13 @@ TEST_F(ExitCode, Is65ForABadFileOfWhichEveryProblemIsTold) {
   bad["block"]["width_m"] = -1;
   bad["frction"] = 3;
   write("bad.json", bad.dump());
-  for (const char* command : {"validate bad.json", "run bad.json -o out", "trajectory bad.json", "run bad.json --dry-run"}) {
+  for (const char* command :
+       {"validate bad.json", "run bad.json -o out", "trajectory bad.json", "run bad.json --dry-run"}) {
     const auto outcome = rocking(command);
     EXPECT_EQ(outcome.exit_code, 65) << command;
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("/block/width_m = -1: must be a positive number of metres"),
-                                      HasSubstr("did you mean \"friction\"?")));
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("2 problems"), HasSubstr("/block/width_m = -1: must be a positive number of metres"),
+                      HasSubstr("did you mean \"friction\"?")));
   }
   EXPECT_FALSE(exists("out"));
 }
@@ -112,7 +115,8 @@ TEST_F(ExitCode, Is130WhereItIsInterruptedAndNothingIsWritten) {
   slow["horizon"]["transient_periods"] = 10'000;
   slow["realisations"] = 10'000;
   write("slow.json", slow.dump());
-  const auto outcome = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o out & child=$!; sleep 1; kill -TERM $child; wait $child");
+  const auto outcome = shell(std::string("'") + ROCKING_PROGRAM +
+                             "' run slow.json -o out & child=$!; sleep 1; kill -TERM $child; wait $child");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
   EXPECT_THAT(outcome.errors, HasSubstr("nothing was written"));
   EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));

@@ -31,14 +31,17 @@ class ProgramTest : public ::testing::Test {
   ~ProgramTest() override { std::filesystem::remove_all(folder_); }
 
   /// Runs `rocking` with these arguments, as a shell reads them.
-  Outcome rocking(const std::string& arguments) const { return shell(std::string("exec '") + ROCKING_PROGRAM + "' " + arguments); }
+  Outcome rocking(const std::string& arguments) const {
+    return shell(std::string("exec '") + ROCKING_PROGRAM + "' " + arguments);
+  }
 
   /// Runs a script in the folder; its two streams end up in the outcome. After two minutes it is ended, with code 124.
   Outcome shell(const std::string& script) const {
     write("script", script + '\n');
     const std::string command = "cd '" + folder_.string() + "' && timeout 120 sh script >stdout 2>stderr </dev/null";
     const int status = std::system(command.c_str());
-    return {.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = read("stdout"), .errors = read("stderr")};
+    return {
+        .exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = read("stdout"), .errors = read("stderr")};
   }
 
   void write(const std::string& name, const std::string& content) const { std::ofstream(folder_ / name) << content; }

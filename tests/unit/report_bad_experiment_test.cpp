@@ -9,11 +9,11 @@
 namespace {
 
 using namespace rocking;
-using ::testing::HasSubstr;
 using support::example_experiment;
 using support::least_experiment;
 using support::with;
 using support::without;
+using ::testing::HasSubstr;
 
 std::vector<base::Problem> problems_of(const report::Json& document, const report::Overrides& overrides = {}) {
   try {
@@ -49,63 +49,73 @@ TEST_P(OneFault, IsToldWithPlaceValueReasonAndRemedy) {
   EXPECT_THAT(problems[0].remedy, HasSubstr(fault.remedy));
 }
 
-INSTANTIATE_TEST_SUITE_P(Keys, OneFault, ::testing::Values(
-    Fault{"/titel", "\"x\"", "", "is not a key", "\"title\""},
-    Fault{"/block/width", "1", "", "is not a key", "\"width_m\""},
-    Fault{"/friction/sttic", "1", "", "is not a key", "\"static\""},
-    Fault{"/excitation/zzzzzzzzzz", "1", "", "is not a key", "\"amplitude\""}));
+INSTANTIATE_TEST_SUITE_P(Keys, OneFault,
+                         ::testing::Values(Fault{"/titel", "\"x\"", "", "is not a key", "\"title\""},
+                                           Fault{"/block/width", "1", "", "is not a key", "\"width_m\""},
+                                           Fault{"/friction/sttic", "1", "", "is not a key", "\"static\""},
+                                           Fault{"/excitation/zzzzzzzzzz", "1", "", "is not a key", "\"amplitude\""}));
 
-INSTANTIATE_TEST_SUITE_P(Types, OneFault, ::testing::Values(
-    Fault{"/block/width_m", "\"1.0\"", "", "must be a number, not text", "without quotes"},
-    Fault{"/block", "[1, 4]", "", "must be an object, not a list", "{"},
-    Fault{"/friction", "0.3", "", "must be an object, not a number", "{"},
-    Fault{"/title", "3", "", "must be text", "quotes"},
-    Fault{"/horizon/transient_periods", "500.5", "", "must be a whole number", "500"},
-    Fault{"/confidence", "true", "", "not true or false", "0.95"},
-    Fault{"/excitation/amplitude", "null", "", "not null", "4.2"},
-    Fault{"/initial/tilt", "[0, 1]", "", "must be a number, not a list", "0.0"}));
+INSTANTIATE_TEST_SUITE_P(
+    Types, OneFault,
+    ::testing::Values(Fault{"/block/width_m", "\"1.0\"", "", "must be a number, not text", "without quotes"},
+                      Fault{"/block", "[1, 4]", "", "must be an object, not a list", "{"},
+                      Fault{"/friction", "0.3", "", "must be an object, not a number", "{"},
+                      Fault{"/title", "3", "", "must be text", "quotes"},
+                      Fault{"/horizon/transient_periods", "500.5", "", "must be a whole number", "500"},
+                      Fault{"/confidence", "true", "", "not true or false", "0.95"},
+                      Fault{"/excitation/amplitude", "null", "", "not null", "4.2"},
+                      Fault{"/initial/tilt", "[0, 1]", "", "must be a number, not a list", "0.0"}));
 
-INSTANTIATE_TEST_SUITE_P(Ranges, OneFault, ::testing::Values(
-    Fault{"/format", "\"rocking.experiment/9\"", "", "not a format", "rocking.experiment/1"},
-    Fault{"/block/width_m", "-0.1", "", "must be a positive number of metres", "1.0"},
-    Fault{"/block/height_m", "0", "", "must be a positive number of metres", "1.0"},
-    Fault{"/block/gravity_m_s2", "-9.81", "", "must be a positive", "9.81"},
-    Fault{"/excitation/amplitude", "-1", "", "from 0", "4.2"},
-    Fault{"/excitation/frequency_ratio", "0", "", "must be a positive", "10.0"},
-    Fault{"/friction/kinetic", "-0.3", "", "must not be negative", "0.35"},
-    Fault{"/accuracy/tolerance", "1e-17", "", "1e-16", "1e-10"},
-    Fault{"/accuracy/tolerance", "0.1", "", "1e-2", "1e-10"},
-    Fault{"/confidence", "1", "", "between 0 and 1", "0.95"},
-    Fault{"/realisations", "0", "", "must be a whole number from 1", "1"},
-    Fault{"/horizon/sampled_periods", "0", "", "from 1", "120"},
-    Fault{"/fluctuation/friction/sigma", "-0.1", "", "must not be negative", "0.03"},
-    Fault{"/fluctuation/friction/refreshes_per_period", "0", "", "from 1 to 100000", "200"},
-    Fault{"/restitution", "-1", "", "above -1", "0.0"},
-    Fault{"/restitution", "\"jy26\"", "", "above -1", "jy25"},
-    Fault{"/formulation", "\"as-ploted\"", "", "one of", "as-plotted"},
-    Fault{"/slide_inertia", "\"central\"", "", "one of", ""},
-    Fault{"/seed", "-1", "", "64 bits", "0x2012"},
-    Fault{"/seed", "\"0x1ffffffffffffffff\"", "", "64 bits", "0x2012"},
-    Fault{"/seed", "1.5", "", "64 bits", "0x2012"}));
+INSTANTIATE_TEST_SUITE_P(
+    Ranges, OneFault,
+    ::testing::Values(Fault{"/format", "\"rocking.experiment/9\"", "", "not a format", "rocking.experiment/1"},
+                      Fault{"/block/width_m", "-0.1", "", "must be a positive number of metres", "1.0"},
+                      Fault{"/block/height_m", "0", "", "must be a positive number of metres", "1.0"},
+                      Fault{"/block/gravity_m_s2", "-9.81", "", "must be a positive", "9.81"},
+                      Fault{"/excitation/amplitude", "-1", "", "from 0", "4.2"},
+                      Fault{"/excitation/frequency_ratio", "0", "", "must be a positive", "10.0"},
+                      Fault{"/friction/kinetic", "-0.3", "", "must not be negative", "0.35"},
+                      Fault{"/accuracy/tolerance", "1e-17", "", "1e-16", "1e-10"},
+                      Fault{"/accuracy/tolerance", "0.1", "", "1e-2", "1e-10"},
+                      Fault{"/confidence", "1", "", "between 0 and 1", "0.95"},
+                      Fault{"/realisations", "0", "", "must be a whole number from 1", "1"},
+                      Fault{"/horizon/sampled_periods", "0", "", "from 1", "120"},
+                      Fault{"/fluctuation/friction/sigma", "-0.1", "", "must not be negative", "0.03"},
+                      Fault{"/fluctuation/friction/refreshes_per_period", "0", "", "from 1 to 100000", "200"},
+                      Fault{"/restitution", "-1", "", "above -1", "0.0"},
+                      Fault{"/restitution", "\"jy26\"", "", "above -1", "jy25"},
+                      Fault{"/formulation", "\"as-ploted\"", "", "one of", "as-plotted"},
+                      Fault{"/slide_inertia", "\"central\"", "", "one of", ""},
+                      Fault{"/seed", "-1", "", "64 bits", "0x2012"},
+                      Fault{"/seed", "\"0x1ffffffffffffffff\"", "", "64 bits", "0x2012"},
+                      Fault{"/seed", "1.5", "", "64 bits", "0x2012"}));
 
-INSTANTIATE_TEST_SUITE_P(Laws, OneFault, ::testing::Values(
-    Fault{"/initial/tilt", R"({"uniform": [0.2, 0.1]})", "/initial/tilt/uniform", "first end", "swap"},
-    Fault{"/initial/tilt", R"({"uniform": [0.2]})", "/initial/tilt/uniform", "two numbers", "["},
-    Fault{"/initial/tilt", R"({"triangular": 1, "normal": {"mean": 0, "sigma": 1}})", "/initial/tilt/triangular", "is not a key", ""},
-    Fault{"/initial/tilt_rate", "{}", "", "names no law", "uniform"},
-    Fault{"/excitation/phase_rad", R"({"normal": {"mean": 0, "sigma": -1}})", "/excitation/phase_rad/normal/sigma", "negative", "0.03"}));
+INSTANTIATE_TEST_SUITE_P(
+    Laws, OneFault,
+    ::testing::Values(Fault{"/initial/tilt", R"({"uniform": [0.2, 0.1]})", "/initial/tilt/uniform", "first end",
+                            "swap"},
+                      Fault{"/initial/tilt", R"({"uniform": [0.2]})", "/initial/tilt/uniform", "two numbers", "["},
+                      Fault{"/initial/tilt", R"({"triangular": 1, "normal": {"mean": 0, "sigma": 1}})",
+                            "/initial/tilt/triangular", "is not a key", ""},
+                      Fault{"/initial/tilt_rate", "{}", "", "names no law", "uniform"},
+                      Fault{"/excitation/phase_rad", R"({"normal": {"mean": 0, "sigma": -1}})",
+                            "/excitation/phase_rad/normal/sigma", "negative", "0.03"}));
 
-INSTANTIATE_TEST_SUITE_P(Between, OneFault, ::testing::Values(
-    Fault{"/friction/static", "0.2", "", "below the kinetic", "at least 0.3"},
-    Fault{"/friction", R"({"static": 2, "kinetic": 1.34})", "/friction/kinetic", "Painleve", "less than 1.33333"},
-    Fault{"/initial/tilt", "6.42", "", "lies on its side", "smaller"},
-    Fault{"/initial/tilt", R"({"uniform": [-7, 0]})", "", "lies on its side", "smaller"},
-    Fault{"/fluctuation/friction/relative_sigma", "0.1", "", "excludes", "keep one"},
-    Fault{"/fluctuation/kinetic_friction", R"({"sigma": 0.1})", "", "excludes \"friction\"", "keep one"}));
+INSTANTIATE_TEST_SUITE_P(
+    Between, OneFault,
+    ::testing::Values(
+        Fault{"/friction/static", "0.2", "", "below the kinetic", "at least 0.3"},
+        Fault{"/friction", R"({"static": 2, "kinetic": 1.34})", "/friction/kinetic", "Painleve", "less than 1.33333"},
+        Fault{"/initial/tilt", "6.42", "", "lies on its side", "smaller"},
+        Fault{"/initial/tilt", R"({"uniform": [-7, 0]})", "", "lies on its side", "smaller"},
+        Fault{"/fluctuation/friction/relative_sigma", "0.1", "", "excludes", "keep one"},
+        Fault{"/fluctuation/kinetic_friction", R"({"sigma": 0.1})", "", "excludes \"friction\"", "keep one"}));
 
-INSTANTIATE_TEST_SUITE_P(NotYet, OneFault, ::testing::Values(
-    Fault{"/excitation/kind", "\"recorded\"", "", "not available in this version", "harmonic"},
-    Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 20000}})", "", "not available in this version", "200"}));
+INSTANTIATE_TEST_SUITE_P(
+    NotYet, OneFault,
+    ::testing::Values(Fault{"/excitation/kind", "\"recorded\"", "", "not available in this version", "harmonic"},
+                      Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 20000}})", "",
+                            "not available in this version", "200"}));
 
 TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
   auto document = with(example_experiment(), "/block/width_m", "-1");
@@ -155,7 +165,8 @@ TEST(BadExperiment, NamesTheFlagThatReplacedTheKey) {
 }
 
 TEST(BadExperiment, KeepsAHugeValueOutOfTheMessage) {
-  const auto problems = problems_of(with(least_experiment(), "/title", report::Json(std::vector<int>(10'000, 7)).dump()));
+  const auto problems =
+      problems_of(with(least_experiment(), "/title", report::Json(std::vector<int>(10'000, 7)).dump()));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_LE(problems[0].value.size(), 60U);
 }

@@ -20,10 +20,15 @@ using support::with;
 std::string canonical(const Json& document) { return read_experiment(document.dump()).canonical_text; }
 
 TEST(CanonicalText, IsItsOwnCanonicalText) {
-  for (const Json& document : {example_experiment(), least_experiment(),
-                               with(example_experiment(), "/sweep", R"([{"parameter": "/formulation", "values": ["as-printed", "consistent"]}])"),
-                               with(example_experiment(), "/sweep", R"([{"parameter": "/block/height_m", "values": [4, 3e0]}, {"parameter": "/realisations", "from": 10, "to": 30, "step": 10}])"),
-                               with(least_experiment(), "/initial/tilt", R"({"normal": {"mean": 0.1, "sigma": 0.01}})")}) {
+  for (
+      const Json& document :
+      {example_experiment(), least_experiment(),
+       with(example_experiment(), "/sweep",
+            R"([{"parameter": "/formulation", "values": ["as-printed", "consistent"]}])"),
+       with(
+           example_experiment(), "/sweep",
+           R"([{"parameter": "/block/height_m", "values": [4, 3e0]}, {"parameter": "/realisations", "from": 10, "to": 30, "step": 10}])"),
+       with(least_experiment(), "/initial/tilt", R"({"normal": {"mean": 0.1, "sigma": 0.01}})")}) {
     const std::string once = canonical(document);
     EXPECT_EQ(canonical(Json::parse(once)), once);
   }
@@ -50,12 +55,13 @@ TEST(CanonicalText, DoesNotDependOnSpelling) {
 }
 
 TEST(CanonicalText, WritesEveryDefaultOut) {
-  EXPECT_EQ(canonical(least_experiment()),
-            R"({"format":"rocking.experiment/1","title":"","block":{"width_m":1.0,"height_m":4.0,"gravity_m_s2":9.81},)"
-            R"("formulation":"consistent","slide_inertia":"centroidal","restitution":0.0,"impact_slip_rule":"absolute",)"
-            R"("excitation":{"kind":"harmonic","amplitude":4.2,"frequency_ratio":10.0,"phase_rad":0.0},)"
-            R"("initial":{"tilt":0.0,"tilt_rate":0.0},"horizon":{"transient_periods":500,"sampled_periods":120},)"
-            R"("accuracy":{"tolerance":1e-10},"realisations":1,"confidence":0.95,"seed":"0x0"})");
+  EXPECT_EQ(
+      canonical(least_experiment()),
+      R"({"format":"rocking.experiment/1","title":"","block":{"width_m":1.0,"height_m":4.0,"gravity_m_s2":9.81},)"
+      R"("formulation":"consistent","slide_inertia":"centroidal","restitution":0.0,"impact_slip_rule":"absolute",)"
+      R"("excitation":{"kind":"harmonic","amplitude":4.2,"frequency_ratio":10.0,"phase_rad":0.0},)"
+      R"("initial":{"tilt":0.0,"tilt_rate":0.0},"horizon":{"transient_periods":500,"sampled_periods":120},)"
+      R"("accuracy":{"tolerance":1e-10},"realisations":1,"confidence":0.95,"seed":"0x0"})");
 }
 
 TEST(CanonicalText, NamesTheOptionsOfAFormulation) {
@@ -63,7 +69,8 @@ TEST(CanonicalText, NamesTheOptionsOfAFormulation) {
   EXPECT_EQ(printed["slide_inertia"], "edge");
   EXPECT_EQ(printed["restitution"], "jy25");
   EXPECT_EQ(printed["impact_slip_rule"], "signed");
-  const Json mixed = Json::parse(canonical(with(with(least_experiment(), "/formulation", "\"as-printed\""), "/restitution", "0.5")));
+  const Json mixed =
+      Json::parse(canonical(with(with(least_experiment(), "/formulation", "\"as-printed\""), "/restitution", "0.5")));
   EXPECT_EQ(mixed["restitution"], 0.5);
   EXPECT_EQ(mixed["slide_inertia"], "edge");
 }
@@ -87,7 +94,8 @@ TEST(CanonicalText, KeepsEveryBitOfANumber) {
 
 TEST(Seed, MeansTheSameHoweverItIsWritten) {
   constexpr std::uint64_t largest = ~std::uint64_t{0};
-  for (const std::string text : {"\"0xffffffffffffffff\"", "\"0xFFFFFFFFFFFFFFFF\"", "\"18446744073709551615\"", "18446744073709551615"}) {
+  for (const std::string text :
+       {"\"0xffffffffffffffff\"", "\"0xFFFFFFFFFFFFFFFF\"", "\"18446744073709551615\"", "18446744073709551615"}) {
     EXPECT_EQ(read_experiment(with(least_experiment(), "/seed", text).dump()).seed, largest) << text;
   }
 }

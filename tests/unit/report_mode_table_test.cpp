@@ -18,7 +18,8 @@ struct Made {
   experiment::Experiment experiment;
   experiment::ExperimentResult result;
 
-  void add(std::vector<experiment::Parameter> parameters, const std::vector<std::pair<ResponseMode, std::uint64_t>>& counts) {
+  void add(std::vector<experiment::Parameter> parameters,
+           const std::vector<std::pair<ResponseMode, std::uint64_t>>& counts) {
     experiment::Condition condition;
     condition.parameters = std::move(parameters);
     experiment.conditions.push_back(condition);
@@ -26,7 +27,12 @@ struct Made {
     for (const auto& [mode, count] : counts) made.realisations += count;
     for (const auto& [mode, count] : counts) {
       const double p = static_cast<double>(count) / static_cast<double>(made.realisations);
-      made.modes.push_back({mode, {.counts = {count, made.realisations}, .estimate = p, .wilson = {}, .clopper_pearson = {}, .simultaneous = {0.5 * p, p}}});
+      made.modes.push_back({mode,
+                            {.counts = {count, made.realisations},
+                             .estimate = p,
+                             .wilson = {},
+                             .clopper_pearson = {},
+                             .simultaneous = {0.5 * p, p}}});
     }
     result.conditions.push_back(made);
   }

@@ -11,10 +11,10 @@
 namespace {
 
 using namespace rocking;
-using ::testing::HasSubstr;
 using report::Json;
 using support::example_experiment;
 using support::with;
+using ::testing::HasSubstr;
 
 experiment::Experiment read_with_sweep(const std::string& sweep) {
   return report::read_experiment(with(example_experiment(), "/sweep", sweep).dump());
@@ -44,11 +44,14 @@ TEST(Sweep, MayRunDownwardsOrStandStill) {
   const auto down = read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 3, "step": -0.5}])");
   ASSERT_EQ(down.conditions.size(), 5U);
   EXPECT_EQ(down.conditions.back().scene.excitation.amplitude, 3.0);
-  EXPECT_EQ(read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 5, "step": 1}])").conditions.size(), 1U);
+  EXPECT_EQ(
+      read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 5, "step": 1}])").conditions.size(),
+      1U);
 }
 
 TEST(Sweep, MakesAGridWhoseLastEntryVariesFastest) {
-  const auto grid = read_with_sweep(R"([{"parameter": "/friction", "values": [{"static": 0.35, "kinetic": 0.3}, {"static": 0.4, "kinetic": 0.35}]},
+  const auto grid = read_with_sweep(
+      R"([{"parameter": "/friction", "values": [{"static": 0.35, "kinetic": 0.3}, {"static": 0.4, "kinetic": 0.35}]},
                                         {"parameter": "/excitation/amplitude", "values": [1, 2, 3]}])");
   ASSERT_EQ(grid.conditions.size(), 6U);
   EXPECT_EQ(grid.conditions[2].scene.friction->static_coefficient, 0.35);
@@ -102,28 +105,41 @@ TEST_P(SweepFault, IsToldWithPlaceReasonAndRemedy) {
   EXPECT_THAT(problems[0].remedy, HasSubstr(GetParam().remedy));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, SweepFault, ::testing::Values(
-    BadSweep{"[]", "/sweep", "at least one entry", "leave \"sweep\" out"},
-    BadSweep{"{}", "/sweep", "must be a list", "leave"},
-    BadSweep{"[3]", "/sweep/0", "must be an object", "{"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "values": []}])", "/sweep/0/values", "at least one", "["},
-    BadSweep{R"([{"values": [1]}])", "/sweep/0/parameter", "is missing", "/excitation/amplitude"},
-    BadSweep{R"([{"parameter": "/excitation/amplitud", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", "/excitation/amplitude"},
-    BadSweep{R"([{"parameter": "excitation", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
-    BadSweep{R"([{"parameter": "/seed", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0.3}])", "/sweep/0/step", "does not divide", "1.9"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": -0.5}])", "/sweep/0/step", "leads away", "sign"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0}])", "/sweep/0/step", "must not be 0", "leave"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2}])", "/sweep/0/step", "is missing", "add"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "values": [1]}])", "/sweep/0/values", "excludes", "keep one"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 0, "to": 1, "step": 1e-9}])", "/sweep/0/step", "1000000", "larger"},
-    BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 10, "step": 0.001}, {"parameter": "/block/width_m", "from": 1, "to": 2, "step": 0.001}])", "/sweep", "1000000", "fewer"},
-    BadSweep{R"([{"parameter": "/friction", "values": [{"static": 1, "kinetic": 1}]}, {"parameter": "/friction/static", "values": [1]}])", "/sweep/1/parameter", "also swept", "keep one"}));
+INSTANTIATE_TEST_SUITE_P(
+    All, SweepFault,
+    ::testing::Values(
+        BadSweep{"[]", "/sweep", "at least one entry", "leave \"sweep\" out"},
+        BadSweep{"{}", "/sweep", "must be a list", "leave"}, BadSweep{"[3]", "/sweep/0", "must be an object", "{"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "values": []}])", "/sweep/0/values", "at least one", "["},
+        BadSweep{R"([{"values": [1]}])", "/sweep/0/parameter", "is missing", "/excitation/amplitude"},
+        BadSweep{R"([{"parameter": "/excitation/amplitud", "values": [1]}])", "/sweep/0/parameter", "leads to nothing",
+                 "/excitation/amplitude"},
+        BadSweep{R"([{"parameter": "excitation", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
+        BadSweep{R"([{"parameter": "/seed", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0.3}])", "/sweep/0/step",
+                 "does not divide", "1.9"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": -0.5}])", "/sweep/0/step",
+                 "leads away", "sign"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0}])", "/sweep/0/step",
+                 "must not be 0", "leave"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2}])", "/sweep/0/step", "is missing",
+                 "add"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "values": [1]}])", "/sweep/0/values", "excludes",
+                 "keep one"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 0, "to": 1, "step": 1e-9}])", "/sweep/0/step",
+                 "1000000", "larger"},
+        BadSweep{
+            R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 10, "step": 0.001}, {"parameter": "/block/width_m", "from": 1, "to": 2, "step": 0.001}])",
+            "/sweep", "1000000", "fewer"},
+        BadSweep{
+            R"([{"parameter": "/friction", "values": [{"static": 1, "kinetic": 1}]}, {"parameter": "/friction/static", "values": [1]}])",
+            "/sweep/1/parameter", "also swept", "keep one"}));
 
 TEST(Sweep, OfRealisationsExcludesTheFlag) {
   const auto document = with(example_experiment(), "/sweep", R"([{"parameter": "/realisations", "values": [10, 20]}])");
   EXPECT_EQ(report::read_experiment(document.dump()).conditions[1].realisations, 20U);
-  EXPECT_THROW(static_cast<void>(report::read_experiment(document.dump(), {.seed = {}, .realisations = "5"})), base::InputError);
+  EXPECT_THROW(static_cast<void>(report::read_experiment(document.dump(), {.seed = {}, .realisations = "5"})),
+               base::InputError);
 }
 
 }  // namespace

@@ -20,7 +20,12 @@ using support::objections;
 experiment::ModeEstimate mode(section::ResponseMode kind, std::uint64_t successes, std::uint64_t trials) {
   const double p = static_cast<double>(successes) / static_cast<double>(trials);
   const stats::Interval interval{0.5 * p, 0.5 + 0.5 * p};
-  return {kind, {.counts = {successes, trials}, .estimate = p, .wilson = interval, .clopper_pearson = interval, .simultaneous = interval}};
+  return {kind,
+          {.counts = {successes, trials},
+           .estimate = p,
+           .wilson = interval,
+           .clopper_pearson = interval,
+           .simultaneous = interval}};
 }
 
 /// A made-up result: what matters here is how it is written.
@@ -32,7 +37,8 @@ experiment::ExperimentResult result_for(const experiment::Experiment& experiment
                      mode({ResponseKind::chaotic}, 0, 200), mode({ResponseKind::overturned}, 10, 200)};
   condition.non_recurrence.emplace();
   condition.non_recurrence->arithmetic_tolerance = 1e-11;
-  condition.non_recurrence->friction = {.pairs = 100, .parted = 60, .lower_quartile = 12.0, .median = 80.0, .upper_quartile = {}};
+  condition.non_recurrence->friction = {
+      .pairs = 100, .parted = 60, .lower_quartile = 12.0, .median = 80.0, .upper_quartile = {}};
   condition.validity.clamps.kinetic_at_static = 17;
   condition.effort.steps = 1000;
   condition.effort.events[0] = 5;
@@ -43,7 +49,11 @@ experiment::ExperimentResult result_for(const experiment::Experiment& experiment
 experiment::Experiment example() { return report::read_experiment(support::example_experiment().dump()); }
 
 report::SystemFacts facts(const std::string& machine) {
-  return {.build = base::build_info(), .machine = machine, .start = "2012-02-01T12:00:00Z", .duration_s = 1.25, .threads = 2};
+  return {.build = base::build_info(),
+          .machine = machine,
+          .start = "2012-02-01T12:00:00Z",
+          .duration_s = 1.25,
+          .threads = 2};
 }
 
 std::string example_report() { return report::report_text(example(), result_for(example()), facts("here")); }
@@ -101,13 +111,16 @@ TEST_P(Sabotage, IsSeenByTheSchema) {
   EXPECT_NE(objections("report", support::with(Json::parse(example_report()), pointer, value).dump()), "");
 }
 
-INSTANTIATE_TEST_SUITE_P(All, Sabotage, ::testing::Values(
-    std::pair{"/result/digest", "\"abc\""}, std::pair{"/result/extra", "1"},
-    std::pair{"/result/conditions/3/counts/(1,1)", "-1"}, std::pair{"/result/conditions/3/counts/harmonic", "1"},
-    std::pair{"/result/conditions/0/probabilities/(1,1)/wilson", "[0.1]"},
-    std::pair{"/result/conditions/0/probabilities/(1,1)/estimate", "1.5"},
-    std::pair{"/internal/total/events/jump", "1"}, std::pair{"/system/start", "\"today\""},
-    std::pair{"/result/conditions/0/non_recurrence", "{}"}, std::pair{"/format", "\"rocking.report/2\""}));
+INSTANTIATE_TEST_SUITE_P(All, Sabotage,
+                         ::testing::Values(std::pair{"/result/digest", "\"abc\""}, std::pair{"/result/extra", "1"},
+                                           std::pair{"/result/conditions/3/counts/(1,1)", "-1"},
+                                           std::pair{"/result/conditions/3/counts/harmonic", "1"},
+                                           std::pair{"/result/conditions/0/probabilities/(1,1)/wilson", "[0.1]"},
+                                           std::pair{"/result/conditions/0/probabilities/(1,1)/estimate", "1.5"},
+                                           std::pair{"/internal/total/events/jump", "1"},
+                                           std::pair{"/system/start", "\"today\""},
+                                           std::pair{"/result/conditions/0/non_recurrence", "{}"},
+                                           std::pair{"/format", "\"rocking.report/2\""}));
 
 TEST(ExperimentSchema, AllowsWhatTheReaderAllows) {
   EXPECT_EQ(objections("experiment", support::example_experiment().dump()), "");
@@ -116,10 +129,16 @@ TEST(ExperimentSchema, AllowsWhatTheReaderAllows) {
 }
 
 TEST(ExperimentSchema, RefusesWhatTheReaderRefuses) {
-  for (const auto& [pointer, value] : {std::pair{"/titel", "1"}, {"/block/width_m", "-1"}, {"/confidence", "1"},
-                                       {"/friction/static", "\"0.3\""}, {"/sweep", "[]"}, {"/realisations", "0"},
-                                       {"/fluctuation/static_friction", R"({"sigma": 1})"}, {"/restitution", "-1"},
-                                       {"/seed", "\"0xg\""}, {"/initial/tilt", R"({"uniform": [1]})"},
+  for (const auto& [pointer, value] : {std::pair{"/titel", "1"},
+                                       {"/block/width_m", "-1"},
+                                       {"/confidence", "1"},
+                                       {"/friction/static", "\"0.3\""},
+                                       {"/sweep", "[]"},
+                                       {"/realisations", "0"},
+                                       {"/fluctuation/static_friction", R"({"sigma": 1})"},
+                                       {"/restitution", "-1"},
+                                       {"/seed", "\"0xg\""},
+                                       {"/initial/tilt", R"({"uniform": [1]})"},
                                        {"/fluctuation/friction/relative_sigma", "1"}}) {
     const std::string text = support::with(support::example_experiment(), pointer, value).dump();
     EXPECT_NE(objections("experiment", text), "") << pointer;
@@ -156,7 +175,8 @@ TEST(NormalCheck, KeepsToItsSchema) {
   check.histogram.expected = {1.5, 1.5};
   EXPECT_EQ(objections("check_normal", report::check_normal_text(check)), "");
   // erf(0.01/0.0173/sqrt 2) = 0.4367
-  EXPECT_THAT(report::check_normal_summary(check), ::testing::HasSubstr("skewness within 0.01: expected in 44 % of samples of this size"));
+  EXPECT_THAT(report::check_normal_summary(check),
+              ::testing::HasSubstr("skewness within 0.01: expected in 44 % of samples of this size"));
 }
 
 }  // namespace

@@ -35,7 +35,8 @@ std::string bars(const stats::Histogram& histogram) {
   const auto tallest = static_cast<double>(*std::max_element(histogram.counts.begin(), histogram.counts.end()));
   std::vector<TextRow> rows{{"from", "count", "expected"}};
   for (std::size_t k = 0; k < histogram.counts.size(); ++k) {
-    rows.push_back({significant(histogram.edges[k], 4), std::to_string(histogram.counts[k]), fixed_point(histogram.expected[k], 1)});
+    rows.push_back({significant(histogram.edges[k], 4), std::to_string(histogram.counts[k]),
+                    fixed_point(histogram.expected[k], 1)});
   }
   const std::string table = aligned(rows);
   std::string text;
@@ -57,7 +58,8 @@ std::string bars(const stats::Histogram& histogram) {
 
 std::string check_normal_summary(const NormalCheck& check) {
   std::string text = std::to_string(check.moments.n) + " numbers from N(" + significant(check.law.mean, 6) + ", " +
-                     significant(check.law.sigma, 6) + "^2), sampler " + check.sampler + ", seed " + seed_text(check.seed) + "\n\n";
+                     significant(check.law.sigma, 6) + "^2), sampler " + check.sampler + ", seed " +
+                     seed_text(check.seed) + "\n\n";
   text += aligned({{"moment", "value", "standard error", "z"},
                    moment_row("mean", check.moments.mean),
                    moment_row("standard deviation", check.moments.standard_deviation),

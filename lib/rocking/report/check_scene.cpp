@@ -46,7 +46,8 @@ class SceneChecker {
     if (!scene_.friction) return;
     const auto [at_rest, sliding] = *scene_.friction;
     if (at_rest >= sliding) return;
-    reject("/friction/static", "is below the kinetic coefficient, " + shown(sliding) + ", so that sliding has no consistent onset",
+    reject("/friction/static",
+           "is below the kinetic coefficient, " + shown(sliding) + ", so that sliding has no consistent onset",
            "give at least " + shown(sliding) + ", or lower \"kinetic\"");
   }
 
@@ -66,7 +67,8 @@ class SceneChecker {
       largest = std::max(std::abs(uniform->low), std::abs(uniform->high));
     }
     if (largest < overturned) return;
-    reject("/initial/tilt", "reaches a block that lies on its side: abs(tilt) must stay below pi/2/psi = " + shown(overturned),
+    reject("/initial/tilt",
+           "reaches a block that lies on its side: abs(tilt) must stay below pi/2/psi = " + shown(overturned),
            "give a smaller tilt, in units of the shape angle");
   }
 

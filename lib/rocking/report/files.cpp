@@ -54,7 +54,8 @@ class TemporaryFile {
 
   void rename_to(const std::filesystem::path& path) {
     // mkstemp keeps others out; a report is for all whom the folder lets in.
-    if (::fchmod(descriptor_.number(), S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) != 0) fail(name_, "cannot be made readable");
+    if (::fchmod(descriptor_.number(), S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) != 0)
+      fail(name_, "cannot be made readable");
     if (::fsync(descriptor_.number()) != 0) fail(name_, "cannot be flushed to the disk");
     if (descriptor_.close() != 0) fail(name_, "cannot be closed");
     if (::rename(name_.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");

@@ -73,7 +73,8 @@ TextRow leading_cells(const experiment::Condition& condition, const ConditionRes
 
 std::vector<TextRow> leading_columns(const Experiment& experiment, const ExperimentResult& result) {
   TextRow header;
-  for (const auto& parameter : experiment.conditions.front().parameters) header.push_back(short_name(parameter.pointer));
+  for (const auto& parameter : experiment.conditions.front().parameters)
+    header.push_back(short_name(parameter.pointer));
   header.emplace_back("n");
   std::vector<TextRow> rows{header};
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {

@@ -66,7 +66,8 @@ ObjectReader::ObjectReader(const Json& source, std::string place, Problems& prob
     : source_(&source), place_(std::move(place)), problems_(&problems) {
   static const Json empty = Json::object();
   if (source.is_object()) return;
-  problems.push_back({place_.empty() ? "the file" : place_, brief(source), wrong_type("an object", source), "write it as { \"key\": value }"});
+  problems.push_back({place_.empty() ? "the file" : place_, brief(source), wrong_type("an object", source),
+                      "write it as { \"key\": value }"});
   source_ = &empty;
   problems_ = &ignored_;
 }
@@ -127,7 +128,8 @@ std::size_t ObjectReader::choice(std::string_view key, std::span<const std::stri
       const std::vector<std::string> words(names.begin(), names.end());
       const std::string written = found->is_string() ? found->get<std::string>() : std::string();
       const auto nearest = nearest_word(written, words);
-      reject(key, "must be one of " + listed(names), nearest ? "did you mean \"" + *nearest + "\"?" : "choose one of them");
+      reject(key, "must be one of " + listed(names),
+             nearest ? "did you mean \"" + *nearest + "\"?" : "choose one of them");
     } else {
       chosen = static_cast<std::size_t>(name - names.begin());
     }

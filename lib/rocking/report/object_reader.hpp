@@ -17,8 +17,8 @@ using Problems = std::vector<base::Problem>;
 /// What a number must be, and how to say so.
 struct NumberRule {
   bool (*allows)(double);
-  std::string_view demand;   ///< `must be ...`
-  std::string_view example;  ///< JSON text of a value that would do
+  std::string_view demand;                        ///< `must be ...`
+  std::string_view example;                       ///< JSON text of a value that would do
   std::optional<double> standard = std::nullopt;  ///< used where the key is absent; without it the key must be there
 };
 

@@ -30,7 +30,9 @@ bool begins_with_word(std::string_view text, std::string_view word) {
 
 // The word or number around a position; empty at the end of the text.
 std::string_view word_at(std::string_view text, std::size_t position) {
-  const auto belongs = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.'; };
+  const auto belongs = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '+' || c == '.';
+  };
   if (position >= text.size()) return {};
   std::size_t start = position;
   while (start > 0 && belongs(text[position]) && belongs(text[start - 1])) --start;
@@ -92,7 +94,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   // What the parser says, without its number, its place and what it read last.
   static std::string explanation_in(std::string_view message) {
     if (const auto column = message.find("column "); column != std::string_view::npos) {
-      if (const auto colon = message.find(": ", column); colon != std::string_view::npos) message.remove_prefix(colon + 2);
+      if (const auto colon = message.find(": ", column); colon != std::string_view::npos)
+        message.remove_prefix(colon + 2);
     }
     message = message.substr(0, message.find("; last read"));
     return std::string(message);

@@ -40,7 +40,8 @@ bool is_same(const base::Problem& a, const base::Problem& b) {
 
 class ExperimentBuilder {
  public:
-  ExperimentBuilder(Json document, Problems problems) : document_(std::move(document)), problems_(std::move(problems)) {}
+  ExperimentBuilder(Json document, Problems problems)
+      : document_(std::move(document)), problems_(std::move(problems)) {}
 
   experiment::Experiment build(const Overrides& overrides) {
     apply(overrides, document_);

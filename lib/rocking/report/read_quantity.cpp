@@ -15,7 +15,8 @@ using experiment::Uniform;
 Uniform read_uniform(ObjectReader& law, const NumberRule& rule) {
   const Json& ends = *law.value("uniform");
   if (!ends.is_array() || ends.size() != 2) {
-    law.reject("uniform", "must be a list of two numbers, the ends of the interval", "give a value such as [-0.1, 0.1]");
+    law.reject("uniform", "must be a list of two numbers, the ends of the interval",
+               "give a value such as [-0.1, 0.1]");
     return {};
   }
   const std::string place = law.place_of("uniform");
@@ -50,7 +51,8 @@ Quantity read_quantity(ObjectReader& in, std::string_view key, const NumberRule&
     const bool uniform = law.has("uniform");
     const bool normal = law.has("normal");
     if (uniform == normal) {
-      in.reject(key, uniform ? "cannot follow two laws" : "names no law", "give {\"uniform\": [a, b]} or {\"normal\": {\"mean\": m, \"sigma\": s}}");
+      in.reject(key, uniform ? "cannot follow two laws" : "names no law",
+                "give {\"uniform\": [a, b]} or {\"normal\": {\"mean\": m, \"sigma\": s}}");
     } else if (uniform) {
       quantity = read_uniform(law, rule);
     } else {

@@ -34,7 +34,8 @@ experiment::Horizon read_horizon(ObjectReader& in) {
 std::uint64_t read_realisations(ObjectReader& in) {
   const Json* found = in.value("realisations");
   if (found != nullptr && found->is_object() && found->contains("until")) {
-    in.reject("realisations", "stopping at a width of the interval is not available in this version", "give a number such as 200");
+    in.reject("realisations", "stopping at a width of the interval is not available in this version",
+              "give a number such as 200");
     return 1;
   }
   return static_cast<std::uint64_t>(in.integer("realisations", rules::realisations));
@@ -51,7 +52,8 @@ std::uint64_t read_seed(ObjectReader& in) {
   std::uint64_t seed = 0;
   if (found != nullptr) {
     const auto read = seed_in(*found);
-    if (!read) in.reject("seed", "must be a whole number of at most 64 bits", "give a value such as \"0x2012\" or 8210");
+    if (!read)
+      in.reject("seed", "must be a whole number of at most 64 bits", "give a value such as \"0x2012\" or 8210");
     seed = read.value_or(0);
   }
   in.write("seed", seed_text(seed));
@@ -77,7 +79,8 @@ Question read_question(const Json& document, Problems& problems) {
   const Json* sweep = in.value("sweep");
   condition.scene = read_scene(in, spelling_for(sweep));
   condition.horizon = read_horizon(in);
-  in.object("accuracy", [&condition](ObjectReader& keys) { condition.tolerance = keys.number("tolerance", rules::tolerance); });
+  in.object("accuracy",
+            [&condition](ObjectReader& keys) { condition.tolerance = keys.number("tolerance", rules::tolerance); });
   if (sweep != nullptr) in.write("sweep", *sweep);
   condition.realisations = read_realisations(in);
   condition.confidence = in.number("confidence", rules::confidence);

@@ -54,7 +54,8 @@ double read_restitution(ObjectReader& in, const dynamics::Block& block, bool jy2
     return jy25_restitution(block);
   }
   if (found != nullptr && found->is_string()) {
-    in.reject("restitution", std::string(rules::restitution.demand), "write a number, or \"jy25\" for 1 - 1.5 sin^2(psi)");
+    in.reject("restitution", std::string(rules::restitution.demand),
+              "write a number, or \"jy25\" for 1 - 1.5 sin^2(psi)");
     return 0.0;
   }
   NumberRule rule = rules::restitution;
@@ -80,7 +81,8 @@ void read_formulation(ObjectReader& in, experiment::Scene& scene, OptionSpelling
   }
   if (write_out("impact_slip_rule")) {
     const auto standard = static_cast<std::size_t>(options.impact_slip_rule);
-    scene.impact_slip_rule = static_cast<ImpactSlipRule>(in.choice("impact_slip_rule", impact_slip_rule_names, standard));
+    scene.impact_slip_rule =
+        static_cast<ImpactSlipRule>(in.choice("impact_slip_rule", impact_slip_rule_names, standard));
   }
 }
 

@@ -18,7 +18,9 @@ Json number(double value) {
 
 Json optional_number(const std::optional<double>& value) { return value ? number(*value) : Json(); }
 
-Json interval_json(const stats::Interval& interval) { return Json::array({number(interval.low), number(interval.high)}); }
+Json interval_json(const stats::Interval& interval) {
+  return Json::array({number(interval.low), number(interval.high)});
+}
 
 Json parameters_json(const experiment::Condition& condition) {
   Json parameters = Json::object();
@@ -48,8 +50,8 @@ Json parting_json(const experiment::PartingTimes& times) {
   Json parting = Json::object();
   parting["pairs"] = times.pairs;
   parting["parted"] = times.parted;
-  parting["quartiles_periods"] =
-      Json::array({optional_number(times.lower_quartile), optional_number(times.median), optional_number(times.upper_quartile)});
+  parting["quartiles_periods"] = Json::array(
+      {optional_number(times.lower_quartile), optional_number(times.median), optional_number(times.upper_quartile)});
   return parting;
 }
 

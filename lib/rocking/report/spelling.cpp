@@ -36,7 +36,8 @@ std::optional<std::string> nearest_word(std::string_view written, std::span<cons
     }
   }
   // `width` for `width_m` is near too: the unit was forgotten.
-  if (nearest && !(nearest->starts_with(written) && !written.empty()) && 3 * least > std::max<std::size_t>(3, nearest->size())) {
+  if (nearest && !(nearest->starts_with(written) && !written.empty()) &&
+      3 * least > std::max<std::size_t>(3, nearest->size())) {
     return std::nullopt;
   }
   return nearest;

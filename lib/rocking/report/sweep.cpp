@@ -10,8 +10,7 @@
 namespace rocking::report {
 namespace {
 
-constexpr NumberRule any_number{
-    .allows = [](double) { return true; }, .demand = "must be a number", .example = "1.0"};
+constexpr NumberRule any_number{.allows = [](double) { return true; }, .demand = "must be a number", .example = "1.0"};
 
 std::vector<std::string> pointers_into(const Json& document) {
   std::vector<std::string> pointers;
@@ -142,7 +141,8 @@ void check_disjoint(const std::vector<SweepAxis>& axes, Problems& problems) {
 std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, Problems& problems) {
   std::vector<SweepAxis> axes;
   if (!sweep.is_array() || sweep.empty()) {
-    problems.push_back({"/sweep", brief(sweep), "must be a list of at least one entry", "leave \"sweep\" out to run one condition"});
+    problems.push_back(
+        {"/sweep", brief(sweep), "must be a list of at least one entry", "leave \"sweep\" out to run one condition"});
     return axes;
   }
   for (std::size_t i = 0; i < sweep.size(); ++i) {

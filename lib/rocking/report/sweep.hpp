@@ -12,7 +12,7 @@ namespace rocking::report {
 struct SweepAxis {
   std::string pointer;
   std::vector<Json> values;
-  bool evenly_spaced = false;  ///< given by from, to and step
+  bool evenly_spaced = false;               ///< given by from, to and step
   std::vector<Json> canonical_values = {};  ///< as a condition reads them; filled while conditions are built
 };
 

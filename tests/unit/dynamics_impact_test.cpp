@@ -12,13 +12,31 @@
 namespace rocking::dynamics {
 namespace {
 
+/// An impact with both coefficients of friction at hand.
+struct Landing {
+  double tilt_rate;
+  double slip_rate;
+  double restitution;
+  double static_friction;
+  double kinetic_friction;
+};
+
+ImpactOutcome resolve_impact(const Landing& landing, const Geometry& block, ImpactSlipRule rule) {
+  const ImpactConditions before{.tilt_rate = landing.tilt_rate,
+                                .slip_rate = landing.slip_rate,
+                                .restitution = landing.restitution,
+                                .static_friction = landing.static_friction};
+  const auto sticks = sticking_impact(before, block, rule);
+  return sticks ? *sticks : slipping_impact(before, landing.kinetic_friction, block);
+}
+
 struct Impulse {
   double x;
   double y;
 };
 
 /// The change of the centre of mass's momentum over m R p, from the velocities of lib/docs/model.md, section 4.
-Impulse impulse_of(const ImpactConditions& before, const ImpactOutcome& after, const Geometry& block) {
+Impulse impulse_of(const Landing& before, const ImpactOutcome& after, const Geometry& block) {
   const double sigma = before.tilt_rate < 0.0 ? -1.0 : 1.0;
   const double size = std::abs(before.tilt_rate);
   return {
@@ -35,7 +53,7 @@ double energy_of(double tilt_rate, double slip_rate, const Geometry& block) {
 
 struct RandomImpact {
   Geometry block;
-  ImpactConditions before;
+  Landing before;
 };
 
 RandomImpact random_impact(support::SplitMix& draw) {
@@ -96,7 +114,7 @@ TEST(Impact, SlipsOnlyWhereStickingNeedsMoreThanThereIs) {
   int slipping = 0;
   for (int i = 0; i < 200'000; ++i) {
     const auto [block, before] = random_impact(draw);
-    ImpactConditions rough = before;
+    Landing rough = before;
     rough.static_friction = rough.kinetic_friction = std::numeric_limits<double>::max();
     const ImpactOutcome stuck = resolve_impact(rough, block, ImpactSlipRule::absolute);
     if (stuck.kind != ImpactKind::stick) continue;  // the base would have to pull
@@ -239,7 +257,7 @@ TEST(Impact, ScalesWithItsRatesToTheBit) {
   support::SplitMix draw(10);
   for (int i = 0; i < 100'000; ++i) {
     const auto [block, before] = random_impact(draw);
-    ImpactConditions small = before;
+    Landing small = before;
     small.tilt_rate = std::ldexp(before.tilt_rate, -300);
     small.slip_rate = std::ldexp(before.slip_rate, -300);
     for (const auto rule : {ImpactSlipRule::absolute, ImpactSlipRule::signed_ratio}) {
@@ -255,12 +273,12 @@ TEST(Impact, ScalesWithItsRatesToTheBit) {
 // lambda = V1/(w1 cos(psi)) - 1 has no limit as w1 goes to 0; the impact has.
 TEST(Impact, IsWellConditionedForSmallRates) {
   const Geometry block = geometry_of({.width = 1.0, .height = 4.0});
-  const ImpactConditions limit{1e-280, 0.01, 0.0, 0.4, 0.35};
+  const Landing limit{1e-280, 0.01, 0.0, 0.4, 0.35};
   const ImpactOutcome at_limit = resolve_impact(limit, block, ImpactSlipRule::absolute);
   EXPECT_TRUE(std::isfinite(at_limit.tilt_rate));
   EXPECT_TRUE(std::isfinite(at_limit.slip_rate));
   for (int k = 8; k <= 200; k += 8) {
-    ImpactConditions before = limit;
+    Landing before = limit;
     before.tilt_rate = std::ldexp(1.0, -k);
     const ImpactOutcome after = resolve_impact(before, block, ImpactSlipRule::absolute);
     EXPECT_EQ(after.kind, at_limit.kind) << "2^-" << k;
@@ -273,7 +291,7 @@ TEST(Impact, IsItsMirrorImagesMirrorImageToTheBit) {
   support::SplitMix draw(11);
   for (int i = 0; i < 100'000; ++i) {
     const auto [block, before] = random_impact(draw);
-    ImpactConditions mirrored = before;
+    Landing mirrored = before;
     mirrored.tilt_rate = -before.tilt_rate;
     mirrored.slip_rate = -before.slip_rate;
     for (const auto rule : {ImpactSlipRule::absolute, ImpactSlipRule::signed_ratio}) {

@@ -234,12 +234,10 @@ class Automaton {
     const double restitution = coefficients_.restitution();
     ImpactKind kind = ImpactKind::stick;
     if (coefficients_.has_friction()) {
-      const ImpactOutcome after = resolve_impact({.tilt_rate = state_.tilt_rate,
-                                                  .slip_rate = state_.slip_rate,
-                                                  .restitution = restitution,
-                                                  .static_friction = coefficients_.static_friction(),
-                                                  .kinetic_friction = coefficients_.kinetic_friction(clock_)},
-                                                 setting_.block, setting_.impact_slip_rule);
+      const ImpactOutcome after = impact_with_friction({.tilt_rate = state_.tilt_rate,
+                                                        .slip_rate = state_.slip_rate,
+                                                        .restitution = restitution,
+                                                        .static_friction = coefficients_.static_friction()});
       if (after.kind == ImpactKind::painleve) {
         end(Termination::painleve);
         return false;
@@ -254,6 +252,11 @@ class Automaton {
     if (state_.slip_rate != 0.0) state_.slip_direction = sign(state_.slip_rate);
     record(kind == ImpactKind::stick ? EventKind::impact_stick : EventKind::impact_slip);
     return true;
+  }
+
+  [[nodiscard]] ImpactOutcome impact_with_friction(const ImpactConditions& before) {
+    const auto sticks = sticking_impact(before, setting_.block, setting_.impact_slip_rule);
+    return sticks ? *sticks : slipping_impact(before, coefficients_.kinetic_friction(clock_), setting_.block);
   }
 
   /// After an impact: whether the coming hop's duration 2 abs(w)/a and its height w^2/(2a) over psi are both below the

@@ -43,6 +43,7 @@ class Automaton {
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Clock& clock() const { return clock_; }
   [[nodiscard]] const Coefficients& coefficients() const { return coefficients_; }
+  [[nodiscard]] const Excitation& excitation() const { return excitation_; }
   [[nodiscard]] std::optional<Termination> termination() const { return termination_; }
 
   /// From now on, tells `observer`.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <concepts>
+#include <cstdint>
 #include <optional>
 
 #include "rocking/base/elementary.hpp"
@@ -12,13 +13,14 @@ namespace rocking::dynamics {
 
 /// How the base moves. Values are base accelerations over g; `amplitude` is the one in force times `unit`.
 template <class Motion>
-concept BaseExcitation = requires(const Motion motion, const Clock& clock, const Geometry& block, double amplitude,
+concept BaseExcitation = requires(Motion motion, const Clock& clock, const Geometry& block, double amplitude,
                                   MotionSeries<double>& series) {
   { Motion::has_vertical } -> std::convertible_to<bool>;
   { motion.unit(block) } -> std::convertible_to<double>;                   // alpha for amplitude 1
   { motion.horizontal(clock, amplitude) } -> std::convertible_to<double>;  // alpha now
   { motion.weight(clock) } -> std::convertible_to<double>;                 // 1 + alpha_v now
   { motion.next_change(clock) } -> std::same_as<std::optional<Instant>>;   // until which the series hold
+  { motion.segments_looked_up() } -> std::same_as<std::uint64_t>;          // of a record
   motion.template expand<full_order>(series, clock, amplitude);            // series of alpha and, if vertical, 1 + alpha_v
 };
 
@@ -32,6 +34,7 @@ struct HarmonicExcitation {
   }
   [[nodiscard]] static double weight(const Clock&) { return 1.0; }
   [[nodiscard]] static std::optional<Instant> next_change(const Clock&) { return std::nullopt; }
+  [[nodiscard]] static std::uint64_t segments_looked_up() { return 0; }
 
   template <int order>
   static void expand(MotionSeries<double>& series, const Clock& clock, double amplitude) {

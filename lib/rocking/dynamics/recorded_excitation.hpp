@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -65,8 +66,12 @@ class RecordedExcitation {
   }
   [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const { return motion_->segment(clock).end; }
 
+  /// Steps that asked the record for their piece of it.
+  [[nodiscard]] std::uint64_t segments_looked_up() const { return segments_looked_up_; }
+
   template <int order>
-  void expand(MotionSeries<double>& series, const Clock& clock, double amplitude) const {
+  void expand(MotionSeries<double>& series, const Clock& clock, double amplitude) {
+    ++segments_looked_up_;
     const RecordedMotion::Segment now = motion_->segment(clock);
     series.base.fill(0.0);
     series.base[0] = amplitude * now.horizontal;
@@ -81,6 +86,7 @@ class RecordedExcitation {
  private:
   std::shared_ptr<const RecordedMotion> motion_;
   double scale_;
+  std::uint64_t segments_looked_up_ = 0;
 };
 
 }  // namespace rocking::dynamics

@@ -39,14 +39,17 @@ bool is_clamped(const Clamps& clamps) {
 
 Validity validity_of(std::span<const Summary> realisations) {
   Validity validity;
-  for (const Summary& summary : realisations) {
-    validity.left_ground += summary.left_ground ? 1 : 0;
-    validity.painleve += summary.termination == dynamics::Termination::painleve ? 1 : 0;
-    validity.stopped += summary.termination == dynamics::Termination::stopped ? 1 : 0;
-    validity.in_transient += summary.in_transient ? 1 : 0;
-    validity.past_balance += summary.was_past_balance ? 1 : 0;
-    validity.clamped += is_clamped(summary.clamps) ? 1 : 0;
-    validity.clamps += summary.clamps;
+  for (std::uint64_t number = 0; number < realisations.size(); ++number) {
+    const Summary& summary = realisations[number];
+    if (summary.left_ground) validity.left_ground.add(number);
+    if (summary.termination == dynamics::Termination::painleve) validity.painleve.add(number);
+    if (summary.termination == dynamics::Termination::stopped) validity.stopped.add(number);
+    if (summary.in_transient) validity.in_transient.add(number);
+    if (summary.was_past_balance) validity.past_balance.add(number);
+    if (summary.clamped) validity.clamped.add(number);
+    const bool named = summary.mode.kind != ResponseKind::unresolved;
+    const bool ran_through = summary.termination == dynamics::Termination::reached_horizon;
+    if (!named && ran_through) validity.unresolved[summary.reason].add(number);
   }
   return validity;
 }
@@ -113,6 +116,7 @@ Effort& Effort::operator+=(const Effort& other) {
   steps += other.steps;
   slip_steps += other.slip_steps;
   root_isolations += other.root_isolations;
+  record_segments += other.record_segments;
   companion_periods += other.companion_periods;
   static_friction_draws += other.static_friction_draws;
   kinetic_friction_draws += other.kinetic_friction_draws;
@@ -134,12 +138,12 @@ Clamps& Clamps::operator+=(const Clamps& other) {
 
 Summary summarise(const Record& record, std::uint64_t realisation) {
   return {.mode = record.verdict.mode,
+          .reason = record.verdict.reason,
           .termination = record.termination,
           .in_transient = record.verdict.in_transient,
           .left_ground = record.losses_of_contact > 0,
           .was_past_balance = record.was_past_balance,
-          .clamps = record.clamps,
-          .effort = record.effort,
+          .clamped = is_clamped(record.clamps),
           .digest = digest_of(record, realisation),
           .parted_from_next = std::nullopt,
           .repeat = std::nullopt};
@@ -147,7 +151,7 @@ Summary summarise(const Record& record, std::uint64_t realisation) {
 
 double repeat_tolerance(double tolerance) { return std::max(1e-16, tolerance / 100.0); }
 
-ConditionResult reduce(const Condition& condition, std::span<const Summary> realisations) {
+ConditionResult reduce(const Condition& condition, std::span<const Summary> realisations, const Totals& totals) {
   const Tally tally = tally_of(realisations);
   ConditionResult result;
   result.realisations = realisations.size();
@@ -159,7 +163,8 @@ ConditionResult reduce(const Condition& condition, std::span<const Summary> real
   }
   if (realisations.size() >= 2) result.non_recurrence = non_recurrence_of(condition, realisations, tally);
   result.validity = validity_of(realisations);
-  for (const Summary& summary : realisations) result.effort += summary.effort;
+  result.validity.clamps = totals.clamps;
+  result.effort = totals.effort;
   result.stopped_because = is_random(condition.scene) ? "all_realisations_done" : "deterministic";
   return result;
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,6 +11,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/section/response_mode.hpp"
+#include "rocking/section/verdict.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::experiment {
@@ -19,6 +22,7 @@ struct Effort {
   std::uint64_t steps = 0;             ///< Taylor steps
   std::uint64_t slip_steps = 0;        ///< of them, steps of the slip equations (slide, rock_slide)
   std::uint64_t root_isolations = 0;   ///< guards that the cheap bound did not clear
+  std::uint64_t record_segments = 0;   ///< pieces of a recorded motion that were looked up
   std::uint64_t companion_periods = 0; ///< periods run a second time to tell chaos from noise
   std::uint64_t static_friction_draws = 0;
   std::uint64_t kinetic_friction_draws = 0;
@@ -41,15 +45,28 @@ struct Clamps {
   Clamps& operator+=(const Clamps& other);
 };
 
-/// Where realisations left the model or the classification was unsure. In realisations, but for the clamped draws.
+/// Realisations of which something holds: how many, and the first of them, to look at with `rocking trajectory`.
+struct Cases {
+  static constexpr std::size_t kept = 5;
+  std::uint64_t count = 0;
+  std::vector<std::uint64_t> first;  ///< their numbers, rising, at most `kept`
+
+  void add(std::uint64_t realisation) {
+    ++count;
+    if (first.size() < kept) first.push_back(realisation);
+  }
+};
+
+/// Where realisations left the model or the classification was unsure.
 struct Validity {
-  std::uint64_t left_ground = 0;         ///< met N <= 0
-  std::uint64_t painleve = 0;            ///< ended at D <= 0 or 1 + 3q <= 0
-  std::uint64_t stopped = 0;             ///< ended by the event budget or a vanishing step
-  std::uint64_t in_transient = 0;        ///< still drifting at the horizon
-  std::uint64_t past_balance = 0;        ///< met abs(Theta) = 1
-  std::uint64_t clamped = 0;             ///< had a draw clamped
-  Clamps clamps;                         ///< draws clamped, all realisations together
+  Cases left_ground;   ///< met N <= 0
+  Cases painleve;      ///< ended at D <= 0 or 1 + 3q <= 0
+  Cases stopped;       ///< ended by the budget of steps
+  Cases in_transient;  ///< still drifting at the horizon
+  Cases past_balance;  ///< met abs(Theta) = 1
+  Cases clamped;       ///< had a draw clamped
+  std::map<section::Reason, Cases> unresolved;  ///< why no response mode was named
+  Clamps clamps;       ///< draws clamped, all realisations together
 };
 
 /// A probability: counts, value, intervals.

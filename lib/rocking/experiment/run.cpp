@@ -58,6 +58,7 @@ class Campaign {
     std::uint64_t count = 0;
     std::uint64_t done = 0;
     std::vector<Summary> summaries;  ///< only while the condition is being worked on
+    Totals totals;
     base::Sha256 digest{};
     std::optional<ConditionResult> result;
   };
@@ -84,20 +85,29 @@ class Campaign {
     return pair;
   }
 
-  [[nodiscard]] std::vector<Summary> run_pair(const Pair& pair) const {
+  /// What comes of a pair.
+  struct PairResult {
+    std::vector<Summary> summaries;
+    Totals totals;
+  };
+
+  [[nodiscard]] PairResult run_pair(const Pair& pair) const {
     const Condition& condition = experiment_->conditions[pair.condition];
     const std::uint64_t last = std::min(pair.first + 2, conditions_[pair.condition].count);
     std::vector<Record> records;
-    std::vector<Summary> summaries;
+    PairResult result;
+    std::vector<Summary>& summaries = result.summaries;
     for (std::uint64_t number = pair.first; number < last; ++number) {
       records.push_back(realise(condition, experiment_->seed, number));
       summaries.push_back(summarise(records.back(), number));
+      result.totals.effort += records.back().effort;
+      result.totals.clamps += records.back().clamps;
       if (is_random(condition.scene) && number % repeat_every == 0) {
         summaries.back().repeat = repeat(condition, records.back(), number);
       }
     }
     if (records.size() == 2) summaries[0].parted_from_next = parting_period(records[0], records[1]);
-    return summaries;
+    return result;
   }
 
   [[nodiscard]] Summary::Repeat repeat(Condition condition, const Record& record, std::uint64_t number) const {
@@ -106,21 +116,23 @@ class Campaign {
     return {.mode = other.verdict.mode, .parted = parting_period(record, other)};
   }
 
-  void accept(const Pair& pair, std::vector<Summary> summaries) {
+  void accept(const Pair& pair, PairResult result) {
     const std::lock_guard lock(mutex_);
     PerCondition& condition = conditions_[pair.condition];
     condition.summaries.resize(condition.count);
-    std::move(summaries.begin(), summaries.end(),
+    std::move(result.summaries.begin(), result.summaries.end(),
               condition.summaries.begin() + static_cast<std::ptrdiff_t>(pair.first));
-    condition.done += summaries.size();
-    done_ += summaries.size();
+    condition.totals.effort += result.totals.effort;
+    condition.totals.clamps += result.totals.clamps;
+    condition.done += result.summaries.size();
+    done_ += result.summaries.size();
     if (condition.done == condition.count) finish(pair.condition);
     if (options_->on_progress) options_->on_progress(done_, all_);
   }
 
   void finish(std::size_t index) {
     PerCondition& condition = conditions_[index];
-    condition.result = reduce(experiment_->conditions[index], condition.summaries);
+    condition.result = reduce(experiment_->conditions[index], condition.summaries, condition.totals);
     base::Sha256Builder digest;
     for (const Summary& summary : condition.summaries) digest.add(summary.digest);
     condition.digest = digest.finish();

@@ -81,13 +81,21 @@ Json clamps_json(const experiment::Clamps& clamps) {
 
 Json validity_json(const experiment::Validity& validity) {
   Json json = Json::object();
-  json["left_ground"] = validity.left_ground;
-  json["painleve"] = validity.painleve;
-  json["stopped"] = validity.stopped;
-  json["in_transient"] = validity.in_transient;
-  json["past_balance"] = validity.past_balance;
-  json["clamped"] = validity.clamped;
+  Json first = Json::object();
+  const auto add = [&first](Json& counts, const std::string& name, const experiment::Cases& cases) {
+    counts[name] = cases.count;
+    if (cases.count > 0) first[name] = cases.first;
+  };
+  add(json, "left_ground", validity.left_ground);
+  add(json, "painleve", validity.painleve);
+  add(json, "stopped", validity.stopped);
+  add(json, "in_transient", validity.in_transient);
+  add(json, "past_balance", validity.past_balance);
+  add(json, "clamped", validity.clamped);
+  Json& unresolved = json["unresolved"] = Json::object();
+  for (const auto& [reason, cases] : validity.unresolved) add(unresolved, std::string(to_string(reason)), cases);
   json["clamped_draws"] = clamps_json(validity.clamps);
+  json["first_realisations"] = std::move(first);
   return json;
 }
 
@@ -110,6 +118,7 @@ Json effort_json(const experiment::Effort& effort, const experiment::Clamps& cla
   json["steps"] = effort.steps;
   json["slip_steps"] = effort.slip_steps;
   json["root_isolations"] = effort.root_isolations;
+  json["record_segments"] = effort.record_segments;
   json["companion_periods"] = effort.companion_periods;
   Json& draws = json["draws"] = Json::object();
   draws["static_friction"] = effort.static_friction_draws;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <utility>
 
 namespace rocking::differential {
 namespace {
@@ -16,17 +18,13 @@ void insert_samples(Account& account, const Account& samples) {
   }
 }
 
-bool ends_chatter(const Entry& entry) { return entry.what == "to_rest" || entry.what == "to_slide"; }
-
 void drop_chatter_tails(Account& account) {
   Account kept;
   for (const Entry& entry : account) {
     if (ends_chatter(entry)) {
-      const auto is_small = [](const Entry& before) {
-        return std::abs(before.state[1]) < chatter_rate && before.what.starts_with("impact");
-      };
-      const auto belongs = [&](const Entry& before) {
-        return is_small(before) || (std::abs(before.state[1]) < chatter_rate && before.what.starts_with("slip"));
+      const auto belongs = [](const Entry& before) {
+        const bool is_hop = before.what.starts_with("impact_") || before.what.starts_with("slip_");
+        return is_hop && std::abs(before.state[1]) < chatter_rate;
       };
       while (!kept.empty() && belongs(kept.back())) kept.pop_back();
     }
@@ -35,22 +33,31 @@ void drop_chatter_tails(Account& account) {
   account = kept;
 }
 
-/// A run that came to a stop tells the same instant again and again: once is enough.
-void drop_repetitions_at_end(Account& account) {
+/// Where an instant is told of again and again, the laws have no answer: once is enough, and what follows means nothing.
+/// (With J = 4/3 a slip may begin against its own direction.) Returns whether that happened.
+bool end_where_stuck(Account& account) {
   constexpr double rounding = 1e-10;
-  while (account.size() > 1 && account.back().tau - account[account.size() - 2].tau < rounding) account.pop_back();
+  constexpr std::size_t often = 100;
+  for (std::size_t first = 0; first + often < account.size(); ++first) {
+    if (account[first + often].tau - account[first].tau > rounding) continue;
+    account.resize(first + 1);
+    return true;
+  }
+  return false;
 }
 
 Account finished(Account events, const Account& samples, std::string_view ending) {
   insert_samples(events, samples);
   drop_chatter_tails(events);
-  if (ending == "stopped") drop_repetitions_at_end(events);
+  const bool stuck = end_where_stuck(events);
   const double end = events.empty() ? 0.0 : events.back().tau;
-  events.push_back({end, ending, {}});
+  events.push_back({end, stuck ? "stuck" : ending, {}});
   return events;
 }
 
 }  // namespace
+
+bool ends_chatter(const Entry& entry) { return entry.what == "to_rest" || entry.what == "to_slide"; }
 
 Account account_of(const experiment::Trajectory& trajectory, double period) {
   Account events;
@@ -59,7 +66,9 @@ Account account_of(const experiment::Trajectory& trajectory, double period) {
     events.push_back({e.tau, to_string(e.kind), {e.tilt, e.tilt_rate, e.slip, e.slip_rate}});
   }
   for (const auto& s : trajectory.strobe) {
-    samples.push_back({static_cast<double>(s.period) * period, to_string(s.contact), {s.tilt, s.tilt_rate, s.slip, s.slip_rate}});
+    samples.push_back({static_cast<double>(s.period) * period,
+                       to_string(s.contact),
+                       {s.tilt, s.tilt_rate, s.slip, s.slip_rate}});
   }
   return finished(std::move(events), samples, to_string(trajectory.termination));
 }

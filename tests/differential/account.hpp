@@ -24,6 +24,9 @@ inline constexpr double chatter_rate = 1e-4;
 [[nodiscard]] Account account_of(const experiment::Trajectory& trajectory, double period);
 [[nodiscard]] Account account_of(const peer::Story& story, double period);
 
+/// Whether the entry is a chatter's end, in full contact.
+[[nodiscard]] bool ends_chatter(const Entry& entry);
+
 /// Largest difference of times and states.
 [[nodiscard]] double distance(const Entry& a, const Entry& b);
 

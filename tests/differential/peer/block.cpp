@@ -124,7 +124,7 @@ class Block final : private Equations {
     constexpr std::size_t most_at_once = 1000;
     story_.events.push_back({tau_, kind, posture()});
     const std::size_t count = story_.events.size();
-    if (count > most_at_once && tau_ - story_.events[count - most_at_once].tau < 1e-10) story_.ending = "stopped";
+    if (count > most_at_once && tau_ - story_.events[count - most_at_once].tau < 1e-10) story_.ending = "stuck";
   }
 
   // Events.
@@ -157,7 +157,9 @@ class Block final : private Equations {
       look_up();
       return leave_full_contact(sign_of(alpha()), true);
     }
-    const Stretch stretch = flow_.follow(y_, end - tau_, *this);
+    // A hop from the ground is followed to the same relative accuracy however low it is.
+    const double smallness = y_[0] == 0.0 && y_[1] != 0.0 ? std::min(1.0, 1e8 * y_[1] * y_[1]) : 1.0;
+    const Stretch stretch = flow_.follow(y_, end - tau_, smallness, *this);
     y_ = stretch.state;
     const auto& fired = stretch.fired;
     if (std::none_of(fired.begin(), fired.end(), [](bool did) { return did; })) return arrive(end);
@@ -245,7 +247,9 @@ class Block final : private Equations {
   void stand_still_if_pulled_back() {
     constexpr double rounding = 1e-9;  // of accelerations at an onset that was found as a root
     const Balance now = sliding(body_, stance(y_), alpha(), direction_, friction_.sliding);
-    if (direction_ * now.v_dot < -rounding && story_.ending.empty()) stand_still();
+    if (direction_ * now.v_dot >= -rounding || !story_.ending.empty()) return;
+    if (scene_.sigmas.at_rest == 0.0) return end_with("stuck");  // the same mu_s, the same answer
+    stand_still();
   }
 
   void tip_if_gripped() {
@@ -299,10 +303,16 @@ class Block final : private Equations {
     slip_if_loose();
   }
 
-  /// Whether the coming hop, up at rate w against the acceleration that brings it back, is too short to follow.
-  [[nodiscard]] bool chatters() const {
-    if (contact_ == Contact::rock_slide ? tips_when_sliding() : std::abs(alpha()) > 1.0 / body_.slenderness) return false;
-    const double pull = -side_ * balance_at(0.0, y_).w_dot;
+  /// Whether the hops to come, up at rate w against the acceleration that brings the block back, are too short to follow:
+  /// both those over the one edge and those over the other.
+  [[nodiscard]] bool chatters() {
+    double pull = std::numeric_limits<double>::infinity();
+    for (const double side : {-1.0, 1.0}) {
+      const Stance stance{side, 0.0, 0.0};
+      const Balance now = contact_ == Contact::rock ? sticking(body_, stance, alpha())
+                                                    : sliding(body_, stance, alpha(), direction_, friction_.sliding);
+      pull = std::min(pull, -side * now.w_dot);
+    }
     return pull > 0.0 && 2.0 * std::abs(y_[1]) < care_.shortest_hop * pull;
   }
 

@@ -30,13 +30,13 @@ struct Sample {
 struct Story {
   std::vector<Event> events;
   std::vector<Sample> samples;  ///< at tau = 2 pi k/Omega_h, k = 1, 2, ...
-  std::string_view ending;      ///< reached_horizon, overturned, painleve, stopped
+  std::string_view ending;      ///< reached_horizon, overturned, painleve, stuck
 };
 
 /// How finely the peer looks.
 struct Care {
   double steps_per_period = 64.0;  ///< at least
-  double shortest_hop = 1e-8;      ///< a chatter ends with the impact after which the block would be up for less [tau]
+  double shortest_hop = 1e-11;     ///< a chatter ends with the impact after which every hop would last less [tau]
 };
 
 /// What happens in `scene` over `periods` excitation periods.

@@ -56,7 +56,7 @@ struct Flow::Solver {
   }
 };
 
-Flow::Flow(const FlowAccuracy& accuracy) : solver_(std::make_unique<Solver>()) {
+Flow::Flow(const FlowAccuracy& accuracy) : accuracy_(accuracy), solver_(std::make_unique<Solver>()) {
   Solver& s = *solver_;
   require(SUNContext_Create(nullptr, &s.context), "SUNContext_Create");
   s.state = N_VNew_Serial(static_cast<sunindextype>(Vector{}.size()), s.context);
@@ -64,7 +64,6 @@ Flow::Flow(const FlowAccuracy& accuracy) : solver_(std::make_unique<Solver>()) {
   s.memory = CVodeCreate(CV_ADAMS, s.context);
   require(CVodeSetErrHandlerFn(s.memory, be_silent, nullptr), "CVodeSetErrHandlerFn");
   require(CVodeInit(s.memory, rates, 0.0, s.state), "CVodeInit");
-  require(CVodeSStolerances(s.memory, accuracy.relative, accuracy.absolute), "CVodeSStolerances");
   s.corrector = SUNNonlinSol_FixedPoint(s.state, 0, s.context);
   require(CVodeSetNonlinearSolver(s.memory, s.corrector), "CVodeSetNonlinearSolver");
   require(CVodeSetMaxNumSteps(s.memory, 1'000'000), "CVodeSetMaxNumSteps");
@@ -78,10 +77,11 @@ Flow::Flow(const FlowAccuracy& accuracy) : solver_(std::make_unique<Solver>()) {
 
 Flow::~Flow() = default;
 
-Stretch Flow::follow(const Vector& start, double duration, const Equations& equations) {
+Stretch Flow::follow(const Vector& start, double duration, double smallness, const Equations& equations) {
   Solver& s = *solver_;
   std::copy(start.begin(), start.end(), N_VGetArrayPointer(s.state));
   require(CVodeReInit(s.memory, 0.0, s.state), "CVodeReInit");
+  require(CVodeSStolerances(s.memory, accuracy_.relative, accuracy_.absolute * smallness), "CVodeSStolerances");
   require(CVodeSetUserData(s.memory, const_cast<Equations*>(&equations)), "CVodeSetUserData");
   require(CVodeSetStopTime(s.memory, duration), "CVodeSetStopTime");
   Stretch stretch{duration, {}, {}};

@@ -42,11 +42,12 @@ class Flow {
   explicit Flow(const FlowAccuracy& accuracy);
   ~Flow();
 
-  /// From `start` for `duration` or until the first guard falls through 0.
-  [[nodiscard]] Stretch follow(const Vector& start, double duration, const Equations& equations);
+  /// From `start` for `duration` or until the first guard falls through 0. The absolute tolerance is times `smallness`.
+  [[nodiscard]] Stretch follow(const Vector& start, double duration, double smallness, const Equations& equations);
 
  private:
   struct Solver;
+  FlowAccuracy accuracy_;
   std::unique_ptr<Solver> solver_;
 };
 

@@ -1,0 +1,118 @@
+#include "differential/compare.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <numbers>
+#include <variant>
+#include <vector>
+
+#include "differential/account.hpp"
+#include "support/split_mix.hpp"
+
+namespace rocking::differential {
+namespace {
+
+constexpr double useless = 1e-3;  ///< displacements that have grown to this size tell nothing
+
+double period_of(const Question& question) {
+  return 2.0 * std::numbers::pi / question.condition.scene.excitation.frequency_ratio;
+}
+
+Account our_account(const Question& question) {
+  return account_of(experiment::trajectory_of(question.condition, question.seed, question.realisation, question.periods),
+                    period_of(question));
+}
+
+/// Every number of the scene a little larger or smaller, each as its own bit of `signs` says. What is 0 stays 0, so that a
+/// block at rest stays at rest; mu_s = mu_k stays so too.
+Question displaced(const Question& question, std::uint64_t signs, double size) {
+  Question other = question;
+  experiment::Scene& scene = other.condition.scene;
+  const auto nudge = [&signs, size](double value) {
+    const double factor = 1.0 + ((signs & 1U) != 0 ? size : -size);
+    signs >>= 1U;
+    return value * factor;
+  };
+  scene.block.height = nudge(scene.block.height);
+  scene.excitation.amplitude = nudge(scene.excitation.amplitude);
+  scene.excitation.phase = nudge(std::get<double>(scene.excitation.phase));
+  scene.restitution = nudge(scene.restitution);
+  if (scene.friction) {
+    auto& [mu_s, mu_k] = *scene.friction;
+    const bool equal = mu_s == mu_k;
+    mu_s = nudge(mu_s);
+    mu_k = equal ? mu_s : nudge(mu_k);
+  }
+  for (experiment::Quantity* start : {&scene.initial.tilt, &scene.initial.tilt_rate, &scene.initial.slip_rate}) {
+    *start = nudge(std::get<double>(*start));
+  }
+  return other;
+}
+
+/// How many whole periods pass before our run gets stuck, or all: a stuck run takes long, and displaced ones get stuck too.
+std::int64_t periods_to_displace(const Question& question, const Account& ours) {
+  if (ours.back().what != "stuck") return question.periods;
+  return static_cast<std::int64_t>(ours.back().tau / period_of(question));
+}
+
+/// Pairs of opposite displacements in random directions, over `periods`.
+std::vector<Account> displaced_accounts(Question question, std::int64_t periods) {
+  if (periods == 0) return {};
+  question.periods = periods;
+  constexpr int pairs = 4;
+  support::SplitMix random(question.realisation);
+  std::vector<Account> accounts;
+  for (int pair = 0; pair < pairs; ++pair) {
+    const std::uint64_t signs = random.bits();
+    accounts.push_back(our_account(displaced(question, signs, displacement)));
+    accounts.push_back(our_account(displaced(question, ~signs, displacement)));
+  }
+  return accounts;
+}
+
+bool same_kind(const Account& a, const Account& b, std::size_t index) {
+  return index < a.size() && index < b.size() && a[index].what == b[index].what;
+}
+
+}  // namespace
+
+Comparison compare(const Question& asked, const Question& peer_asked, double share_allowed) {
+  const Account ours = our_account(asked);
+  const Account theirs = account_of(peer::story_of(peer_scene(peer_asked), peer_asked.periods), period_of(peer_asked));
+  const std::int64_t periods = periods_to_displace(asked, ours);
+  std::vector<Account> companions = displaced_accounts(asked, periods);
+  const std::size_t all = companions.size();
+
+  Comparison result;
+  double growth = 0.0;  // of the displacements, so far
+  for (; result.entries < ours.size(); ++result.entries) {
+    const std::size_t i = result.entries;
+    if (ours[i].tau > static_cast<double>(periods) * period_of(asked)) {  // only what happened can be compared
+      if (same_kind(ours, theirs, i)) continue;
+      result.outcome = Outcome::disagreed;
+      return result;
+    }
+    std::erase_if(companions, [&](const Account& companion) { return !same_kind(ours, companion, i); });
+    if (!same_kind(ours, theirs, i)) {
+      result.outcome = companions.size() < all ? Outcome::split : Outcome::disagreed;
+      return result;
+    }
+    for (const Account& companion : companions) growth = std::max(growth, distance(ours[i], companion[i]));
+    if (companions.empty() || growth > useless) {
+      result.outcome = Outcome::grown;
+      return result;
+    }
+    const double difference = distance(ours[i], theirs[i]);
+    const double unexplained = difference - (ends_chatter(ours[i]) ? chatter_error : local_error);
+    result.difference = std::max(result.difference, difference);
+    if (unexplained > 0.0) result.share = std::max(result.share, unexplained / growth);
+    if (result.share > share_allowed) {
+      result.outcome = Outcome::disagreed;
+      return result;
+    }
+  }
+  if (theirs.size() > ours.size()) result.outcome = Outcome::disagreed;
+  return result;
+}
+
+}  // namespace rocking::differential

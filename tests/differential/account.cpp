@@ -8,12 +8,13 @@
 namespace rocking::differential {
 namespace {
 
+constexpr double same_instant = 1e-10;  ///< events closer than this are told at one instant
+
 /// Samples go where they belong: after the events of their instant, to rounding.
 void insert_samples(Account& account, const Account& samples) {
-  constexpr double rounding = 1e-10;
   for (const Entry& sample : samples) {
     const auto later = std::find_if(account.begin(), account.end(),
-                                    [&](const Entry& entry) { return entry.tau > sample.tau + rounding; });
+                                    [&](const Entry& entry) { return entry.tau > sample.tau + same_instant; });
     account.insert(later, sample);
   }
 }
@@ -33,23 +34,25 @@ void drop_chatter_tails(Account& account) {
   account = kept;
 }
 
-/// Where an instant is told of again and again, the laws have no answer: once is enough, and what follows means nothing.
-/// (With J = 4/3 a slip may begin against its own direction.) Returns whether that happened.
-bool end_where_stuck(Account& account) {
-  constexpr double rounding = 1e-10;
+/// Where one instant is told of again and again, the laws have no answer (lib/docs/differential.md): its first entry is kept,
+/// what follows means nothing. Returns whether that happened.
+bool end_where_stuck(Account& account, std::string_view ending) {
   constexpr std::size_t often = 100;
-  for (std::size_t first = 0; first + often < account.size(); ++first) {
-    if (account[first + often].tau - account[first].tau > rounding) continue;
-    account.resize(first + 1);
-    return true;
+  std::size_t first = 0;
+  while (first + often < account.size() && account[first + often].tau - account[first].tau > same_instant) ++first;
+  if (first + often >= account.size()) {
+    if (ending != "stuck") return false;
+    first = account.size() - 1;
   }
-  return false;
+  while (first > 0 && account[first].tau - account[first - 1].tau < same_instant) --first;
+  account.resize(first + 1);
+  return true;
 }
 
 Account finished(Account events, const Account& samples, std::string_view ending) {
   insert_samples(events, samples);
   drop_chatter_tails(events);
-  const bool stuck = end_where_stuck(events);
+  const bool stuck = end_where_stuck(events, ending);
   const double end = events.empty() ? 0.0 : events.back().tau;
   events.push_back({end, stuck ? "stuck" : ending, {}});
   return events;

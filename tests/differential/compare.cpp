@@ -1,8 +1,8 @@
 #include "differential/compare.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <numbers>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -74,45 +74,64 @@ bool same_kind(const Account& a, const Account& b, std::size_t index) {
   return index < a.size() && index < b.size() && a[index].what == b[index].what;
 }
 
-}  // namespace
+/// Our account and those of the displaced scenes.
+struct Evidence {
+  Account ours;
+  std::vector<Account> companions;
+  double companions_end;  ///< tau to which they go
+};
 
-Comparison compare(const Question& asked, const Question& peer_asked, double share_allowed) {
-  const Account ours = our_account(asked);
-  const Account theirs = account_of(peer::story_of(peer_scene(peer_asked), peer_asked.periods), period_of(peer_asked));
+Evidence evidence_for(const Question& asked) {
+  Account ours = our_account(asked);
   const std::int64_t periods = periods_to_displace(asked, ours);
   std::vector<Account> companions = displaced_accounts(asked, periods);
-  const std::size_t all = companions.size();
+  const double end = companions.empty() ? -1.0 : static_cast<double>(periods) * period_of(asked);
+  return {std::move(ours), std::move(companions), end};
+}
 
+double unexplained(const Entry& ours, const Entry& theirs) {
+  return distance(ours, theirs) - (ends_chatter(ours) ? chatter_error : local_error);
+}
+
+Comparison compare(const Evidence& evidence, const Account& theirs, double share_allowed) {
+  const Account& ours = evidence.ours;
+  std::vector<Account> companions = evidence.companions;
   Comparison result;
+  const auto ends_as = [&result](Outcome outcome) {
+    result.outcome = outcome;
+    return result;
+  };
   double growth = 0.0;  // of the displacements, so far
   for (; result.entries < ours.size(); ++result.entries) {
     const std::size_t i = result.entries;
-    if (ours[i].tau > static_cast<double>(periods) * period_of(asked)) {  // only what happened can be compared
-      if (same_kind(ours, theirs, i)) continue;
-      result.outcome = Outcome::disagreed;
-      return result;
-    }
-    std::erase_if(companions, [&](const Account& companion) { return !same_kind(ours, companion, i); });
+    const bool has_companions = ours[i].tau <= evidence.companions_end;
+    if (has_companions) std::erase_if(companions, [&](const Account& other) { return !same_kind(ours, other, i); });
     if (!same_kind(ours, theirs, i)) {
-      result.outcome = companions.size() < all ? Outcome::split : Outcome::disagreed;
-      return result;
+      return ends_as(companions.size() < evidence.companions.size() ? Outcome::split : Outcome::disagreed);
     }
+    if (!has_companions) continue;  // only what happened can be compared
     for (const Account& companion : companions) growth = std::max(growth, distance(ours[i], companion[i]));
-    if (companions.empty() || growth > useless) {
-      result.outcome = Outcome::grown;
-      return result;
-    }
-    const double difference = distance(ours[i], theirs[i]);
-    const double unexplained = difference - (ends_chatter(ours[i]) ? chatter_error : local_error);
-    result.difference = std::max(result.difference, difference);
-    if (unexplained > 0.0) result.share = std::max(result.share, unexplained / growth);
-    if (result.share > share_allowed) {
-      result.outcome = Outcome::disagreed;
-      return result;
-    }
+    if (companions.empty() || growth > useless) return ends_as(Outcome::grown);
+    result.difference = std::max(result.difference, distance(ours[i], theirs[i]));
+    result.share = std::max(result.share, unexplained(ours[i], theirs[i]) / growth);
+    if (result.share > share_allowed) return ends_as(Outcome::disagreed);
   }
-  if (theirs.size() > ours.size()) result.outcome = Outcome::disagreed;
-  return result;
+  return ends_as(theirs.size() > ours.size() ? Outcome::disagreed : Outcome::agreed);
+}
+
+}  // namespace
+
+Comparison compare(const Question& asked, const Question& peer_asked, double share_allowed) {
+  const Evidence evidence = evidence_for(asked);
+  const auto told_with = [&](const peer::Care& care) {
+    const peer::Story story = peer::story_of(peer_scene(peer_asked), peer_asked.periods, care);
+    return compare(evidence, account_of(story, period_of(peer_asked)), share_allowed);
+  };
+  const Comparison first = told_with({});
+  if (first.outcome != Outcome::disagreed) return first;
+  Comparison second = told_with({.steps_per_period = 4096.0});
+  second.looked_closer = true;
+  return second;
 }
 
 }  // namespace rocking::differential

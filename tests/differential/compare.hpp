@@ -20,6 +20,7 @@ struct Comparison {
   std::size_t entries = 0;  ///< events and strobe samples that were compared
   double difference = 0.0;  ///< largest, of times and states
   double share = 0.0;       ///< largest, as a share of what a displacement by `displacement` makes of the same entry
+  bool looked_closer = false;  ///< the peer had missed a guard's short dip, and was asked again with smaller steps
 };
 
 /// Relative size of the displacements that measure how small differences grow.

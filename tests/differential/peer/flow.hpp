@@ -28,8 +28,8 @@ struct Stretch {
 };
 
 struct FlowAccuracy {
-  double relative = 1e-13;
-  double absolute = 1e-14;
+  double relative = 2e-14;
+  double absolute = 1e-15;
   double longest_step;  ///< guards are looked at once a step: a dip below 0 that is shorter is missed
 };
 

@@ -121,6 +121,19 @@ TEST(LossOfContact, SuspendsTheTestOfFrictionUntilTheBlockPressesAgain) {
   EXPECT_EQ(run.motion.first_loss_of_contact(), 0.0);
 }
 
+// The same with mu_k = mu_s. Where the block presses on the base again, N = 0 and friction is exhausted by far, not just: V'
+// does not vanish there as it does where abs(F) reaches mu_s N.
+TEST(LossOfContact, EndsInASlipThatGoesOnWhereKineticFrictionIsTheStaticOne) {
+  for (const double amplitude : {4.0, 7.0, 10.0}) {
+    const Stage stage{.start = {.tilt = 0.1 * psi, .tilt_rate = -1.5}, .periods = 3};
+    ScriptedRun run(stage, {.amplitude_value = amplitude, .statics = {0.2}, .kinetics = {0.2}});
+    run.run();
+    EXPECT_NE(run.motion.termination(), Termination::stopped) << "A_h = " << amplitude;
+    EXPECT_GT(run.motion.losses_of_contact(), 0U) << "A_h = " << amplitude;
+    EXPECT_LT(run.log.events.size(), 100U) << run.log.story().substr(0, 200);
+  }
+}
+
 // Off the ground (w^2 cos(phi) > 4/3) and slipping against the tilt, D = 1/3 + sin^2(phi) - mu_k sin(phi) cos(phi) draws the
 // block to its zero: w grows without bound in finite time. The run ends with its reason, before infinities spread.
 TEST(Painleve, EndsTheRunWhereTheDeterminantVanishes) {

@@ -33,11 +33,41 @@ TEST(Sweep, HasBothEndsAndNoRunningSum) {
   const auto experiment = report::read_experiment(example_experiment().dump());
   ASSERT_EQ(experiment.conditions.size(), 21U);
   for (std::size_t i = 0; i < 21; ++i) {
-    const double expected = 3.0 + static_cast<double>(i) * 0.1;
+    const double expected = static_cast<double>(30 + i) / 10.0;  // what 3.3 reads as: both are the nearest double
     EXPECT_EQ(experiment.conditions[i].scene.excitation.amplitude, expected);
     EXPECT_EQ(Json::parse(experiment.conditions[i].parameters[0].value).get<double>(), expected);
   }
   EXPECT_EQ(experiment.conditions.back().scene.excitation.amplitude, 5.0);
+}
+
+std::vector<double> amplitudes_of(const std::string& range) {
+  std::vector<double> amplitudes;
+  const auto sweep = R"([{"parameter": "/excitation/amplitude", )" + range + "}]";
+  for (const auto& condition : read_with_sweep(sweep).conditions) {
+    amplitudes.push_back(condition.scene.excitation.amplitude);
+  }
+  return amplitudes;
+}
+
+TEST(Sweep, HasThePointsThatItsUserWouldWriteDown) {
+  EXPECT_NE(1.0 + 7 * 0.1, 1.7) << "the case in point";
+  EXPECT_THAT(amplitudes_of(R"("from": 1.0, "to": 1.8, "step": 0.1)"),
+              ::testing::ElementsAre(1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8));
+  EXPECT_THAT(amplitudes_of(R"("from": 0.7, "to": 0.1, "step": -0.2)"), ::testing::ElementsAre(0.7, 0.5, 0.3, 0.1));
+  EXPECT_THAT(amplitudes_of(R"("from": 1.23e-7, "to": 1.26e-7, "step": 1e-9)"),
+              ::testing::ElementsAre(1.23e-7, 1.24e-7, 1.25e-7, 1.26e-7));
+}
+
+TEST(Sweep, PassesThroughZeroExactly) {
+  const auto sweep = R"([{"parameter": "/initial/tilt", "from": -0.3, "to": 0.3, "step": 0.1}])";
+  const auto experiment = read_with_sweep(sweep);
+  EXPECT_NE(-0.3 + 3 * 0.1, 0.0) << "the case in point";
+  EXPECT_EQ(std::get<double>(experiment.conditions.at(3).scene.initial.tilt), 0.0);
+}
+
+TEST(Sweep, KeepsEveryBitOfItsEnds) {
+  const auto points = amplitudes_of(R"("from": 0.3333333333333333, "to": 2.3333333333333335, "step": 1)");
+  EXPECT_THAT(points, ::testing::ElementsAre(1.0 / 3.0, 1.33333333333, 7.0 / 3.0));
 }
 
 TEST(Sweep, MayRunDownwardsOrStandStill) {
@@ -114,6 +144,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadSweep{R"([{"values": [1]}])", "/sweep/0/parameter", "is missing", "/excitation/amplitude"},
         BadSweep{R"([{"parameter": "/excitation/amplitud", "values": [1]}])", "/sweep/0/parameter", "leads to nothing",
                  "/excitation/amplitude"},
+        BadSweep{R"([{"parameter": "", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
+        BadSweep{R"([{"parameter": 3, "values": [1]}])", "/sweep/0/parameter", "must be text", "quotes"},
         BadSweep{R"([{"parameter": "excitation", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
         BadSweep{R"([{"parameter": "/seed", "values": [1]}])", "/sweep/0/parameter", "leads to nothing", ""},
         BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0.3}])", "/sweep/0/step",

@@ -40,8 +40,8 @@ inline constexpr IntegerRule transient_periods{.low = 0, .high = 100'000'000, .s
 inline constexpr IntegerRule sampled_periods{.low = 1, .high = 1'000'000, .standard = 120};
 inline constexpr NumberRule tolerance{.allows = [](double x) { return 1e-16 <= x && x <= 1e-2; },
                                       .demand = "must be a number from 1e-16 to 1e-2",
-                                      .example = "1e-10",
-                                      .standard = 1e-10};
+                                      .example = "1e-13",
+                                      .standard = 1e-13};
 inline constexpr IntegerRule realisations{.low = 1, .high = 1'000'000'000, .standard = 1};
 inline constexpr NumberRule confidence{.allows = [](double x) { return 0.0 < x && x < 1.0; },
                                        .demand = "must lie between 0 and 1, both left out",

@@ -1,6 +1,7 @@
 #include "rocking/report/sweep.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
@@ -11,6 +12,19 @@ namespace rocking::report {
 namespace {
 
 constexpr NumberRule any_number{.allows = [](double) { return true; }, .demand = "must be a number", .example = "1.0"};
+
+/// What the rounding of from, to and step moves a point by, at most, in steps: a few ulps of a million.
+constexpr double rounding = 1e-9;
+
+/// The double nearest to `number` in 12 significant decimal digits: 1.0 + 7 x 0.1 becomes the double that 1.7 reads as.
+double to_twelve_digits(double number) {
+  char digits[32];
+  const auto [end, error] = std::to_chars(digits, digits + sizeof digits, number, std::chars_format::scientific, 11);
+  static_cast<void>(error);  // 32 characters hold every double in 12 digits
+  double rounded = number;
+  std::from_chars(digits, end, rounded);  // leaves it as it is where rounding up leaves the doubles
+  return rounded;
+}
 
 std::vector<std::string> pointers_into(const Json& document) {
   std::vector<std::string> pointers;
@@ -55,7 +69,8 @@ class AxisReader {
       return {};
     }
     std::string pointer = in_.text("parameter", "");
-    if (!pointer.empty() && !leads_somewhere(pointer)) {
+    const bool is_text = in_.value("parameter")->is_string();
+    if (is_text && (pointer.empty() || !leads_somewhere(pointer))) {
       const auto known = pointers_into(base_);
       const auto nearest = nearest_word(pointer, known);
       in_.reject("parameter", "leads to nothing that this file holds and a sweep may change",
@@ -103,21 +118,24 @@ class AxisReader {
       in_.reject("step", "makes more than 1000000 points", "give a larger step");
       return {};
     }
-    // The rounding of from, to and step moves the quotient by a few of its ulps, below 1e-9 for a million steps.
-    constexpr double rounding = 1e-9;
     const double count = std::round(steps);
     if (std::abs(steps - count) > rounding) {
       in_.reject("step", "does not divide the way from \"from\" to \"to\"",
                  "end at " + Json(from + std::floor(steps) * step).dump() + ", or give another step");
       return {};
     }
-    return points(from, step, static_cast<std::size_t>(count));
+    return points(from, to, step, static_cast<std::size_t>(count));
   }
 
-  std::vector<Json> points(double from, double step, std::size_t count) {
+  static std::vector<Json> points(double from, double to, double step, std::size_t count) {
     std::vector<Json> values;
     values.reserve(count + 1);
-    for (std::size_t i = 0; i <= count; ++i) values.emplace_back(from + static_cast<double>(i) * step);
+    values.emplace_back(from);
+    for (std::size_t i = 1; i < count; ++i) {
+      const double point = from + static_cast<double>(i) * step;
+      values.emplace_back(std::abs(point) < rounding * std::abs(step) ? 0.0 : to_twelve_digits(point));
+    }
+    if (count > 0) values.emplace_back(to);
     return values;
   }
 

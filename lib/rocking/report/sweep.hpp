@@ -20,7 +20,8 @@ struct SweepAxis {
 inline constexpr std::size_t most_conditions = 1'000'000;
 
 /// The entries of `sweep`. `base` is the experiment in canonical form: a pointer must lead to something in it.
-/// Points are from + i step, i = 0, 1, ..., never a running sum; both ends are among them.
+/// Points are from + i step, i = 0, 1, ..., never a running sum, rounded to 12 significant decimal digits; the two ends are
+/// as they were written.
 [[nodiscard]] std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, Problems& problems);
 
 /// Number of points of the grid; 1 without axes. Saturates above `most_conditions`.

@@ -14,7 +14,7 @@ build_packages=(
 )
 boost_package=libboost1.81-dev
 oldest_boost=107400
-full_packages=(clang)
+full_packages=(clang libsundials-dev)  # SUNDIALS, for one test, brings MPI, PETSc and a Fortran compiler
 
 say() { printf '%s\n' "$*"; }
 

@@ -35,7 +35,9 @@ Scene random_scene(std::uint64_t number) {
   scene.coefficients.amplitude_value = draw.uniform(0.5, 10.0);
   const double mu_s = draw.uniform(0.05, 0.6);
   scene.coefficients.statics = {mu_s, mu_s * draw.uniform(0.5, 1.5), mu_s};
-  scene.coefficients.kinetics = {0.9 * mu_s, 0.7 * mu_s, 0.95 * mu_s};
+  // With the inertia about the edge a block near mu_k = mu_s can neither stick nor slip: not this test's business.
+  const double share = scene.stage.inertia > 1.0 ? 0.3 : 1.0;
+  scene.coefficients.kinetics = {share * 0.9 * mu_s, share * 0.7 * mu_s, share * 0.95 * mu_s};
   scene.coefficients.changes = {{.period = 2, .time = 0.1}, {.period = 3, .time = 0.0}};
   scene.coefficients.restitutions = {0.0, 0.1, -0.1};
   if (draw.below(2) == 0) return scene;

@@ -1,0 +1,181 @@
+// The same bits with any number of threads and in any order of work.
+
+#include <atomic>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/run.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+Condition condition_at(double amplitude, std::uint64_t realisations) {
+  Condition condition;
+  condition.scene.excitation.amplitude = amplitude;
+  condition.scene.excitation.frequency_ratio = 10.0;
+  condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
+  condition.horizon = {.transient_periods = 30, .sampled_periods = 40};
+  condition.realisations = realisations;
+  return condition;
+}
+
+/// Four conditions of unlike cost: friction that fluctuates, an odd number of realisations, a random start, nothing random.
+Experiment experiment() {
+  Experiment question;
+  question.seed = 0x2012;
+  Condition fluctuating = condition_at(4.5, 12);
+  fluctuating.scene.fluctuation.static_friction = 0.03;
+  fluctuating.scene.fluctuation.kinetic_friction = 0.03;
+  Condition odd = fluctuating;
+  odd.scene.excitation.amplitude = 9.0;
+  odd.realisations = 7;
+  Condition started = condition_at(3.6, 11);
+  started.scene.initial.tilt = Uniform{.low = -0.5, .high = 0.5};
+  started.scene.excitation.phase = Uniform{.low = 0.0, .high = 6.28};
+  question.conditions = {fluctuating, odd, started, condition_at(7.0, 50)};
+  return question;
+}
+
+ExperimentResult result_with(unsigned threads) {
+  RunOptions options;
+  options.threads = threads;
+  auto result = run(experiment(), options);
+  EXPECT_TRUE(result.has_value());
+  return std::move(*result);
+}
+
+void expect_same(const PartingTimes& a, const PartingTimes& b) {
+  EXPECT_EQ(a.pairs, b.pairs);
+  EXPECT_EQ(a.parted, b.parted);
+  EXPECT_EQ(a.lower_quartile, b.lower_quartile);
+  EXPECT_EQ(a.median, b.median);
+  EXPECT_EQ(a.upper_quartile, b.upper_quartile);
+}
+
+void expect_same(const NonRecurrence& a, const NonRecurrence& b) {
+  EXPECT_EQ(a.differ, b.differ);
+  EXPECT_EQ(a.differ_interval.low, b.differ_interval.low);
+  EXPECT_EQ(a.differ_interval.high, b.differ_interval.high);
+  EXPECT_EQ(a.entropy, b.entropy);
+  expect_same(a.friction, b.friction);
+  expect_same(a.arithmetic, b.arithmetic);
+}
+
+void expect_same(const ConditionResult& a, const ConditionResult& b) {
+  EXPECT_EQ(a.realisations, b.realisations);
+  ASSERT_EQ(a.modes.size(), b.modes.size());
+  for (std::size_t i = 0; i < a.modes.size(); ++i) {
+    EXPECT_EQ(a.modes[i].mode, b.modes[i].mode);
+    EXPECT_EQ(a.modes[i].probability.counts.successes, b.modes[i].probability.counts.successes);
+    EXPECT_EQ(a.modes[i].probability.wilson.low, b.modes[i].probability.wilson.low);
+    EXPECT_EQ(a.modes[i].probability.clopper_pearson.high, b.modes[i].probability.clopper_pearson.high);
+  }
+  ASSERT_EQ(a.non_recurrence.has_value(), b.non_recurrence.has_value());
+  if (a.non_recurrence) expect_same(*a.non_recurrence, *b.non_recurrence);
+  EXPECT_EQ(a.effort.steps, b.effort.steps);
+  EXPECT_EQ(a.effort.root_isolations, b.effort.root_isolations);
+  EXPECT_EQ(a.effort.companion_periods, b.effort.companion_periods);
+  EXPECT_EQ(a.effort.static_friction_draws, b.effort.static_friction_draws);
+  EXPECT_EQ(a.effort.kinetic_friction_draws, b.effort.kinetic_friction_draws);
+  EXPECT_EQ(a.effort.initial_draws, b.effort.initial_draws);
+  EXPECT_EQ(a.effort.events, b.effort.events);
+  EXPECT_EQ(a.stopped_because, b.stopped_because);
+}
+
+TEST(Run, GivesTheSameResultWithAnyNumberOfThreads) {
+  const ExperimentResult alone = result_with(1);
+  for (const unsigned threads : {2U, 7U}) {
+    const ExperimentResult together = result_with(threads);
+    EXPECT_EQ(together.digest, alone.digest) << threads << " threads";
+    ASSERT_EQ(together.conditions.size(), alone.conditions.size());
+    for (std::size_t i = 0; i < alone.conditions.size(); ++i) {
+      SCOPED_TRACE(testing::Message() << threads << " threads, condition " << i);
+      expect_same(together.conditions[i], alone.conditions[i]);
+    }
+  }
+}
+
+// Realised backwards, last condition first, and put together in their order: the digest of the run.
+TEST(Run, HasTheDigestOfRealisationsMadeInAnyOrder) {
+  const Experiment question = experiment();
+  std::vector<base::Sha256> conditions(question.conditions.size());
+  for (std::size_t i = question.conditions.size(); i-- > 0;) {
+    const Condition& condition = question.conditions[i];
+    std::vector<base::Sha256> realisations(effective_realisations(condition));
+    for (std::uint64_t k = realisations.size(); k-- > 0;) {
+      realisations[k] = digest_of(realise(condition, question.seed, k), k);
+    }
+    base::Sha256Builder builder;
+    for (const base::Sha256& digest : realisations) builder.add(digest);
+    conditions[i] = builder.finish();
+  }
+  base::Sha256Builder builder;
+  for (const base::Sha256& digest : conditions) builder.add(digest);
+  EXPECT_EQ(builder.finish(), result_with(2).digest);
+}
+
+TEST(Run, DependsOnItsSeed) {
+  Experiment question = experiment();
+  question.seed = 0x2013;
+  EXPECT_NE(run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr})->digest, result_with(2).digest);
+}
+
+TEST(Run, RunsOneRealisationWhereNothingIsRandom) {
+  EXPECT_EQ(effective_realisations(condition_at(7.0, 50)), 1U);
+  const ExperimentResult result = result_with(2);
+  EXPECT_EQ(result.conditions.back().realisations, 1U);
+  EXPECT_EQ(result.conditions.back().stopped_because, "deterministic");
+  EXPECT_FALSE(result.conditions.back().non_recurrence.has_value());
+}
+
+TEST(Run, GivesNothingWhereItIsAskedToStop) {
+  for (const unsigned threads : {1U, 2U, 7U}) {
+    const std::atomic<bool> stop{true};
+    EXPECT_FALSE(run(experiment(), {.threads = threads, .on_progress = {}, .stop_requested = &stop}).has_value());
+  }
+}
+
+TEST(Run, GivesNothingWhereItIsStoppedHalfWay) {
+  std::atomic<bool> stop{false};
+  std::uint64_t last = 0;
+  const auto watch = [&](std::uint64_t done, std::uint64_t) {
+    last = done;
+    if (done >= 4) stop = true;
+  };
+  EXPECT_FALSE(run(experiment(), {.threads = 2, .on_progress = watch, .stop_requested = &stop}).has_value());
+  EXPECT_GE(last, 4U);
+  EXPECT_LT(last, 31U);
+}
+
+TEST(Run, ReportsItsProgressUpToTheEnd) {
+  std::uint64_t last = 0;
+  std::uint64_t total = 0;
+  bool rises = true;
+  const auto watch = [&](std::uint64_t done, std::uint64_t all) {
+    rises = rises && done > last && done <= all;
+    last = done;
+    total = all;
+  };
+  ASSERT_TRUE(run(experiment(), {.threads = 7, .on_progress = watch, .stop_requested = nullptr}).has_value());
+  EXPECT_TRUE(rises);
+  EXPECT_EQ(last, 12U + 7U + 11U + 1U);
+  EXPECT_EQ(total, last);
+}
+
+TEST(Run, CountsEveryRealisationOnce) {
+  const ExperimentResult result = result_with(7);
+  const Experiment question = experiment();
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    std::uint64_t counted = 0;
+    for (const ModeEstimate& mode : result.conditions[i].modes) counted += mode.probability.counts.successes;
+    EXPECT_EQ(counted, effective_realisations(question.conditions[i]));
+    EXPECT_EQ(result.conditions[i].realisations, counted);
+  }
+}
+
+}  // namespace
+}  // namespace rocking::experiment

@@ -22,7 +22,7 @@ void insert_samples(Account& account, const Account& samples) {
 void drop_chatter_tails(Account& account) {
   Account kept;
   for (const Entry& entry : account) {
-    if (ends_chatter(entry)) {
+    if (ends_chatter(entry) || entry.what == "lift") {  // a lift from an impact is the end of hops over one edge
       const auto belongs = [](const Entry& before) {
         const bool is_hop = before.what.starts_with("impact_") || before.what.starts_with("slip_");
         return is_hop && std::abs(before.state[1]) < chatter_rate;
@@ -34,8 +34,8 @@ void drop_chatter_tails(Account& account) {
   account = kept;
 }
 
-/// Where one instant is told of again and again, the laws have no answer (lib/docs/differential.md): its first entry is kept,
-/// what follows means nothing. Returns whether that happened.
+/// Where one instant is told of again and again, the laws have no answer (lib/docs/differential.md): its first entry is
+/// kept, what follows means nothing. Returns whether that happened.
 bool end_where_stuck(Account& account, std::string_view ending) {
   constexpr std::size_t often = 100;
   std::size_t first = 0;
@@ -69,9 +69,8 @@ Account account_of(const experiment::Trajectory& trajectory, double period) {
     events.push_back({e.tau, to_string(e.kind), {e.tilt, e.tilt_rate, e.slip, e.slip_rate}});
   }
   for (const auto& s : trajectory.strobe) {
-    samples.push_back({static_cast<double>(s.period) * period,
-                       to_string(s.contact),
-                       {s.tilt, s.tilt_rate, s.slip, s.slip_rate}});
+    samples.push_back(
+        {static_cast<double>(s.period) * period, to_string(s.contact), {s.tilt, s.tilt_rate, s.slip, s.slip_rate}});
   }
   return finished(std::move(events), samples, to_string(trajectory.termination));
 }

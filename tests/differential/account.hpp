@@ -16,8 +16,8 @@ struct Entry {
   std::array<double, 4> state;  ///< Theta, Theta', X, V after it
 };
 
-/// All that happened, in order; last, how it ended. The tail of a chatter is left out, since how many impacts it is told in
-/// depends on the rule that ends it: the events at rates below `chatter_rate` that lead to full contact.
+/// All that happened, in order; last, how it ended. The tail of a chatter is left out, the events at rates below
+/// `chatter_rate` that lead to full contact: how many impacts it is told in depends on the rule that ends it.
 using Account = std::vector<Entry>;
 inline constexpr double chatter_rate = 1e-4;
 

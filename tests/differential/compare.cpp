@@ -19,12 +19,13 @@ double period_of(const Question& question) {
 }
 
 Account our_account(const Question& question) {
-  return account_of(experiment::trajectory_of(question.condition, question.seed, question.realisation, question.periods),
-                    period_of(question));
+  return account_of(
+      experiment::trajectory_of(question.condition, question.seed, question.realisation, question.periods),
+      period_of(question));
 }
 
-/// Every number of the scene a little larger or smaller, each as its own bit of `signs` says. What is 0 stays 0, so that a
-/// block at rest stays at rest; mu_s = mu_k stays so too.
+/// Every number of the scene a little larger or smaller, each as its own bit of `signs` says. What is 0 stays 0, so
+/// that a block at rest stays at rest; mu_s = mu_k stays so too.
 Question displaced(const Question& question, std::uint64_t signs, double size) {
   Question other = question;
   experiment::Scene& scene = other.condition.scene;
@@ -49,7 +50,7 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
   return other;
 }
 
-/// How many whole periods pass before our run gets stuck, or all: a stuck run takes long, and displaced ones get stuck too.
+/// How many whole periods pass before our run gets stuck, or all: a stuck run takes long, and so would displaced ones.
 std::int64_t periods_to_displace(const Question& question, const Account& ours) {
   if (ours.back().what != "stuck") return question.periods;
   return static_cast<std::int64_t>(ours.back().tau / period_of(question));

@@ -32,15 +32,15 @@ void expect_agreement(const Question& question) {
       << "entry " << comparison.entries << ", difference " << comparison.difference;
 }
 
-// With mu_s = mu_k the onset of slip has V' = 0 where the equations with and without slip are of one inertia, only there.
+// With mu_s = mu_k the onset of slip has V' = 0 only where the equations with and without slip are of one inertia.
 TEST(OnsetOfSlip, MakesSlipAccelerateAtOnceUnderTheInertiaOfTheEdge) {
   Question question = question_of({.height = 4.0, .friction = 0.2, .amplitude = 2.0, .frequency = 5.0});
   question.condition.scene.slide_inertia = dynamics::SlideInertia::edge;
   expect_agreement(question);
 }
 
-// Off the ground nothing is tested: when N rises through 0, more friction may be asked for than there is. That onset is no
-// root of the friction limit, and V' is not 0.
+// Off the ground friction is not tested: when N rises through 0, more of it may be asked for than there is. That onset
+// is no root of the friction limit, and V' is not 0.
 TEST(OnsetOfSlip, MakesSlipAccelerateAtOnceWhereTheBlockComesBackToTheGround) {
   expect_agreement(question_of({.height = 1.5, .friction = 0.45, .amplitude = 9.0, .frequency = 3.0}));
 }

@@ -72,7 +72,8 @@ TEST(Differential, ItsScenesKnowEveryKindOfEvent) {
   std::set<std::string_view> kinds;
   for (std::uint64_t number = 0; number < 4 * block_size; ++number) {
     const Question question = random_question(number);
-    for (const peer::Event& event : peer::story_of(peer_scene(question), question.periods).events) kinds.insert(event.kind);
+    for (const peer::Event& event : peer::story_of(peer_scene(question), question.periods).events)
+      kinds.insert(event.kind);
   }
   EXPECT_EQ(kinds.size(), dynamics::event_kind_count) << testing::PrintToString(kinds);
 }

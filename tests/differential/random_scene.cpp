@@ -46,7 +46,9 @@ void choose_fluctuation(experiment::Scene& scene, SplitMix& random) {
 }
 
 void choose_start(experiment::Scene& scene, SplitMix& random) {
-  const auto maybe = [&random](double low, double high) { return random.below(2) == 0 ? 0.0 : random.uniform(low, high); };
+  const auto maybe = [&random](double low, double high) {
+    return random.below(2) == 0 ? 0.0 : random.uniform(low, high);
+  };
   if (random.below(3) == 0) return;
   scene.initial.tilt = maybe(-0.9, 0.9);
   scene.initial.tilt_rate = maybe(-1.0, 1.0);

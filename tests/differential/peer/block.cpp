@@ -11,11 +11,11 @@
 #include "differential/peer/flow.hpp"
 #include "differential/peer/impact.hpp"
 #include "differential/peer/mechanics.hpp"
+#include "differential/peer/timetable.hpp"
 
 namespace rocking::peer {
 namespace {
 
-constexpr double turn = 2.0 * std::numbers::pi;
 constexpr double weight = 4.0 / 3.0;
 
 enum class Contact { rest, slide, rock, rock_slide };
@@ -23,7 +23,7 @@ enum Watch : std::size_t { overturn, ground, standstill, grip_left, grip_right, 
 
 double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-/// A block, told event by event. Time is tau; what is periodic is counted from tau = 0, or from the sine's zeros.
+/// A block, told event by event.
 class Block final : private Equations {
  public:
   Block(const Scene& scene, std::int64_t periods, const Care& care)
@@ -32,8 +32,8 @@ class Block final : private Equations {
         coefficients_(scene),
         care_(care),
         periods_(periods),
-        period_(turn / scene.frequency),
-        flow_({.longest_step = period_ / care.steps_per_period}) {}
+        timetable_(scene),
+        flow_({.longest_step = timetable_.period() / care.steps_per_period}) {}
 
   Story tell() {
     begin();
@@ -42,34 +42,13 @@ class Block final : private Equations {
   }
 
  private:
-  // Time, and what depends on it alone.
-
-  /// The first multiple of `pitch` (shifted by `offset`) that is still to come, as a count. What is nearer than a rounding is past.
-  [[nodiscard]] std::int64_t coming(double pitch, double offset = 0.0) const {
-    return static_cast<std::int64_t>(std::floor((tau_ + offset) / pitch + 1e-10)) + 1;
-  }
-  [[nodiscard]] double grid_pitch() const { return period_ / scene_.refreshes_per_period; }
-  [[nodiscard]] double phase_time() const { return scene_.phase / scene_.frequency; }
-  [[nodiscard]] double alpha_at(double time) const {
-    return amplitude_ * body_.psi * std::sin(scene_.frequency * (tau_ + time) + scene_.phase);
-  }
+  [[nodiscard]] double alpha_at(double time) const { return amplitude_ * body_.psi * timetable_.sine(tau_ + time); }
   [[nodiscard]] double alpha() const { return alpha_at(0.0); }
 
+  /// Takes the coefficients in force now.
   void look_up() {
-    amplitude_ = coefficients_.amplitude(coming(period_, phase_time()) - 1);
-    if (scene_.friction) friction_ = coefficients_.friction(coming(grid_pitch()) - 1);
-  }
-
-  [[nodiscard]] double next_break() const {
-    double next = static_cast<double>(coming(period_)) * period_;
-    if (scene_.sigmas.amplitude > 0.0) {
-      next = std::min(next, static_cast<double>(coming(period_, phase_time())) * period_ - phase_time());
-    }
-    const bool slips = contact_ == Contact::slide || contact_ == Contact::rock_slide;
-    if (slips && scene_.sigmas.sliding > 0.0) {
-      next = std::min(next, static_cast<double>(coming(grid_pitch())) * grid_pitch());
-    }
-    return next;
+    amplitude_ = coefficients_.amplitude(timetable_.excitation_period(tau_));
+    if (scene_.friction) friction_ = coefficients_.friction(timetable_.interval(tau_));
   }
 
   // The mechanics of the state of contact that holds.
@@ -95,7 +74,7 @@ class Block final : private Equations {
     g.fill(1.0);
     if (contact_ != Contact::rock) g[standstill] = direction_ * y[3];
     if (contact_ == Contact::slide) return g;
-    g[overturn] = turn / 4.0 - side_ * y[0];
+    g[overturn] = std::numbers::pi / 2.0 - side_ * y[0];
     g[ground] = side_ * y[0];
     if (!past_balance_) g[balance] = body_.psi - side_ * y[0];
     const Balance now = balance_at(time, y);
@@ -149,9 +128,10 @@ class Block final : private Equations {
   }
 
   void advance() {
-    const double end = next_break();
+    const bool slips = contact_ == Contact::slide || contact_ == Contact::rock_slide;
+    const double end = timetable_.next_break(tau_, slips);
     if (contact_ == Contact::rest) {
-      const double leave = time_of_push();
+      const double leave = timetable_.next_reach(tau_, threshold() / (amplitude_ * body_.psi));
       if (leave >= end) return arrive(end);
       tau_ = leave;
       look_up();
@@ -188,26 +168,14 @@ class Block final : private Equations {
 
   /// An instant at which something is looked up anew, or looked at.
   void arrive(double instant) {
-    const auto strobe = coming(period_);
+    const std::int64_t strobes = timetable_.strobes(tau_);
     tau_ = instant;
     look_up();
     if (contact_ == Contact::slide) tip_if_gripped();
-    if (coming(period_) == strobe) return;
+    if (timetable_.strobes(tau_) == strobes) return;
     constexpr std::string_view names[] = {"rest", "slide", "rock", "rock_slide"};
     story_.samples.push_back({names[static_cast<std::size_t>(contact_)], posture()});
     if (static_cast<std::int64_t>(story_.samples.size()) == periods_) end_with("reached_horizon");
-  }
-
-  /// When the sine next brings the base's acceleration to what full contact can bear.
-  [[nodiscard]] double time_of_push() const {
-    const double ratio = threshold() / (amplitude_ * body_.psi);
-    if (!(ratio < 1.0)) return std::numeric_limits<double>::infinity();
-    const double argument = scene_.frequency * tau_ + scene_.phase;
-    double first = std::numeric_limits<double>::infinity();
-    for (const double root : {std::asin(ratio), turn / 2.0 + std::asin(ratio)}) {
-      first = std::min(first, root + turn * std::ceil((argument - root) / turn));
-    }
-    return std::max(tau_, (first - scene_.phase) / scene_.frequency);
   }
 
   void leave_rest_if_pushed() {
@@ -280,10 +248,11 @@ class Block final : private Equations {
 
   void hit_ground(bool has_stopped) {
     y_[0] = 0.0;
+    const double w_before = y_[1];
     const double v_before = y_[3];
     std::optional<Friction> friction;
     if (scene_.friction) friction = friction_;
-    const Rebound after = land(body_, {.w = y_[1],
+    const Rebound after = land(body_, {.w = w_before,
                                        .v = v_before,
                                        .restitution = coefficients_.next_restitution(),
                                        .friction = friction,
@@ -299,20 +268,22 @@ class Block final : private Equations {
       look_up();
     }
     contact_ = after.v == 0.0 ? Contact::rock : Contact::rock_slide;
-    if (chatters()) return come_down();
+    const bool same_edge = after.w * w_before < 0.0;
+    if (hops_are_short(std::min(pull(-1.0), pull(1.0)))) return come_down();
+    if (same_edge && pull(-side_) < 0.0 && hops_are_short(pull(side_))) return roll_over();
     slip_if_loose();
   }
 
-  /// Whether the hops to come, up at rate w against the acceleration that brings the block back, are too short to follow:
-  /// both those over the one edge and those over the other.
-  [[nodiscard]] bool chatters() {
-    double pull = std::numeric_limits<double>::infinity();
-    for (const double side : {-1.0, 1.0}) {
-      const Stance stance{side, 0.0, 0.0};
-      const Balance now = contact_ == Contact::rock ? sticking(body_, stance, alpha())
-                                                    : sliding(body_, stance, alpha(), direction_, friction_.sliding);
-      pull = std::min(pull, -side * now.w_dot);
-    }
+  /// w' towards the ground of a block that stands on the edge of `side`.
+  [[nodiscard]] double pull(double side) const {
+    const Stance stance{side, 0.0, 0.0};
+    const Balance now = contact_ == Contact::rock ? sticking(body_, stance, alpha())
+                                                  : sliding(body_, stance, alpha(), direction_, friction_.sliding);
+    return -side * now.w_dot;
+  }
+
+  /// Whether hops under this pull, up at rate w, are too short to follow.
+  [[nodiscard]] bool hops_are_short(double pull) const {
     return pull > 0.0 && 2.0 * std::abs(y_[1]) < care_.shortest_hop * pull;
   }
 
@@ -326,12 +297,21 @@ class Block final : private Equations {
     if (!slides) leave_rest_if_pushed();
   }
 
+  /// Ever lower hops over one edge, while the base pushes the block over the other: it comes down, and leaves at once.
+  void roll_over() {
+    y_[1] = 0.0;
+    coefficients_.chatter_ended();
+    look_up();
+    if (contact_ == Contact::rock) return leave_full_contact(sign_of(alpha()), false);
+    tip_if_gripped();
+  }
+
   Scene scene_;
   Body body_;
   Coefficients coefficients_;
   Care care_;
   std::int64_t periods_;
-  double period_;
+  Timetable timetable_;
   Flow flow_;
 
   double tau_ = 0.0;

@@ -25,8 +25,8 @@ Friction Coefficients::friction(std::int64_t interval) const {
 }
 
 double Coefficients::amplitude(std::int64_t period) const {
-  return std::max(0.0, drawn(scene_.amplitude, scene_.sigmas.amplitude, Source::amplitude,
-                             static_cast<std::uint64_t>(period)));
+  return std::max(
+      0.0, drawn(scene_.amplitude, scene_.sigmas.amplitude, Source::amplitude, static_cast<std::uint64_t>(period)));
 }
 
 double Coefficients::next_restitution() {

@@ -4,7 +4,7 @@
 #include <optional>
 
 /// A second implementation of lib/docs/model.md, to compare ours with: plain differential equations in theta, w, X, V,
-/// integrated by SUNDIALS' CVODE with its own root finding. Of the library it knows the random draws, which are an input.
+/// integrated by SUNDIALS' CVODE with its own root finding. Of the library it knows the draws only, which are an input.
 namespace rocking::peer {
 
 /// Means of mu_s and mu_k.

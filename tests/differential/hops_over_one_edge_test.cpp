@@ -9,8 +9,8 @@
 namespace rocking::differential {
 namespace {
 
-// With delta < 0 a block comes back over the edge it came from, in ever lower hops. While the base pushes it over the other
-// edge it cannot rest: it comes down, after finite time, and leaves at once.
+// With delta < 0 a block comes back over the edge it came from, in ever lower hops. While the base pushes it over the
+// other edge it cannot rest: it comes down, after finite time, and leaves at once.
 TEST(HopsOverOneEdge, EndInALiftOverTheOther) {
   Question question{.condition = {}, .seed = 0, .realisation = 0, .periods = 3};
   experiment::Scene& scene = question.condition.scene;

@@ -94,6 +94,7 @@ class Automaton {
     state_.tilt = 0.0;
     if (slip_ended) state_.slip_rate = 0.0;
     bool is_stop = slip_ended;
+    const double side_before = state_.side;
     if (state_.side * state_.tilt_rate < 0.0) {
       const double slip_before = state_.slip_rate;
       if (!impact()) return;
@@ -102,7 +103,7 @@ class Automaton {
       state_.tilt_rate = 0.0;  // a touch: no impulse
     }
     if (is_stop) coefficients_.stop();
-    if (hop_is_too_small()) return end_chatter();
+    if (hop_is_too_small(state_.side == side_before)) return end_chatter();
     if (state_.tilt_rate == 0.0 && state_.slip_rate == 0.0) return leave_full_contact(sign(base_acceleration()), false);
     state_.contact = state_.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
     check_contact();
@@ -122,20 +123,32 @@ class Automaton {
       return;
     }
     const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
-    if (friction_holds(forces)) {
-      state_.contact = ContactState::rock;
-      record(EventKind::slip_stop);
-    } else {
-      state_.slip_direction = -sign(forces.friction);
+    const double direction = -sign(forces.friction);
+    if (!friction_holds(forces) && slip_would_last(direction)) {
+      state_.slip_direction = direction;
       record(EventKind::slip_reverse);
+      return;
     }
+    sticks_beyond_friction_ = !friction_holds(forces);
+    state_.contact = ContactState::rock;
+    record(EventKind::slip_stop);
   }
 
   /// Rocking: friction is exhausted; the block starts to slip in `direction`. `at_threshold`: found as a root.
+  ///
+  /// Where slip would be turned back at once there is no motion that agrees with the equations (the inertia about the
+  /// edge, and bodies that all but leave the ground, make such places): then it sticks, and friction is not tested again
+  /// before the next event.
   void start_slipping(double direction, bool at_threshold) {
+    const bool is_centroidal = setting_.inertia == inertia_ratio(SlideInertia::centroidal);
+    const bool starts_flat = at_threshold && is_centroidal && kinetic_equals_static();
+    if (!starts_flat && !slip_would_last(direction)) {
+      sticks_beyond_friction_ = true;
+      return;
+    }
     state_.contact = ContactState::rock_slide;
     state_.slip_direction = direction;
-    slip_starts_flat_ = at_threshold && kinetic_equals_static();
+    slip_starts_flat_ = starts_flat;
     record(EventKind::slip_start);
   }
 
@@ -183,6 +196,7 @@ class Automaton {
   bool was_past_balance_ = false;
   bool lift_starts_flat_ = false;  ///< w' = 0 exactly at the start of the coming step
   bool slip_starts_flat_ = false;  ///< V' = 0 exactly at the start of the coming step
+  bool sticks_beyond_friction_ = false;  ///< until the next event; see start_slipping
 
  private:
   [[nodiscard]] double weight() const { return excitation_.weight(clock_); }
@@ -197,6 +211,16 @@ class Automaton {
   /// Friction is tested only while the block presses on the base.
   [[nodiscard]] bool friction_holds(const Forces& forces) const {
     return forces.normal <= 0.0 || std::abs(forces.friction) <= coefficients_.static_friction() * forces.normal;
+  }
+
+  /// Whether slip that starts from V = 0 in `direction` is driven on in that direction.
+  [[nodiscard]] bool slip_would_last(double direction) {
+    State slipping = state_;
+    slipping.slip_direction = direction;
+    const double mu_k = coefficients_.kinetic_friction(clock_);
+    const double acceleration =
+        slip_acceleration(slipping, base_acceleration(), weight(), setting_.inertia, mu_k, setting_.block);
+    return direction * acceleration > 0.0;
   }
 
   [[nodiscard]] bool full_contact_holds() {
@@ -263,16 +287,19 @@ class Automaton {
   /// After an impact: whether the coming hop's duration 2 abs(w)/a and its height w^2/(2a) over psi are both below the
   /// tolerance (or the resolution of time), a being the acceleration that brings the block back. The hops that would
   /// follow last abs(delta)/(1 - abs(delta)) times as long in all, and the energy they hold is w^2/2 over p^2.
-  [[nodiscard]] bool hop_is_too_small() {
+  ///
+  /// Full contact must be able to hold afterwards, unless every impact sends the block back over the same edge: then it
+  /// comes to rest on the way to lifting over the other one.
+  [[nodiscard]] bool hop_is_too_small(bool over_same_edge) {
     const bool slips = state_.slip_rate != 0.0;
     const double alpha = base_acceleration();
     double acceleration = 0.0;
     if (slips) {
       const double mu_k = coefficients_.kinetic_friction(clock_);
-      if (mu_k > setting_.block.tangent) return false;
+      if (mu_k > setting_.block.tangent && !over_same_edge) return false;
       acceleration = slipping_acceleration(state_, setting_.inertia, mu_k, weight(), setting_.block);
     } else {
-      if (std::abs(alpha) > setting_.block.tangent * weight()) return false;
+      if (std::abs(alpha) > setting_.block.tangent * weight() && !over_same_edge) return false;
       acceleration = rocking_forces(state_, alpha, weight(), setting_.block).acceleration;
     }
     const double pull = -state_.side * acceleration;
@@ -287,7 +314,7 @@ class Automaton {
     if (state_.slip_rate != 0.0) {
       state_.contact = ContactState::slide;
       record(EventKind::to_slide);
-      return;
+      return check_tipping();
     }
     state_.contact = ContactState::rest;
     record(EventKind::to_rest);

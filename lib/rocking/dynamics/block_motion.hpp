@@ -99,6 +99,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     if (this->is_slipping()) ++slip_steps_;
     const double length = length_of_series(reach);
     if (after_reset_) look_at_validity();
+    if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
     return length;
   }
 
@@ -115,19 +116,29 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   void move(double x) {
-    if (x > 0.0) {
-      state_ = state_at(x);
-      clock_.advance(x);
-      Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
-      normal_starts_at_zero_ = false;
+    time_went_on_ = x > 0.0;
+    if (!time_went_on_) {
+      if (++events_at_once_ > most_events_at_once) this->end(Termination::stopped);
+      return;
     }
+    const State next = state_at(x);
+    if (!std::isfinite(next.tilt_rate) || !std::isfinite(next.slip)) return end_without_step();
+    state_ = next;
+    clock_.advance(x);
+    events_at_once_ = 0;
+    Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
+    normal_starts_at_zero_ = false;
   }
 
   /// `fired` is indexed by Guard.
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
     if (fired.none() && !at_breakpoint) return;
+    Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
+    normal_starts_at_zero_ = false;
     if (at_breakpoint) clock_.set(*breakpoint_);
+    // A guard that fires without time going on was below zero from the start: the forces had jumped, it is no root.
+    const bool at_threshold = time_went_on_;
     const auto has_fired = [&fired](Guard guard) { return fired[static_cast<std::size_t>(guard)]; };
     if (has_fired(Guard::overturn)) return this->overturn();
     if (has_fired(Guard::determinant)) return this->end(Termination::painleve);
@@ -136,28 +147,29 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     } else if (has_fired(Guard::slip)) {
       this->stop_slipping();
     } else if (has_fired(Guard::friction_inward)) {
-      this->start_slipping(-state_.side, true);
+      this->start_slipping(-state_.side, at_threshold);
     } else if (has_fired(Guard::friction_outward)) {
-      this->start_slipping(state_.side, true);
+      this->start_slipping(state_.side, at_threshold);
     } else if (has_fired(Guard::leave_right)) {
-      this->leave_full_contact(1.0, true);
+      this->leave_full_contact(1.0, at_threshold);
     } else if (has_fired(Guard::leave_left)) {
-      this->leave_full_contact(-1.0, true);
+      this->leave_full_contact(-1.0, at_threshold);
     } else if (at_breakpoint) {
       this->check_contact();
-    }
-    if (has_fired(Guard::past_balance)) this->pass_balance();
-    if (has_fired(Guard::normal)) {
+    } else if (has_fired(Guard::normal)) {  // after anything else the force jumps and is looked at anew
       set_off_ground(!off_ground_);
       normal_starts_at_zero_ = true;
     }
+    if (has_fired(Guard::past_balance)) this->pass_balance();
     settle();
   }
 
  private:
   static constexpr int short_order = 9;
   static constexpr double short_step = 1.0 / 64.0;  ///< of a period
-  static constexpr std::int64_t step_budget = 1'000'000;
+  static constexpr double least_step = 0x1p-20;               ///< of the clock's resolution
+  static constexpr std::int64_t step_budget = 1'000'000;      ///< in a period
+  static constexpr std::int64_t most_events_at_once = 1'000;  ///< without time going on
 
   /// In full contact the frame of the series is the fixed one.
   [[nodiscard]] double frame() const { return state_.contact == ContactState::slide ? 1.0 : state_.side; }
@@ -165,6 +177,12 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   [[nodiscard]] std::optional<Instant> earlier(const std::optional<Instant>& a, const std::optional<Instant>& b) const {
     if (!a || !b) return a ? a : b;
     return clock_.until(*a) < clock_.until(*b) ? a : b;
+  }
+
+  /// The series no longer carries the motion on: it blows up near D = 0, or something that is not a number was fed in.
+  void end_without_step() {
+    const bool near_painleve = state_.contact == ContactState::rock_slide && determinant_may_vanish();
+    this->end(near_painleve ? Termination::painleve : Termination::stopped);
   }
 
   /// Fills the series as far as the coming step needs it; returns the step's length.
@@ -227,7 +245,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .normal_zeros = normal_starts_at_zero_ ? 1U : 0U,
             .was_past_balance = Base::was_past_balance_,
             .off_ground = off_ground_,
-            .has_friction = coefficients_.has_friction(),
+            .tests_friction = coefficients_.has_friction() && !off_ground_ && !Base::sticks_beyond_friction_,
             .determinant_may_vanish = determinant_may_vanish(),
             .vertical = Excitation::has_vertical};
   }
@@ -274,7 +292,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
 
   [[nodiscard]] State state_at(double x) const {
     const double side = frame();
-    const auto value = [this, x, side](const auto& row, int degree) {
+    const auto value = [x, side](const auto& row, int degree) {
       double sum = row[static_cast<std::size_t>(degree)];
       for (int k = degree - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
       return side * sum;
@@ -295,6 +313,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   Instant next_strobe_;
   std::int64_t strobes_done_ = 0;
   std::int64_t steps_since_strobe_ = 0;
+  std::int64_t events_at_once_ = 0;
+  bool time_went_on_ = false;  ///< in the last move
   std::uint64_t slip_steps_ = 0;
   std::optional<Instant> breakpoint_;
   double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step, while slipping

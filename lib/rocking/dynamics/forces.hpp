@@ -39,4 +39,15 @@ struct Forces {
   return -state.side * (4.0 / 3.0 * weight - omega * omega * c) * arm / (inertia + s * arm);
 }
 
+/// V' of rocking with slip: -(4/3) alpha - s mu_k N + w' cos(phi) + S w^2 sin(phi).
+[[nodiscard]] inline double slip_acceleration(const State& state, double alpha, double weight, double inertia,
+                                              double kinetic_friction, const Geometry& block) {
+  const auto [s, c] = edge_angle(state, block);
+  const double acceleration = slipping_acceleration(state, inertia, kinetic_friction, weight, block);
+  const double square = state.tilt_rate * state.tilt_rate;
+  const double normal = 4.0 / 3.0 * weight + (state.side * acceleration * s - square * c);
+  return -4.0 / 3.0 * alpha - state.slip_direction * kinetic_friction * normal + acceleration * c +
+         state.side * square * s;
+}
+
 }  // namespace rocking::dynamics

@@ -40,7 +40,7 @@ struct GuardContext {
   std::size_t normal_zeros;  ///< of N
   bool was_past_balance;
   bool off_ground;
-  bool has_friction;
+  bool tests_friction;  ///< whether sticking can fail
   bool determinant_may_vanish;
   bool vertical;  ///< the base moves vertically
 };
@@ -84,7 +84,7 @@ void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Vi
   }
   const double ground = context.off_ground ? -1.0 : 1.0;
   visit_row(Guard::normal, order, context.normal_zeros, [&](std::size_t k) { return ground * m.normal[k]; });
-  if (!slips && context.has_friction && !context.off_ground) {
+  if (!slips && context.tests_friction) {
     const auto friction = [&m](std::size_t k) {
       return 4.0 / 3.0 * m.base[k] - static_cast<double>(k + 1) * m.rate_cosine[k + 1];
     };

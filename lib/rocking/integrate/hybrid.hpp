@@ -80,6 +80,7 @@ LoopCounts advance(System& system) {
     const double reach = system.time_to_breakpoint();
     const double length = system.expand(reach);
     ++counts.steps;
+    if (system.ended()) break;
     const auto [time, fired] = first_loss(system, length, resolution, counts);
     while (!system.ended() && system.time_to_strobe() < time - resolution) {
       const double instant = system.time_to_strobe();

@@ -69,8 +69,10 @@ double refine(std::span<const double> c, double low, double high) {
   for (int iteration = 0; iteration < 100; ++iteration) {
     const double value = evaluate(c, t);
     (value < 0.0 ? high : low) = t;
-    double next = t - value / evaluate_derivative(c, t);
-    if (!(low <= next && next <= high)) next = 0.5 * (low + high);
+    // At the loss p falls; where it rises Newton would run to a zero at the left end.
+    const double slope = evaluate_derivative(c, t);
+    double next = t - value / slope;
+    if (!(slope < 0.0 && low <= next && next <= high)) next = 0.5 * (low + high);
     if (std::abs(next - t) <= std::numeric_limits<double>::epsilon() * t) return next;
     t = next;
   }

@@ -113,8 +113,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     NotYet, OneFault,
-    ::testing::Values(Fault{"/excitation/kind", "\"recorded\"", "", "not available in this version", "harmonic"},
-                      Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 20000}})", "",
+    ::testing::Values(Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 20000}})", "",
                             "not available in this version", "200"}));
 
 TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {

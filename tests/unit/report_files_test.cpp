@@ -32,6 +32,20 @@ TEST_F(Files, AreReadAsTheyWereWritten) {
   EXPECT_EQ(read_file(folder_ / "x"), "short");
 }
 
+TEST_F(Files, AreReadNoFurtherThanAsked) {
+  write_atomically(folder_ / "x", std::string(1'000'000, 'x'));
+  const std::string start = read_file(folder_ / "x", 1000);
+  EXPECT_GT(start.size(), 1000U) << "so that one can see that there is more";
+  EXPECT_LT(start.size(), 1'000'000U);
+  EXPECT_EQ(read_file(folder_ / "x", 1'000'000).size(), 1'000'000U);
+}
+
+TEST_F(Files, AreSeenFromAFolder) {
+  write_atomically(folder_ / "x", "content");
+  EXPECT_EQ(files_seen_from(folder_)("x", 100), "content");
+  EXPECT_EQ(files_seen_from("/nowhere")((folder_ / "x").string(), 100), "content") << "unless the place is absolute";
+}
+
 TEST_F(Files, LeaveNothingBesideThem) {
   write_atomically(folder_ / "x", "content");
   ensure_writable(folder_);

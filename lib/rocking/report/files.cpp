@@ -73,18 +73,23 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-std::string read_file(const std::filesystem::path& path) {
+std::string read_file(const std::filesystem::path& path, std::size_t most) {
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail(path, "cannot be opened");
   std::string content;
   char buffer[65536];
-  while (true) {
+  while (content.size() <= most) {
     const auto count = ::read(file.number(), buffer, sizeof buffer);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) fail(path, "cannot be read");
-    if (count == 0) return content;
+    if (count == 0) break;
     content.append(buffer, static_cast<std::size_t>(count));
   }
+  return content;
+}
+
+FileSource files_seen_from(const std::filesystem::path& folder) {
+  return [folder](const std::string& name, std::size_t most) { return read_file(folder / name, most); };
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {

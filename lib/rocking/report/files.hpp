@@ -1,13 +1,24 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
+#include <limits>
 #include <string>
 #include <string_view>
 
 namespace rocking::report {
 
-/// All bytes of a file. Throws std::system_error with the path.
-[[nodiscard]] std::string read_file(const std::filesystem::path& path);
+/// All bytes of a file, but not much more than `most`: of a longer one at least `most` + 1. Throws std::system_error with
+/// the path.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path,
+                                    std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// Where the files come from that another file names: bytes of the one called so, as read_file gives them.
+using FileSource = std::function<std::string(const std::string& name, std::size_t most)>;
+
+/// Files whose place is seen from `folder`.
+[[nodiscard]] FileSource files_seen_from(const std::filesystem::path& folder);
 
 /// Replaces or makes a file so that whoever looks sees the old one or the whole new one, also after a power failure: a
 /// temporary file in the same folder is written, flushed to the disk and renamed. Throws std::system_error with the path;

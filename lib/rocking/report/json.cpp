@@ -20,7 +20,7 @@ std::string child_pointer(std::string_view parent, std::string_view key) {
 std::string brief(const Json& value) {
   constexpr std::size_t longest = 60;
   // ASCII only: cutting cannot then split a character in two.
-  std::string text = value.dump(-1, ' ', true);
+  std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   if (text.size() > longest) text = text.substr(0, longest - 3) + "...";
   return text;
 }

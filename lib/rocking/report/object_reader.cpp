@@ -64,12 +64,16 @@ std::optional<double> checked_number(const Json& value, const std::string& place
 
 ObjectReader::ObjectReader(const Json& source, std::string place, Problems& problems)
     : source_(&source), place_(std::move(place)), problems_(&problems) {
-  static const Json empty = Json::object();
   if (source.is_object()) return;
   problems.push_back({place_.empty() ? "the file" : place_, brief(source), wrong_type("an object", source),
                       "write it as { \"key\": value }"});
-  source_ = &empty;
+  source_ = &no_keys();
   problems_ = &ignored_;
+}
+
+const Json& ObjectReader::no_keys() {
+  static const Json empty = Json::object();
+  return empty;
 }
 
 bool ObjectReader::has(std::string_view key) { return value(key) != nullptr; }
@@ -105,6 +109,19 @@ std::int64_t ObjectReader::integer(std::string_view key, const IntegerRule& rule
   }
   if (read) write(key, *read);
   return read.value_or(rule.low);
+}
+
+double ObjectReader::derived_number(std::string_view key, NumberRule rule, double standard, DefaultSpelling spelling) {
+  if (!has(key) && spelling == DefaultSpelling::as_written) return standard;
+  rule.standard = standard;
+  return number(key, rule);
+}
+
+std::int64_t ObjectReader::derived_integer(std::string_view key, IntegerRule rule, std::int64_t standard,
+                                           DefaultSpelling spelling) {
+  if (!has(key) && spelling == DefaultSpelling::as_written) return standard;
+  rule.standard = standard;
+  return integer(key, rule);
 }
 
 std::string ObjectReader::text(std::string_view key, std::string_view standard) {

@@ -28,6 +28,10 @@ struct IntegerRule {
   std::optional<std::int64_t> standard = std::nullopt;
 };
 
+/// Whether defaults that follow from other values are written out: not where a sweep changes those values, for what is
+/// written out would override them.
+enum class DefaultSpelling : std::uint8_t { all, as_written };
+
 /// Reads one JSON object, key by key. Each call checks a key, remembers that it is known, and writes the value, or its
 /// default, to the canonical object in the order of the calls. Problems are collected, never thrown; a call that met one
 /// returns a value that is safe to go on with.
@@ -41,6 +45,10 @@ class ObjectReader {
   [[nodiscard]] bool has(std::string_view key);
   [[nodiscard]] double number(std::string_view key, const NumberRule& rule);
   [[nodiscard]] std::int64_t integer(std::string_view key, const IntegerRule& rule);
+  /// The same with a default that follows from other values, in place of the rule's.
+  [[nodiscard]] double derived_number(std::string_view key, NumberRule rule, double standard, DefaultSpelling spelling);
+  [[nodiscard]] std::int64_t derived_integer(std::string_view key, IntegerRule rule, std::int64_t standard,
+                                             DefaultSpelling spelling);
   [[nodiscard]] std::string text(std::string_view key, std::string_view standard);
   /// Index into `names` of the one that stands there.
   [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string_view> names, std::size_t standard);
@@ -59,6 +67,9 @@ class ObjectReader {
     write(key, inner.finish());
   }
 
+  /// From now on no key is unknown: what they mean depends on one that was refused.
+  void ignore_others() { source_ = &no_keys(); }
+
   void reject(std::string_view key, std::string reason, std::string remedy);
   [[nodiscard]] std::string place_of(std::string_view key) const { return child_pointer(place_, key); }
   [[nodiscard]] Problems& problems() { return *problems_; }
@@ -68,6 +79,8 @@ class ObjectReader {
 
  private:
   void report_missing(std::string_view key, std::string_view example);
+
+  [[nodiscard]] static const Json& no_keys();
 
   const Json* source_;
   std::string place_;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "rocking/report/check_scene.hpp"
-#include "rocking/report/files.hpp"
 #include "rocking/report/parse_json.hpp"
 #include "rocking/report/read_question.hpp"
 #include "rocking/report/sweep.hpp"
@@ -14,6 +13,7 @@
 namespace rocking::report {
 namespace {
 
+constexpr std::size_t most_bytes = 64'000'000;
 constexpr std::size_t most_problems = 100;  // a bad sweep must not bury its first message
 
 // Replaces values of the file by those of the command line.
@@ -40,13 +40,16 @@ bool is_same(const base::Problem& a, const base::Problem& b) {
 
 class ExperimentBuilder {
  public:
-  ExperimentBuilder(Json document, Problems problems)
-      : document_(std::move(document)), problems_(std::move(problems)) {}
+  ExperimentBuilder(Json document, const Surroundings& surroundings, Problems problems)
+      : document_(std::move(document)),
+        files_(surroundings.files),
+        most_conditions_(surroundings.most_conditions),
+        problems_(std::move(problems)) {}
 
   experiment::Experiment build(const Overrides& overrides) {
     apply(overrides, document_);
     Problems found;
-    Question base = read_question(document_, found);
+    Question base = read_question(document_, files_, found);
     const bool swept = document_.is_object() && document_.contains("sweep");
     if (swept) read_axes(base.canonical, overrides, found);
     merge(found, "");
@@ -65,7 +68,7 @@ class ExperimentBuilder {
     Json known = canonical;
     known.merge_patch(document_);  // a place whose value is refused is a place nonetheless
     Problems of_sweep;
-    axes_ = read_sweep(document_["sweep"], known, of_sweep);
+    axes_ = read_sweep(document_["sweep"], known, most_conditions_, of_sweep);
     refuse_swept_flag(overrides, of_sweep);
     if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
     found.insert(found.end(), of_sweep.begin(), of_sweep.end());
@@ -104,7 +107,7 @@ class ExperimentBuilder {
       }
       if (!where.empty()) where += ')';
       Problems found;
-      Question question = read_question(document, found);
+      Question question = read_question(document, files_, found);
       check_scene(question.condition.scene, document, found);
       merge(found, where);
       if (problems_.empty()) keep(std::move(question), index);
@@ -157,6 +160,8 @@ class ExperimentBuilder {
   }
 
   Json document_;
+  MotionFiles files_;
+  std::size_t most_conditions_;
   Problems problems_;
   Problems seen_;
   std::vector<SweepAxis> axes_;
@@ -165,14 +170,22 @@ class ExperimentBuilder {
 
 }  // namespace
 
-experiment::Experiment read_experiment(std::string_view text, const Overrides& overrides) {
+experiment::Experiment read_experiment(std::string_view text, const Overrides& overrides,
+                                       const Surroundings& surroundings) {
   Problems problems;
   Json document = parse_json(text, problems);
-  return ExperimentBuilder(std::move(document), std::move(problems)).build(overrides);
+  return ExperimentBuilder(std::move(document), surroundings, std::move(problems)).build(overrides);
 }
 
 experiment::Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides) {
-  return read_experiment(read_file(path), overrides);
+  const std::string text = read_file(path, most_bytes);
+  if (text.size() > most_bytes) {
+    throw base::InputError({.place = path.string(),
+                            .value = "",
+                            .reason = "is longer than 64 MB",
+                            .remedy = "give a range in place of a list of values"});
+  }
+  return read_experiment(text, overrides, {.files = files_seen_from(path.parent_path())});
 }
 
 }  // namespace rocking::report

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -7,6 +8,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/experiment/experiment.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/sweep.hpp"
 
 namespace rocking::report {
 
@@ -16,11 +19,19 @@ struct Overrides {
   std::optional<std::string> realisations;  ///< `--realisations`
 };
 
-/// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every condition.
-/// Throws InputError with all problems found.
-[[nodiscard]] experiment::Experiment read_experiment(std::string_view text, const Overrides& overrides = {});
+/// What an experiment file may draw on beside its own text, and how far it may go.
+struct Surroundings {
+  FileSource files = files_seen_from(".");  ///< for the recorded motions that it names
+  std::size_t most_conditions = report::most_conditions;
+};
 
-/// The same from a file. Throws std::system_error with the path where it cannot be read.
+/// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every condition.
+/// Throws InputError with all problems found, and std::system_error where a file that it names cannot be read.
+[[nodiscard]] experiment::Experiment read_experiment(std::string_view text, const Overrides& overrides = {},
+                                                     const Surroundings& surroundings = {});
+
+/// The same from a file, from whose folder the files that it names are seen. Throws std::system_error with the path where
+/// it cannot be read.
 [[nodiscard]] experiment::Experiment read_experiment_file(const std::filesystem::path& path,
                                                           const Overrides& overrides = {});
 

@@ -1,13 +1,15 @@
 #include "rocking/report/read_question.hpp"
 
 #include <algorithm>
-#include <array>
+#include <initializer_list>
 #include <optional>
 #include <string_view>
 
 #include "rocking/report/read_quantity.hpp"
+#include "rocking/report/record_horizon.hpp"
 #include "rocking/report/read_scene.hpp"
 #include "rocking/report/rules.hpp"
+#include "rocking/report/sweep.hpp"
 
 namespace rocking::report {
 namespace {
@@ -22,11 +24,21 @@ void read_format(ObjectReader& in) {
   in.write("format", experiment_format);
 }
 
-experiment::Horizon read_horizon(ObjectReader& in) {
+experiment::Horizon read_horizon(ObjectReader& in, const experiment::Scene& scene, DefaultSpelling spelling) {
+  const bool recorded = scene.excitation.record != nullptr;
+  const std::int64_t transient = recorded ? 0 : *rules::transient_periods.standard;
+  const std::int64_t sampled = recorded ? periods_under_record(scene) : *rules::sampled_periods.standard;
   experiment::Horizon horizon;
-  in.object("horizon", [&horizon](ObjectReader& keys) {
-    horizon.transient_periods = static_cast<int>(keys.integer("transient_periods", rules::transient_periods));
-    horizon.sampled_periods = static_cast<int>(keys.integer("sampled_periods", rules::sampled_periods));
+  in.object("horizon", [&](ObjectReader& keys) {
+    horizon.transient_periods = static_cast<int>(
+        keys.derived_integer("transient_periods", rules::transient_periods, transient, spelling));
+    if (sampled > rules::sampled_periods.high && !keys.has("sampled_periods")) {
+      keys.reject("sampled_periods", "would be " + std::to_string(sampled) + ", until the block rests after the record",
+                  "lower \"frequency_ratio\", so that strobe periods are longer, or give at most 1000000");
+      return;
+    }
+    horizon.sampled_periods =
+        static_cast<int>(keys.derived_integer("sampled_periods", rules::sampled_periods, sampled, spelling));
   });
   return horizon;
 }
@@ -60,25 +72,40 @@ std::uint64_t read_seed(ObjectReader& in) {
   return seed;
 }
 
-OptionSpelling spelling_for(const Json* sweep) {
-  if (sweep == nullptr || !sweep->is_array()) return OptionSpelling::all;
-  const bool swept = std::any_of(sweep->begin(), sweep->end(), [](const Json& axis) {
-    return axis.is_object() && axis.contains("parameter") && axis["parameter"] == "/formulation";
+/// Whether the sweep changes what stands at `place`, or something within it.
+bool is_swept(const Json* sweep, std::string_view place) {
+  if (sweep == nullptr || !sweep->is_array()) return false;
+  return std::any_of(sweep->begin(), sweep->end(), [place](const Json& axis) {
+    if (!axis.is_object() || !axis.contains("parameter") || !axis["parameter"].is_string()) return false;
+    const auto& pointer = axis["parameter"].get_ref<const std::string&>();
+    return is_within(pointer, place) || is_within(place, pointer);
   });
-  return swept ? OptionSpelling::as_written : OptionSpelling::all;
+}
+
+DefaultSpelling unless_swept(const Json* sweep, std::initializer_list<std::string_view> places) {
+  const bool swept = std::any_of(places.begin(), places.end(), [sweep](auto place) { return is_swept(sweep, place); });
+  return swept ? DefaultSpelling::as_written : DefaultSpelling::all;
 }
 
 }  // namespace
 
-Question read_question(const Json& document, Problems& problems) {
+Question read_question(const Json& document, MotionFiles& files, Problems& problems) {
   Question question;
   experiment::Condition& condition = question.condition;
   ObjectReader in(document, "", problems);
   read_format(in);
   question.title = in.text("title", "");
   const Json* sweep = in.value("sweep");
-  condition.scene = read_scene(in, spelling_for(sweep));
-  condition.horizon = read_horizon(in);
+  const DefaultSpelling strobe = unless_swept(sweep, {"/block", "/excitation/kind"});
+  condition.scene =
+      read_scene(in, {.options = unless_swept(sweep, {"/formulation"}), .of_record = strobe, .files = files});
+  // A harmonic horizon follows from nothing but the kind of the excitation.
+  const DefaultSpelling horizon =
+      condition.scene.excitation.record == nullptr
+          ? unless_swept(sweep, {"/excitation/kind"})
+          : unless_swept(sweep, {"/block", "/formulation", "/restitution", "/excitation/kind", "/excitation/time_step_s",
+                                 "/excitation/frequency_ratio"});
+  condition.horizon = read_horizon(in, condition.scene, horizon);
   in.object("accuracy",
             [&condition](ObjectReader& keys) { condition.tolerance = keys.number("tolerance", rules::tolerance); });
   if (sweep != nullptr) in.write("sweep", *sweep);

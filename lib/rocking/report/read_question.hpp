@@ -4,6 +4,7 @@
 #include <string>
 
 #include "rocking/experiment/experiment.hpp"
+#include "rocking/report/motion_files.hpp"
 #include "rocking/report/object_reader.hpp"
 
 namespace rocking::report {
@@ -20,6 +21,7 @@ struct Question {
 };
 
 /// Reads each key by itself; what values demand of each other is for check_scene.
-[[nodiscard]] Question read_question(const Json& document, Problems& problems);
+/// `files`: of recorded motion. Throws std::system_error where one is named that cannot be read.
+[[nodiscard]] Question read_question(const Json& document, MotionFiles& files, Problems& problems);
 
 }  // namespace rocking::report

@@ -63,12 +63,12 @@ double read_restitution(ObjectReader& in, const dynamics::Block& block, bool jy2
   return in.number("restitution", rule);
 }
 
-void read_formulation(ObjectReader& in, experiment::Scene& scene, OptionSpelling spelling) {
+void read_formulation(ObjectReader& in, experiment::Scene& scene, DefaultSpelling spelling) {
   const Options options = formulations[in.choice("formulation", formulation_names, 0)];
   scene.slide_inertia = options.slide_inertia;
   scene.impact_slip_rule = options.impact_slip_rule;
   const auto write_out = [&in, spelling](std::string_view key) {
-    return in.has(key) || spelling == OptionSpelling::all;
+    return in.has(key) || spelling == DefaultSpelling::all;
   };
   if (write_out("slide_inertia")) {
     const auto standard = static_cast<std::size_t>(options.slide_inertia);
@@ -84,26 +84,6 @@ void read_formulation(ObjectReader& in, experiment::Scene& scene, OptionSpelling
     scene.impact_slip_rule =
         static_cast<ImpactSlipRule>(in.choice("impact_slip_rule", impact_slip_rule_names, standard));
   }
-}
-
-experiment::Excitation read_excitation(ObjectReader& in) {
-  experiment::Excitation excitation;
-  in.object("excitation", [&](ObjectReader& keys) {
-    const Json* kind = keys.value("kind");
-    if (kind != nullptr && *kind == "recorded") {
-      keys.reject("kind", "recorded excitations are not available in this version", "use \"harmonic\"");
-      for (const char* key : {"file", "scale", "time_step_s", "amplitude", "frequency_ratio", "phase_rad"}) {
-        static_cast<void>(keys.has(key));  // known, so that one problem is told and not four
-      }
-      return;
-    }
-    constexpr std::array<std::string_view, 1> kinds{"harmonic"};
-    static_cast<void>(keys.choice("kind", kinds, 0));
-    excitation.amplitude = keys.number("amplitude", rules::amplitude);
-    excitation.frequency_ratio = keys.number("frequency_ratio", rules::frequency_ratio);
-    excitation.phase = read_quantity(keys, "phase_rad", rules::phase);
-  });
-  return excitation;
 }
 
 std::optional<experiment::Friction> read_friction(ObjectReader& in) {
@@ -128,11 +108,11 @@ experiment::InitialState read_initial(ObjectReader& in, bool slides) {
 
 }  // namespace
 
-experiment::Scene read_scene(ObjectReader& in, OptionSpelling options) {
+experiment::Scene read_scene(ObjectReader& in, const SceneReading& reading) {
   experiment::Scene scene;
   scene.block = read_block(in);
-  read_formulation(in, scene, options);
-  scene.excitation = read_excitation(in);
+  read_formulation(in, scene, reading.options);
+  scene.excitation = read_excitation(in, scene.block, reading);
   scene.friction = read_friction(in);
   read_fluctuation(in, scene);
   scene.initial = read_initial(in, scene.friction.has_value());

@@ -20,6 +20,13 @@ inline constexpr NumberRule amplitude{
 inline constexpr NumberRule frequency_ratio{.allows = [](double x) { return 1e-3 <= x && x <= 1e6; },
                                             .demand = "must be a positive number from 0.001 to 1e6: Omega_h = omega/p",
                                             .example = "10.0"};
+inline constexpr NumberRule scale{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                  .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
+                                  .example = "1.0",
+                                  .standard = 1.0};
+inline constexpr NumberRule time_step{.allows = [](double x) { return 1e-9 <= x && x <= 1e6; },
+                                      .demand = "must be a positive number of seconds, from 1e-9 to 1e6",
+                                      .example = "0.005"};
 inline constexpr NumberRule friction_coefficient{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
                                                  .demand = "must not be negative (nor beyond 1e6)",
                                                  .example = "0.35"};

@@ -38,13 +38,9 @@ std::vector<std::string> pointers_into(const Json& document) {
   return pointers;
 }
 
-bool is_within(std::string_view inner, std::string_view outer) {
-  return inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
-}
-
 class AxisReader {
  public:
-  AxisReader(ObjectReader& in, const Json& base) : in_(in), base_(base) {}
+  AxisReader(ObjectReader& in, const Json& base, std::size_t most) : in_(in), base_(base), most_(most) {}
 
   SweepAxis read() {
     SweepAxis axis;
@@ -76,11 +72,15 @@ class AxisReader {
       in_.reject("parameter", "leads to nothing that this file holds and a sweep may change",
                  nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"");
     }
+    if (pointer == "/excitation/file") {
+      in_.reject("parameter", "changes a file without its digest, by which a report identifies it",
+                 "sweep \"/excitation\" and give each record as an object of its own");
+    }
     return pointer;
   }
 
   bool leads_somewhere(const std::string& pointer) const {
-    for (const std::string_view fixed : {"/format", "/title", "/seed", "/sweep"}) {
+    for (const std::string_view fixed : {"/format", "/title", "/seed", "/sweep", "/excitation/sha256"}) {
       if (is_within(pointer, fixed)) return false;
     }
     try {
@@ -114,8 +114,8 @@ class AxisReader {
       in_.reject("step", "leads away from \"to\"", "change its sign, or swap \"from\" and \"to\"");
       return {};
     }
-    if (!(steps < static_cast<double>(most_conditions))) {
-      in_.reject("step", "makes more than 1000000 points", "give a larger step");
+    if (!(steps < static_cast<double>(most_))) {
+      in_.reject("step", "makes more than " + std::to_string(most_) + " points", "give a larger step");
       return {};
     }
     const double count = std::round(steps);
@@ -141,6 +141,7 @@ class AxisReader {
 
   ObjectReader& in_;
   const Json& base_;
+  std::size_t most_;
 };
 
 void check_disjoint(const std::vector<SweepAxis>& axes, Problems& problems) {
@@ -156,7 +157,11 @@ void check_disjoint(const std::vector<SweepAxis>& axes, Problems& problems) {
 
 }  // namespace
 
-std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, Problems& problems) {
+bool is_within(std::string_view inner, std::string_view outer) {
+  return inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
+}
+
+std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size_t most, Problems& problems) {
   std::vector<SweepAxis> axes;
   if (!sweep.is_array() || sweep.empty()) {
     problems.push_back(
@@ -165,12 +170,12 @@ std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, Problems&
   }
   for (std::size_t i = 0; i < sweep.size(); ++i) {
     ObjectReader in(sweep[i], "/sweep/" + std::to_string(i), problems);
-    axes.push_back(AxisReader(in, base).read());
+    axes.push_back(AxisReader(in, base, most).read());
     static_cast<void>(in.finish());
   }
   check_disjoint(axes, problems);
-  if (grid_size(axes) > most_conditions) {
-    problems.push_back({"/sweep", "", "makes more than 1000000 conditions", "give larger steps or fewer entries"});
+  if (grid_size(axes) > most) {
+    problems.push_back({"/sweep", "", "makes more than " + std::to_string(most) + " conditions", "give larger steps or fewer entries"});
   }
   return axes;
 }

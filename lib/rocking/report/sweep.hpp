@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rocking/report/object_reader.hpp"
@@ -19,10 +20,15 @@ struct SweepAxis {
 /// Most conditions that one experiment may have.
 inline constexpr std::size_t most_conditions = 1'000'000;
 
+/// Whether the JSON pointer `inner` is `outer` or leads into what stands there.
+[[nodiscard]] bool is_within(std::string_view inner, std::string_view outer);
+
 /// The entries of `sweep`. `base` is the experiment in canonical form: a pointer must lead to something in it.
 /// Points are from + i step, i = 0, 1, ..., never a running sum, rounded to 12 significant decimal digits; the two ends are
 /// as they were written.
-[[nodiscard]] std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, Problems& problems);
+/// `most`: conditions, all entries together.
+[[nodiscard]] std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size_t most,
+                                                Problems& problems);
 
 /// Number of points of the grid; 1 without axes. Saturates above `most_conditions`.
 [[nodiscard]] std::size_t grid_size(const std::vector<SweepAxis>& axes);

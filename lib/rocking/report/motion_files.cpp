@@ -1,0 +1,46 @@
+#include "rocking/report/motion_files.hpp"
+
+#include "rocking/base/digest.hpp"
+
+namespace rocking::report {
+namespace {
+constexpr std::size_t most_samples_held = 20 * most_samples;  // half a gigabyte
+}
+
+const MotionFiles::File& MotionFiles::file(const std::string& name) {
+  const auto known = files_.find(name);
+  if (known != files_.end()) return known->second;
+  std::string text = source_(name, most_record_bytes);
+  std::string digest = base::to_hex(base::sha256(text));
+  return files_.emplace(name, File{std::move(text), std::move(digest)}).first->second;
+}
+
+std::shared_ptr<const experiment::GroundMotion> MotionFiles::motion(const RecordReading& how, Problems& problems) {
+  const Key key{how.name, how.time_step, how.gravity};
+  auto found = readings_.find(key);
+  if (found == readings_.end()) found = readings_.emplace(key, read(how)).first;
+  const Reading& reading = found->second;
+  problems.insert(problems.end(), reading.problems.begin(), reading.problems.end());
+  return reading.motion;
+}
+
+MotionFiles::Reading MotionFiles::read(const RecordReading& how) {
+  Reading reading;
+  const std::string& text = file(how.name).text;
+  if (text.size() > most_record_bytes) {
+    reading.problems.push_back({how.name, "", "is longer than 64 MB", "give a shorter record, or a coarser one"});
+    return reading;
+  }
+  auto motion = read_record(text, how, reading.problems);
+  if (!motion) return reading;
+  samples_ += motion->samples.size();
+  if (samples_ > most_samples_held) {
+    reading.problems.push_back({how.name, "", "is needed in so many forms that they hold more than 20 million samples",
+                                "sweep fewer values of gravity, time step or file at once"});
+    return reading;
+  }
+  reading.motion = std::make_shared<const experiment::GroundMotion>(std::move(*motion));
+  return reading;
+}
+
+}  // namespace rocking::report

@@ -1,0 +1,94 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+
+#include "rocking/report/read_quantity.hpp"
+#include "rocking/report/read_scene.hpp"
+#include "rocking/report/rules.hpp"
+
+namespace rocking::report {
+namespace {
+
+constexpr std::array<std::string_view, 2> kinds{"harmonic", "recorded"};
+
+void read_harmonic(ObjectReader& keys, experiment::Excitation& excitation) {
+  excitation.amplitude = keys.number("amplitude", rules::amplitude);
+  excitation.frequency_ratio = keys.number("frequency_ratio", rules::frequency_ratio);
+  excitation.phase = read_quantity(keys, "phase_rad", rules::phase);
+}
+
+std::string read_file_name(ObjectReader& keys) {
+  const Json* found = keys.value("file");
+  if (found == nullptr) {
+    keys.reject("file", "is missing", "add \"file\": \"record.txt\", its place seen from the experiment file's folder");
+    return {};
+  }
+  const std::string name = keys.text("file", "");
+  if (!found->is_string()) return {};
+  if (!name.empty() && name.find('\0') == std::string::npos) return name;
+  keys.reject("file", "is no name of a file", "give its place seen from the experiment file's folder");
+  return {};
+}
+
+void check_digest(ObjectReader& keys, const std::string& digest) {
+  const Json* found = keys.value("sha256");
+  if (found == nullptr) return;
+  std::string written = found->is_string() ? found->get<std::string>() : std::string();
+  std::transform(written.begin(), written.end(), written.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (written == digest) return;
+  keys.reject("sha256", "is not the digest of the file, which is " + digest,
+              "put back the file that is meant, or leave \"sha256\" out to take the one that is there");
+}
+
+/// Omega at which a strobe period is one second, 2 pi/p, as far as the bounds of the ratio allow.
+double strobe_once_a_second(const dynamics::Block& block) {
+  constexpr double two_pi = 0x1.921fb54442d18p+2;
+  return std::clamp(two_pi / dynamics::geometry_of(block).frequency_parameter, 1e-3, 1e6);
+}
+
+void refuse(ObjectReader& keys, std::string_view key, std::string reason, std::string remedy) {
+  if (keys.has(key)) keys.reject(key, std::move(reason), std::move(remedy));
+}
+
+void read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading,
+                   experiment::Excitation& excitation) {
+  refuse(keys, "amplitude", "is for harmonic shaking; a record has a scale", "write \"scale\" in its place");
+  refuse(keys, "phase_rad", "is for harmonic shaking; a record begins where it begins", "shift the times of the record");
+  const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
+  RecordReading how{.name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
+  if (!how.name.empty()) {
+    const std::string digest = reading.files.digest(how.name);
+    check_digest(keys, digest);
+    keys.write("sha256", digest);
+  } else {
+    static_cast<void>(keys.has("sha256"));
+  }
+  excitation.amplitude = keys.number("scale", rules::scale);
+  if (keys.has("time_step_s")) {
+    const std::size_t problems_before = keys.problems().size();
+    how.time_step = keys.number("time_step_s", rules::time_step);
+    if (keys.problems().size() != problems_before) how.name.clear();
+  }
+  const double strobe = block_is_sound ? strobe_once_a_second(block) : 1.0;
+  excitation.frequency_ratio = keys.derived_number("frequency_ratio", rules::frequency_ratio, strobe, reading.of_record);
+  if (!how.name.empty()) excitation.record = reading.files.motion(how, keys.problems());
+}
+
+}  // namespace
+
+experiment::Excitation read_excitation(ObjectReader& in, const dynamics::Block& block, const SceneReading& reading) {
+  experiment::Excitation excitation;
+  in.object("excitation", [&](ObjectReader& keys) {
+    const std::size_t problems_before = keys.problems().size();
+    const std::size_t kind = keys.choice("kind", kinds, 0);
+    if (keys.problems().size() != problems_before) return keys.ignore_others();
+    if (kind == 0) return read_harmonic(keys, excitation);
+    read_recorded(keys, block, reading, excitation);
+  });
+  return excitation;
+}
+
+}  // namespace rocking::report

@@ -49,6 +49,9 @@ class Automaton {
   /// From now on, tells `observer`.
   void observe_with(Observer& observer) { observer_ = &observer; }
 
+  /// How often the block stuck though friction does not suffice; see start_slipping.
+  [[nodiscard]] std::uint64_t contradictions() const { return contradictions_; }
+
   /// Horizontal base acceleration alpha now, in g.
   [[nodiscard]] double base_acceleration() { return excitation_.horizontal(clock_, base_amplitude()); }
 
@@ -129,7 +132,7 @@ class Automaton {
       record(EventKind::slip_reverse);
       return;
     }
-    sticks_beyond_friction_ = !friction_holds(forces);
+    if (!friction_holds(forces)) stick_beyond_friction();
     state_.contact = ContactState::rock;
     record(EventKind::slip_stop);
   }
@@ -142,10 +145,7 @@ class Automaton {
   void start_slipping(double direction, bool at_threshold) {
     const bool is_centroidal = setting_.inertia == inertia_ratio(SlideInertia::centroidal);
     const bool starts_flat = at_threshold && is_centroidal && kinetic_equals_static();
-    if (!starts_flat && !slip_would_last(direction)) {
-      sticks_beyond_friction_ = true;
-      return;
-    }
+    if (!starts_flat && !slip_would_last(direction)) return stick_beyond_friction();
     state_.contact = ContactState::rock_slide;
     state_.slip_direction = direction;
     slip_starts_flat_ = starts_flat;
@@ -247,6 +247,11 @@ class Automaton {
     if (!friction_holds(forces)) start_slipping(-sign(forces.friction), false);
   }
 
+  void stick_beyond_friction() {
+    sticks_beyond_friction_ = true;
+    ++contradictions_;
+  }
+
   void start_sliding(double push, bool at_threshold, bool was_sliding) {
     state_.contact = ContactState::slide;
     state_.slip_direction = -push;
@@ -323,6 +328,7 @@ class Automaton {
 
   Observer* observer_;
   std::optional<Termination> termination_;
+  std::uint64_t contradictions_ = 0;
 };
 
 }  // namespace rocking::dynamics

@@ -33,6 +33,7 @@ void collect(Record& record, const Motion& motion, const StrobeRecorder& recorde
   record.losses_of_contact = motion.losses_of_contact();
   record.first_loss_of_contact = motion.first_loss_of_contact();
   record.was_past_balance = motion.was_past_balance();
+  record.contradictions = motion.contradictions();
   record.effort.slip_steps = motion.slip_steps();
   record.effort.events = recorder.events();
   motion.coefficients().add_to(record.effort);

@@ -46,6 +46,7 @@ Validity validity_of(std::span<const Summary> realisations) {
     if (summary.termination == dynamics::Termination::stopped) validity.stopped.add(number);
     if (summary.in_transient) validity.in_transient.add(number);
     if (summary.was_past_balance) validity.past_balance.add(number);
+    if (summary.met_contradiction) validity.contradictions.add(number);
     if (summary.clamped) validity.clamped.add(number);
     const bool named = summary.mode.kind != ResponseKind::unresolved;
     const bool ran_through = summary.termination == dynamics::Termination::reached_horizon;
@@ -143,6 +144,7 @@ Summary summarise(const Record& record, std::uint64_t realisation) {
           .in_transient = record.verdict.in_transient,
           .left_ground = record.losses_of_contact > 0,
           .was_past_balance = record.was_past_balance,
+          .met_contradiction = record.contradictions > 0,
           .clamped = is_clamped(record.clamps),
           .digest = digest_of(record, realisation),
           .parted_from_next = std::nullopt,

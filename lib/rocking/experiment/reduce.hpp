@@ -20,6 +20,7 @@ struct Summary {
   bool in_transient = false;
   bool left_ground = false;
   bool was_past_balance = false;
+  bool met_contradiction = false;
   bool clamped = false;
   base::Sha256 digest{};
   /// Of an even-numbered realisation: when the next one parted from it.

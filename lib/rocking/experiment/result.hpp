@@ -64,6 +64,7 @@ struct Validity {
   Cases stopped;       ///< ended by the budget of steps
   Cases in_transient;  ///< still drifting at the horizon
   Cases past_balance;  ///< met abs(Theta) = 1
+  Cases contradictions;  ///< met an instant at which neither sticking nor slipping agrees with the equations; it stuck
   Cases clamped;       ///< had a draw clamped
   std::map<section::Reason, Cases> unresolved;  ///< why no response mode was named
   Clamps clamps;       ///< draws clamped, all realisations together

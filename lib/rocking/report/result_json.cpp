@@ -91,6 +91,7 @@ Json validity_json(const experiment::Validity& validity) {
   add(json, "stopped", validity.stopped);
   add(json, "in_transient", validity.in_transient);
   add(json, "past_balance", validity.past_balance);
+  add(json, "contradictions", validity.contradictions);
   add(json, "clamped", validity.clamped);
   Json& unresolved = json["unresolved"] = Json::object();
   for (const auto& [reason, cases] : validity.unresolved) add(unresolved, std::string(to_string(reason)), cases);

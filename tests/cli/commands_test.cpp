@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
+#include "rocking/base/digest.hpp"
 #include "support/json_schema.hpp"
 
 namespace {
@@ -13,6 +14,8 @@ namespace {
 using rocking::report::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
+using rocking::support::recorded_experiment;
+using rocking::support::recorded_pulse;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 
@@ -90,6 +93,23 @@ TEST_F(Command, DryRunOfADeterministicExperimentCountsOneRealisation) {
   write("quiet.json", quick.dump());
   EXPECT_THAT(rocking("run quiet.json --dry-run").output,
               AllOf(HasSubstr("3 realisations"), HasSubstr("nothing is random")));
+}
+
+TEST_F(Command, RunFollowsARecordFromTheFolderOfItsExperiment) {
+  ASSERT_EQ(shell("mkdir there").exit_code, 0);
+  write("there/record.json", recorded_experiment().dump());
+  write("there/pulse.txt", recorded_pulse());
+  ASSERT_EQ(rocking("run there/record.json -o out -q").exit_code, 0);
+  const std::string text = read("out/report.json");
+  EXPECT_EQ(objections("report", text), "");
+  const Json report = Json::parse(text);
+  EXPECT_EQ(objections("experiment", report["input"]["experiment"].dump()), "");
+  EXPECT_EQ(report["input"]["experiment"]["excitation"]["sha256"],
+            rocking::base::to_hex(rocking::base::sha256(recorded_pulse())));
+  EXPECT_EQ(report["result"]["conditions"][0]["counts"]["rest"], 1) << "below the threshold";
+  EXPECT_EQ(report["result"]["conditions"][1]["counts"]["rest"], 1) << "rocks and comes to rest";
+  EXPECT_EQ(report["result"]["conditions"][2]["counts"]["overturned"], 1);
+  EXPECT_GT(report["internal"]["conditions"][1]["record_segments"], 4);
 }
 
 TEST_F(Command, TrajectoryKeepsToItsSchema) {

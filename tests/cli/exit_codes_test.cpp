@@ -80,6 +80,24 @@ TEST_F(ExitCode, Is66ForAFileThatIsNotThere) {
   EXPECT_FALSE(exists("out"));
 }
 
+TEST_F(ExitCode, Is66ForARecordThatIsNotThere) {
+  write("record.json", rocking::support::recorded_experiment().dump());
+  const auto outcome = rocking("run record.json -o out");
+  EXPECT_EQ(outcome.exit_code, 66);
+  EXPECT_THAT(outcome.errors, HasSubstr("pulse.txt"));
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ExitCode, Is65ForARecordOfWhichEveryBadLineIsTold) {
+  write("record.json", rocking::support::recorded_experiment().dump());
+  write("pulse.txt", "0 0\n1 x\n2 NaN\n");
+  const auto outcome = rocking("run record.json -o out");
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("pulse.txt, line 2 = \"x\": is no number"),
+                                    HasSubstr("pulse.txt, line 3 = \"NaN\": is not finite")));
+  EXPECT_FALSE(exists("out"));
+}
+
 TEST_F(ExitCode, Is74ForAFolderThatCannotBeMade) {
   write("out", "a file stands here");
   const auto outcome = rocking("run quick.json -o out");

@@ -57,6 +57,17 @@ class ProgramTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
+/// A question about a recorded motion, in `pulse.txt` beside it.
+inline report::Json recorded_experiment() {
+  return report::Json::parse(R"({
+    "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 8.0 },
+    "excitation": { "kind": "recorded", "file": "pulse.txt" },
+    "sweep": [ { "parameter": "/excitation/scale", "values": [0.1, 1.0, 10.0] } ] })");
+}
+
+/// A fifth of a second of 2 m/s^2: it makes that block rock, and ten times as much overturns it.
+inline const char* recorded_pulse() { return "# time, horizontal\n0.5, 0\n0.5, 2\n0.7, 2\n0.7, 0\n"; }
+
 /// A question that is answered at once, yet has a sweep and something random.
 inline report::Json quick_experiment() {
   return report::Json::parse(R"({

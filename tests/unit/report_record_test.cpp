@@ -115,8 +115,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{"0 1\n1,2,\n", {}, "r.txt, line 2", "\"1,2,\"", "3 columns", "same columns"},
         BadRecord{"0 1\n1\n", {}, "r.txt, line 2", "\"1\"", "1 column,", "same columns"},
         BadRecord{"0 1\n1 1e7\n", {}, "r.txt, line 2", "\"1e7\"", "beyond 1e6", "m/s^2"},
-        BadRecord{"0 1\n0.5 2\n0.4 3\n1 1", {}, "r.txt, line 3", "\"0.4\"", "before that of the sample above, 0.5",
-                  "order"},
+        BadRecord{
+            "0 1\n0.5 2\n0.4 3\n1 1", {}, "r.txt, line 3", "\"0.4\"", "before that of the sample above, 0.5", "order"},
         BadRecord{"-1 1\n0 0\n1 1\n", {}, "r.txt, line 1", "\"-1\"", "no time", "begin at 0"},
         BadRecord{"0 1\n1e8 0\n", {}, "r.txt, line 2", "\"1e8\"", "no time", "0"},
         BadRecord{std::string("0 1\n1 2\xff\x01\n"), {}, "r.txt, line 2", "\"2\\ufffd\\u0001\"", "no number", "0.25"}));
@@ -201,11 +201,11 @@ TEST(RecordedExcitation, IsWrittenOutWithItsDigest) {
 }
 
 TEST(RecordedExcitation, HasACanonicalTextThatIsItsOwn) {
-  for (const char* sweep :
-       {R"([{"parameter": "/excitation/scale", "from": 1, "to": 2, "step": 0.1}])",
-        R"([{"parameter": "/block/height_m", "values": [2, 4]}])", R"([{"parameter": "/restitution", "values": [0, 0.5]}])",
-        R"([{"parameter": "/formulation", "values": ["consistent", "as-printed"]}])",
-        R"([{"parameter": "/excitation", "values": [{"kind": "recorded", "file": "r.txt"},
+  for (const char* sweep : {R"([{"parameter": "/excitation/scale", "from": 1, "to": 2, "step": 0.1}])",
+                            R"([{"parameter": "/block/height_m", "values": [2, 4]}])",
+                            R"([{"parameter": "/restitution", "values": [0, 0.5]}])",
+                            R"([{"parameter": "/formulation", "values": ["consistent", "as-printed"]}])",
+                            R"([{"parameter": "/excitation", "values": [{"kind": "recorded", "file": "r.txt"},
             {"kind": "recorded", "file": "vertical.txt"}, {"amplitude": 3, "frequency_ratio": 10}]},
             {"parameter": "/block/gravity_m_s2", "values": [9.81, 1.62]}])"}) {
     const auto once = read_experiment(with(recorded(), "/sweep", sweep));
@@ -238,7 +238,8 @@ TEST(RecordedExcitation, IsReadOnceForAllConditions) {
                                                     return std::string(record_text);
                                                   }});
   EXPECT_EQ(opened, 1);
-  EXPECT_EQ(experiment.conditions.front().scene.excitation.record, experiment.conditions.back().scene.excitation.record);
+  EXPECT_EQ(experiment.conditions.front().scene.excitation.record,
+            experiment.conditions.back().scene.excitation.record);
   EXPECT_EQ(experiment.conditions.back().scene.excitation.amplitude, 10.0);
 }
 
@@ -303,6 +304,12 @@ INSTANTIATE_TEST_SUITE_P(
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "frequency_ratio": 1e6})", "/horizon/sampled_periods",
                       "until the block rests", "lower"},
         BadExcitation{R"({"kind": "recoded", "file": "r.txt"})", "/excitation/kind", "one of", "recorded"}));
+
+TEST(RecordedFault, IsToldBesideThoseOfABlockThatIsNone) {
+  const auto problems = refusals_of(support::without(recorded(R"({"kind": "recorded", "file": "bad.txt"})"), "block"));
+  ASSERT_EQ(problems.size(), 3U) << base::InputError(problems).what();
+  EXPECT_EQ(problems[2].place, "bad.txt, line 1");
+}
 
 TEST(RecordedFault, IsAFluctuationOfAmplitude) {
   const auto problems = refusals_of(with(recorded(), "/fluctuation", R"({"amplitude": {"sigma": 0.1}})"));

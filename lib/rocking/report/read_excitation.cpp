@@ -3,6 +3,7 @@
 #include <cctype>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "rocking/report/read_quantity.hpp"
 #include "rocking/report/read_scene.hpp"
@@ -56,7 +57,8 @@ void refuse(ObjectReader& keys, std::string_view key, std::string reason, std::s
 void read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading,
                    experiment::Excitation& excitation) {
   refuse(keys, "amplitude", "is for harmonic shaking; a record has a scale", "write \"scale\" in its place");
-  refuse(keys, "phase_rad", "is for harmonic shaking; a record begins where it begins", "shift the times of the record");
+  refuse(keys, "phase_rad", "is for harmonic shaking; a record begins where it begins",
+         "shift the times of the record");
   const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
   RecordReading how{.name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
   if (!how.name.empty()) {
@@ -73,8 +75,11 @@ void read_recorded(ObjectReader& keys, const dynamics::Block& block, const Scene
     if (keys.problems().size() != problems_before) how.name.clear();
   }
   const double strobe = block_is_sound ? strobe_once_a_second(block) : 1.0;
-  excitation.frequency_ratio = keys.derived_number("frequency_ratio", rules::frequency_ratio, strobe, reading.of_record);
-  if (!how.name.empty()) excitation.record = reading.files.motion(how, keys.problems());
+  excitation.frequency_ratio =
+      keys.derived_number("frequency_ratio", rules::frequency_ratio, strobe, reading.of_record);
+  if (how.name.empty()) return;
+  auto motion = reading.files.motion(how, keys.problems());  // what is wrong with it is told whatever the block
+  if (block_is_sound) excitation.record = std::move(motion);
 }
 
 }  // namespace

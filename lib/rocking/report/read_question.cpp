@@ -6,8 +6,8 @@
 #include <string_view>
 
 #include "rocking/report/read_quantity.hpp"
-#include "rocking/report/record_horizon.hpp"
 #include "rocking/report/read_scene.hpp"
+#include "rocking/report/record_horizon.hpp"
 #include "rocking/report/rules.hpp"
 #include "rocking/report/sweep.hpp"
 
@@ -30,8 +30,8 @@ experiment::Horizon read_horizon(ObjectReader& in, const experiment::Scene& scen
   const std::int64_t sampled = recorded ? periods_under_record(scene) : *rules::sampled_periods.standard;
   experiment::Horizon horizon;
   in.object("horizon", [&](ObjectReader& keys) {
-    horizon.transient_periods = static_cast<int>(
-        keys.derived_integer("transient_periods", rules::transient_periods, transient, spelling));
+    horizon.transient_periods =
+        static_cast<int>(keys.derived_integer("transient_periods", rules::transient_periods, transient, spelling));
     if (sampled > rules::sampled_periods.high && !keys.has("sampled_periods")) {
       keys.reject("sampled_periods", "would be " + std::to_string(sampled) + ", until the block rests after the record",
                   "lower \"frequency_ratio\", so that strobe periods are longer, or give at most 1000000");
@@ -103,8 +103,8 @@ Question read_question(const Json& document, MotionFiles& files, Problems& probl
   const DefaultSpelling horizon =
       condition.scene.excitation.record == nullptr
           ? unless_swept(sweep, {"/excitation/kind"})
-          : unless_swept(sweep, {"/block", "/formulation", "/restitution", "/excitation/kind", "/excitation/time_step_s",
-                                 "/excitation/frequency_ratio"});
+          : unless_swept(sweep, {"/block", "/formulation", "/restitution", "/excitation/kind",
+                                 "/excitation/time_step_s", "/excitation/frequency_ratio"});
   condition.horizon = read_horizon(in, condition.scene, horizon);
   in.object("accuracy",
             [&condition](ObjectReader& keys) { condition.tolerance = keys.number("tolerance", rules::tolerance); });

@@ -10,7 +10,7 @@ namespace rocking::report {
 namespace {
 
 constexpr std::size_t most_bad_lines = 20;
-constexpr double longest = 1e7;            // [s]; far beyond any shaking, and safe from overflow when counted in periods
+constexpr double longest = 1e7;  // [s]; far beyond any shaking, and safe from overflow when counted in periods
 constexpr double largest_acceleration = 1e6;  // [m/s^2]
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -101,11 +101,13 @@ class RecordReader {
       reject_line(line, "has " + found + ", where the lines before it have " + std::to_string(columns_),
                   "give every line the same columns");
     } else if (how_.time_step) {
-      reject_line(line, "has " + found, "give horizontal[, vertical] in m/s^2; for a column of times leave out "
-                                        "\"time_step_s\"");
+      reject_line(line, "has " + found,
+                  "give horizontal[, vertical] in m/s^2; for a column of times leave out "
+                  "\"time_step_s\"");
     } else {
-      reject_line(line, "has " + found, "give time, horizontal[, vertical] in s and m/s^2; for values at even "
-                                        "spacing set \"time_step_s\"");
+      reject_line(line, "has " + found,
+                  "give time, horizontal[, vertical] in s and m/s^2; for values at even "
+                  "spacing set \"time_step_s\"");
     }
     return false;
   }

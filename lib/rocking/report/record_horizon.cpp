@@ -14,8 +14,7 @@ std::int64_t periods_under_record(const experiment::Scene& scene) {
   const double delta = 1.0 - 1.5 * (1.0 + scene.restitution) * block.sine * block.sine;
   const double coming_to_rest = 8.0 + 4.0 / std::max(1.0 - std::abs(delta), 1e-3);
   const double record = scene.excitation.record->samples.back().time * block.frequency_parameter;
-  return static_cast<std::int64_t>(
-      std::ceil((record + coming_to_rest) * scene.excitation.frequency_ratio / two_pi));
+  return static_cast<std::int64_t>(std::ceil((record + coming_to_rest) * scene.excitation.frequency_ratio / two_pi));
 }
 
 }  // namespace rocking::report

@@ -175,7 +175,8 @@ std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size
   }
   check_disjoint(axes, problems);
   if (grid_size(axes) > most) {
-    problems.push_back({"/sweep", "", "makes more than " + std::to_string(most) + " conditions", "give larger steps or fewer entries"});
+    problems.push_back({"/sweep", "", "makes more than " + std::to_string(most) + " conditions",
+                        "give larger steps or fewer entries"});
   }
   return axes;
 }

@@ -22,7 +22,7 @@ void insert_samples(Account& account, const Account& samples) {
 void drop_chatter_tails(Account& account) {
   Account kept;
   for (const Entry& entry : account) {
-    if (ends_chatter(entry) || entry.what == "lift") {  // a lift from an impact is the end of hops over one edge
+    if (ends_chatter(entry)) {
       const auto belongs = [](const Entry& before) {
         const bool is_hop = before.what.starts_with("impact_") || before.what.starts_with("slip_");
         return is_hop && std::abs(before.state[1]) < chatter_rate;
@@ -34,27 +34,11 @@ void drop_chatter_tails(Account& account) {
   account = kept;
 }
 
-/// Where one instant is told of again and again, the laws have no answer (lib/docs/differential.md): its first entry is
-/// kept, what follows means nothing. Returns whether that happened.
-bool end_where_stuck(Account& account, std::string_view ending) {
-  constexpr std::size_t often = 100;
-  std::size_t first = 0;
-  while (first + often < account.size() && account[first + often].tau - account[first].tau > same_instant) ++first;
-  if (first + often >= account.size()) {
-    if (ending != "stuck") return false;
-    first = account.size() - 1;
-  }
-  while (first > 0 && account[first].tau - account[first - 1].tau < same_instant) --first;
-  account.resize(first + 1);
-  return true;
-}
-
 Account finished(Account events, const Account& samples, std::string_view ending) {
   insert_samples(events, samples);
   drop_chatter_tails(events);
-  const bool stuck = end_where_stuck(events, ending);
   const double end = events.empty() ? 0.0 : events.back().tau;
-  events.push_back({end, stuck ? "stuck" : ending, {}});
+  events.push_back({end, ending, {}});
   return events;
 }
 

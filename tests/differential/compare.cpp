@@ -50,16 +50,8 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
   return other;
 }
 
-/// How many whole periods pass before our run gets stuck, or all: a stuck run takes long, and so would displaced ones.
-std::int64_t periods_to_displace(const Question& question, const Account& ours) {
-  if (ours.back().what != "stuck") return question.periods;
-  return static_cast<std::int64_t>(ours.back().tau / period_of(question));
-}
-
-/// Pairs of opposite displacements in random directions, over `periods`.
-std::vector<Account> displaced_accounts(Question question, std::int64_t periods) {
-  if (periods == 0) return {};
-  question.periods = periods;
+/// Pairs of opposite displacements in random directions.
+std::vector<Account> displaced_accounts(const Question& question) {
   constexpr int pairs = 4;
   support::SplitMix random(question.realisation);
   std::vector<Account> accounts;
@@ -75,20 +67,22 @@ bool same_kind(const Account& a, const Account& b, std::size_t index) {
   return index < a.size() && index < b.size() && a[index].what == b[index].what;
 }
 
+/// Whether the peer tells at `index` of a slip that is over as it begins: it goes round in circles there, ours sticks.
+bool turns_back_at_once(const Account& theirs, std::size_t index) {
+  if (index < theirs.size() && theirs[index].what == "stuck") return true;
+  if (index + 1 >= theirs.size()) return false;
+  const Entry& start = theirs[index];
+  const Entry& next = theirs[index + 1];
+  const bool starts = start.what == "slip_start" || start.what == "slip_reverse";
+  const bool ends = next.what == "slip_stop" || next.what == "slip_reverse" || next.what == "stuck";
+  return starts && ends && next.tau - start.tau < local_error;
+}
+
 /// Our account and those of the displaced scenes.
 struct Evidence {
   Account ours;
   std::vector<Account> companions;
-  double companions_end;  ///< tau to which they go
 };
-
-Evidence evidence_for(const Question& asked) {
-  Account ours = our_account(asked);
-  const std::int64_t periods = periods_to_displace(asked, ours);
-  std::vector<Account> companions = displaced_accounts(asked, periods);
-  const double end = companions.empty() ? -1.0 : static_cast<double>(periods) * period_of(asked);
-  return {std::move(ours), std::move(companions), end};
-}
 
 double unexplained(const Entry& ours, const Entry& theirs) {
   return distance(ours, theirs) - (ends_chatter(ours) ? chatter_error : local_error);
@@ -105,17 +99,18 @@ Comparison compare(const Evidence& evidence, const Account& theirs, double share
   double growth = 0.0;  // of the displacements, so far
   for (; result.entries < ours.size(); ++result.entries) {
     const std::size_t i = result.entries;
-    const bool has_companions = ours[i].tau <= evidence.companions_end;
-    if (has_companions) std::erase_if(companions, [&](const Account& other) { return !same_kind(ours, other, i); });
+    std::erase_if(companions, [&](const Account& other) { return !same_kind(ours, other, i); });
     if (!same_kind(ours, theirs, i)) {
+      if (turns_back_at_once(theirs, i)) return ends_as(Outcome::no_answer);
       return ends_as(companions.size() < evidence.companions.size() ? Outcome::split : Outcome::disagreed);
     }
-    if (!has_companions) continue;  // only what happened can be compared
     for (const Account& companion : companions) growth = std::max(growth, distance(ours[i], companion[i]));
     if (companions.empty() || growth > useless) return ends_as(Outcome::grown);
     result.difference = std::max(result.difference, distance(ours[i], theirs[i]));
     result.share = std::max(result.share, unexplained(ours[i], theirs[i]) / growth);
-    if (result.share > share_allowed) return ends_as(Outcome::disagreed);
+    if (result.share > share_allowed) {
+      return ends_as(turns_back_at_once(theirs, i) ? Outcome::no_answer : Outcome::disagreed);
+    }
   }
   return ends_as(theirs.size() > ours.size() ? Outcome::disagreed : Outcome::agreed);
 }
@@ -123,7 +118,7 @@ Comparison compare(const Evidence& evidence, const Account& theirs, double share
 }  // namespace
 
 Comparison compare(const Question& asked, const Question& peer_asked, double share_allowed) {
-  const Evidence evidence = evidence_for(asked);
+  const Evidence evidence{our_account(asked), displaced_accounts(asked)};
   const auto told_with = [&](const peer::Care& care) {
     const peer::Story story = peer::story_of(peer_scene(peer_asked), peer_asked.periods, care);
     return compare(evidence, account_of(story, period_of(peer_asked)), share_allowed);

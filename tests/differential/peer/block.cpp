@@ -19,7 +19,7 @@ namespace {
 constexpr double weight = 4.0 / 3.0;
 
 enum class Contact { rest, slide, rock, rock_slide };
-enum Watch : std::size_t { overturn, ground, standstill, grip_left, grip_right, balance, determinant };
+enum Watch : std::size_t { overturn, ground, standstill, grip_left, grip_right, balance, determinant, normal };
 
 double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
@@ -80,6 +80,8 @@ class Block final : private Equations {
     const Balance now = balance_at(time, y);
     if (contact_ == Contact::rock_slide) {
       g[determinant] = now.determinant;
+    } else if (holds_anyway_) {
+      g[normal] = now.normal;
     } else if (scene_.friction && now.normal > 0.0) {
       g[grip_left] = friction_.at_rest * now.normal + now.friction;
       g[grip_right] = friction_.at_rest * now.normal - now.friction;
@@ -99,12 +101,7 @@ class Block final : private Equations {
   // What is told.
 
   [[nodiscard]] Posture posture() const { return {y_[0] / body_.psi, y_[1] / body_.psi, y_[2], y_[3]}; }
-  void tell_of(std::string_view kind) {
-    constexpr std::size_t most_at_once = 1000;
-    story_.events.push_back({tau_, kind, posture()});
-    const std::size_t count = story_.events.size();
-    if (count > most_at_once && tau_ - story_.events[count - most_at_once].tau < 1e-10) story_.ending = "stuck";
-  }
+  void tell_of(std::string_view kind) { story_.events.push_back({tau_, kind, posture()}); }
 
   // Events.
 
@@ -145,6 +142,7 @@ class Block final : private Equations {
     if (std::none_of(fired.begin(), fired.end(), [](bool did) { return did; })) return arrive(end);
     tau_ += stretch.duration;
     look_up();
+    const bool held_anyway = std::exchange(holds_anyway_, false);
     if (fired[overturn]) return end_with("overturned", "overturn");
     if (fired[determinant]) return end_with("painleve");
     if (fired[ground]) {
@@ -159,6 +157,7 @@ class Block final : private Equations {
       past_balance_ = true;
       tell_of("past_balance");
     }
+    if (held_anyway) slip_if_loose();
   }
 
   void end_with(std::string_view ending, std::string_view event = {}) {
@@ -169,9 +168,12 @@ class Block final : private Equations {
   /// An instant at which something is looked up anew, or looked at.
   void arrive(double instant) {
     const std::int64_t strobes = timetable_.strobes(tau_);
+    const std::int64_t period = timetable_.excitation_period(tau_);
     tau_ = instant;
     look_up();
     if (contact_ == Contact::slide) tip_if_gripped();
+    const bool draws_amplitude = scene_.sigmas.amplitude > 0.0 && timetable_.excitation_period(tau_) != period;
+    if (draws_amplitude && std::exchange(holds_anyway_, false)) slip_if_loose();
     if (timetable_.strobes(tau_) == strobes) return;
     constexpr std::string_view names[] = {"rest", "slide", "rock", "rock_slide"};
     story_.samples.push_back({names[static_cast<std::size_t>(contact_)], posture()});
@@ -198,26 +200,24 @@ class Block final : private Equations {
     tell_of(was_sliding ? "slip_reverse" : "slide_start");
   }
 
+  /// Whether slip in `direction` would not be turned back at once. (With mu_s = mu_k its acceleration may start at 0.)
+  [[nodiscard]] bool slip_would_last(double direction) const {
+    constexpr double rounding = 1e-9;  // of accelerations at an onset that was found as a root
+    return direction * sliding(body_, stance(y_), alpha(), direction, friction_.sliding).v_dot >= -rounding;
+  }
+
   void slip(double direction) {
+    holds_anyway_ = !slip_would_last(direction);
+    if (holds_anyway_) return;
     contact_ = Contact::rock_slide;
     direction_ = direction;
     tell_of("slip_start");
-    stand_still_if_pulled_back();
   }
 
   void slip_if_loose() {
     if (contact_ != Contact::rock) return;
     const Balance now = sticking(body_, stance(y_), alpha());
     if (!grips(now)) slip(-sign_of(now.friction));
-  }
-
-  /// With J = 4/3 the accelerations jump at the onset of slip, and may pull it back: V is 0 again at once.
-  void stand_still_if_pulled_back() {
-    constexpr double rounding = 1e-9;  // of accelerations at an onset that was found as a root
-    const Balance now = sliding(body_, stance(y_), alpha(), direction_, friction_.sliding);
-    if (direction_ * now.v_dot >= -rounding || !story_.ending.empty()) return;
-    if (scene_.sigmas.at_rest == 0.0) return end_with("stuck");  // the same mu_s, the same answer
-    stand_still();
   }
 
   void tip_if_gripped() {
@@ -237,13 +237,14 @@ class Block final : private Equations {
       return tell_of("slide_stop");
     }
     const Balance now = sticking(body_, stance(y_), alpha());
-    if (grips(now)) {
-      contact_ = Contact::rock;
-      return tell_of("slip_stop");
+    const double direction = -sign_of(now.friction);
+    if (!grips(now) && slip_would_last(direction)) {
+      direction_ = direction;
+      return tell_of("slip_reverse");
     }
-    direction_ = -sign_of(now.friction);
-    tell_of("slip_reverse");
-    stand_still_if_pulled_back();
+    holds_anyway_ = !grips(now);
+    contact_ = Contact::rock;
+    tell_of("slip_stop");
   }
 
   void hit_ground(bool has_stopped) {
@@ -270,7 +271,7 @@ class Block final : private Equations {
     contact_ = after.v == 0.0 ? Contact::rock : Contact::rock_slide;
     const bool same_edge = after.w * w_before < 0.0;
     if (hops_are_short(std::min(pull(-1.0), pull(1.0)))) return come_down();
-    if (same_edge && pull(-side_) < 0.0 && hops_are_short(pull(side_))) return roll_over();
+    if (same_edge && pull(-side_) < 0.0 && hops_are_short(pull(side_))) return come_down();
     slip_if_loose();
   }
 
@@ -294,16 +295,8 @@ class Block final : private Equations {
     const bool slides = contact_ == Contact::rock_slide;
     contact_ = slides ? Contact::slide : Contact::rest;
     tell_of(slides ? "to_slide" : "to_rest");
-    if (!slides) leave_rest_if_pushed();
-  }
-
-  /// Ever lower hops over one edge, while the base pushes the block over the other: it comes down, and leaves at once.
-  void roll_over() {
-    y_[1] = 0.0;
-    coefficients_.chatter_ended();
-    look_up();
-    if (contact_ == Contact::rock) return leave_full_contact(sign_of(alpha()), false);
-    tip_if_gripped();
+    if (slides) return tip_if_gripped();
+    leave_rest_if_pushed();
   }
 
   Scene scene_;
@@ -320,6 +313,7 @@ class Block final : private Equations {
   double side_ = 1.0;
   double direction_ = 1.0;
   bool past_balance_ = false;
+  bool holds_anyway_ = false;  ///< neither sticking nor slipping agrees with the laws: it sticks until the next event
   double amplitude_ = 0.0;
   Friction friction_{};
   Story story_;

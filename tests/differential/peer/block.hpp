@@ -30,7 +30,7 @@ struct Sample {
 struct Story {
   std::vector<Event> events;
   std::vector<Sample> samples;  ///< at tau = 2 pi k/Omega_h, k = 1, 2, ...
-  std::string_view ending;      ///< reached_horizon, overturned, painleve, stuck
+  std::string_view ending;      ///< reached_horizon, overturned, painleve
 };
 
 /// How finely the peer looks.

@@ -10,7 +10,7 @@ namespace rocking::peer {
 using Vector = std::array<double, 4>;
 
 /// Functions whose fall through 0 ends a stretch.
-inline constexpr std::size_t guard_count = 7;
+inline constexpr std::size_t guard_count = 8;
 using Guards = std::array<double, guard_count>;
 
 /// A smooth piece of motion. Times are since the start of the stretch.

@@ -2,7 +2,7 @@
 """Writes the two synthetic records of this folder. Not measured: numbers from a formula.
 
 A Ricker pulse of peak frequency f is r(u) = (1 - 2 x) exp(-x), x = (pi f u)^2 (Ricker 1953, Geophysics 18, 10-40).
-Horizontal: three of them, of alternating sign, about 2.0, 3.1 and 4.4 s. Vertical: shorter pulses that come earlier,
+Horizontal: three of them, of alternating sign, about 2.0, 2.9 and 4.1 s. Vertical: shorter pulses that come earlier,
 as faster waves do. In m/s^2, rounded to four decimals, every 0.01 s for 8 s.
 """
 
@@ -10,7 +10,7 @@ import math
 import pathlib
 
 STEP = 0.01
-HORIZONTAL = [(4.0, 0.9, 2.0), (-3.2, 0.7, 3.1), (1.8, 1.1, 4.4)]  # peak [m/s^2], frequency [Hz], centre [s]
+HORIZONTAL = [(4.0, 1.6, 2.0), (-3.6, 1.5, 2.9), (2.8, 1.4, 4.1)]  # peak [m/s^2], frequency [Hz], centre [s]
 VERTICAL = [(2.5, 3.0, 1.6), (-2.0, 2.5, 2.3), (1.5, 3.5, 3.3)]
 
 

@@ -9,10 +9,9 @@ namespace rocking::differential {
 
 /// How two accounts of one scene compare.
 enum class Outcome : std::uint8_t {
-  agreed,     ///< the same to the end
-  grown,      ///< the same until small differences have grown too large to tell anything
-  no_answer,  ///< the same until neither sticking nor slipping agrees with the equations (model.md, 7)
-  split,      ///< another list of events, where ours is another too when the scene is displaced
+  agreed,  ///< the same to the end
+  grown,   ///< the same until small differences have grown too large to tell anything
+  split,   ///< another list of events, where ours is another too when the scene is displaced
   disagreed,
 };
 

@@ -19,7 +19,7 @@ namespace {
 constexpr double share_allowed = 1.0;
 
 struct Totals {
-  std::array<int, 5> outcomes{};
+  std::array<int, 4> outcomes{};
   int looked_closer = 0;
   std::size_t entries = 0;
 
@@ -47,13 +47,12 @@ TEST_P(DifferentialFuzz, AgreesWithAnIndependentBlockUntilRoundOffHasGrown) {
   Totals totals;
   for (std::uint64_t i = 0; i < block_size; ++i) ask(GetParam() * block_size + i, totals);
   EXPECT_LE(totals.of(Outcome::split), 2) << "other lists of events, where ours is as fragile: below 2 % of scenes";
-  EXPECT_LE(totals.of(Outcome::no_answer), 12) << "scenes where the equations have none: `edge` with friction";
   EXPECT_LE(totals.of(Outcome::grown), 5) << "scenes that say nothing at their end";
   EXPECT_LE(totals.looked_closer, 3) << "dips that the peer missed at first";
   EXPECT_GT(totals.entries, 10 * block_size) << "the scenes have become dull";
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, DifferentialFuzz, testing::Range<std::uint64_t>(0, 4));
+INSTANTIATE_TEST_SUITE_P(Scenes, DifferentialFuzz, testing::Range<std::uint64_t>(0, 10));
 
 /// How many of the first scenes tell the two apart when the peer's question is another.
 template <class Change>

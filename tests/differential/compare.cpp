@@ -50,7 +50,7 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
   return other;
 }
 
-/// Pairs of opposite displacements in random directions, and the same scenes at other tolerances: what a chatter between
+/// Pairs of opposite displacements in random directions, and the same scene at other tolerances: what a chatter between
 /// sticking and slipping ends in depends on where it is cut off.
 std::vector<Account> displaced_accounts(const Question& question) {
   constexpr int pairs = 4;

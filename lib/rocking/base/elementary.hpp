@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rocking/base/lane.hpp"
+#include "rocking/base/natural_logarithm.hpp"
 
 /// Elementary functions with the same bits on every machine.
 ///
@@ -81,9 +82,6 @@ template <Lane Real>
   const auto flip_cosine = opposite || (swapped && Real(0.0) < quadrant);
   return {select(flip_sine, -sine, sine), select(flip_cosine, -cosine, cosine)};
 }
-
-/// ln(x) for normal x > 0, error below 1 ulp.
-[[nodiscard]] double natural_logarithm(double x);
 
 /// atan(x) for finite x, error below 2 ulp.
 [[nodiscard]] double arc_tangent(double x);

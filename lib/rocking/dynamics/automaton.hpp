@@ -132,20 +132,35 @@ class Automaton {
       record(EventKind::slip_reverse);
       return;
     }
-    if (!friction_holds(forces)) stick_beyond_friction();
+    if (!friction_holds(forces)) {
+      if (is_centroidal()) {
+        limit_sign_ = -state_.side * direction;
+      } else {
+        stick_beyond_friction();
+      }
+    }
     state_.contact = ContactState::rock;
     record(EventKind::slip_stop);
+  }
+
+  /// N has risen through 0. A slide tips where it could not before; at the threshold its w' is exactly 0.
+  void press_again() {
+    if (state_.contact != ContactState::slide || !friction_is_above_tangent()) return;
+    tip();
+    lift_starts_flat_ = true;
   }
 
   /// Rocking: friction is exhausted; the block starts to slip in `direction`. `at_threshold`: found as a root.
   ///
   /// Where slip would be turned back at once there is no motion that agrees with the equations (the inertia about the
-  /// edge, and bodies that all but leave the ground, make such places): then it sticks, and friction is not tested again
-  /// before the next event.
+  /// edge makes such places): then it sticks, and friction is not tested again before the next event.
   void start_slipping(double direction, bool at_threshold) {
-    const bool is_centroidal = setting_.inertia == inertia_ratio(SlideInertia::centroidal);
-    const bool starts_flat = at_threshold && is_centroidal && kinetic_equals_static();
-    if (!starts_flat && !slip_would_last(direction)) return stick_beyond_friction();
+    const bool is_full_contact = state_.tilt == 0.0 && state_.tilt_rate == 0.0;
+    if (is_full_contact && !kinetic_friction_tips()) return start_sliding(-direction, at_threshold, false);
+    // About the centre of mass s V' is at least in proportion to abs(F) - mu_s N: if it is not > 0, by rounding, it is 0.
+    const bool lasts = slip_would_last(direction);
+    const bool starts_flat = is_centroidal() && (!lasts || (at_threshold && kinetic_equals_static()));
+    if (!starts_flat && !lasts) return stick_beyond_friction();
     state_.contact = ContactState::rock_slide;
     state_.slip_direction = direction;
     slip_starts_flat_ = starts_flat;
@@ -157,23 +172,20 @@ class Automaton {
   void leave_full_contact(double push, bool at_threshold) {
     const bool was_sliding = state_.contact == ContactState::slide;
     state_.slip_rate = 0.0;
+    state_.side = push;
+    const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
     if (coefficients_.has_friction()) {
       const double mu_s = coefficients_.static_friction();
       if (mu_s <= setting_.block.tangent) return start_sliding(push, at_threshold, was_sliding);
-      state_.side = push;
-      const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
       if (!friction_holds(forces)) {
-        if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) {
-          return start_sliding(push, at_threshold, was_sliding);
-        }
+        if (!kinetic_friction_tips()) return start_sliding(push, at_threshold, was_sliding);
         state_.contact = ContactState::rock;
         record(EventKind::lift);
         return start_slipping(-sign(forces.friction), false);
       }
     }
-    state_.side = push;
     state_.contact = ContactState::rock;
-    lift_starts_flat_ = at_threshold;
+    lift_starts_flat_ = at_threshold || forces.acceleration == 0.0;
     record(EventKind::lift);
   }
 
@@ -196,6 +208,7 @@ class Automaton {
   bool was_past_balance_ = false;
   bool lift_starts_flat_ = false;  ///< w' = 0 exactly at the start of the coming step
   bool slip_starts_flat_ = false;  ///< V' = 0 exactly at the start of the coming step
+  double limit_sign_ = 0.0;  ///< of S F, if abs(F) = mu_s N exactly at the start of the coming step; else 0
   bool sticks_beyond_friction_ = false;  ///< until the next event; see start_slipping
 
  private:
@@ -208,6 +221,10 @@ class Automaton {
     return coefficients_.kinetic_friction(clock_) == coefficients_.static_friction();
   }
 
+  [[nodiscard]] bool is_centroidal() const {
+    return setting_.inertia == inertia_ratio(SlideInertia::centroidal);
+  }
+
   /// Friction is tested only while the block presses on the base.
   [[nodiscard]] bool friction_holds(const Forces& forces) const {
     return forces.normal <= 0.0 || std::abs(forces.friction) <= coefficients_.static_friction() * forces.normal;
@@ -218,23 +235,34 @@ class Automaton {
     State slipping = state_;
     slipping.slip_direction = direction;
     const double mu_k = coefficients_.kinetic_friction(clock_);
-    const double acceleration =
-        slip_acceleration(slipping, base_acceleration(), weight(), setting_.inertia, mu_k, setting_.block);
-    return direction * acceleration > 0.0;
+    const SlippingRates rates =
+        slipping_rates(slipping, base_acceleration(), weight(), setting_.inertia, mu_k, setting_.block);
+    return direction * rates.slip_acceleration > 0.0;
   }
 
   [[nodiscard]] bool full_contact_holds() {
-    return std::abs(base_acceleration()) <=
-           std::min(setting_.block.tangent, coefficients_.static_friction()) * weight();
+    const double alpha = base_acceleration();
+    const double mu_s = coefficients_.static_friction();
+    return mu_s <= setting_.block.tangent ? std::abs(alpha) <= mu_s * weight()
+                                          : edges_hold(alpha, weight(), setting_.block);
   }
 
   void check_full_contact() {
     if (!full_contact_holds()) leave_full_contact(sign(base_acceleration()), false);
   }
 
-  /// Slide: friction above tan(psi) tips the block over its leading edge.
+  [[nodiscard]] bool friction_is_above_tangent() {
+    return friction_tips(coefficients_.kinetic_friction(clock_), setting_.block);
+  }
+
+  /// Whether sliding friction turns the block over its leading edge. Its torque does not where N = (4/3)(1 + alpha_v) <= 0.
+  [[nodiscard]] bool kinetic_friction_tips() { return friction_is_above_tangent() && weight() > 0.0; }
+
   void check_tipping() {
-    if (coefficients_.kinetic_friction(clock_) <= setting_.block.tangent) return;
+    if (kinetic_friction_tips()) tip();
+  }
+
+  void tip() {
     state_.side = -state_.slip_direction;
     state_.contact = ContactState::rock_slide;
     record(EventKind::tip);
@@ -255,7 +283,10 @@ class Automaton {
   void start_sliding(double push, bool at_threshold, bool was_sliding) {
     state_.contact = ContactState::slide;
     state_.slip_direction = -push;
-    slip_starts_flat_ = at_threshold && kinetic_equals_static();
+    // abs(alpha) >= mu_k (1 + alpha_v), or a rounding of the threshold hides it; nothing pushes where 1 + alpha_v = 0.
+    const double alpha = base_acceleration();
+    const bool lags = push * alpha <= coefficients_.kinetic_friction(clock_) * weight();
+    slip_starts_flat_ = lags || (at_threshold && (kinetic_equals_static() || alpha == 0.0));
     record(was_sliding ? EventKind::slip_reverse : EventKind::slide_start);
   }
 
@@ -301,10 +332,10 @@ class Automaton {
     double acceleration = 0.0;
     if (slips) {
       const double mu_k = coefficients_.kinetic_friction(clock_);
-      if (mu_k > setting_.block.tangent && !over_same_edge) return false;
-      acceleration = slipping_acceleration(state_, setting_.inertia, mu_k, weight(), setting_.block);
+      if (kinetic_friction_tips() && !over_same_edge) return false;
+      acceleration = slipping_rates(state_, alpha, weight(), setting_.inertia, mu_k, setting_.block).tilt_acceleration;
     } else {
-      if (std::abs(alpha) > setting_.block.tangent * weight() && !over_same_edge) return false;
+      if (!edges_hold(alpha, weight(), setting_.block) && !over_same_edge) return false;
       acceleration = rocking_forces(state_, alpha, weight(), setting_.block).acceleration;
     }
     const double pull = -state_.side * acceleration;

@@ -78,6 +78,20 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     settle();
   }
 
+  /// After move_to_last_strobe: goes on for `more` strobe points under other circumstances. The state stays as it is, down to
+  /// the contact state, wherever the contact can stay so; `clock` says where in which period the base motion goes on.
+  void go_on_under(const Setting& setting, const Clock& clock, const Coefficients& coefficients, std::int64_t more) {
+    setting_ = setting;
+    clock_ = clock;
+    coefficients_ = coefficients;
+    Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
+    Base::limit_sign_ = 0.0;
+    normal_starts_at_zero_ = false;
+    extend(more);
+    this->check_contact();
+    settle();
+  }
+
   /// Displaces the state, within its contact state, by rates and tilt in units of Theta; returns what was displaced.
   Displacement displace(const Displacement& wanted) {
     Displacement done;
@@ -109,7 +123,9 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   void strobe(double x) {
-    this->observer().strobe(state_at(x));
+    const State sample = state_at(x);
+    if (!is_finite(sample)) return end_without_step();
+    this->observer().strobe(sample);
     ++next_strobe_.period;
     steps_since_strobe_ = 0;
     if (++strobes_done_ == schedule_.strobes) this->end(Termination::reached_horizon);
@@ -122,11 +138,12 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       return;
     }
     const State next = state_at(x);
-    if (!std::isfinite(next.tilt_rate) || !std::isfinite(next.slip)) return end_without_step();
+    if (!is_finite(next)) return end_without_step();
     state_ = next;
     clock_.advance(x);
     events_at_once_ = 0;
     Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
+    Base::limit_sign_ = 0.0;
     normal_starts_at_zero_ = false;
   }
 
@@ -135,6 +152,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   void reset(const Fired& fired, bool at_breakpoint) {
     if (fired.none() && !at_breakpoint) return;
     Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
+    Base::limit_sign_ = 0.0;
     normal_starts_at_zero_ = false;
     if (at_breakpoint) clock_.set(*breakpoint_);
     // A guard that fires without time going on was below zero from the start: the forces had jumped, it is no root.
@@ -142,7 +160,9 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     const auto has_fired = [&fired](Guard guard) { return fired[static_cast<std::size_t>(guard)]; };
     if (has_fired(Guard::overturn)) return this->overturn();
     if (has_fired(Guard::determinant)) return this->end(Termination::painleve);
-    if (has_fired(Guard::tilt)) {
+    // Without time going on a block that has just lifted has not moved yet: friction decides first how it sets off.
+    const bool sets_off = !time_went_on_ && (has_fired(Guard::friction_inward) || has_fired(Guard::friction_outward));
+    if (has_fired(Guard::tilt) && !sets_off) {
       this->land(has_fired(Guard::slip));
     } else if (has_fired(Guard::slip)) {
       this->stop_slipping();
@@ -150,15 +170,13 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       this->start_slipping(-state_.side, at_threshold);
     } else if (has_fired(Guard::friction_outward)) {
       this->start_slipping(state_.side, at_threshold);
-    } else if (has_fired(Guard::leave_right)) {
-      this->leave_full_contact(1.0, at_threshold);
-    } else if (has_fired(Guard::leave_left)) {
-      this->leave_full_contact(-1.0, at_threshold);
+    } else if (has_fired(Guard::leave_right) || has_fired(Guard::leave_left)) {
+      this->leave_full_contact(has_fired(Guard::leave_right) ? 1.0 : -1.0, at_threshold);
+      if (has_fired(Guard::normal) && !at_breakpoint) cross_normal();  // nothing pushes: N of the new state is 0 here too
     } else if (at_breakpoint) {
       this->check_contact();
     } else if (has_fired(Guard::normal)) {  // after anything else the force jumps and is looked at anew
-      set_off_ground(!off_ground_);
-      normal_starts_at_zero_ = true;
+      cross_normal();
     }
     if (has_fired(Guard::past_balance)) this->pass_balance();
     settle();
@@ -177,6 +195,11 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   [[nodiscard]] std::optional<Instant> earlier(const std::optional<Instant>& a, const std::optional<Instant>& b) const {
     if (!a || !b) return a ? a : b;
     return clock_.until(*a) < clock_.until(*b) ? a : b;
+  }
+
+  [[nodiscard]] static bool is_finite(const State& state) {
+    return std::isfinite(state.tilt) && std::isfinite(state.tilt_rate) && std::isfinite(state.slip) &&
+           std::isfinite(state.slip_rate);
   }
 
   /// The series no longer carries the motion on: it blows up near D = 0, or something that is not a number was fed in.
@@ -207,15 +230,21 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// A reset makes the forces jump: whether the block still presses on the base, and the equations still have a solution.
   void look_at_validity() {
     after_reset_ = false;
-    if (!rocks()) {
-      off_ground_ = false;
-      return;
-    }
     if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
       this->end(Termination::painleve);
     }
-    if (!normal_starts_at_zero_) set_off_ground(series_.normal[0] <= 0.0);
+    if (!normal_starts_at_zero_) set_off_ground(rocks() ? series_.normal[0] <= 0.0 : has_no_weight());
   }
+
+  /// N has become 0.
+  void cross_normal() {
+    set_off_ground(!off_ground_);
+    normal_starts_at_zero_ = true;
+    if (!off_ground_) this->press_again();
+  }
+
+  /// In full contact N = (4/3)(1 + alpha_v).
+  [[nodiscard]] bool has_no_weight() const { return Excitation::has_vertical && series_.weight[0] <= 0.0; }
 
   void set_off_ground(bool off) {
     if (off && !off_ground_ && losses_of_contact_++ == 0) first_loss_of_contact_ = clock_.tau();
@@ -242,6 +271,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .slip_sign = frame() * state_.slip_direction,
             .tilt_zeros = state_.tilt != 0.0 ? 0U : state_.tilt_rate != 0.0 ? 1U : Base::lift_starts_flat_ ? 3U : 2U,
             .slip_zeros = state_.slip_rate != 0.0 ? 0U : Base::slip_starts_flat_ ? 2U : 1U,
+            .limit_sign = Base::limit_sign_,
             .normal_zeros = normal_starts_at_zero_ ? 1U : 0U,
             .was_past_balance = Base::was_past_balance_,
             .off_ground = off_ground_,

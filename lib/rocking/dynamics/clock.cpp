@@ -1,5 +1,8 @@
 #include "rocking/dynamics/clock.hpp"
 
+#include <cmath>
+#include <limits>
+
 namespace rocking::dynamics {
 namespace {
 constexpr double two_pi = 0x1.921fb54442d18p+2;
@@ -11,7 +14,9 @@ Clock::Clock(double frequency, double phase)
 }
 
 void Clock::advance(double duration) {
-  now_.time += duration;
+  const double later = now_.time + duration;
+  const bool is_lost = duration > 0.0 && later == now_.time;
+  now_.time = is_lost ? std::nextafter(later, std::numeric_limits<double>::infinity()) : later;
   wrap();
 }
 

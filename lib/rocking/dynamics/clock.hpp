@@ -33,6 +33,8 @@ class Clock {
     return static_cast<double>(instant.period - now_.period) * length_ + (instant.time - now_.time);
   }
 
+  /// A duration > 0 that rounding would lose moves the clock to the next double: what comes back at once, again and again,
+  /// must not find the same instant.
   void advance(double duration);
 
   /// Puts the clock on an instant that it has reached to rounding.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "rocking/base/elementary.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
@@ -19,35 +21,50 @@ struct Forces {
   return base::sin_cos(block.shape_angle - state.side * state.tilt);
 }
 
-/// Forces of rocking without slip under the base acceleration alpha (in g) and the weight 1 + alpha_v.
+/// Whether a block in full contact stays on both edges: abs(alpha) <= tan(psi) (1 + alpha_v).
+///
+/// Written like w' of rocking, which must be > 0 after a lift: at the threshold another form would round the other way, and
+/// the block would lift and land without end at one instant.
+[[nodiscard]] inline bool edges_hold(double alpha, double weight, const Geometry& block) {
+  return std::abs(alpha) * block.cosine <= weight * block.sine;
+}
+
+/// Whether kinetic friction turns a sliding block over its leading edge: mu_k > tan(psi), written like w' of rock-slide.
+[[nodiscard]] inline bool friction_tips(double kinetic_friction, const Geometry& block) {
+  return kinetic_friction * block.cosine > block.sine;
+}
+
+/// Forces of rocking without slip under the base acceleration alpha (in g) and the weight 1 + alpha_v. To the bit the
+/// first coefficients of the series that `expand_rock` makes: what is compared after an event and the guard of the coming
+/// step must agree on a block at the limit.
 [[nodiscard]] inline Forces rocking_forces(const State& state, double alpha, double weight, const Geometry& block) {
   const auto [s, c] = edge_angle(state, block);
   const double beta = state.side * alpha;
   const double omega = state.side * state.tilt_rate;
   const double rate = beta * c - weight * s;
-  return {.normal = 4.0 / 3.0 * weight + (rate * s - omega * omega * c),
-          .friction = state.side * (4.0 / 3.0 * beta - (rate * c + omega * omega * s)),
+  return {.normal = 4.0 / 3.0 * weight + std::fma(rate, s, -(omega * (omega * c))),
+          .friction = state.side * (4.0 / 3.0 * beta - std::fma(rate, c, omega * (omega * s))),
           .acceleration = state.side * rate};
 }
 
-/// w' of rocking with slip: -(G - w^2 cos(phi)) q/D.
-[[nodiscard]] inline double slipping_acceleration(const State& state, double inertia, double kinetic_friction,
-                                                  double weight, const Geometry& block) {
+/// Rates of change while rocking with slip.
+struct SlippingRates {
+  double tilt_acceleration;  ///< w' = -(G - w^2 cos(phi)) q/D
+  double slip_acceleration;  ///< V' = -(4/3) alpha - s mu_k N + w' cos(phi) + S w^2 sin(phi)
+};
+
+/// The above, to the bit the first coefficients of the series that `expand_rock_slide` makes.
+[[nodiscard]] inline SlippingRates slipping_rates(const State& state, double alpha, double weight, double inertia,
+                                                  double kinetic_friction, const Geometry& block) {
   const auto [s, c] = edge_angle(state, block);
   const double omega = state.side * state.tilt_rate;
-  const double arm = s + state.side * state.slip_direction * kinetic_friction * c;
-  return -state.side * (4.0 / 3.0 * weight - omega * omega * c) * arm / (inertia + s * arm);
-}
-
-/// V' of rocking with slip: -(4/3) alpha - s mu_k N + w' cos(phi) + S w^2 sin(phi).
-[[nodiscard]] inline double slip_acceleration(const State& state, double alpha, double weight, double inertia,
-                                              double kinetic_friction, const Geometry& block) {
-  const auto [s, c] = edge_angle(state, block);
-  const double acceleration = slipping_acceleration(state, inertia, kinetic_friction, weight, block);
-  const double square = state.tilt_rate * state.tilt_rate;
-  const double normal = 4.0 / 3.0 * weight + (state.side * acceleration * s - square * c);
-  return -4.0 / 3.0 * alpha - state.slip_direction * kinetic_friction * normal + acceleration * c +
-         state.side * square * s;
+  const double drag = state.side * state.slip_direction * kinetic_friction;
+  const double arm = std::fma(drag, c, s);
+  const double load = 4.0 / 3.0 * weight - omega * (omega * c);
+  const double rate = load * arm * (-1.0 / std::fma(s, arm, inertia));
+  const double force = std::fma(drag, std::fma(rate, s, load), 4.0 / 3.0 * (state.side * alpha));
+  return {.tilt_acceleration = state.side * rate,
+          .slip_acceleration = state.side * (std::fma(rate, c, omega * (omega * s)) - force)};
 }
 
 }  // namespace rocking::dynamics

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -20,8 +19,8 @@ enum class Guard : std::size_t {
   slip,              ///< V times the direction of slip
   friction_inward,   ///< mu_s N - S F
   friction_outward,  ///< mu_s N + S F
-  leave_right,       ///< full contact: threshold (1 + alpha_v) - alpha
-  leave_left,        ///< full contact: threshold (1 + alpha_v) + alpha
+  leave_right,       ///< full contact: mu_s (1 + alpha_v) - alpha, or sin(psi) (1 + alpha_v) - alpha cos(psi)
+  leave_left,        ///< the same with + alpha
   past_balance,      ///< psi - S theta, until the first time
   normal,            ///< N on the ground, -N off it
 };
@@ -37,6 +36,7 @@ struct GuardContext {
   double slip_sign;        ///< of V in the frame of the series
   std::size_t tilt_zeros;    ///< coefficients of S theta at the start that are known to be 0
   std::size_t slip_zeros;    ///< of V
+  double limit_sign;         ///< of S F where the friction that it asks for is known to be at its limit at the start, or 0
   std::size_t normal_zeros;  ///< of N
   bool was_past_balance;
   bool off_ground;
@@ -63,34 +63,43 @@ void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Vi
   const bool slips = context.contact == ContactState::slide || context.contact == ContactState::rock_slide;
 
   if (context.contact == ContactState::rest) {
-    const double threshold = std::min(context.block.tangent, context.static_friction);
+    const bool slides_first = context.static_friction <= context.block.tangent;
+    const double threshold = slides_first ? context.static_friction : context.block.sine;
+    const double lever = context.side * (slides_first ? 1.0 : context.block.cosine);
     const auto hold = [&](std::size_t k) {
       if (context.vertical) return threshold * m.weight[k];
       return k == 0 ? threshold : 0.0;
     };
-    visit_row(Guard::leave_right, order + 1, 0, [&](std::size_t k) { return hold(k) - context.side * m.base[k]; });
-    visit_row(Guard::leave_left, order + 1, 0, [&](std::size_t k) { return hold(k) + context.side * m.base[k]; });
+    visit_row(Guard::leave_right, order + 1, 0, [&](std::size_t k) { return hold(k) - lever * m.base[k]; });
+    visit_row(Guard::leave_left, order + 1, 0, [&](std::size_t k) { return hold(k) + lever * m.base[k]; });
   }
   if (slips) {
     visit_row(Guard::slip, order + 1, context.slip_zeros,
               [&](std::size_t k) { return context.slip_sign * m.slip_rate[k]; });
   }
-  if (!rocks) return;
+  const double ground = context.off_ground ? -1.0 : 1.0;
+  if (!rocks) {
+    if (!context.vertical || context.contact == ContactState::overturned) return;
+    visit_row(Guard::normal, order + 1, context.normal_zeros,
+              [&](std::size_t k) { return ground * m.weight[k]; });  // N = (4/3)(1 + alpha_v)
+    return;
+  }
   visit_row(Guard::tilt, order + 2, context.tilt_zeros, [&](std::size_t k) { return m.tilt[k]; });
   if (context.was_past_balance) {
     below(Guard::overturn, half_pi, order + 2, m.tilt);
   } else {
     below(Guard::past_balance, context.block.shape_angle, order + 2, m.tilt);
   }
-  const double ground = context.off_ground ? -1.0 : 1.0;
   visit_row(Guard::normal, order, context.normal_zeros, [&](std::size_t k) { return ground * m.normal[k]; });
   if (!slips && context.tests_friction) {
     const auto friction = [&m](std::size_t k) {
       return 4.0 / 3.0 * m.base[k] - static_cast<double>(k + 1) * m.rate_cosine[k + 1];
     };
     const double mu_s = context.static_friction;
-    visit_row(Guard::friction_inward, order, 0, [&](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
-    visit_row(Guard::friction_outward, order, 0, [&](std::size_t k) { return mu_s * m.normal[k] + friction(k); });
+    const std::size_t zeros_inward = context.limit_sign > 0.0 ? 1U : 0U;
+    const std::size_t zeros_outward = context.limit_sign < 0.0 ? 1U : 0U;
+    visit_row(Guard::friction_inward, order, zeros_inward, [&](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
+    visit_row(Guard::friction_outward, order, zeros_outward, [&](std::size_t k) { return mu_s * m.normal[k] + friction(k); });
   }
   if (slips && context.determinant_may_vanish) {
     visit_row(Guard::determinant, order + 1, 0, [&](std::size_t k) {

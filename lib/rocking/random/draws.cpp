@@ -1,5 +1,8 @@
 #include "rocking/random/draws.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "rocking/random/uniform.hpp"
 
 namespace rocking::random {
@@ -18,11 +21,28 @@ NormalPair Draws::standard_normal_pair(Source source, std::uint64_t block) const
   return box_muller(block_at(source, block));
 }
 
-Words Draws::block_at(Source source, std::uint64_t block) const {
+void Draws::standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers) const {
+  // The last counter's neighbours are made with it and may wrap round; they are never given away.
+  ROCKING_EXPECT(numbers.empty() || numbers.size() - 1 <= std::numeric_limits<std::uint64_t>::max() - first_index);
+  std::uint64_t block = first_index / 2;
+  std::size_t skipped = first_index % 2;
+  while (!numbers.empty()) {
+    const NormalBatch batch = box_muller(philox_batch(counter_of(source, block), seed_));
+    const std::size_t taken = std::min(numbers.size(), batch.size() - skipped);
+    std::copy_n(batch.begin() + static_cast<std::ptrdiff_t>(skipped), taken, numbers.begin());
+    numbers = numbers.subspan(taken);
+    block += BlockBatch::size;
+    skipped = 0;
+  }
+}
+
+Words Draws::counter_of(Source source, std::uint64_t block) const {
   const auto low = [](std::uint64_t number) { return static_cast<std::uint32_t>(number); };
   const auto high = [](std::uint64_t number) { return static_cast<std::uint32_t>(number >> 32U); };
   const std::uint32_t purpose = std::uint32_t{static_cast<std::uint8_t>(source)} << 24U;
-  return philox({low(block), high(block), low(realisation_), purpose | high(realisation_)}, seed_);
+  return {low(block), high(block), low(realisation_), purpose | high(realisation_)};
 }
+
+Words Draws::block_at(Source source, std::uint64_t block) const { return philox(counter_of(source, block), seed_); }
 
 }  // namespace rocking::random

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
+#include <string_view>
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/box_muller.hpp"
@@ -8,6 +10,9 @@
 #include "rocking/random/source.hpp"
 
 namespace rocking::random {
+
+/// The layout of keys and counters, lib/docs/draws.md. Another layout gives other numbers for the same seed.
+inline constexpr std::string_view draws_format = "rocking.draws/1";
 
 /// One past the largest realisation number: its counter has 56 bits for it.
 inline constexpr std::uint64_t realisation_limit = std::uint64_t{1} << 56U;
@@ -45,7 +50,13 @@ class Draws {
   /// asks it for `pair[index]`.
   [[nodiscard]] NormalPair standard_normal_pair(Source source, std::uint64_t block) const;
 
+  /// Draws first_index, first_index + 1, ... into `numbers`: the same bits as one by one, several at a time.
+  ///
+  /// None may have an index of 2^64 or more. Cost: 4 ns a number with AVX2, for lengths of 32 or more.
+  void standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers) const;
+
  private:
+  [[nodiscard]] Words counter_of(Source source, std::uint64_t block) const;
   [[nodiscard]] Words block_at(Source source, std::uint64_t block) const;
 
   std::uint64_t seed_;

@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "rocking/base/natural_logarithm.hpp"
+
 /// How 64 random bits become a number between 0 and 1. The three differ in which ends they can reach; each result is
 /// exact in double precision, so no rounding ever moves one to an end that it must not reach.
 namespace rocking::random {
@@ -13,7 +15,7 @@ namespace rocking::random {
 
 /// (k + 1) 2^-53, k = 0 ... 2^53 - 1, from the upper 53 bits: 1 included, 0 not, so that it has a logarithm.
 [[nodiscard]] constexpr double uniform_to_one(std::uint64_t bits) {
-  return static_cast<double>((bits >> 11U) + 1) * 0x1p-53;
+  return base::exact_number((bits >> 11U) + 1) * 0x1p-53;
 }
 
 /// (2k + 1) 2^-53, k = 0 ... 2^52 - 1, from the upper 52 bits: neither end, symmetric about 1/2.

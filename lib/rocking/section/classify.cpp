@@ -6,17 +6,13 @@
 #include "rocking/base/error.hpp"
 #include "rocking/section/noisy_response.hpp"
 #include "rocking/section/recurrence.hpp"
+#include "rocking/section/regimes.hpp"
 
 namespace rocking::section {
 namespace {
 
 constexpr std::size_t fewest_noise_free = 2 * static_cast<std::size_t>(longest_period);
 constexpr std::size_t fewest_random = 4 * static_cast<std::size_t>(longest_period);
-
-// An exponent is clear of zero beyond three standard errors, and if it grows or shrinks a distance by more than a factor
-// e over the window: below that the window itself could not have shown it.
-constexpr double clear_standard_errors = 3.0;
-constexpr double clear_growth = 1.0;
 
 enum class Sign : std::uint8_t { negative, unclear, positive };
 
@@ -25,10 +21,13 @@ struct ExponentVerdict {
   double margin = 0.0;
 };
 
-ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, std::size_t periods) {
+/// An exponent is clear of zero beyond some standard errors, and if it grows or shrinks a distance by more than a factor
+/// over the window: below that the window itself could not have shown it.
+ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, const ClassifierInput& input) {
   if (!estimate) return {};
-  const double needed =
-      std::max(clear_standard_errors * estimate->standard_error, clear_growth / static_cast<double>(periods));
+  const auto periods = static_cast<double>(input.periods.size());
+  const double needed = std::max(input.thresholds.clear_standard_errors * estimate->standard_error,
+                                 input.thresholds.clear_growth / periods);
   const double margin = std::min(std::max(estimate->exponent, -estimate->exponent) / needed, largest_margin);
   if (estimate->exponent > needed) return {Sign::positive, margin};
   if (estimate->exponent < -needed) return {Sign::negative, margin};
@@ -41,8 +40,8 @@ Verdict chaotic(const ExponentVerdict& exponent) {
 
 Verdict classify_noise_free(const ClassifierInput& input, const ExponentSource& exponent) {
   if (input.periods.size() < fewest_noise_free) return unresolved(Reason::too_few_points);
-  if (const auto verdict = find_recurrence(input.periods, input.resolution)) return *verdict;
-  const ExponentVerdict judged = judge(exponent(), input.periods.size());
+  if (const auto verdict = find_recurrence(input.periods, input.resolution, input.thresholds)) return *verdict;
+  const ExponentVerdict judged = judge(exponent(), input);
   switch (judged.sign) {
     case Sign::positive: return chaotic(judged);
     case Sign::negative: return unresolved(Reason::not_periodic);
@@ -51,13 +50,30 @@ Verdict classify_noise_free(const ClassifierInput& input, const ExponentSource& 
   return unresolved(Reason::exponent_unclear);
 }
 
+/// The verdict on a response that is not one of n clouds all through the window.
+Verdict classify_unsteady(const ClassifierInput& input, const Finding& finding, const ExponentSource& exponent) {
+  // Where the clouds are there all the time and only the impacts are irregular, no part tells more than the whole.
+  const bool clouds_stay = finding.verdict.reason == Reason::impacts_irregular;
+  const ChangeOfMind change =
+      clouds_stay ? ChangeOfMind{} : find_regimes(input.periods, input.resolution, input.thresholds);
+  Verdict doubt = finding.verdict;
+  if (change.reason) doubt = unresolved(*change.reason, *change.reason == Reason::changed_regime);
+  if (!change.last_regime && finding.need == ExponentNeed::none) return doubt;
+  const ExponentVerdict judged = judge(exponent(), input);
+  if (judged.sign == Sign::positive && finding.need == ExponentNeed::to_find_chaos) return chaotic(judged);
+  if (judged.sign != Sign::negative || !change.last_regime) return doubt;
+  Verdict settled = *change.last_regime;
+  settled.margin = std::min(settled.margin, judged.margin);
+  return settled;
+}
+
 Verdict classify_random(const ClassifierInput& input, const ExponentSource& exponent) {
   if (input.periods.size() < fewest_random) return unresolved(Reason::too_few_points);
-  Finding finding = find_clouds(input.periods, input.resolution);
+  Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
+  if (finding.verdict.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding, exponent);
   if (finding.need == ExponentNeed::none) return finding.verdict;
-  const ExponentVerdict judged = judge(exponent(), input.periods.size());
+  const ExponentVerdict judged = judge(exponent(), input);
   if (judged.sign == Sign::positive) return chaotic(judged);
-  if (finding.need == ExponentNeed::to_find_chaos) return finding.verdict;
   if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, finding.verdict.in_transient);
   finding.verdict.margin = std::min(finding.verdict.margin, judged.margin);
   return finding.verdict;
@@ -68,6 +84,7 @@ Verdict classify_random(const ClassifierInput& input, const ExponentSource& expo
 std::string_view to_string(Reason reason) {
   switch (reason) {
     case Reason::never_moved: return "never_moved";
+    case Reason::came_to_rest: return "came_to_rest";
     case Reason::points_coincide: return "points_coincide";
     case Reason::points_converge: return "points_converge";
     case Reason::tight_clouds: return "tight_clouds";
@@ -81,6 +98,9 @@ std::string_view to_string(Reason reason) {
     case Reason::period_too_long: return "period_too_long";
     case Reason::out_of_order: return "out_of_order";
     case Reason::not_stationary: return "not_stationary";
+    case Reason::changed_regime: return "changed_regime";
+    case Reason::phase_jump: return "phase_jump";
+    case Reason::interrupted: return "interrupted";
     case Reason::slow_memory: return "slow_memory";
     case Reason::impacts_irregular: return "impacts_irregular";
   }

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "rocking/section/period.hpp"
+#include "rocking/section/thresholds.hpp"
 #include "rocking/section/verdict.hpp"
 
 namespace rocking::section {
@@ -22,15 +23,17 @@ struct ClassifierInput {
   std::span<const Period> periods;  ///< the sampled ones, in order, without a gap
   bool random = false;              ///< whether anything in the scene is drawn at random
   double resolution = 1e-7;         ///< about how accurate a strobe point is, in units of Theta; > 0
+  Thresholds thresholds = {};
 };
 
 /// The response mode of a realisation that did not overturn.
 ///
 /// Noise-free: the smallest n <= 12 at which strobe points repeat. Random: the number of clouds that are visited in
 /// cyclic order, from spectral lines that stand out of their neighbourhood. m from the impacts. Where that leaves doubt the
-/// exponent is asked for, once at most. Conservative: what is not clear is unresolved.
+/// exponent is asked for, once at most. A random response that settles within the window is named by the part since then.
+/// Conservative: what is not clear is unresolved.
 /// The thresholds are derived in lib/docs/methods-classification.md. The same input gives the same bits everywhere.
-/// Cost: linear memory; time O(N) with about 200 passes if random.
+/// Cost: linear memory; time O(N) with about 200 passes if random, a few times that if it changes its mind.
 [[nodiscard]] Verdict classify(const ClassifierInput& input, const ExponentSource& exponent);
 
 }  // namespace rocking::section

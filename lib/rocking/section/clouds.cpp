@@ -28,18 +28,6 @@ double median(std::vector<double>& values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-std::vector<PlanePoint> centres_of(std::span<const PlanePoint> points, const Classes& classes) {
-  std::vector<std::vector<double>> xs(classes.count);
-  std::vector<std::vector<double>> ys(classes.count);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    xs[classes.of[k]].push_back(points[k].x);
-    ys[classes.of[k]].push_back(points[k].y);
-  }
-  std::vector<PlanePoint> centres(classes.count);
-  for (std::size_t c = 0; c < classes.count; ++c) centres[c] = {median(xs[c]), median(ys[c])};
-  return centres;
-}
-
 /// Squares of the median absolute deviations of the coordinates, not below the floor: a first idea of the scatter.
 Covariance typical_size(std::span<const PlanePoint> deviations, double floor) {
   std::vector<double> xs;
@@ -113,14 +101,31 @@ Classes classes_by_phase_and_time(std::size_t points, std::size_t n, std::size_t
   return classes;
 }
 
+std::vector<PlanePoint> centres_of(std::span<const PlanePoint> points, const Classes& classes) {
+  std::vector<std::vector<double>> xs(classes.count);
+  std::vector<std::vector<double>> ys(classes.count);
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    xs[classes.of[k]].push_back(points[k].x);
+    ys[classes.of[k]].push_back(points[k].y);
+  }
+  std::vector<PlanePoint> centres(classes.count);
+  for (std::size_t c = 0; c < classes.count; ++c) centres[c] = {median(xs[c]), median(ys[c])};
+  return centres;
+}
+
+std::vector<PlanePoint> deviations_of(std::span<const PlanePoint> points, const Classes& classes,
+                                      std::span<const PlanePoint> centres) {
+  std::vector<PlanePoint> deviations;
+  deviations.reserve(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) deviations.push_back(points[k] - centres[classes.of[k]]);
+  return deviations;
+}
+
 Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution) {
   ROCKING_EXPECT(points.size() > classes.count && classes.of.size() == points.size());
   Clouds clouds;
   clouds.centres = centres_of(points, classes);
-  clouds.deviations.reserve(points.size());
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    clouds.deviations.push_back(points[k] - clouds.centres[classes.of[k]]);
-  }
+  clouds.deviations = deviations_of(points, classes, clouds.centres);
   const auto all = static_cast<double>(points.size());
   const double correction = all / (all - static_cast<double>(classes.count));
   clouds.scatter = robust_scatter(clouds.deviations, resolution * resolution).scaled(correction);
@@ -169,6 +174,12 @@ double longest_memory(const Clouds& clouds, double resolution) {
     longest = std::max({longest, 1.0 - 0.5 * least, 1.0 - 0.5 * median(squares) / median_of_squares});
   }
   return longest;
+}
+
+double extent_of(const Clouds& clouds) {
+  double extent = 0.0;
+  for (const PlanePoint& c : clouds.centres) extent = std::max(extent, std::sqrt(c.x * c.x + c.y * c.y));
+  return extent;
 }
 
 double largest_deviation(const Covariance& scatter) {

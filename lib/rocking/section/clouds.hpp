@@ -28,6 +28,13 @@ struct Classes {
 /// Classes by turn, each cut into `parts` equal stretches of time.
 [[nodiscard]] Classes classes_by_phase_and_time(std::size_t points, std::size_t n, std::size_t parts);
 
+/// By class: the medians of its points.
+[[nodiscard]] std::vector<PlanePoint> centres_of(std::span<const PlanePoint> points, const Classes& classes);
+
+/// By point: from the centre of its class.
+[[nodiscard]] std::vector<PlanePoint> deviations_of(std::span<const PlanePoint> points, const Classes& classes,
+                                                    std::span<const PlanePoint> centres);
+
 /// The clouds of the given classes.
 ///
 /// The scatter is the covariance of the 90 % of deviations that are smallest in its own metric, scaled to be right for a
@@ -53,6 +60,9 @@ struct Separation {
 /// covariance of the differences in units of the scatter. Also taken with the median of the squared differences, which
 /// shows a return that a few jumps interrupt.
 [[nodiscard]] double longest_memory(const Clouds& clouds, double resolution);
+
+/// Distance of the farthest centre from the origin, where the block stands upright: how far the motion goes.
+[[nodiscard]] double extent_of(const Clouds& clouds);
 
 /// Largest standard deviation in any direction.
 [[nodiscard]] double largest_deviation(const Covariance& scatter);

@@ -17,29 +17,6 @@
 namespace rocking::section {
 namespace {
 
-// Derivations: lib/docs/methods-classification.md.
-constexpr double line_chance = 1e-4 / line_count;  // false alarms of all lines of a series together: 1e-4
-constexpr double least_separation = 4.0;           // scatters between centres: each cloud reaches two to the middle
-constexpr double separation_growth = 40.6;         // over the cycles of a divisor: least ln(separation/2)
-constexpr double stray_distance = 5.0;             // scatters; a normal law throws 4e-6 of the points that far
-constexpr double largest_stray_share = 0.05;
-constexpr double tiny_share = 0.01;  // of the extent of the motion and of the separation
-constexpr double longest_usable_memory = 0.96;
-constexpr double least_regular_share = 0.9;
-constexpr double chance_per_cut = 53.0;  // over the cycles: what a cut of the window explains by chance
-
-std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
-  const bool rocks = std::ranges::any_of(periods, [](const Period& p) {
-    return p.impacts != 0 || p.point.tilt != 0.0 || p.point.tilt_rate != 0.0;
-  });
-  std::vector<PlanePoint> points;
-  points.reserve(periods.size());
-  for (const Period& p : periods) {
-    points.push_back(rocks ? PlanePoint{p.point.tilt, p.point.tilt_rate} : PlanePoint{p.point.slip_rate, 0.0});
-  }
-  return points;
-}
-
 struct Phases {
   int n = 1;
   double chance_left = 1.0;  ///< of the strongest line not taken up
@@ -47,12 +24,13 @@ struct Phases {
 
 /// The least common period of all lines, found one by one: each is taken away with the class means before the next is
 /// looked for, so that a strong line does not hide a weak one.
-std::optional<Phases> find_phases(std::span<const PlanePoint> points, double resolution) {
+std::optional<Phases> find_phases(std::span<const PlanePoint> points, double resolution, double line_chance) {
   Phases phases;
   while (true) {
     const auto n = static_cast<std::size_t>(phases.n);
-    const Clouds clouds = gather(points, classes_by_phase(points.size(), n), resolution);
-    const std::optional<Line> line = strongest_line(clouds.deviations, phases.n, resolution);
+    const Classes classes = classes_by_phase(points.size(), n);
+    const auto deviations = deviations_of(points, classes, centres_of(points, classes));
+    const std::optional<Line> line = strongest_line(deviations, phases.n, resolution);
     if (!line) return phases;
     if (line->chance >= line_chance) {
       phases.chance_left = line->chance;
@@ -70,15 +48,9 @@ double least_distance(const Clouds& clouds) {
   return least;
 }
 
-/// Distance of the farthest centre from the origin, where the block stands upright: how far the motion goes.
-double extent_of(const Clouds& clouds) {
-  double extent = 0.0;
-  for (const PlanePoint& c : clouds.centres) extent = std::max(extent, std::sqrt(c.x * c.x + c.y * c.y));
-  return extent;
-}
-
 /// Whether cutting the window into parts explains more of the scatter than chance does.
-bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, double resolution) {
+bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, double resolution,
+                     double chance_per_cut) {
   const std::size_t n = clouds.centres.size();
   const std::size_t cycles = points.size() / n;
   const std::size_t parts = cycles >= 16 ? 4 : 2;
@@ -89,17 +61,18 @@ bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, d
 
 /// How many times the separation that n clouds need they have; the least over the largest proper divisors d of n, of
 /// which the window holds N/d cycles. Noise remembered from cycle to cycle can pass for a split if there are few.
-double separation_margin(const Clouds& clouds) {
+double separation_margin(const Clouds& clouds, const Thresholds& thresholds) {
   double margin = largest_margin;
   for (const Separation& s : separations(clouds)) {
     const double cycles = static_cast<double>(clouds.deviations.size()) / static_cast<double>(s.divisor);
-    const double grown = base::natural_logarithm(std::max(0.5 * s.distance, 1.0)) * cycles / separation_growth;
-    margin = std::min({margin, s.distance / least_separation, grown});
+    const double grown =
+        base::natural_logarithm(std::max(0.5 * s.distance, 1.0)) * cycles / thresholds.separation_growth;
+    margin = std::min({margin, s.distance / thresholds.least_separation, grown});
   }
   return margin;
 }
 
-bool are_tiny(const Clouds& clouds, double resolution) {
+bool are_tiny(const Clouds& clouds, double resolution, double tiny_share) {
   const double deviation = largest_deviation(clouds.scatter);
   const double extent = extent_of(clouds);
   const bool at_resolution = deviation <= 10.0 * resolution;
@@ -111,8 +84,9 @@ struct Strays {
   bool at_the_end = false;  ///< most of the last two cycles: the response has become another one
 };
 
-Strays find_strays(std::span<const PlanePoint> points, const Clouds& clouds) {
-  const std::vector<bool> stray = strays(points, clouds, stray_distance, tiny_share * extent_of(clouds));
+Strays find_strays(std::span<const PlanePoint> points, const Clouds& clouds, const Thresholds& thresholds) {
+  const std::vector<bool> stray =
+      strays(points, clouds, thresholds.stray_distance, thresholds.tiny_share * extent_of(clouds));
   const auto count = static_cast<double>(std::ranges::count(stray, true));
   const auto last = static_cast<std::ptrdiff_t>(std::max<std::size_t>(2 * clouds.centres.size(), 4));
   const auto at_end = std::count(stray.end() - last, stray.end(), true);
@@ -129,26 +103,40 @@ Finding final_doubt(Reason reason, bool in_transient = false) {
 
 }  // namespace
 
-Finding find_clouds(std::span<const Period> periods, double resolution) {
+std::vector<PlanePoint> plane_points(std::span<const Period> periods) {
+  const bool rocks = std::ranges::any_of(
+      periods, [](const Period& p) { return p.impacts != 0 || p.point.tilt != 0.0 || p.point.tilt_rate != 0.0; });
+  std::vector<PlanePoint> points;
+  points.reserve(periods.size());
+  for (const Period& p : periods) {
+    points.push_back(rocks ? PlanePoint{p.point.tilt, p.point.tilt_rate} : PlanePoint{p.point.slip_rate, 0.0});
+  }
+  return points;
+}
+
+Finding find_clouds(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
   ROCKING_EXPECT(periods.size() >= 4 * static_cast<std::size_t>(longest_period));
   const std::vector<PlanePoint> points = plane_points(periods);
-  const std::optional<Phases> phases = find_phases(points, resolution);
+  const double line_chance = thresholds.line_chance / line_count;
+  const std::optional<Phases> phases = find_phases(points, resolution, line_chance);
   if (!phases) return doubtful(Reason::period_too_long);
 
   const auto n = static_cast<std::size_t>(phases->n);
   const Clouds clouds = gather(points, classes_by_phase(points.size(), n), resolution);
-  const double apart = separation_margin(clouds);
-  const bool moving = moves_with_time(points, clouds, resolution);
-  const bool tiny = are_tiny(clouds, resolution);
+  const double apart = separation_margin(clouds, thresholds);
+  const bool moving = moves_with_time(points, clouds, resolution, thresholds.chance_per_cut);
+  const bool tiny = are_tiny(clouds, resolution, thresholds.tiny_share);
   if (apart < 1.0) return doubtful(Reason::clouds_overlap, moving);
-  const Strays astray = find_strays(points, clouds);
+  const Strays astray = find_strays(points, clouds, thresholds);
   if (astray.at_the_end) return final_doubt(Reason::not_stationary, true);
-  if (astray.share > largest_stray_share) return doubtful(Reason::out_of_order, moving);
+  if (astray.share > thresholds.largest_stray_share) return doubtful(Reason::out_of_order, moving);
   if (moving && !tiny) return final_doubt(Reason::not_stationary, true);
-  if (!tiny && longest_memory(clouds, resolution) > longest_usable_memory) return doubtful(Reason::slow_memory, true);
+  if (!tiny && longest_memory(clouds, resolution) > thresholds.longest_memory) {
+    return doubtful(Reason::slow_memory, true);
+  }
 
   const Rocks rocks = count_rocks(periods, phases->n);
-  if (rocks.regular_share < least_regular_share) {
+  if (rocks.regular_share < thresholds.least_regular_share) {
     return tiny ? final_doubt(Reason::impacts_irregular) : doubtful(Reason::impacts_irregular);
   }
   const double margin = std::clamp(std::min(apart, phases->chance_left / line_chance), 1.0, largest_margin);

@@ -11,18 +11,9 @@
 namespace rocking::section {
 namespace {
 
-// Two points that are each right to within the resolution, one period of error growth apart, still differ by a few of it.
-constexpr double coincidence_in_resolutions = 10.0;
-
-// Geometric convergence is told from a power law (at a bifurcation points come together like 1/k, their differences
-// shrink like 1/k^2) by its ratio from one third of the window to the next: (540/580)^2 = 0.87 after the default horizon.
-constexpr double slowest_ratio = 0.8;
-
-// What may still come, in units of Theta: a thousandth of a tilt that overturns.
-constexpr double small_drift = 1e-3;
-
 double distance(const StrobePoint& a, const StrobePoint& b) {
-  return std::max({std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
+  return std::max(
+      {std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
 }
 
 /// Largest distance between points n apart, in the first, middle and last third of the window.
@@ -45,7 +36,7 @@ Returns returns_after(std::span<const Period> periods, std::size_t n) {
 
 /// How far the points still have to go if their distances keep shrinking as they did; nothing if they do not shrink.
 /// A third holds N/(3n) returns, each at most D3 r^j in the j-th third to come: (N/3n) D3 (r + r^2 + ...).
-std::optional<double> remaining_drift(const Returns& returns, double returns_per_third) {
+std::optional<double> remaining_drift(const Returns& returns, double returns_per_third, double slowest_ratio) {
   const auto& [first, middle, last] = returns.thirds;
   const double ratio = std::max(middle / first, last / middle);
   if (!(ratio < slowest_ratio)) return std::nullopt;  // also where a distance is 0
@@ -72,9 +63,10 @@ Verdict periodic_verdict(std::span<const Period> periods, int n, Reason reason, 
 
 }  // namespace
 
-std::optional<Verdict> find_recurrence(std::span<const Period> periods, double resolution) {
+std::optional<Verdict> find_recurrence(std::span<const Period> periods, double resolution,
+                                       const Thresholds& thresholds) {
   ROCKING_EXPECT(periods.size() >= 2 * static_cast<std::size_t>(longest_period));
-  const double threshold = coincidence_in_resolutions * resolution;
+  const double threshold = thresholds.coincidence * resolution;
   bool converging = false;
   for (int n = 1; n <= longest_period; ++n) {
     const Returns returns = returns_after(periods, static_cast<std::size_t>(n));
@@ -83,9 +75,10 @@ std::optional<Verdict> find_recurrence(std::span<const Period> periods, double r
       return periodic_verdict(periods, n, Reason::points_coincide, margin);
     }
     const double returns_per_third = static_cast<double>(periods.size()) / (3.0 * n);
-    const std::optional<double> drift = remaining_drift(returns, returns_per_third);
-    if (drift && *drift <= small_drift) {
-      return periodic_verdict(periods, n, Reason::points_converge, std::min(small_drift / *drift, largest_margin));
+    const std::optional<double> drift = remaining_drift(returns, returns_per_third, thresholds.slowest_ratio);
+    if (drift && *drift <= thresholds.small_drift) {
+      return periodic_verdict(periods, n, Reason::points_converge,
+                              std::min(thresholds.small_drift / *drift, largest_margin));
     }
     converging = converging || drift.has_value();
   }

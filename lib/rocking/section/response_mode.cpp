@@ -1,5 +1,7 @@
 #include "rocking/section/response_mode.hpp"
 
+#include <charconv>
+
 namespace rocking::section {
 
 std::string to_string(const ResponseMode& mode) {
@@ -12,6 +14,20 @@ std::string to_string(const ResponseMode& mode) {
     case ResponseKind::unresolved: return "unresolved";
   }
   return "";
+}
+
+std::optional<ResponseMode> response_mode_named(std::string_view name) {
+  for (const ResponseKind kind :
+       {ResponseKind::chaotic, ResponseKind::overturned, ResponseKind::rest, ResponseKind::unresolved}) {
+    if (to_string(ResponseMode{.kind = kind}) == name) return ResponseMode{.kind = kind};
+  }
+  if (!name.starts_with('(')) return std::nullopt;
+  ResponseMode mode{.kind = ResponseKind::periodic};
+  const char* const end = name.data() + name.size();
+  const auto rocks = std::from_chars(name.data() + 1, end, mode.rocks);
+  if (rocks.ptr == end) return std::nullopt;
+  std::from_chars(rocks.ptr + 1, end, mode.periods);
+  return to_string(mode) == name ? std::optional(mode) : std::nullopt;
 }
 
 }  // namespace rocking::section

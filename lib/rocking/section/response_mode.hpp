@@ -2,7 +2,9 @@
 
 #include <compare>
 #include <cstdint>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace rocking::section {
 
@@ -30,5 +32,8 @@ struct ResponseMode {
 
 /// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
 [[nodiscard]] std::string to_string(const ResponseMode& mode);
+
+/// The mode that is spelled so; absent if none is.
+[[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 
 }  // namespace rocking::section

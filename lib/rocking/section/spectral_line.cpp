@@ -1,10 +1,12 @@
 #include "rocking/section/spectral_line.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <numeric>
+#include <vector>
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/section/period.hpp"
@@ -23,21 +25,48 @@ struct Amplitude {
   }
 };
 
-Amplitude amplitude_at(double frequency, std::span<const PlanePoint> points) {
-  const auto turn = base::sin_cos(2.0 * std::numbers::pi * frequency);
-  double cosine = 1.0;
-  double sine = 0.0;
-  Amplitude sum;
+/// Four numbers in a register, where the machine has such: of the same bits as one by one.
+using Four = double __attribute__((vector_size(4 * sizeof(double))));
+constexpr std::size_t lanes = 4;
+
+/// Fourier sums at up to `lanes` frequencies, side by side.
+std::array<Amplitude, lanes> amplitudes_at(std::span<const double> frequencies, std::span<const PlanePoint> points) {
+  Four turn_cosine{};
+  Four turn_sine{};
+  for (std::size_t i = 0; i < frequencies.size(); ++i) {
+    const auto turn = base::sin_cos(2.0 * std::numbers::pi * frequencies[i]);
+    turn_cosine[i] = turn.cosine;
+    turn_sine[i] = turn.sine;
+  }
+  Four cosine{1.0, 1.0, 1.0, 1.0};
+  Four sine{};
+  Four real_x{};
+  Four real_y{};
+  Four imaginary_x{};
+  Four imaginary_y{};
   for (const PlanePoint& p : points) {
-    sum.real.x += p.x * cosine;
-    sum.real.y += p.y * cosine;
-    sum.imaginary.x += p.x * sine;
-    sum.imaginary.y += p.y * sine;
-    const double next = cosine * turn.cosine - sine * turn.sine;
-    sine = sine * turn.cosine + cosine * turn.sine;
+    real_x += p.x * cosine;
+    real_y += p.y * cosine;
+    imaginary_x += p.x * sine;
+    imaginary_y += p.y * sine;
+    const Four next = cosine * turn_cosine - sine * turn_sine;
+    sine = sine * turn_cosine + cosine * turn_sine;
     cosine = next;
   }
-  return sum;
+  std::array<Amplitude, lanes> sums;
+  for (std::size_t i = 0; i < lanes; ++i) sums[i] = {{real_x[i], real_y[i]}, {imaginary_x[i], imaginary_y[i]}};
+  return sums;
+}
+
+/// Fourier sums at any number of frequencies.
+std::vector<Amplitude> all_amplitudes_at(std::span<const double> frequencies, std::span<const PlanePoint> points) {
+  std::vector<Amplitude> all;
+  for (std::size_t first = 0; first < frequencies.size(); first += lanes) {
+    const auto some = frequencies.subspan(first, std::min(lanes, frequencies.size() - first));
+    const auto sums = amplitudes_at(some, points);
+    all.insert(all.end(), sums.begin(), sums.begin() + static_cast<std::ptrdiff_t>(some.size()));
+  }
+  return all;
 }
 
 /// Frequencies of the neighbourhood: a twentieth of the bins there are, but enough for a usable matrix.
@@ -49,22 +78,16 @@ bool is_taken(double frequency, int n, double bin) {
   return std::abs(turns - std::round(turns)) < 0.75 * bin * n;
 }
 
-/// Sum over the M nearest frequencies on both sides, inside (0, 1/2), that nothing was taken from.
-struct Neighbourhood {
-  Covariance sum;
-  int count = 0;
-};
-
-Neighbourhood neighbourhood_of(double frequency, int n, std::span<const PlanePoint> points) {
-  const double bin = 1.0 / static_cast<double>(points.size());
-  const int wanted = neighbours_for(points.size());
-  Neighbourhood found;
-  for (int step = 1; found.count < wanted && step * bin < 0.5; ++step) {
+/// The M nearest frequencies on both sides, inside (0, 1/2), that nothing was taken from.
+std::vector<double> neighbours_of(double frequency, int n, std::size_t points) {
+  const double bin = 1.0 / static_cast<double>(points);
+  const auto wanted = static_cast<std::size_t>(neighbours_for(points));
+  std::vector<double> found;
+  for (int step = 1; found.size() < wanted && step * bin < 0.5; ++step) {
     for (const double side : {-1.0, 1.0}) {
       const double neighbour = frequency + side * step * bin;
       if (neighbour < 0.75 * bin || neighbour > 0.5 - 0.25 * bin || is_taken(neighbour, n, bin)) continue;
-      amplitude_at(neighbour, points).add_to(found.sum);
-      ++found.count;
+      found.push_back(neighbour);
     }
   }
   return found;
@@ -81,12 +104,17 @@ double chance_of(int numerator, int denominator, int n, std::span<const PlanePoi
   const std::size_t length = deviations.size() - deviations.size() % static_cast<std::size_t>(denominator);
   const auto points = deviations.last(length);
   const double frequency = static_cast<double>(numerator) / denominator;
-  auto [noise, count] = neighbourhood_of(frequency, n, points);
+  std::vector<double> frequencies = neighbours_of(frequency, n, length);
+  const auto count = static_cast<int>(frequencies.size());
+  frequencies.push_back(frequency);
+  const std::vector<Amplitude> amplitudes = all_amplitudes_at(frequencies, points);
+  const Amplitude& line = amplitudes.back();
+
   const double floor = resolution * resolution * static_cast<double>(length) * count;
+  Covariance noise;
+  for (const Amplitude& amplitude : std::span(amplitudes).first(amplitudes.size() - 1)) amplitude.add_to(noise);
   noise.xx += floor;
   noise.yy += floor;
-
-  const Amplitude line = amplitude_at(frequency, points);
   Covariance both = noise;
   if (denominator == 2) {
     both.add(line.real.scaled(std::numbers::sqrt2 / 2.0));  // all of the power is in the real part, else half of it

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "rocking/base/error.hpp"
@@ -9,22 +10,37 @@
 namespace rocking::stats {
 namespace {
 
-// The constants are those of Marsaglia & Marsaglia (2004), as printed.
-
-/// P(A^2 >= z) for n = infinity, to 2e-6.
-double limiting_tail(double z) {
-  if (z <= 0.0) return 1.0;
-  if (z < 2.0) {
-    const double polynomial =
-        2.00012 + (0.247105 - (0.0649821 - (0.0347962 - (0.011672 - 0.00168691 * z) * z) * z) * z) * z;
-    return 1.0 - std::exp(-1.2337141 / z) / std::sqrt(z) * polynomial;
+/// One term of Smirnov's series: (1/pi) integral of exp(-x z/2)/(x sqrt(abs D(x))) from one zero of D to the next.
+///
+/// D(x) = product over j of (1 - x/(j (j + 1))) = -cos(pi/2 sqrt(1 + 4 x))/(pi x). With x = middle - half cos(t) the
+/// integrand is even, periodic and smooth in t, so that equal steps converge faster than any power: 64 of them leave
+/// 1e-9 of the term at z = 100.
+double smirnov_term(double z, double low, double high) {
+  constexpr int nodes = 64;
+  const double middle = 0.5 * (low + high);
+  const double half = 0.5 * (high - low);
+  double sum = 0.0;
+  for (int i = 0; i < nodes; ++i) {
+    const double t = std::numbers::pi * (i + 0.5) / nodes;
+    const double x = middle - half * std::cos(t);
+    const double product =
+        std::abs(std::cos(0.5 * std::numbers::pi * std::sqrt(1.0 + 4.0 * x))) / (std::numbers::pi * x);
+    sum += std::exp(-0.5 * x * z) * half * std::sin(t) / (x * std::sqrt(product));
   }
-  const double polynomial =
-      1.0776 - (2.30695 - (0.43424 - (0.082433 - (0.008056 - 0.0003146 * z) * z) * z) * z) * z;
-  return -std::expm1(-std::exp(polynomial));
+  return sum / nodes;
 }
 
-/// What n numbers add to the limiting probability x of a smaller A^2.
+/// P(A^2 >= z) for n = infinity. Below 2 to 2e-6, by Marsaglia & Marsaglia (2004), constants as printed. From there on
+/// to 1e-12 of itself, by Smirnov's series for A^2 = sum Y_j^2/(j (j + 1)), whose third term is below exp(-15 z).
+double limiting_tail(double z) {
+  if (z <= 0.0) return 1.0;
+  if (z >= 2.0) return smirnov_term(z, 2.0, 6.0) - smirnov_term(z, 12.0, 20.0);
+  const double polynomial =
+      2.00012 + (0.247105 - (0.0649821 - (0.0347962 - (0.011672 - 0.00168691 * z) * z) * z) * z) * z;
+  return 1.0 - std::exp(-1.2337141 / z) / std::sqrt(z) * polynomial;
+}
+
+/// What n numbers add to the limiting probability x of a smaller A^2: Marsaglia & Marsaglia, constants as printed.
 double finite_sample_correction(double n, double x) {
   if (x > 0.8) {
     return (-130.2137 + (745.2337 - (1705.091 - (1950.646 - (1116.360 - 255.7844 * x) * x) * x) * x) * x) / n;
@@ -35,8 +51,7 @@ double finite_sample_correction(double n, double x) {
     return std::sqrt(t) * (1.0 - t) * (49.0 * t - 102.0) * (0.0037 / (n * n) + 0.00078 / n + 0.00006) / n;
   }
   const double t = (x - crossing) / (0.8 - crossing);
-  const double polynomial =
-      -0.00022633 + (6.54034 - (14.6538 - (14.458 - (8.259 - 1.91864 * t) * t) * t) * t) * t;
+  const double polynomial = -0.00022633 + (6.54034 - (14.6538 - (14.458 - (8.259 - 1.91864 * t) * t) * t) * t) * t;
   return polynomial * (0.04213 / n + 0.01365) / n;
 }
 

@@ -8,15 +8,12 @@
 namespace rocking::stats {
 namespace {
 
-/// Mean product of the scores `lag` apart, the first of them at 0, stride, 2 stride, ...
-Moment mean_product(std::span<const double> sample, const NormalLaw& law, std::size_t lag, std::size_t stride) {
-  ROCKING_EXPECT(lag >= 1 && sample.size() > lag && law.sigma > 0.0);
+/// Mean of `products` products, `product(k)` the one of number k; each of mean 0 and variance 1 under the law.
+template <class Product>
+Moment mean_product(std::size_t products, Product product) {
+  ROCKING_EXPECT(products >= 1);
   CompensatedSum sum;
-  std::size_t products = 0;
-  for (std::size_t i = 0; i + lag < sample.size(); i += stride) {
-    sum.add(law.score(sample[i]) * law.score(sample[i + lag]));
-    ++products;
-  }
+  for (std::size_t k = 0; k < products; ++k) sum.add(product(k));
   const auto m = static_cast<double>(products);
   const double standard_error = 1.0 / std::sqrt(m);
   const double value = sum.value() / m;
@@ -26,11 +23,27 @@ Moment mean_product(std::span<const double> sample, const NormalLaw& law, std::s
 }  // namespace
 
 Moment lag_correlation(std::span<const double> sample, const NormalLaw& law, std::size_t lag) {
-  return mean_product(sample, law, lag, 1);
+  ROCKING_EXPECT(lag >= 1 && sample.size() > lag && law.sigma > 0.0);
+  return mean_product(sample.size() - lag,
+                      [&](std::size_t k) { return law.score(sample[k]) * law.score(sample[k + lag]); });
 }
 
 Moment pair_correlation(std::span<const double> sample, const NormalLaw& law) {
-  return mean_product(sample, law, 1, 2);
+  ROCKING_EXPECT(law.sigma > 0.0);
+  return mean_product(sample.size() / 2,
+                      [&](std::size_t k) { return law.score(sample[2 * k]) * law.score(sample[2 * k + 1]); });
+}
+
+Moment pair_correlation_of_squares(std::span<const double> sample, const NormalLaw& law) {
+  ROCKING_EXPECT(law.sigma > 0.0);
+  const auto excess = [&](double x) { return law.score(x) * law.score(x) - 1.0; };
+  return mean_product(sample.size() / 2,
+                      [&](std::size_t k) { return 0.5 * excess(sample[2 * k]) * excess(sample[2 * k + 1]); });
+}
+
+Moment cross_correlation(std::span<const double> sample, std::span<const double> other, const NormalLaw& law) {
+  ROCKING_EXPECT(sample.size() == other.size() && law.sigma > 0.0);
+  return mean_product(sample.size(), [&](std::size_t k) { return law.score(sample[k]) * law.score(other[k]); });
 }
 
 }  // namespace rocking::stats

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/special_functions/beta.hpp>
 
 #include "rocking/base/error.hpp"
+#include "rocking/stats/outer_end.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -20,11 +22,26 @@ Interval around_estimate(const Interval& interval, double successes, double tria
 /// The smaller root p of (n + z^2) p^2 - (2k + z^2) p + k^2/n = 0, from the larger one and the product of both, so that
 /// it is 0 for k = 0 and loses no digits for small k.
 double lower_score_bound(double k, double n, double z) {
+  if (k == 0.0) return 0.0;  // also where z is 0
   const double larger = (k + 0.5 * z * z + z * std::sqrt(k * (1.0 - k / n) + 0.25 * z * z)) / (n + z * z);
   return k * k / (n * (n + z * z) * larger);
 }
 
-Interval exact_interval(const Proportion& proportion, double tail) {
+Interval score_interval(const Proportion& proportion, double tail) {
+  ROCKING_EXPECT(proportion.successes <= proportion.trials);
+  ROCKING_EXPECT(0.0 < tail && tail <= 0.5);  // 0.5: a confidence that rounds to 0
+  if (proportion.trials == 0) return {0.0, 1.0};
+  const boost::math::normal_distribution<double> normal;
+  const double z = quantile(complement(normal, tail));
+  const auto k = static_cast<double>(proportion.successes);
+  const auto n = static_cast<double>(proportion.trials);
+  return around_estimate({lower_score_bound(k, n, z), 1.0 - lower_score_bound(n - k, n, z)}, k, n);
+}
+
+/// The p under which neither tail has less than `tail`.
+Interval equal_tailed_interval(const Proportion& proportion, double tail) {
+  ROCKING_EXPECT(proportion.successes <= proportion.trials);
+  ROCKING_EXPECT(0.0 < tail && tail <= 0.5);  // 0.5: a confidence that rounds to 0
   if (proportion.trials == 0) return {0.0, 1.0};
   const auto k = static_cast<double>(proportion.successes);
   const auto n = static_cast<double>(proportion.trials);
@@ -36,25 +53,48 @@ Interval exact_interval(const Proportion& proportion, double tail) {
 }  // namespace
 
 Interval wilson(const Proportion& proportion, double confidence) {
+  return score_interval(proportion, 0.5 * (1.0 - confidence));
+}
+
+Interval goodman(const Proportion& proportion, double confidence, std::size_t categories) {
+  ROCKING_EXPECT(categories >= 1);
+  return score_interval(proportion, 0.5 * (1.0 - confidence) / static_cast<double>(categories));
+}
+
+Interval jeffreys(const Proportion& proportion, double confidence) {
   ROCKING_EXPECT(proportion.successes <= proportion.trials);
   ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
   if (proportion.trials == 0) return {0.0, 1.0};
-  const boost::math::normal_distribution<double> normal;
-  const double z = quantile(complement(normal, 0.5 * (1.0 - confidence)));
+  const double tail = 0.5 * (1.0 - confidence);
   const auto k = static_cast<double>(proportion.successes);
   const auto n = static_cast<double>(proportion.trials);
-  return around_estimate({lower_score_bound(k, n, z), 1.0 - lower_score_bound(n - k, n, z)}, k, n);
+  const double low = k > 0.0 ? boost::math::ibeta_inv(k + 0.5, n - k + 0.5, tail) : 0.0;
+  const double high = k < n ? boost::math::ibetac_inv(k + 0.5, n - k + 0.5, tail) : 1.0;
+  return around_estimate({low, high}, k, n);
 }
 
 Interval clopper_pearson(const Proportion& proportion, double confidence) {
-  return bonferroni_clopper_pearson(proportion, confidence, 1);
+  return equal_tailed_interval(proportion, 0.5 * (1.0 - confidence));
+}
+
+Interval exact_interval(const Proportion& proportion, const Doubt& doubt) {
+  ROCKING_EXPECT(proportion.successes <= proportion.trials);
+  ROCKING_EXPECT(doubt.fixed >= 0.0 && doubt.proportional >= 0.0 && 0.0 < doubt.at(1.0) && doubt.at(1.0) < 1.0);
+  if (doubt.proportional == 0.0) return equal_tailed_interval(proportion, 0.5 * doubt.fixed);
+  if (proportion.trials == 0) return {0.0, 1.0};
+  const auto k = static_cast<double>(proportion.successes);
+  const auto n = static_cast<double>(proportion.trials);
+  const auto below = [&](double p) { return boost::math::ibeta(k, n - k + 1.0, p) < 0.5 * doubt.at(p); };
+  const auto above = [&](double p) { return boost::math::ibetac(k + 1.0, n - k, p) < 0.5 * doubt.at(p); };
+  Interval interval{0.0, 1.0};
+  if (k > 0.0 && below(nearly_zero)) interval.low = outer_end(k / n, nearly_zero, std::not_fn(below));
+  if (k < n && above(nearly_one)) interval.high = outer_end(k / n, nearly_one, std::not_fn(above));
+  return interval;
 }
 
 Interval bonferroni_clopper_pearson(const Proportion& proportion, double confidence, std::size_t categories) {
-  ROCKING_EXPECT(proportion.successes <= proportion.trials);
-  ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
   ROCKING_EXPECT(categories >= 1);
-  return exact_interval(proportion, 0.5 * (1.0 - confidence) / static_cast<double>(categories));
+  return equal_tailed_interval(proportion, 0.5 * (1.0 - confidence) / static_cast<double>(categories));
 }
 
 }  // namespace rocking::stats

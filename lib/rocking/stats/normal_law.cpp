@@ -9,6 +9,8 @@ namespace rocking::stats {
 
 double normal_cdf(double z) { return 0.5 * boost::math::erfc(-z / std::numbers::sqrt2); }
 
+double two_sided_normal_p_value(double z) { return 2.0 * normal_cdf(-std::abs(z)); }
+
 double log_normal_cdf(double z) {
   if (z > 0.0) return std::log1p(-normal_cdf(-z));
   if (z > -30.0) return std::log(normal_cdf(z));

@@ -14,6 +14,9 @@ struct NormalLaw {
 /// Probability that a standard normal number is at most z. Keeps its relative precision down to z = -37.
 [[nodiscard]] double normal_cdf(double z);
 
+/// Probability that a standard normal number is at least as large as z in size.
+[[nodiscard]] double two_sided_normal_p_value(double z);
+
 /// ln of `normal_cdf(z)`, for z > -1e150, also where the probability itself is too small for a double.
 [[nodiscard]] double log_normal_cdf(double z);
 

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <algorithm>
+
+namespace rocking::stats {
+
+/// Halves the way between a number `in` an interval and one that is `out`, both in [0, 1], until 2^-40 of the larger is
+/// left of it; the outer end, so that the interval is never too small.
+template <class Predicate>
+[[nodiscard]] double outer_end(double in, double out, Predicate contains) {
+  while (std::max(in, out) - std::min(in, out) > 0x1p-40 * std::max(in, out)) {
+    const double middle = 0.5 * (in + out);
+    (contains(middle) ? in : out) = middle;
+  }
+  return out;
+}
+
+/// In place of 0 and 1 where a function has to be finite.
+inline constexpr double nearly_zero = 0x1p-100;
+inline constexpr double nearly_one = 1.0 - 0x1p-53;
+
+}  // namespace rocking::stats

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -85,13 +86,27 @@ struct Parameter {
   std::string value;
 };
 
+/// Sampling goes on until every mode's interval is narrow enough.
+struct Until {
+  double half_width = 0.0;  ///< of every interval, in (0, 1/2)
+};
+
+/// Some realisations are named once more by a longer run, which is taken for the truth.
+struct LabelCheck {
+  std::uint64_t every = 20;        ///< every so manieth realisation, at least 1
+  std::uint64_t times_longer = 20; ///< sampled periods of the longer run, in those of the shorter one, at least 2
+};
+
 /// One point of the sweep.
 struct Condition {
   std::vector<Parameter> parameters;
   Scene scene;
   Horizon horizon;
   double tolerance = 1e-13;  ///< largest last Taylor term of a step, in units of Theta, Theta'
-  std::uint64_t realisations = 1;
+  std::uint64_t repeat_every = 10;  ///< every so manieth realisation is run at a tighter tolerance too; 0: none
+  std::uint64_t realisations = 1;  ///< with `until`: at most
+  std::optional<Until> until;
+  std::optional<LabelCheck> label_check;  ///< absent: none
   double confidence = 0.95;
 };
 
@@ -99,8 +114,9 @@ struct Condition {
 struct Experiment {
   std::string title;
   std::uint64_t seed = 0;
-  std::vector<Condition> conditions;
+  std::vector<Condition> conditions;  ///< the sweep's grid; its last entry varies fastest
   std::string canonical_text;  ///< the file with every default written out: JSON text, the same for equal questions
+  std::vector<std::size_t> sweep_sizes = {};  ///< points of each entry of the sweep
 };
 
 /// Whether anything in the scene is drawn at random. If not, one realisation says all.

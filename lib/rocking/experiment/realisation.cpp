@@ -3,6 +3,8 @@
 #include <cmath>
 #include <variant>
 
+#include "rocking/experiment/check_condition.hpp"
+
 namespace rocking::experiment {
 namespace {
 
@@ -53,6 +55,7 @@ Start start_of(const Scene& scene, const random::Draws& draws) {
 
 Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start, Strobe strobe,
                             std::int64_t periods) {
+  check_condition(condition);
   const Scene& scene = condition.scene;
   const dynamics::Clock clock(scene.excitation.frequency_ratio, start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();

@@ -46,6 +46,7 @@ struct Beginning {
   dynamics::Schedule schedule;
 };
 
+/// Throws base::InputError where a number of the condition is none; see check_condition.
 [[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
                                           Strobe strobe, std::int64_t periods);
 

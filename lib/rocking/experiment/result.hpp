@@ -5,13 +5,14 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "rocking/base/digest.hpp"
 #include "rocking/dynamics/contact.hpp"
+#include "rocking/experiment/stopping.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/section/verdict.hpp"
+#include "rocking/stats/double_sampling.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::experiment {
@@ -63,6 +64,8 @@ struct Validity {
   Cases painleve;      ///< ended at D <= 0 or 1 + 3q <= 0
   Cases stopped;       ///< ended by the budget of steps
   Cases in_transient;  ///< still drifting at the horizon
+  Cases settled_late;  ///< named by the last part of the sampled periods
+  double least_held = 1.0;  ///< of those that are named: the smallest share of the sampled periods that bears a name out
   Cases past_balance;  ///< met abs(Theta) = 1
   Cases contradictions;  ///< met an instant at which neither sticking nor slipping agrees with the equations; it stuck
   Cases clamped;       ///< had a draw clamped
@@ -70,13 +73,26 @@ struct Validity {
   Clamps clamps;       ///< draws clamped, all realisations together
 };
 
+/// The probability of a mode in the long run, from the modes of all realisations and of those that were run for longer.
+struct Corrected {
+  stats::CheckedCounts counts;
+  double estimate = 0.0;
+  stats::Interval interval;  ///< covers for sure, for this mode alone
+};
+
 /// A probability: counts, value, intervals.
 struct Estimate {
   stats::Proportion counts;
   double estimate = 0.0;
   stats::Interval wilson;
+  stats::Interval jeffreys;
   stats::Interval clopper_pearson;
-  stats::Interval simultaneous;  ///< Bonferroni-Clopper-Pearson over the condition's modes
+  stats::Interval simultaneous;  ///< Bonferroni-Clopper-Pearson over all modes there can be
+  stats::Interval goodman;       ///< simultaneous over the modes listed
+  std::optional<stats::Interval> sison_glaz;  ///< the same; absent where one mode took all but a few
+  /// With `until`: covers over all modes at once although the data said when to stop.
+  std::optional<stats::Interval> anytime = std::nullopt;
+  std::optional<Corrected> corrected = std::nullopt;  ///< where labels were checked
 };
 
 struct ModeEstimate {
@@ -100,6 +116,7 @@ struct NonRecurrence {
   PartingTimes arithmetic;                   ///< the same draws at another tolerance
   double arithmetic_tolerance = 0.0;         ///< that tolerance
   stats::Proportion arithmetic_flips;        ///< response modes that differ at that tolerance
+  stats::Interval arithmetic_flips_interval; ///< Clopper-Pearson
 };
 
 struct ConditionResult {
@@ -108,7 +125,7 @@ struct ConditionResult {
   std::optional<NonRecurrence> non_recurrence;  ///< absent with fewer than two realisations
   Validity validity;
   Effort effort;
-  std::string stopped_because;  ///< `all_realisations_done` or `deterministic`
+  StoppedBecause stopped_because = StoppedBecause::all_realisations_done;
 };
 
 struct ExperimentResult {

@@ -1,162 +1,119 @@
 #include "rocking/experiment/run.hpp"
 
-#include <algorithm>
 #include <exception>
-#include <mutex>
-#include <thread>
 #include <vector>
 
-#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/pair_workers.hpp"
 #include "rocking/experiment/reduce.hpp"
+#include "rocking/experiment/work.hpp"
 
 namespace rocking::experiment {
 namespace {
 
-/// One realisation in this many is repeated at another tolerance.
-constexpr std::uint64_t repeat_every = 10;
+/// Strobe periods of work after which rows are made durable: a few seconds of the slowest scenes on two cores, and never so
+/// little that the writing would count.
+constexpr std::uint64_t periods_between_commits = 1U << 17U;
 
-/// A realisation of even number and the next one, of one condition: the unit of work. The two are compared while both
-/// strobe records are at hand.
-struct Pair {
-  std::size_t condition;
-  std::uint64_t first;
-};
-
-/// Runs pairs on any number of threads, in any order; keeps summaries by (condition, realisation) and reduces a condition
-/// when its last pair is in. Nothing depends on who did what when.
-class Campaign {
- public:
-  Campaign(const Experiment& experiment, const RunOptions& options)
-      : experiment_(&experiment), options_(&options), conditions_(experiment.conditions.size()) {
-    for (std::size_t i = 0; i < conditions_.size(); ++i) {
-      const std::uint64_t count = effective_realisations(experiment.conditions[i]);
-      conditions_[i].count = count;
-      all_ += count;
-    }
+// Something went wrong: what is done is kept, if there is a way to, and the first failure is the one to tell.
+void commit_if_possible(Store& store) {
+  try {
+    store.close_up();
+  } catch (const std::exception&) {
   }
+}
 
-  [[nodiscard]] std::optional<ExperimentResult> run() {
-    {
-      std::vector<std::jthread> workers;
-      for (unsigned i = 1; i < std::max(1U, options_->threads); ++i) workers.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
-    if (done_ < all_) return std::nullopt;
-    ExperimentResult result;
-    base::Sha256Builder digest;
-    for (PerCondition& condition : conditions_) {
-      digest.add(condition.digest);
-      result.conditions.push_back(std::move(*condition.result));
-    }
-    result.digest = digest.finish();
-    return result;
+// Looks at a condition as often as it is time to.
+void look(const Experiment& experiment, const Store& store, WorkList& work, std::size_t condition) {
+  while (work.wants_look(condition)) {
+    const Target& target = work.target(condition);
+    const ModeTally modes = store.mode_counts(condition, target.realisations);
+    work.set_target(condition, next_target(experiment.conditions[condition], target, modes));
+  }
+}
+
+WorkList work_left(const Experiment& experiment, const Store& store) {
+  WorkList work(experiment, store.identity().shard);
+  store.for_each_key([&](const RealisationKey& key) {
+    if (key.condition >= experiment.conditions.size()) return;
+    look(experiment, store, work, key.condition);
+    if (key.realisation < work.target(key.condition).realisations) work.mark_done(key);
+  });
+  for (std::size_t i = 0; i < experiment.conditions.size(); ++i) look(experiment, store, work, i);
+  return work;
+}
+
+/// Puts what comes of pairs into the store, and makes it durable now and then.
+class Journal {
+ public:
+  Journal(const Experiment& experiment, Store& store) : experiment_(&experiment), store_(&store) {}
+
+  void add(const Pair& pair, const std::vector<Summary>& summaries) {
+    for (std::size_t i = 0; i < summaries.size(); ++i) store_->add({pair.condition, pair.first + i}, summaries[i]);
+    const Horizon& horizon = experiment_->conditions[pair.condition].horizon;
+    const std::int64_t periods = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+    uncommitted_ += summaries.size() * static_cast<std::uint64_t>(periods);
+    if (uncommitted_ < periods_between_commits) return;
+    store_->commit();
+    uncommitted_ = 0;
   }
 
  private:
-  struct PerCondition {
-    std::uint64_t count = 0;
-    std::uint64_t done = 0;
-    std::vector<Summary> summaries;  ///< only while the condition is being worked on
-    Totals totals;
-    base::Sha256 digest{};
-    std::optional<ConditionResult> result;
-  };
-
-  void work() {
-    try {
-      while (const auto pair = next_pair()) accept(*pair, run_pair(*pair));
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-    }
-  }
-
-  [[nodiscard]] std::optional<Pair> next_pair() {
-    const std::lock_guard lock(mutex_);
-    const bool asked_to_stop = options_->stop_requested != nullptr && options_->stop_requested->load();
-    if (asked_to_stop || failure_) return std::nullopt;
-    while (next_.condition < conditions_.size() && next_.first >= conditions_[next_.condition].count) {
-      next_ = {.condition = next_.condition + 1, .first = 0};
-    }
-    if (next_.condition == conditions_.size()) return std::nullopt;
-    const Pair pair = next_;
-    next_.first += 2;
-    return pair;
-  }
-
-  /// What comes of a pair.
-  struct PairResult {
-    std::vector<Summary> summaries;
-    Totals totals;
-  };
-
-  [[nodiscard]] PairResult run_pair(const Pair& pair) const {
-    const Condition& condition = experiment_->conditions[pair.condition];
-    const std::uint64_t last = std::min(pair.first + 2, conditions_[pair.condition].count);
-    std::vector<Record> records;
-    PairResult result;
-    std::vector<Summary>& summaries = result.summaries;
-    for (std::uint64_t number = pair.first; number < last; ++number) {
-      records.push_back(realise(condition, experiment_->seed, number));
-      summaries.push_back(summarise(records.back(), number));
-      result.totals.effort += records.back().effort;
-      result.totals.clamps += records.back().clamps;
-      if (is_random(condition.scene) && number % repeat_every == 0) {
-        summaries.back().repeat = repeat(condition, records.back(), number);
-      }
-    }
-    if (records.size() == 2) summaries[0].parted_from_next = parting_period(records[0], records[1]);
-    return result;
-  }
-
-  [[nodiscard]] Summary::Repeat repeat(Condition condition, const Record& record, std::uint64_t number) const {
-    condition.tolerance = repeat_tolerance(condition.tolerance);
-    const Record other = realise(condition, experiment_->seed, number);
-    return {.mode = other.verdict.mode, .parted = parting_period(record, other)};
-  }
-
-  void accept(const Pair& pair, PairResult result) {
-    const std::lock_guard lock(mutex_);
-    PerCondition& condition = conditions_[pair.condition];
-    condition.summaries.resize(condition.count);
-    std::move(result.summaries.begin(), result.summaries.end(),
-              condition.summaries.begin() + static_cast<std::ptrdiff_t>(pair.first));
-    condition.totals.effort += result.totals.effort;
-    condition.totals.clamps += result.totals.clamps;
-    condition.done += result.summaries.size();
-    done_ += result.summaries.size();
-    if (condition.done == condition.count) finish(pair.condition);
-    if (options_->on_progress) options_->on_progress(done_, all_);
-  }
-
-  void finish(std::size_t index) {
-    PerCondition& condition = conditions_[index];
-    condition.result = reduce(experiment_->conditions[index], condition.summaries, condition.totals);
-    base::Sha256Builder digest;
-    for (const Summary& summary : condition.summaries) digest.add(summary.digest);
-    condition.digest = digest.finish();
-    condition.summaries = {};
-  }
-
   const Experiment* experiment_;
-  const RunOptions* options_;
-  std::mutex mutex_;
-  std::vector<PerCondition> conditions_;
-  Pair next_{.condition = 0, .first = 0};
-  std::uint64_t all_ = 0;
-  std::uint64_t done_ = 0;
-  std::exception_ptr failure_;
+  Store* store_;
+  std::uint64_t uncommitted_ = 0;
 };
 
 }  // namespace
 
-std::uint64_t effective_realisations(const Condition& condition) {
-  return is_random(condition.scene) ? condition.realisations : 1;
+RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options) {
+  WorkList work = work_left(experiment, store);
+  Journal journal(experiment, store);
+  const PairFlow flow{.next = [&] { return work.take(); },
+                      .accept =
+                          [&](const Pair& pair, const std::vector<Summary>& summaries) {
+                            journal.add(pair, summaries);
+                            for (std::size_t i = 0; i < summaries.size(); ++i)
+                              work.mark_done({pair.condition, pair.first + i});
+                            look(experiment, store, work, pair.condition);
+                            if (options.on_progress) options.on_progress(work.done(), work.all());
+                          }};
+  try {
+    run_pairs(experiment, options, flow);
+  } catch (...) {
+    commit_if_possible(store);
+    throw;
+  }
+  store.close_up();
+  return work.is_complete() ? RunEnd::complete : RunEnd::stopped;
+}
+
+Completeness completeness(const Experiment& experiment, const Store& store) {
+  const WorkList work = work_left(experiment, store);
+  return {.done = work.done(), .all = work.all()};
+}
+
+std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store) {
+  std::vector<Reduction> reductions(experiment.conditions.begin(), experiment.conditions.end());
+  store.for_each([&](const RealisationKey& key, const Summary& summary) {
+    Reduction& reduction = reductions.at(key.condition);
+    if (key.realisation == reduction.realisations()) reduction.add(summary);  // else one before it is missing
+  });
+  ExperimentResult result;
+  base::Sha256Builder digest;
+  for (std::size_t i = 0; i < reductions.size(); ++i) {
+    if (!reductions[i].is_complete()) return std::nullopt;
+    digest.add(reductions[i].digest());
+    result.conditions.push_back(reductions[i].result());
+  }
+  result.digest = digest.finish();
+  return result;
 }
 
 std::optional<ExperimentResult> run(const Experiment& experiment, const RunOptions& options) {
-  return Campaign(experiment, options).run();
+  Store store =
+      Store::in_memory({.experiment = experiment.canonical_text, .code = "", .files = "", .shard = std::nullopt});
+  if (run(experiment, store, options) == RunEnd::stopped) return std::nullopt;
+  return result_of(experiment, store);
 }
 
 }  // namespace rocking::experiment

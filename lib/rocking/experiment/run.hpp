@@ -7,6 +7,7 @@
 
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
+#include "rocking/experiment/store.hpp"
 
 namespace rocking::experiment {
 
@@ -19,11 +20,23 @@ struct RunOptions {
   const std::atomic<bool>* stop_requested = nullptr;
 };
 
-/// Runs every realisation of every condition and reduces them in their order, whatever order they were computed in.
-/// Absent if it was asked to stop before the end.
-[[nodiscard]] std::optional<ExperimentResult> run(const Experiment& experiment, const RunOptions& options);
+enum class RunEnd : std::uint8_t { complete, stopped };
 
-/// How many realisations a condition will really run: one, where nothing is drawn at random.
-[[nodiscard]] std::uint64_t effective_realisations(const Condition& condition);
+/// Runs what the store lacks of the experiment, or of its shard, and puts it there.
+[[nodiscard]] RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options);
+
+/// How far a store has come.
+struct Completeness {
+  std::uint64_t done = 0;
+  std::uint64_t all = 0;  ///< realisations of the experiment, or of the store's shard
+};
+[[nodiscard]] Completeness completeness(const Experiment& experiment, const Store& store);
+
+/// The result of an experiment of which the store holds every realisation; absent where some are missing. What was computed
+/// where and when has no say in it.
+[[nodiscard]] std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store);
+
+/// Both at once, with a store in memory. Absent if it was asked to stop before the end.
+[[nodiscard]] std::optional<ExperimentResult> run(const Experiment& experiment, const RunOptions& options);
 
 }  // namespace rocking::experiment

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "rocking/base/error.hpp"
+
 namespace rocking::experiment {
 
 using dynamics::Clock;
@@ -21,10 +23,15 @@ SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& dr
 }
 
 void SceneCoefficients::draw_static_friction() {
+  static_count_ = stops_;
+  look_up_static_friction();
+}
+
+void SceneCoefficients::look_up_static_friction() {
   static_friction_ = friction_->static_coefficient;
   if (fluctuation_.static_friction > 0.0) {
     ++static_draws_;
-    const auto index = random::paired_index(stops_.chatters, stops_.since);
+    const auto index = random::paired_index(static_count_.chatters, static_count_.since);
     static_friction_ += fluctuation_.static_friction * draws_.standard_normal(Source::static_friction, index);
     if (static_friction_ < 0.0) {
       static_friction_ = 0.0;
@@ -44,6 +51,19 @@ void SceneCoefficients::chatter_ended() {
   stops_ = {.chatters = stops_.chatters + 1, .since = 0};
   impacts_ = {.chatters = impacts_.chatters + 1, .since = 0};
   if (friction_ && had_stops) draw_static_friction();
+}
+
+SceneCoefficients SceneCoefficients::under(const Scene& scene) const {
+  ROCKING_EXPECT(scene.friction.has_value() == friction_.has_value());
+  SceneCoefficients other = *this;
+  other.friction_ = scene.friction;
+  other.fluctuation_ = scene.fluctuation;
+  other.restitution_mean_ = scene.restitution;
+  other.amplitude_mean_ = scene.excitation.amplitude;
+  other.interval_ = -1;
+  other.amplitude_period_ = -1;
+  if (other.friction_) other.look_up_static_friction();
+  return other;
 }
 
 double SceneCoefficients::kinetic_friction(const Clock& clock) {
@@ -77,7 +97,8 @@ double SceneCoefficients::restitution() {
   if (fluctuation_.restitution == 0.0) return restitution_mean_;
   ++restitution_draws_;
   const auto index = random::paired_index(impacts_.chatters, impacts_.since++);
-  const double value = restitution_mean_ + fluctuation_.restitution * draws_.standard_normal(Source::restitution, index);
+  const double value =
+      restitution_mean_ + fluctuation_.restitution * draws_.standard_normal(Source::restitution, index);
   const double clamped = std::clamp(value, -0.999, 1.0);
   if (clamped != value) ++clamps_.restitution;
   return clamped;

@@ -30,6 +30,9 @@ class SceneCoefficients {
   void chatter_ended();
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
 
+  /// The same draws, counted on, about the means and with the standard deviations of another scene.
+  [[nodiscard]] SceneCoefficients under(const Scene& scene) const;
+
   /// Draws made so far, and of them those clamped where they were used.
   void add_to(Effort& effort) const;
   [[nodiscard]] const Clamps& clamps() const { return clamps_; }
@@ -44,6 +47,7 @@ class SceneCoefficients {
   [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t index) const;
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   void draw_static_friction();
+  void look_up_static_friction();
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
 
   std::optional<Friction> friction_;
@@ -54,6 +58,7 @@ class SceneCoefficients {
 
   double static_friction_;
   Count stops_;
+  Count static_count_;  ///< of stops, when the static friction in force was drawn
   Count impacts_;
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   random::NormalPair kinetic_pair_{};

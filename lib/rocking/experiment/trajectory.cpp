@@ -44,9 +44,13 @@ Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::ui
   Recorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle);
   const Beginning beginning =
       begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, periods);
-  recorder.trajectory.termination = with_motion(condition.scene, beginning, recorder, [](auto motion) {
+  with_motion(condition.scene, beginning, recorder, [&](auto motion) {
     integrate::advance(motion);
-    return motion.termination().value_or(Termination::stopped);
+    Trajectory& trajectory = recorder.trajectory;
+    trajectory.termination = motion.termination().value_or(Termination::stopped);
+    trajectory.losses_of_contact = motion.losses_of_contact();
+    if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
+    trajectory.contradictions = motion.contradictions();
   });
   return std::move(recorder.trajectory);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "rocking/dynamics/contact.hpp"
@@ -34,6 +35,9 @@ struct TrajectoryEvent {
 struct Trajectory {
   std::vector<TrajectorySample> strobe;
   std::vector<TrajectoryEvent> events;
+  std::uint64_t losses_of_contact = 0;          ///< downward crossings of N = 0
+  std::optional<double> first_loss_of_contact;  ///< tau
+  std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
   Termination termination = Termination::reached_horizon;
 };
 

@@ -1,0 +1,166 @@
+#include "rocking/experiment/bifurcation.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <charconv>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "rocking/base/error.hpp"
+#include "rocking/experiment/continuation.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+/// Steps that follow from one another: the unit of work.
+struct Chain {
+  Diagram* diagram;
+  Branch branch;
+  std::size_t first;  ///< places in the diagram's conditions
+  std::size_t count;
+};
+
+std::vector<DiagramStep>& steps_of(const Chain& chain) {
+  return chain.diagram->branches[static_cast<std::size_t>(chain.branch)];
+}
+
+/// The long ones first.
+std::vector<Chain> chains_of(std::vector<Diagram>& diagrams) {
+  std::vector<Chain> chains;
+  for (Diagram& diagram : diagrams) {
+    const std::size_t size = diagram.conditions.size();
+    for (auto& steps : diagram.branches) steps.resize(size);
+    chains.push_back({&diagram, Branch::upwards, 0, size});
+    chains.push_back({&diagram, Branch::downwards, 0, size});
+  }
+  for (Diagram& diagram : diagrams) {
+    for (std::size_t i = 0; i < diagram.conditions.size(); ++i) chains.push_back({&diagram, Branch::initial, i, 1});
+  }
+  return chains;
+}
+
+DiagramStep step_of(const Record& record, bool continued, const Horizon& horizon) {
+  DiagramStep step{.continued = continued, .termination = record.termination, .verdict = record.verdict, .points = {}};
+  if (record.termination != dynamics::Termination::reached_horizon) return step;
+  step.points.assign(record.strobe.end() - horizon.sampled_periods, record.strobe.end());
+  return step;
+}
+
+class DiagramWorkers {
+ public:
+  DiagramWorkers(const Experiment& experiment, std::uint64_t realisation, const RunOptions& options)
+      : experiment_(&experiment), draws_(experiment.seed, realisation), options_(&options) {}
+
+  /// Whether it came to the end.
+  [[nodiscard]] bool run(std::vector<Diagram>& diagrams) {
+    chains_ = chains_of(diagrams);
+    for (const Chain& chain : chains_) all_ += chain.count;
+    {
+      std::vector<std::jthread> others;
+      for (unsigned i = 1; i < std::max(1U, options_->threads); ++i) others.emplace_back([this] { work(); });
+      work();
+    }
+    if (failure_) std::rethrow_exception(failure_);
+    return done_ == all_;
+  }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t i = next_++; i < chains_.size() && !is_to_stop(); i = next_++) follow(chains_[i]);
+    } catch (...) {
+      const std::lock_guard lock(mutex_);
+      if (!failure_) failure_ = std::current_exception();
+      has_failed_ = true;
+    }
+  }
+
+  void follow(const Chain& chain) {
+    Continuation continuation(draws_);
+    for (std::size_t i = 0; i < chain.count && !is_to_stop(); ++i) {
+      const std::size_t place = chain.branch == Branch::downwards ? chain.count - 1 - i : chain.first + i;
+      const std::size_t index = chain.diagram->conditions[place];
+      const Condition& condition = experiment_->conditions[index];
+      const bool continued = continuation.can_go_on();
+      DiagramStep step = step_of(continuation.run(condition), continued, condition.horizon);
+      step.condition = index;
+      steps_of(chain)[place] = std::move(step);
+      const std::lock_guard lock(mutex_);
+      ++done_;
+      if (options_->on_progress) options_->on_progress(done_, all_);
+    }
+  }
+
+  [[nodiscard]] bool is_to_stop() const {
+    return has_failed_ || (options_->stop_requested != nullptr && options_->stop_requested->load());
+  }
+
+  const Experiment* experiment_;
+  random::Draws draws_;
+  const RunOptions* options_;
+  std::vector<Chain> chains_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::uint64_t done_ = 0;
+  std::uint64_t all_ = 0;
+  std::exception_ptr failure_;
+  std::atomic<bool> has_failed_ = false;
+};
+
+void check_diagrams(const Experiment& experiment) {
+  if (experiment.sweep_sizes.empty()) {
+    throw base::InputError({"/sweep", "", "is missing: a diagram needs a parameter to be swept",
+                            "add one, as [{\"parameter\": \"/excitation/amplitude\", \"from\": 3, \"to\": 5, "
+                            "\"step\": 0.1}]"});
+  }
+  for (const Condition& condition : experiment.conditions) {
+    if (!diagram_value(condition)) {
+      throw base::InputError({"/sweep/0", condition.parameters.front().value,
+                              "is no number: a diagram is drawn against one", "sweep a number first"});
+    }
+    if (condition.scene.excitation.record != nullptr) {
+      throw base::InputError({"/excitation/kind", "\"recorded\"", "has no periods at which a diagram could be sampled",
+                              "give a harmonic excitation"});
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view to_string(Branch branch) {
+  switch (branch) {
+    case Branch::initial: return "initial";
+    case Branch::upwards: return "upwards";
+    case Branch::downwards: return "downwards";
+  }
+  return "";
+}
+
+std::optional<double> diagram_value(const Condition& condition) {
+  const std::string& text = condition.parameters.front().value;
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::vector<Diagram> diagrams_of(const Experiment& experiment) {
+  check_diagrams(experiment);
+  const std::size_t stride = experiment.conditions.size() / experiment.sweep_sizes.front();
+  std::vector<Diagram> diagrams(stride);
+  for (std::size_t i = 0; i < experiment.conditions.size(); ++i) diagrams[i % stride].conditions.push_back(i);
+  const auto value = [&experiment](std::size_t i) { return *diagram_value(experiment.conditions[i]); };
+  for (Diagram& diagram : diagrams) std::ranges::stable_sort(diagram.conditions, {}, value);
+  return diagrams;
+}
+
+std::optional<std::vector<Diagram>> bifurcation(const Experiment& experiment, std::uint64_t realisation,
+                                                const RunOptions& options) {
+  std::vector<Diagram> diagrams = diagrams_of(experiment);
+  if (!DiagramWorkers(experiment, realisation, options).run(diagrams)) return std::nullopt;
+  return diagrams;
+}
+
+}  // namespace rocking::experiment

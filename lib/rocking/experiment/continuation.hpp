@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "rocking/experiment/realisation.hpp"
+#include "rocking/experiment/record.hpp"
+#include "rocking/random/draws.hpp"
+
+namespace rocking::experiment {
+
+/// Runs of harmonically shaken conditions, each from where the one before it ended, under the same draws.
+class Continuation {
+ public:
+  explicit Continuation(const random::Draws& draws) : draws_(draws) {}
+
+  /// Whether the coming run goes on from the one before it. The first one does not, nor one after a run that ended before
+  /// its horizon: they begin from the initial state of their condition.
+  [[nodiscard]] bool can_go_on() const { return motion_.has_value(); }
+
+  /// Runs a condition over its horizon. All conditions have friction, or none has.
+  [[nodiscard]] Record run(const Condition& condition);
+
+  /// The motion at the end of the last run, its clock on the last strobe point; absent where the coming run begins anew.
+  [[nodiscard]] const std::optional<Motion<dynamics::HarmonicExcitation>>& motion() const { return motion_; }
+
+ private:
+  random::Draws draws_;
+  std::optional<Motion<dynamics::HarmonicExcitation>> motion_;
+};
+
+}  // namespace rocking::experiment

@@ -1,0 +1,115 @@
+#include "rocking/experiment/sqlite.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include <sqlite3.h>
+
+namespace rocking::experiment::sqlite {
+namespace {
+
+int errno_of(int code) {
+  switch (code & 0xff) {
+    case SQLITE_FULL: return ENOSPC;
+    case SQLITE_READONLY: return EROFS;
+    case SQLITE_PERM:
+    case SQLITE_AUTH: return EACCES;
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED: return EBUSY;
+    case SQLITE_NOMEM: return ENOMEM;
+    case SQLITE_CANTOPEN: return ENOENT;
+    default: return EIO;
+  }
+}
+
+[[noreturn]] void fail(const std::string& path, int code, const char* message) {
+  const bool damaged = (code & 0xff) == SQLITE_CORRUPT || (code & 0xff) == SQLITE_NOTADB;
+  if (damaged) throw UnusableFile(path + ": is damaged: " + message);
+  throw std::system_error(errno_of(code), std::generic_category(), path + ": " + message);
+}
+
+int flags_of(Access access) {
+  switch (access) {
+    case Access::read: return SQLITE_OPEN_READONLY;
+    case Access::write: return SQLITE_OPEN_READWRITE;
+    case Access::create: return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  }
+  return 0;
+}
+
+}  // namespace
+
+void Statement::Finalizer::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
+
+Statement::Statement(sqlite3* database, std::string_view sql, std::string path)
+    : path_(std::move(path)), database_(database) {
+  sqlite3_stmt* statement = nullptr;
+  check(sqlite3_prepare_v2(database, sql.data(), static_cast<int>(sql.size()), &statement, nullptr));
+  statement_.reset(statement);
+}
+
+void Statement::check(int code) const {
+  if (code != SQLITE_OK) fail(path_, sqlite3_extended_errcode(database_), sqlite3_errmsg(database_));
+}
+
+void Statement::bind(int place, std::int64_t number) { check(sqlite3_bind_int64(statement_.get(), place + 1, number)); }
+
+void Statement::bind(int place, double number) { check(sqlite3_bind_double(statement_.get(), place + 1, number)); }
+
+void Statement::bind(int place, std::string_view text) {
+  check(sqlite3_bind_text64(statement_.get(), place + 1, text.data(), text.size(), SQLITE_TRANSIENT, SQLITE_UTF8));
+}
+
+void Statement::bind(int place, std::span<const std::byte> bytes) {
+  check(sqlite3_bind_blob64(statement_.get(), place + 1, bytes.data(), bytes.size(), SQLITE_TRANSIENT));
+}
+
+void Statement::bind_null(int place) { check(sqlite3_bind_null(statement_.get(), place + 1)); }
+
+bool Statement::step() {
+  const int code = sqlite3_step(statement_.get());
+  if (code != SQLITE_ROW && code != SQLITE_DONE) check(code);
+  return code == SQLITE_ROW;
+}
+
+void Statement::run() {
+  step();
+  reset();
+}
+
+void Statement::reset() { check(sqlite3_reset(statement_.get())); }
+
+bool Statement::is_null(int column) const { return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL; }
+
+std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(statement_.get(), column); }
+
+double Statement::real(int column) const { return sqlite3_column_double(statement_.get(), column); }
+
+std::string Statement::text(int column) const {
+  const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(statement_.get(), column));
+  return text == nullptr ? ""
+                         : std::string(text, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column)));
+}
+
+std::span<const std::byte> Statement::bytes(int column) const {
+  const auto* bytes = static_cast<const std::byte*>(sqlite3_column_blob(statement_.get(), column));
+  return {bytes, static_cast<std::size_t>(sqlite3_column_bytes(statement_.get(), column))};
+}
+
+void Database::Closer::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
+
+Database::Database(const std::filesystem::path& path, Access access) : path_(path.string()) {
+  sqlite3* database = nullptr;
+  const int code = sqlite3_open_v2(path_.c_str(), &database, flags_of(access), nullptr);
+  handle_.reset(database);
+  if (code != SQLITE_OK) fail(path_, code, database == nullptr ? "not enough memory" : sqlite3_errmsg(database));
+  sqlite3_extended_result_codes(database, 1);
+  sqlite3_busy_timeout(database, 5000);  // ms: a reader waits while the writer folds its log in
+}
+
+void Database::execute(const std::string& sql) {
+  const int code = sqlite3_exec(handle_.get(), sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK) fail(path_, code, sqlite3_errmsg(handle_.get()));
+}
+
+}  // namespace rocking::experiment::sqlite

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <stdexcept>
+#include <string>
+
+#include "rocking/experiment/shard.hpp"
+#include "rocking/experiment/sqlite.hpp"
+#include "rocking/experiment/summary.hpp"
+
+namespace rocking::experiment {
+
+/// What a store belongs to. Realisations of one experiment and one code may be put together, others not.
+struct Identity {
+  std::string experiment;  ///< canonical text, with the seed
+  std::string code;        ///< version and revision of what simulated
+  std::string files;       ///< folder from which the files that the experiment names are seen; may differ between parts
+  std::optional<Shard> shard;  ///< which part of the experiment is to be done here; absent: all of it
+};
+
+/// The journal of a run: a SQLite database with a row for each finished realisation, written while the run goes on.
+///
+/// Its table `realisations` has the key (condition, realisation) and a column for each field of a Summary. Rows become
+/// durable in groups: a killed process loses what it added since the last commit, a machine without power may lose the
+/// last commits, and neither loses anything else. One writer at a time.
+/// Throws as sqlite.hpp says; sqlite::UnusableFile also where a file is no store, or a row is not what was written.
+class Store {
+ public:
+  /// A new one, where no file is yet.
+  [[nodiscard]] static Store create(const std::filesystem::path& path, const Identity& identity);
+  /// One that is there.
+  [[nodiscard]] static Store open(const std::filesystem::path& path, sqlite::Access access);
+  /// One that lives and dies with this object.
+  [[nodiscard]] static Store in_memory(const Identity& identity);
+
+  [[nodiscard]] const Identity& identity() const { return identity_; }
+
+  /// Adds a row, or replaces the one of this key.
+  void add(const RealisationKey& key, const Summary& summary);
+  /// Makes durable what was added.
+  void commit();
+  /// The same, and leaves a single file behind, which can be read where nothing can be written. Adding goes on afterwards.
+  void close_up();
+
+  [[nodiscard]] std::optional<Summary> find(const RealisationKey& key) const;
+  /// Every row, in the order of the keys.
+  void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+  void for_each_key(const std::function<void(const RealisationKey&)>& use) const;
+  /// Realisations numbered below `realisations`, by response mode.
+  [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> mode_counts(std::uint64_t condition,
+                                                                           std::uint64_t realisations) const;
+
+ private:
+  explicit Store(sqlite::Database database) : database_(std::move(database)) {}
+  [[nodiscard]] static Store made(sqlite::Database database, const Identity& identity);
+  void read_identity();
+
+  sqlite::Database database_;
+  Identity identity_;
+  std::optional<sqlite::Statement> insert_;
+  bool in_transaction_ = false;
+};
+
+}  // namespace rocking::experiment

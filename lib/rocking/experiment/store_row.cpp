@@ -1,0 +1,170 @@
+#include "rocking/experiment/store_row.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <string_view>
+
+#include "rocking/base/digest.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+using sqlite::Statement;
+
+std::int64_t to_signed(std::uint64_t number) { return std::bit_cast<std::int64_t>(number); }
+
+// Each kind of field has its own overload in each of the three families: how it is declared, bound and read. Whatever
+// has a name (a response mode, an enumerator) is stored by its name.
+
+const char* type_of(bool) { return "INTEGER NOT NULL"; }
+const char* type_of(std::uint64_t) { return "INTEGER NOT NULL"; }
+const char* type_of(double) { return "REAL NOT NULL"; }
+const char* type_of(const base::Sha256&) { return "BLOB NOT NULL"; }
+const char* type_of(const std::optional<std::int64_t>&) { return "INTEGER"; }
+template <class Named>
+const char* type_of(const std::optional<Named>&) {
+  return "TEXT";
+}
+template <class Named>
+const char* type_of(const Named&) {
+  return "TEXT NOT NULL";
+}
+
+class Binder {
+ public:
+  explicit Binder(Statement& statement) : statement_(&statement) {}
+
+  void put(bool flag) { statement_->bind(place_++, std::int64_t{flag}); }
+  void put(std::int64_t number) { statement_->bind(place_++, number); }
+  void put(std::uint64_t number) { statement_->bind(place_++, to_signed(number)); }
+  void put(double number) { statement_->bind(place_++, number); }
+  void put(const base::Sha256& digest) { statement_->bind(place_++, std::span<const std::byte>(digest)); }
+  template <class Value>
+  void put(const std::optional<Value>& value) {
+    if (value) return put(*value);
+    statement_->bind_null(place_++);
+  }
+  template <class Named>
+  void put(const Named& named) {
+    statement_->bind(place_++, std::string_view(to_string(named)));
+  }
+
+ private:
+  Statement* statement_;
+  int place_ = 0;
+};
+
+class Reader {
+ public:
+  explicit Reader(const Statement& statement) : statement_(&statement) {}
+
+  void get(bool& flag) { flag = statement_->integer(place_++) != 0; }
+  void get(std::int64_t& number) { number = statement_->integer(place_++); }
+  void get(std::uint64_t& number) { number = std::bit_cast<std::uint64_t>(statement_->integer(place_++)); }
+  void get(double& number) { number = statement_->real(place_++); }
+  void get(base::Sha256& digest) {
+    const auto bytes = statement_->bytes(place_++);
+    std::copy_n(bytes.begin(), std::min(bytes.size(), digest.size()), digest.begin());
+  }
+  void get(section::ResponseMode& mode) {
+    if (const auto known = section::response_mode_named(statement_->text(place_++))) mode = *known;
+  }
+  template <class Value>
+  void get(std::optional<Value>& value) {
+    if (statement_->is_null(place_)) {
+      ++place_;
+    } else {
+      get(value.emplace());
+    }
+  }
+  /// An enumerator, told by its name.
+  template <class Enum>
+  void get(Enum& value) {
+    const std::string name = statement_->text(place_++);
+    for (int number = 0; !to_string(static_cast<Enum>(number)).empty(); ++number) {
+      if (to_string(static_cast<Enum>(number)) == name) value = static_cast<Enum>(number);
+    }
+  }
+
+ private:
+  const Statement* statement_;
+  int place_ = 0;
+};
+
+class Summer {
+ public:
+  void add(bool flag) { sum_.add(std::uint64_t{flag}); }
+  void add(std::int64_t number) { sum_.add(std::bit_cast<std::uint64_t>(number)); }
+  void add(std::uint64_t number) { sum_.add(number); }
+  void add(double number) { sum_.add(number); }
+  void add(const base::Sha256& digest) { sum_.add(digest); }
+  template <class Value>
+  void add(const std::optional<Value>& value) {
+    add(value.has_value());
+    if (value) add(*value);
+  }
+  template <class Named>
+  void add(const Named& named) {
+    const auto name = to_string(named);
+    sum_.add(std::uint64_t{name.size()});
+    sum_.add(name);
+  }
+
+  /// The first 64 bits of the digest.
+  std::uint64_t finish() {
+    const base::Sha256 digest = sum_.finish();
+    std::uint64_t first = 0;
+    for (std::size_t i = 0; i < 8; ++i) first = first << 8 | std::to_integer<std::uint64_t>(digest[i]);
+    return first;
+  }
+
+ private:
+  base::Sha256Builder sum_;
+};
+
+std::uint64_t checksum_of(const RealisationKey& key, const Summary& summary) {
+  Summer sum;
+  sum.add(key.condition);
+  sum.add(key.realisation);
+  for_each_field(summary, [&sum](const auto&, const auto& field) { sum.add(field); });
+  return sum.finish();
+}
+
+}  // namespace
+
+std::string column_definitions() {
+  std::string columns = "condition INTEGER NOT NULL, realisation INTEGER NOT NULL";
+  const Summary any;
+  for_each_field(
+      any, [&columns](const std::string& name, const auto& field) { columns += ", " + name + " " + type_of(field); });
+  return columns + ", checksum INTEGER NOT NULL";
+}
+
+std::string column_placeholders() {
+  std::string places = "(?, ?, ?";  // the key and the checksum
+  const Summary any;
+  for_each_field(any, [&places](const auto&, const auto&) { places += ", ?"; });
+  return places + ")";
+}
+
+void bind_row(Statement& statement, const RealisationKey& key, const Summary& summary) {
+  Binder binder(statement);
+  binder.put(key.condition);
+  binder.put(key.realisation);
+  for_each_field(summary, [&binder](const auto&, const auto& field) { binder.put(field); });
+  binder.put(checksum_of(key, summary));
+}
+
+std::optional<Row> read_row(const Statement& statement) {
+  Row row;
+  Reader reader(statement);
+  reader.get(row.key.condition);
+  reader.get(row.key.realisation);
+  for_each_field(row.summary, [&reader](const auto&, auto& field) { reader.get(field); });
+  std::uint64_t checksum = 0;
+  reader.get(checksum);
+  if (checksum != checksum_of(row.key, row.summary)) return std::nullopt;
+  return row;
+}
+
+}  // namespace rocking::experiment

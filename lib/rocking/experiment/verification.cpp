@@ -1,0 +1,102 @@
+#include "rocking/experiment/verification.hpp"
+
+#include <algorithm>
+#include <bit>
+
+#include "rocking/experiment/pair_workers.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+constexpr std::size_t most_listed = 10;
+
+std::string spelled(bool value) { return value ? "1" : "0"; }
+std::string spelled(std::uint64_t value) { return std::to_string(value); }
+std::string spelled(std::int64_t value) { return std::to_string(value); }
+std::string spelled(double value) { return std::to_string(std::bit_cast<std::uint64_t>(value)); }
+std::string spelled(const base::Sha256& value) { return base::to_hex(value); }
+template <class Named>
+std::string spelled(const Named& value) {
+  return std::string(to_string(value));
+}
+template <class Value>
+std::string spelled(const std::optional<Value>& value) {
+  return value ? spelled(*value) : "none";
+}
+
+struct Field {
+  std::string name;
+  std::string value;
+};
+
+std::vector<Field> fields_of(const Summary& summary) {
+  std::vector<Field> fields;
+  for_each_field(summary, [&fields](const auto& name, const auto& value) { fields.push_back({name, spelled(value)}); });
+  return fields;
+}
+
+/// Every pair of the store, or `wanted` of them at even distances.
+class PairPicker {
+ public:
+  PairPicker(const Store& store, const std::optional<std::uint64_t>& sample) {
+    std::vector<Pair> all;
+    store.for_each_key([&all](const RealisationKey& key) {
+      const Pair pair{.condition = static_cast<std::size_t>(key.condition), .first = key.realisation / 2 * 2};
+      const bool known = !all.empty() && all.back().condition == pair.condition && all.back().first == pair.first;
+      if (!known) all.push_back(pair);
+    });
+    const std::uint64_t wanted = sample ? std::min<std::uint64_t>((*sample + 1) / 2, all.size()) : all.size();
+    for (std::uint64_t i = 0; i < wanted; ++i) pairs_.push_back(all[i * all.size() / wanted]);
+  }
+
+  [[nodiscard]] std::optional<Pair> next() {
+    return place_ < pairs_.size() ? std::optional(pairs_[place_++]) : std::nullopt;
+  }
+  [[nodiscard]] std::uint64_t size() const { return pairs_.size(); }
+
+ private:
+  std::vector<Pair> pairs_;
+  std::size_t place_ = 0;
+};
+
+}  // namespace
+
+std::vector<std::string> differing_fields(const Summary& a, const Summary& b) {
+  const std::vector<Field> of_a = fields_of(a);
+  const std::vector<Field> of_b = fields_of(b);
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    if (of_a[i].value != of_b[i].value) names.push_back(of_a[i].name);
+  }
+  return names;
+}
+
+Verification verify(const Experiment& experiment, const Store& store, const std::optional<std::uint64_t>& sample,
+                    const RunOptions& options) {
+  Verification verification;
+  PairPicker picker(store, sample);
+  const auto compare = [&](const RealisationKey& key, const Summary& again) {
+    const auto stored = store.find(key);
+    if (!stored) return;
+    ++verification.checked;
+    const auto fields = differing_fields(*stored, again);
+    if (fields.empty()) return;
+    ++verification.different;
+    verification.differences.push_back({key, fields});
+  };
+  std::uint64_t done = 0;
+  run_pairs(experiment, options,
+            {.next = [&] { return picker.next(); },
+             .accept =
+                 [&](const Pair& pair, const std::vector<Summary>& summaries) {
+                   for (std::size_t i = 0; i < summaries.size(); ++i)
+                     compare({pair.condition, pair.first + i}, summaries[i]);
+                   if (options.on_progress) options.on_progress(++done, picker.size());
+                 }});
+  auto& list = verification.differences;
+  std::sort(list.begin(), list.end(), [](const Difference& a, const Difference& b) { return a.key < b.key; });
+  if (list.size() > most_listed) list.resize(most_listed);
+  return verification;
+}
+
+}  // namespace rocking::experiment

@@ -72,7 +72,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   bool parse_error(std::size_t position, const std::string&, const Json::exception& error) override {
     const std::string_view word = word_at(text_, position == 0 ? 0 : position - 1);
     base::Problem problem{.place = place_of(text_, position), .value = std::string(word), .reason = {}, .remedy = {}};
-    if (begins_with_word(word, "nan") || begins_with_word(word, "inf")) {
+    const bool is_no_number = begins_with_word(word, "nan") || begins_with_word(word, "inf");
+    const std::string key = pointer();
+    if ((is_no_number || error.id == 406) && !key.empty()) problem.place = key + " (" + problem.place + ")";
+    if (is_no_number) {
       problem.reason = "not a number that JSON knows";
       problem.remedy = "give a finite number, or leave the key out";
     } else if (error.id == 406) {
@@ -138,12 +141,13 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     return true;
   }
 
+  /// Of what comes next: in the innermost list it is not there yet.
   std::string pointer() const {
     std::string place;
     for (const Frame& frame : open_) {
       const bool in_list = frame.node->is_array();
-      const std::size_t size = frame.node->size();
-      place = child_pointer(place, in_list ? std::to_string(size == 0 ? 0 : size - 1) : frame.key);
+      const std::size_t next = frame.node->size();
+      place = child_pointer(place, in_list ? std::to_string(&frame == &open_.back() ? next : next - 1) : frame.key);
     }
     return place;
   }

@@ -60,7 +60,8 @@ class ExperimentBuilder {
     return {.title = base.title,
             .seed = base.seed,
             .conditions = std::move(conditions_),
-            .canonical_text = base.canonical.dump()};
+            .canonical_text = base.canonical.dump(),
+            .sweep_sizes = sweep_sizes()};
   }
 
  private:
@@ -142,6 +143,12 @@ class ExperimentBuilder {
       if (index == place * stride) axis.canonical_values.push_back(canonical);
     }
     conditions_.push_back(std::move(question.condition));
+  }
+
+  std::vector<std::size_t> sweep_sizes() const {
+    std::vector<std::size_t> sizes;
+    for (const SweepAxis& axis : axes_) sizes.push_back(axis.values.size());
+    return sizes;
   }
 
   Json canonical_sweep() const {

@@ -43,14 +43,37 @@ experiment::Horizon read_horizon(ObjectReader& in, const experiment::Scene& scen
   return horizon;
 }
 
-std::uint64_t read_realisations(ObjectReader& in) {
+void read_until(ObjectReader& in, experiment::Condition& condition) {
+  in.object("realisations", [&condition](ObjectReader& keys) {
+    keys.object("until", [&condition](ObjectReader& goal) {
+      condition.until = experiment::Until{.half_width = goal.number("half_width", rules::half_width)};
+      condition.realisations = static_cast<std::uint64_t>(goal.integer("at_most", rules::at_most));
+    });
+  });
+}
+
+void read_realisations(ObjectReader& in, experiment::Condition& condition) {
   const Json* found = in.value("realisations");
-  if (found != nullptr && found->is_object() && found->contains("until")) {
-    in.reject("realisations", "stopping at a width of the interval is not available in this version",
-              "give a number such as 200");
-    return 1;
+  if (found != nullptr && found->is_object()) return read_until(in, condition);
+  condition.realisations = static_cast<std::uint64_t>(in.integer("realisations", rules::realisations));
+}
+
+void read_label_check(ObjectReader& in, experiment::Condition& condition) {
+  if (!in.has("check_labels")) return;
+  in.object("check_labels", [&condition](ObjectReader& keys) {
+    condition.label_check = experiment::LabelCheck{
+        .every = static_cast<std::uint64_t>(keys.integer("every", rules::check_every)),
+        .times_longer = static_cast<std::uint64_t>(keys.integer("times_longer", rules::times_longer))};
+  });
+  if (condition.until) {
+    in.reject("check_labels", "has no sound correction where the data say when to stop",
+              "give a number of realisations");
   }
-  return static_cast<std::uint64_t>(in.integer("realisations", rules::realisations));
+  const std::int64_t longer =
+      std::int64_t{condition.horizon.sampled_periods} * static_cast<std::int64_t>(condition.label_check->times_longer);
+  if (longer > rules::sampled_periods.high) {
+    in.reject("check_labels", "would sample " + std::to_string(longer) + " periods", "lower \"times_longer\"");
+  }
 }
 
 std::optional<std::uint64_t> seed_in(const Json& value) {
@@ -106,10 +129,13 @@ Question read_question(const Json& document, MotionFiles& files, Problems& probl
           : unless_swept(sweep, {"/block", "/formulation", "/restitution", "/excitation/kind",
                                  "/excitation/time_step_s", "/excitation/frequency_ratio"});
   condition.horizon = read_horizon(in, condition.scene, horizon);
-  in.object("accuracy",
-            [&condition](ObjectReader& keys) { condition.tolerance = keys.number("tolerance", rules::tolerance); });
+  in.object("accuracy", [&condition](ObjectReader& keys) {
+    condition.tolerance = keys.number("tolerance", rules::tolerance);
+    condition.repeat_every = static_cast<std::uint64_t>(keys.integer("repeat_every", rules::repeat_every));
+  });
   if (sweep != nullptr) in.write("sweep", *sweep);
-  condition.realisations = read_realisations(in);
+  read_realisations(in, condition);
+  read_label_check(in, condition);
   condition.confidence = in.number("confidence", rules::confidence);
   question.seed = read_seed(in);
   question.canonical = in.finish();

@@ -18,6 +18,8 @@ Json number(double value) {
 
 Json optional_number(const std::optional<double>& value) { return value ? number(*value) : Json(); }
 
+}  // namespace
+
 Json interval_json(const stats::Interval& interval) {
   return Json::array({number(interval.low), number(interval.high)});
 }
@@ -28,10 +30,22 @@ Json parameters_json(const experiment::Condition& condition) {
   return parameters;
 }
 
+namespace {
+
 Json counts_json(const ConditionResult& result) {
   Json counts = Json::object();
   for (const auto& [mode, probability] : result.modes) counts[to_string(mode)] = probability.counts.successes;
   return counts;
+}
+
+Json corrected_json(const experiment::Corrected& corrected) {
+  Json json = Json::object();
+  json["checked"] = corrected.counts.checked;
+  json["gained"] = corrected.counts.gained;
+  json["lost"] = corrected.counts.lost;
+  json["estimate"] = number(corrected.estimate);
+  json["interval"] = interval_json(corrected.interval);
+  return json;
 }
 
 Json probabilities_json(const ConditionResult& result) {
@@ -40,8 +54,13 @@ Json probabilities_json(const ConditionResult& result) {
     Json& entry = probabilities[to_string(mode)];
     entry["estimate"] = number(probability.estimate);
     entry["wilson"] = interval_json(probability.wilson);
+    entry["jeffreys"] = interval_json(probability.jeffreys);
     entry["clopper_pearson"] = interval_json(probability.clopper_pearson);
     entry["simultaneous"] = interval_json(probability.simultaneous);
+    entry["simultaneous_goodman"] = interval_json(probability.goodman);
+    entry["simultaneous_sison_glaz"] = probability.sison_glaz ? interval_json(*probability.sison_glaz) : Json();
+    if (probability.corrected) entry["corrected"] = corrected_json(*probability.corrected);
+    if (probability.anytime) entry["anytime"] = interval_json(*probability.anytime);
   }
   return probabilities;
 }
@@ -65,7 +84,9 @@ Json non_recurrence_json(const ConditionResult& result) {
   json["parting_by_friction"] = parting_json(found.friction);
   json["parting_by_arithmetic"] = parting_json(found.arithmetic);
   json["arithmetic_tolerance"] = number(found.arithmetic_tolerance);
-  json["arithmetic_flips"] = {{"count", found.arithmetic_flips.successes}, {"of", found.arithmetic_flips.trials}};
+  json["arithmetic_flips"] = {{"count", found.arithmetic_flips.successes},
+                              {"of", found.arithmetic_flips.trials},
+                              {"interval", interval_json(found.arithmetic_flips_interval)}};
   return json;
 }
 
@@ -90,6 +111,8 @@ Json validity_json(const experiment::Validity& validity) {
   add(json, "painleve", validity.painleve);
   add(json, "stopped", validity.stopped);
   add(json, "in_transient", validity.in_transient);
+  add(json, "settled_late", validity.settled_late);
+  json["least_held"] = validity.least_held;
   add(json, "past_balance", validity.past_balance);
   add(json, "contradictions", validity.contradictions);
   add(json, "clamped", validity.clamped);
@@ -110,7 +133,18 @@ Json condition_json(const experiment::Condition& condition, const ConditionResul
   json["probabilities"] = probabilities_json(result);
   json["non_recurrence"] = non_recurrence_json(result);
   json["validity"] = validity_json(result.validity);
-  json["stopped_because"] = result.stopped_because;
+  json["stopped_because"] = to_string(result.stopped_because);
+  return json;
+}
+
+Json noise_floor_json(const std::optional<experiment::NoiseFloor>& floor) {
+  if (!floor) return {};
+  Json json = Json::object();
+  json["flips"] = floor->flips.successes;
+  json["of"] = floor->flips.trials;
+  json["interval"] = interval_json(floor->interval);
+  json["half_width"] = number(floor->half_width);
+  json["arithmetic_noise"] = to_string(floor->noise);
   return json;
 }
 

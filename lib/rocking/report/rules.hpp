@@ -49,7 +49,14 @@ inline constexpr NumberRule tolerance{.allows = [](double x) { return 1e-16 <= x
                                       .demand = "must be a number from 1e-16 to 1e-2",
                                       .example = "1e-13",
                                       .standard = 1e-13};
+inline constexpr IntegerRule repeat_every{.low = 0, .high = 1'000'000'000, .standard = 10};
 inline constexpr IntegerRule realisations{.low = 1, .high = 1'000'000'000, .standard = 1};
+inline constexpr IntegerRule check_every{.low = 1, .high = 1'000'000'000, .standard = 20};
+inline constexpr IntegerRule times_longer{.low = 2, .high = 1'000, .standard = 20};
+inline constexpr IntegerRule at_most{.low = 1, .high = 1'000'000'000};
+inline constexpr NumberRule half_width{.allows = [](double x) { return 1e-4 <= x && x < 0.5; },
+                                       .demand = "must be a number from 0.0001 to below 0.5: of every mode's interval",
+                                       .example = "0.02"};
 inline constexpr NumberRule confidence{.allows = [](double x) { return 0.0 < x && x < 1.0; },
                                        .demand = "must lie between 0 and 1, both left out",
                                        .example = "0.95",

@@ -6,11 +6,39 @@
 namespace rocking::report {
 namespace {
 
-Json moment_json(const stats::Moment& moment) {
+void write_moment(const stats::MomentTest& test, Json& json) {
+  json["value"] = test.moment.value;
+  json["standard_error"] = test.moment.standard_error;
+  json["z"] = test.moment.z;
+  json["p_value"] = test.p_value;
+}
+
+Json moment_json(const stats::MomentTest& test) {
   Json json = Json::object();
-  json["value"] = moment.value;
-  json["standard_error"] = moment.standard_error;
-  json["z"] = moment.z;
+  write_moment(test, json);
+  return json;
+}
+
+Json shape_json(const stats::ShapeTest& shape) {
+  Json json = moment_json(shape.test);
+  Json& nearness = json["nearness"] = Json::array();
+  for (const stats::Nearness& near : {shape.near, shape.observed}) {
+    Json entry = Json::object();
+    entry["distance"] = near.distance;
+    entry["probability"] = near.probability;
+    nearness.push_back(std::move(entry));
+  }
+  return json;
+}
+
+Json correlations_json(const std::vector<stats::CorrelationTest>& correlations) {
+  Json json = Json::array();
+  for (const stats::CorrelationTest& correlation : correlations) {
+    Json entry = Json::object();
+    entry["between"] = correlation.between;
+    write_moment(correlation.test, entry);
+    json.push_back(std::move(entry));
+  }
   return json;
 }
 
@@ -21,7 +49,7 @@ Json test_json(const stats::TestOfFit& test) {
   return json;
 }
 
-Json tails_json(const NormalCheck& check) {
+Json tails_json(const stats::NormalCheck& check) {
   Json tails = Json::array();
   for (const stats::TailCount& tail : check.tails) {
     Json entry = Json::object();
@@ -48,27 +76,28 @@ Json histogram_json(const stats::Histogram& histogram) {
 
 }  // namespace
 
-std::string check_normal_text(const NormalCheck& check) {
+std::string check_normal_text(const SamplerCheck& check) {
+  const stats::NormalCheck& found = check.found;
   Json json = Json::object();
   json["format"] = check_normal_format;
   json["sampler"] = check.sampler;
   json["seed"] = seed_text(check.seed);
   Json& law = json["law"] = Json::object();
-  law["mean"] = check.law.mean;
-  law["sigma"] = check.law.sigma;
-  json["n"] = check.moments.n;
-  json["mean"] = moment_json(check.moments.mean);
-  json["standard_deviation"] = moment_json(check.moments.standard_deviation);
-  json["skewness"] = moment_json(check.moments.skewness);
-  json["kurtosis"] = moment_json(check.moments.kurtosis);
-  json["pair_correlation"] = moment_json(check.pair_correlation);
-  json["lag_correlation"] = moment_json(check.lag_correlation);
-  json["jarque_bera"] = test_json(check.jarque_bera);
-  json["dagostino_pearson"] = test_json(check.dagostino_pearson);
-  json["anderson_darling"] = test_json(check.anderson_darling);
-  json["kolmogorov_smirnov"] = test_json(check.kolmogorov_smirnov);
-  json["tails"] = tails_json(check);
-  json["histogram"] = histogram_json(check.histogram);
+  law["mean"] = found.law.mean;
+  law["sigma"] = found.law.sigma;
+  json["n"] = found.n;
+  json["mean"] = moment_json(found.mean);
+  json["standard_deviation"] = moment_json(found.standard_deviation);
+  json["skewness"] = shape_json(found.skewness);
+  json["kurtosis"] = shape_json(found.kurtosis);
+  json["correlations"] = correlations_json(found.correlations);
+  json["jarque_bera"] = test_json(found.jarque_bera);
+  json["dagostino_pearson"] = test_json(found.dagostino_pearson);
+  json["anderson_darling"] = test_json(found.anderson_darling);
+  json["kolmogorov_smirnov"] = test_json(found.kolmogorov_smirnov);
+  json["tails"] = tails_json(found);
+  json["histogram"] = histogram_json(found.histogram);
+  json["refuted"] = stats::is_refuted(found);
   return json.dump(2) + '\n';
 }
 

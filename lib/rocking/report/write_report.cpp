@@ -17,6 +17,8 @@ Json input_json(const experiment::Experiment& experiment) {
 Json all_conditions_json(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
   Json json = Json::object();
   json["digest"] = base::to_hex(result.digest);
+  json["noise_floor"] =
+      noise_floor_json(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
   Json& conditions = json["conditions"] = Json::array();
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     conditions.push_back(condition_json(experiment.conditions[i], result.conditions[i]));

@@ -27,6 +27,15 @@ Json line_of(const experiment::TrajectoryEvent& event) {
   return line;
 }
 
+Json validity_of(const experiment::Trajectory& trajectory) {
+  Json validity = Json::object();
+  validity["losses_of_contact"] = trajectory.losses_of_contact;
+  validity["first_loss_of_contact"] = nullptr;
+  if (trajectory.first_loss_of_contact) validity["first_loss_of_contact"] = *trajectory.first_loss_of_contact;
+  validity["contradictions"] = trajectory.contradictions;
+  return validity;
+}
+
 // A JSON list with a line for each entry: thousands of them stay readable, and tools that work by lines can cope.
 template <class Entries>
 std::string list_of(const Entries& entries) {
@@ -40,12 +49,13 @@ std::string list_of(const Entries& entries) {
 
 }  // namespace
 
-std::string trajectory_text(const RealisationKey& key, const experiment::Trajectory& trajectory) {
+std::string trajectory_text(const experiment::RealisationKey& key, const experiment::Trajectory& trajectory) {
   std::string text = "{\n  \"format\": " + Json(trajectory_format).dump();
   text += ",\n  \"condition\": " + std::to_string(key.condition);
   text += ",\n  \"realisation\": " + std::to_string(key.realisation);
   text += ",\n  \"strobe\": " + list_of(trajectory.strobe);
   text += ",\n  \"events\": " + list_of(trajectory.events);
+  text += ",\n  \"validity\": " + validity_of(trajectory).dump();
   text += ",\n  \"termination\": " + Json(to_string(trajectory.termination)).dump();
   return text + "\n}\n";
 }

@@ -1,13 +1,12 @@
+#include <cmath>
 #include <cstdint>
 #include <memory>
-#include <vector>
 
 #include "commands.hpp"
 #include "output.hpp"
 #include "rocking/random/sampler.hpp"
 #include "rocking/report/read_quantity.hpp"
 #include "rocking/report/write_check_normal.hpp"
-#include "rocking/stats/correlation.hpp"
 
 namespace rocking::program {
 namespace {
@@ -20,33 +19,20 @@ struct CheckNormalRequest {
   Loudness loudness;
 };
 
-report::NormalCheck check_sample(const CheckNormalRequest& request, std::uint64_t seed,
-                                 const std::vector<double>& sample) {
-  const stats::NormalLaw& law = request.law;
-  const auto moments = stats::sample_moments(sample, law);
-  if (!moments) throw UsageError("--sigma: too small beside --mean to make two different numbers; give a larger one");
-  return {.sampler = request.sampler,
-          .seed = seed,
-          .law = law,
-          .moments = *moments,
-          .pair_correlation = stats::pair_correlation(sample, law),
-          .lag_correlation = stats::lag_correlation(sample, law, 1),
-          .jarque_bera = stats::jarque_bera(sample),
-          .dagostino_pearson = stats::dagostino_pearson(sample),
-          .anderson_darling = stats::anderson_darling(sample, law),
-          .kolmogorov_smirnov = stats::kolmogorov_smirnov(sample, law),
-          .tails = stats::normal_tails(sample, law),
-          .histogram = stats::normal_histogram(sample, law, 40, 4.0)};
-}
-
-// Whether the sample is so far from the law that no chance explains it: an ideal sampler is accused falsely less than
-// four times in a million seeds.
-bool is_refuted(const report::NormalCheck& check) {
-  constexpr double significance = 1e-6;
-  for (const stats::TailCount& tail : check.tails) {
-    if (tail.p_value < significance) return true;
-  }
-  return check.kolmogorov_smirnov.p_value < significance;
+/// The sample and its neighbours, each scaled to the law.
+stats::NormalCheck check_sample(const CheckNormalRequest& request, std::uint64_t seed) {
+  const random::SamplerKind kind = random::sampler_from_string(request.sampler).value();
+  const auto drawn = [&](std::uint64_t realisation, random::Source source) {
+    auto numbers = random::standard_sample(kind, {seed, realisation}, source, request.n);
+    for (double& number : numbers) number = request.law.mean + request.law.sigma * number;
+    return numbers;
+  };
+  const auto sample = drawn(0, random::Source::check_normal);
+  const auto of_next_realisation = drawn(1, random::Source::check_normal);
+  const auto of_next_source = drawn(0, random::Source::slip_rate);
+  const auto check = stats::check_normal({sample, of_next_realisation, of_next_source}, request.law);
+  if (!check) throw UsageError("--sigma: too small beside --mean to make two different numbers; give a larger one");
+  return *check;
 }
 
 ExitCode check_normal(const CheckNormalRequest& request) {
@@ -54,12 +40,11 @@ ExitCode check_normal(const CheckNormalRequest& request) {
   if (!seed)
     throw UsageError("--seed " + request.seed +
                      ": must be a whole number of at most 64 bits; give a value such as 0x2012 or 8210");
+  if (!std::isfinite(request.law.mean)) throw UsageError("--mean: must be a number; give a value such as 0.4");
   if (!(request.law.sigma > 0.0)) throw UsageError("--sigma: must be positive; give a value such as 0.03");
-  const auto kind = random::sampler_from_string(request.sampler);
-  const auto sample = random::sample_normal(kind.value(), *seed, request.n, request.law.mean, request.law.sigma);
-  const report::NormalCheck check = check_sample(request, *seed, sample);
+  const report::SamplerCheck check{request.sampler, *seed, check_sample(request, *seed)};
   print_result(request.loudness.json ? check_normal_text(check) : check_normal_summary(check));
-  if (!is_refuted(check)) return ExitCode::done;
+  if (!stats::is_refuted(check.found)) return ExitCode::done;
   print_notice("these numbers do not follow the law: a p-value is below 1e-6");
   return ExitCode::check_failed;
 }

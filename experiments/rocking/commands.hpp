@@ -15,7 +15,13 @@ using Action = std::function<ExitCode()>;
 
 /// Each function adds its command to `app`. Parsing a command line that names it sets `action`.
 void add_run(CLI::App& app, Action& action);
+void add_resume(CLI::App& app, Action& action);
+void add_merge(CLI::App& app, Action& action);
+void add_verify(CLI::App& app, Action& action);
+void add_compare(CLI::App& app, Action& action);
+void add_bifurcation(CLI::App& app, Action& action);
 void add_trajectory(CLI::App& app, Action& action);
+void add_replay(CLI::App& app, Action& action);
 void add_check_normal(CLI::App& app, Action& action);
 void add_validate(CLI::App& app, Action& action);
 void add_schema(CLI::App& app, Action& action);

@@ -13,6 +13,7 @@ enum class ExitCode : int {
   missing_input = 66,
   our_bug = 70,
   input_output = 74,
+  stopped_early = 75,
   interrupted = 130,
 };
 

@@ -5,11 +5,16 @@
 namespace rocking::program {
 namespace {
 
-// A signal handler takes no context with it: the one thing in the program that must outlive every scope.
+// A signal handler takes no context with it: what must outlive every scope of the program.
 std::atomic<bool> stop_requested{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
+std::atomic<StopReason> reason{StopReason::none};
+static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<StopReason>::is_always_lock_free,
+              "a signal handler must not wait for a lock");
 
-extern "C" void request_stop(int) { stop_requested.store(true); }
+extern "C" void request_stop(int) {
+  reason.store(StopReason::signal);
+  stop_requested.store(true);
+}
 
 }  // namespace
 
@@ -19,9 +24,15 @@ const std::atomic<bool>& stop_on_interrupt() {
   action.sa_flags = SA_RESTART;
   action.sa_flags |= static_cast<int>(SA_RESETHAND);  // the second signal finds the default again
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) sigaction(number, &action, nullptr);
   return stop_requested;
 }
+
+void stop_for_time() {
+  if (why_stopped() == StopReason::none) reason.store(StopReason::time);
+  stop_requested.store(true);
+}
+
+StopReason why_stopped() { return reason.load(); }
 
 }  // namespace rocking::program

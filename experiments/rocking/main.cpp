@@ -10,6 +10,7 @@
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/experiment/sqlite.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -21,9 +22,15 @@ void add_commands(CLI::App& app, Action& action) {
   app.footer(
       "`rocking COMMAND --help` tells more, with an example.\n"
       "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 a bug of ours,\n"
-      "74 input or output, 130 interrupted.");
+      "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` goes on after both).");
   add_run(app, action);
+  add_resume(app, action);
+  add_merge(app, action);
+  add_verify(app, action);
+  add_compare(app, action);
+  add_bifurcation(app, action);
   add_trajectory(app, action);
+  add_replay(app, action);
   add_check_normal(app, action);
   add_validate(app, action);
   add_schema(app, action);
@@ -54,6 +61,8 @@ ExitCode carry_out(const Action& action) {
     return fail(ExitCode::missing_input, error.what());
   } catch (const InTheWay& error) {
     return fail(ExitCode::input_output, error.what());
+  } catch (const experiment::sqlite::UnusableFile& error) {
+    return fail(ExitCode::bad_input, error.what());
   } catch (const std::system_error& error) {
     return fail(ExitCode::input_output, error.what());
   } catch (const std::bad_alloc&) {

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "output.hpp"
-#include "rocking/experiment/run.hpp"
+#include "rocking/experiment/work.hpp"
 
 namespace rocking::program {
 namespace {
@@ -19,7 +19,10 @@ struct Effect {
   bool (*is_on)(const Scene&);
 };
 
-constexpr std::array<Effect, 9> effects{{
+constexpr std::array<Effect, 11> effects{{
+    {"recorded horizontal motion of the base", [](const Scene& s) { return s.excitation.record != nullptr; }},
+    {"recorded vertical motion of the base",
+     [](const Scene& s) { return s.excitation.record != nullptr && s.excitation.record->has_vertical; }},
     {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
     {"static friction drawn at each stop",
      [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
@@ -36,10 +39,14 @@ constexpr std::array<Effect, 9> effects{{
 }  // namespace
 
 Plan plan_of(const experiment::Experiment& experiment) {
-  Plan plan{.title = experiment.title, .conditions = experiment.conditions.size(), .effects = {}};
+  Plan plan;
+  plan.title = experiment.title;
+  plan.conditions = experiment.conditions.size();
   for (const experiment::Condition& condition : experiment.conditions) {
     const std::uint64_t realisations = effective_realisations(condition);
     plan.realisations += realisations;
+    plan.at_most = plan.at_most || condition.until;
+    plan.has_record = plan.has_record || condition.scene.excitation.record != nullptr;
     const auto [transient, sampled] = condition.horizon;
     plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
   }
@@ -55,8 +62,9 @@ Plan plan_of(const experiment::Experiment& experiment) {
 
 std::string to_text(const Plan& plan) {
   std::string text = plan.title.empty() ? "" : plan.title + '\n';
-  text += fmt::format("{}, {}, {} of the excitation\n", counted(plan.conditions, "condition"),
-                      counted(plan.realisations, "realisation"), counted(plan.periods, "period"));
+  text += fmt::format("{}, {}{}, {} of the {}\n", counted(plan.conditions, "condition"), plan.at_most ? "at most " : "",
+                      counted(plan.realisations, "realisation"), counted(plan.periods, "period"),
+                      plan.has_record ? "strobe" : "excitation");
   if (plan.effects.empty()) return text + "rocking only: nothing slides and nothing is random\n";
   text += "beside rocking:\n";
   for (const std::string& effect : plan.effects) text += "  " + effect + '\n';

@@ -14,7 +14,9 @@ struct Plan {
   std::string title;
   std::uint64_t conditions = 0;
   std::uint64_t realisations = 0;    ///< of all conditions
-  std::uint64_t periods = 0;         ///< of the excitation, all realisations together
+  bool at_most = false;              ///< some conditions may stop before
+  std::uint64_t periods = 0;         ///< of all realisations together
+  bool has_record = false;           ///< a period is then that of the strobe, not of an excitation
   std::vector<std::string> effects;  ///< that are on in at least one condition
 };
 

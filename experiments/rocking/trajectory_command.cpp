@@ -15,7 +15,7 @@ namespace {
 
 struct TrajectoryRequest {
   std::string file;
-  report::RealisationKey key;
+  experiment::RealisationKey key;
   std::optional<std::int64_t> periods;
   report::Overrides overrides;
   Loudness loudness;

@@ -1,0 +1,107 @@
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "campaign.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "machine.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "rocking/experiment/bifurcation.hpp"
+#include "rocking/random/draws.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/write_bifurcation.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct BifurcationRequest {
+  std::string file;
+  std::string folder;
+  std::uint64_t realisation = 0;
+  report::Overrides overrides;
+  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  bool overwrite = false;
+};
+
+struct DiagramFiles {
+  std::filesystem::path json;
+  std::filesystem::path csv;
+};
+
+void expect_room(const DiagramFiles& files, bool overwrite) {
+  for (const auto& path : {files.json, files.csv}) {
+    if (overwrite || !std::filesystem::exists(path)) continue;
+    throw InTheWay(path.string() + ": is already there; choose another folder, or add --overwrite to replace it");
+  }
+}
+
+std::optional<std::vector<experiment::Diagram>> draw(const experiment::Experiment& experiment,
+                                                     const BifurcationRequest& request) {
+  const Loudness& loudness = request.labour.loudness;
+  Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
+  experiment::RunOptions options;
+  options.threads = request.labour.threads;
+  options.stop_requested = &stop_on_interrupt();
+  options.on_progress = [&](std::uint64_t done, std::uint64_t all) { progress.show(done, all); };
+  return experiment::bifurcation(experiment, request.realisation, options);
+}
+
+ExitCode bifurcation(const BifurcationRequest& request) {
+  const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
+  static_cast<void>(experiment::diagrams_of(experiment));  // tells what is wrong before anything is made
+  const std::filesystem::path path(request.folder);
+  const DiagramFiles files{.json = path / "bifurcation.json", .csv = path / "bifurcation.csv"};
+  RunFolder folder(path);
+  folder.claim();
+  expect_room(files, request.overwrite);
+  auto diagrams = draw(experiment, request);
+  if (!diagrams) {
+    print_notice("interrupted; nothing is written, and the next time it begins anew");
+    return ExitCode::interrupted;
+  }
+  const report::DrawnDiagrams drawn{
+      .experiment = &experiment, .realisation = request.realisation, .diagrams = std::move(*diagrams)};
+  const std::string text = report::bifurcation_text(drawn);
+  report::write_atomically(files.csv, report::bifurcation_csv(drawn));
+  report::write_atomically(files.json, text);
+  const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
+  const std::string where = fmt::format("points: {}, {}\n", files.json.string(), files.csv.string());
+  print_result(request.labour.loudness.json ? text : title + report::bifurcation_table(drawn) + where);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_bifurcation(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<BifurcationRequest>();
+  CLI::App* command =
+      app.add_subcommand("bifurcation", "Follow the responses along a swept parameter: which of them coexist?");
+  command->footer(
+      "Example: rocking bifurcation experiments/reference_block/no_sliding.json -o out\n"
+      "runs every step of the sweep from the file's initial state, and from where the step before it ended, upwards "
+      "and\n"
+      "downwards; writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints the responses. "
+      "A\n"
+      "grid gives a diagram for each point of the entries after the first.");
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON) with a sweep")->required();
+  command->add_option("-o,--output", request->folder, "Folder for the results; made if need be")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--realisation", request->realisation, "Whose draws are used, if something is random")
+      ->check(CLI::Range(std::uint64_t{0}, random::realisation_limit - 1))
+      ->capture_default_str()
+      ->type_name("K");
+  add_threads(*command, request->labour);
+  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+      ->type_name("S");
+  command->add_flag("--overwrite", request->overwrite, "Replace what is in the folder under these names");
+  add_loudness(*command, request->labour.loudness);
+  command->final_callback([&action, request] { action = [request] { return bifurcation(*request); }; });
+}
+
+}  // namespace rocking::program

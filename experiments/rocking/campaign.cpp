@@ -1,0 +1,161 @@
+#include "campaign.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "interrupt.hpp"
+#include "machine.hpp"
+#include "progress.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/experiment/noise_floor.hpp"
+#include "rocking/experiment/run.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/mode_table.hpp"
+#include "rocking/report/write_report.hpp"
+
+namespace rocking::program {
+namespace {
+
+std::uint64_t unresolved_realisations(const experiment::ExperimentResult& result) {
+  std::uint64_t count = 0;
+  for (const auto& condition : result.conditions) {
+    for (const auto& [mode, probability] : condition.modes) {
+      if (mode.kind == section::ResponseKind::unresolved) count += probability.counts.successes;
+    }
+  }
+  return count;
+}
+
+std::string_view spoken(experiment::ArithmeticNoise noise) {
+  switch (noise) {
+    case experiment::ArithmeticNoise::small: return "small beside";
+    case experiment::ArithmeticNoise::not_small: return "NOT small beside";
+    case experiment::ArithmeticNoise::undecided: return "too few repeats to set beside";
+  }
+  return "";
+}
+
+std::string noise_line(const std::optional<experiment::NoiseFloor>& floor) {
+  if (!floor) return "";
+  return fmt::format(
+      "arithmetic: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} %]; {} the "
+      "narrowest "
+      "half-width, {:.1f} %\n",
+      floor->flips.successes, floor->flips.trials, 100.0 * floor->interval.low, 100.0 * floor->interval.high,
+      spoken(floor->noise), 100.0 * floor->half_width);
+}
+
+/// A line on the responses that became what they are called within their sampled periods; empty if none did.
+std::string late_settling_of(const experiment::ExperimentResult& result) {
+  std::uint64_t count = 0;
+  double least_held = 1.0;
+  for (const auto& condition : result.conditions) {
+    count += condition.validity.settled_late.count;
+    least_held = std::min(least_held, condition.validity.least_held);
+  }
+  if (count == 0) return "";
+  return fmt::format("settled late: {}, named by the last {:g} % of their sampled periods or more\n",
+                     counted(count, "realisation"), 100.0 * least_held);
+}
+
+std::string summary_of(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
+  std::uint64_t realisations = 0;
+  for (const auto& condition : result.conditions) realisations += condition.realisations;
+  std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
+  text += report::mode_table(experiment, result);
+  text += fmt::format("\nper cent of n realisations [simultaneous {:g} % interval]; {}, {}, of which {} unresolved\n",
+                      100.0 * experiment.conditions.front().confidence, counted(result.conditions.size(), "condition"),
+                      counted(realisations, "realisation"), unresolved_realisations(result));
+  text += late_settling_of(result);
+  return text + noise_line(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
+}
+
+/// How far a run came.
+struct Stretch {
+  experiment::RunEnd end;
+  std::uint64_t done = 0;
+  std::uint64_t all = 0;
+  double duration_s = 0.0;
+};
+
+Stretch work(const experiment::Experiment& experiment, experiment::Store& store, const Labour& labour) {
+  const Loudness& loudness = labour.loudness;
+  Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
+  Stretch stretch{};
+  experiment::RunOptions options;
+  options.threads = labour.threads;
+  options.stop_requested = &stop_on_interrupt();
+  options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
+    progress.show(done, all);
+    stretch.done = done;
+    stretch.all = all;
+    if (labour.max_time && progress.elapsed() >= *labour.max_time) stop_for_time();
+  };
+  stretch.end = experiment::run(experiment, store, options);
+  stretch.duration_s = progress.elapsed();
+  return stretch;
+}
+
+ExitCode explain_stop(const RunFolder& folder, const Stretch& stretch) {
+  const bool interrupted = why_stopped() == StopReason::signal;
+  print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` goes on",
+                           interrupted ? "interrupted" : "the time is up", stretch.done, stretch.all, folder.name()));
+  return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
+}
+
+ExitCode explain_shard(const RunFolder& folder, const experiment::Shard& shard) {
+  print_notice(fmt::format(
+      "shard {} of {} is done; with the others in their folders, `rocking merge DIR {} ...` makes the report",
+      shard.part, shard.parts, folder.name()));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_threads(CLI::App& command, Labour& labour) {
+  command.add_option("-j,--threads", labour.threads, "Threads; changes the time, never the result")
+      ->check(CLI::Range(1U, 4096U))
+      ->capture_default_str()
+      ->type_name("N");
+}
+
+void add_max_time(CLI::App& command, Labour& labour) {
+  const std::map<std::string, double> units{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+  command
+      .add_option("--max-time", labour.max_time,
+                  "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on")
+      ->transform(CLI::AsNumberWithUnit(units, CLI::AsNumberWithUnit::Options::CASE_INSENSITIVE, "TIME"))
+      ->type_name("T");
+}
+
+ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
+                  const experiment::ExperimentResult& result, const Conclusion& how) {
+  const std::string text = report::report_text(experiment, result, how.system);
+  report::write_atomically(folder.report_path(), text);
+  const std::string where = fmt::format("report: {}\n", folder.report_path().string());
+  print_result(how.loudness.json ? text : summary_of(experiment, result) + where);
+  return ExitCode::done;
+}
+
+report::SystemFacts system_facts(unsigned threads) {
+  return {.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = threads};
+}
+
+ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
+                       const Labour& labour) {
+  report::SystemFacts system = system_facts(labour.threads);
+  const Stretch stretch = work(experiment, store, labour);
+  if (stretch.end == experiment::RunEnd::stopped) return explain_stop(folder, stretch);
+  if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
+  system.duration_s = stretch.duration_s;
+  const auto result = experiment::result_of(experiment, store);
+  const ExitCode code = conclude(folder, experiment, result.value(), {.system = system, .loudness = labour.loudness});
+  if (!labour.loudness.quiet) {
+    print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(labour.threads, "thread")));
+  }
+  return code;
+}
+
+}  // namespace rocking::program

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+
+#include <CLI/CLI.hpp>
+
+#include "exit_code.hpp"
+#include "output.hpp"
+#include "rocking/experiment/experiment.hpp"
+#include "rocking/experiment/result.hpp"
+#include "rocking/experiment/store.hpp"
+#include "rocking/report/write_report.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+
+/// How to work: what `run`, `resume` and `verify` have in common.
+struct Labour {
+  unsigned threads;
+  std::optional<double> max_time;  ///< stop cleanly after this long [s]
+  Loudness loudness;
+};
+
+/// Adds `-j`, and `--max-time` where a run can go on later.
+void add_threads(CLI::App& command, Labour& labour);
+void add_max_time(CLI::App& command, Labour& labour);
+
+/// Runs what the store lacks. When nothing is missing any more it writes the report and prints the table; otherwise it says
+/// how to go on.
+[[nodiscard]] ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& experiment,
+                                     experiment::Store& store, const Labour& labour);
+
+/// What a report says of where it was made, and how loudly that is told.
+struct Conclusion {
+  report::SystemFacts system;
+  Loudness loudness;
+};
+
+/// Facts of this process, at this time.
+[[nodiscard]] report::SystemFacts system_facts(unsigned threads);
+
+/// Writes the report and prints the table.
+[[nodiscard]] ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
+                                const experiment::ExperimentResult& result, const Conclusion& how);
+
+}  // namespace rocking::program

@@ -1,0 +1,73 @@
+#include <algorithm>
+#include <memory>
+#include <string>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "rocking/experiment/comparison.hpp"
+#include "rocking/report/write_comparison.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct CompareRequest {
+  std::string first;
+  std::string second;
+  Loudness loudness;
+};
+
+struct FinishedRun {
+  experiment::Store store;
+  experiment::Experiment experiment;
+};
+
+FinishedRun finished_run(const std::string& folder) {
+  experiment::Store store = RunFolder(folder).open_store(experiment::sqlite::Access::read);
+  experiment::Experiment experiment = experiment_of(store.identity());
+  return {std::move(store), std::move(experiment)};
+}
+
+ExitCode compare(const CompareRequest& request) {
+  const FinishedRun first = finished_run(request.first);
+  const FinishedRun second = finished_run(request.second);
+  if (first.experiment.seed != second.experiment.seed) {
+    throw UsageError(
+        fmt::format("{} and {} have other seeds, so no draws in common; run one of them again with the seed of the "
+                    "other",
+                    request.first, request.second));
+  }
+  const std::size_t conditions = first.experiment.conditions.size();
+  if (second.experiment.conditions.size() != conditions) {
+    throw UsageError(fmt::format("{} has {}, {} has {}; compare runs of which the sweeps go over as many points",
+                                 request.first, counted(conditions, "condition"), request.second,
+                                 counted(second.experiment.conditions.size(), "condition")));
+  }
+  const report::ComparedRuns runs{.first = &first.experiment,
+                                  .second = &second.experiment,
+                                  .conditions = experiment::compare(first.store, second.store, conditions)};
+  print_result(request.loudness.json ? report::comparison_text(runs) : report::comparison_table(runs));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_compare(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<CompareRequest>();
+  CLI::App* command =
+      app.add_subcommand("compare", "What does a setting change? Two runs, pairwise with their common draws");
+  command->footer(
+      "Example: rocking compare out tighter\n"
+      "sets each realisation of out beside the one of tighter that has the same draws. Both runs have the same seed "
+      "and as\n"
+      "many conditions; they may differ in anything else (amplitude, tolerance, formulation, sigma).");
+  command->add_option("DIR_A", request->first, "Folder of a run")->required();
+  command->add_option("DIR_B", request->second, "Folder of another")->required();
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return compare(*request); }; });
+}
+
+}  // namespace rocking::program

@@ -1,0 +1,61 @@
+#include <memory>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/trajectory.hpp"
+#include "rocking/report/write_trajectory.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct ReplayRequest {
+  std::string folder;
+  experiment::RealisationKey key;
+  Loudness loudness;
+};
+
+ExitCode replay(const ReplayRequest& request) {
+  const auto& [condition_number, number] = request.key;
+  const experiment::Store store = RunFolder(request.folder).open_store(experiment::sqlite::Access::read);
+  const experiment::Experiment experiment = experiment_of(store.identity());
+  const auto stored = store.find(request.key);
+  if (!stored) {
+    throw UsageError(fmt::format("{} holds no realisation {} of condition {}; both count from 0", request.folder,
+                                 number, condition_number));
+  }
+  const experiment::Condition& condition = experiment.conditions.at(condition_number);
+  const experiment::Record record = experiment::realise(condition, experiment.seed, number);
+  if (experiment::digest_of(record, number) != stored->digest) {
+    print_notice(
+        fmt::format("condition {}, realisation {}: this program gives another realisation than the one stored in {}, "
+                    "which rocking {} made; this is {}",
+                    condition_number, number, request.folder, store.identity().code, code_identity()));
+    return ExitCode::check_failed;
+  }
+  const std::int64_t periods = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
+  print_result(report::trajectory_text(request.key, trajectory_of(condition, experiment.seed, number, periods)));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<ReplayRequest>();
+  CLI::App* command = app.add_subcommand("replay", "Follow one realisation of a run again, checked against its digest");
+  command->footer(
+      "Example: rocking replay out --condition 12 --realisation 3\n"
+      "prints what `rocking trajectory` does, from a run's folder alone. Exit code 1 if the bits differ from the "
+      "run's.");
+  command->add_option("DIR", request->folder, "Folder of the run")->required();
+  command->add_option("--condition", request->key.condition, "Which point of the sweep")->required()->type_name("I");
+  command->add_option("--realisation", request->key.realisation, "Which realisation of it")->required()->type_name("K");
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return replay(*request); }; });
+}
+
+}  // namespace rocking::program

@@ -1,0 +1,47 @@
+#include <memory>
+
+#include <fmt/format.h>
+
+#include "campaign.hpp"
+#include "commands.hpp"
+#include "machine.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct ResumeRequest {
+  std::string folder;
+  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+};
+
+ExitCode resume(const ResumeRequest& request) {
+  if (!RunFolder(request.folder).has_store()) throw MissingInput(request.folder + ": holds no run to go on with");
+  RunFolder folder(request.folder);
+  folder.claim();
+  experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
+  if (store.identity().code != code_identity()) {
+    throw InTheWay(
+        fmt::format("{}: was begun by rocking {}, this is {}, which may give other results; finish it with that, "
+                    "or begin anew in another folder",
+                    request.folder, store.identity().code, code_identity()));
+  }
+  return carry_through(folder, experiment_of(store.identity()), store, request.labour);
+}
+
+}  // namespace
+
+void add_resume(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<ResumeRequest>();
+  CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
+  command->footer(
+      "Example: rocking resume out\n"
+      "runs what out/realisations.sqlite lacks and writes the report, with the same bytes as if nothing had happened.");
+  command->add_option("DIR", request->folder, "Folder of the run")->required();
+  add_threads(*command, request->labour);
+  add_max_time(*command, request->labour);
+  add_loudness(*command, request->labour.loudness);
+  command->final_callback([&action, request] { action = [request] { return resume(*request); }; });
+}
+
+}  // namespace rocking::program

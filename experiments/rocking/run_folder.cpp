@@ -1,0 +1,59 @@
+#include "run_folder.hpp"
+
+#include <cerrno>
+#include <system_error>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include "exit_code.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/read_experiment.hpp"
+
+namespace rocking::program {
+
+RunFolder::~RunFolder() {
+  if (lock_ >= 0) ::close(lock_);
+}
+
+void RunFolder::claim() {
+  report::ensure_writable(path_);
+  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0) throw std::system_error(errno, std::generic_category(), name() + ": cannot be opened");
+  // A file system that knows no locks cannot tell; there the user has to.
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    throw InTheWay(name() + ": another `rocking` is at work in this folder; wait for it, or choose another folder");
+  }
+}
+
+experiment::Store RunFolder::create_store(const experiment::Identity& identity) const {
+  return experiment::Store::create(store_path(), identity);
+}
+
+experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const {
+  if (!has_store()) throw MissingInput(name() + ": holds no run (there is no realisations.sqlite)");
+  return experiment::Store::open(store_path(), access);
+}
+
+void RunFolder::clear() const {
+  std::filesystem::remove(report_path());
+  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(store_path().string() + suffix);
+}
+
+std::string code_identity() {
+  const base::BuildInfo build = base::build_info();
+  return fmt::format("{} {}", build.version, build.revision);
+}
+
+experiment::Experiment experiment_of(const experiment::Identity& identity) {
+  try {
+    return report::read_experiment(identity.experiment, {}, {.files = report::files_seen_from(identity.files)});
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
+
+}  // namespace rocking::program

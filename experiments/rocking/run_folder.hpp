@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+#include "rocking/experiment/store.hpp"
+
+namespace rocking::program {
+
+/// What `rocking` may do in a folder in which another one is at work.
+enum class Use : std::uint8_t { alone, beside_others };
+
+/// A folder with the outcome of a run: the store of its realisations and, once all are done, its report.
+class RunFolder {
+ public:
+  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  RunFolder(const RunFolder&) = delete;
+  RunFolder& operator=(const RunFolder&) = delete;
+  ~RunFolder();
+
+  /// Makes the folder if need be, checks that it can be written to, and keeps others from working in it as long as this
+  /// object lives. Throws InTheWay where another process does, std::system_error with the path where it cannot be used.
+  void claim();
+
+  [[nodiscard]] bool has_store() const { return std::filesystem::exists(store_path()); }
+  [[nodiscard]] bool has_report() const { return std::filesystem::exists(report_path()); }
+  /// A new store. Throws as experiment::Store does.
+  [[nodiscard]] experiment::Store create_store(const experiment::Identity& identity) const;
+  /// The store that is there. Throws MissingInput where none is, otherwise as experiment::Store does.
+  [[nodiscard]] experiment::Store open_store(experiment::sqlite::Access access) const;
+  /// Removes store and report.
+  void clear() const;
+
+  [[nodiscard]] std::string name() const { return path_.string(); }
+  [[nodiscard]] std::filesystem::path store_path() const { return path_ / "realisations.sqlite"; }
+  [[nodiscard]] std::filesystem::path report_path() const { return path_ / "report.json"; }
+
+ private:
+  std::filesystem::path path_;
+  int lock_ = -1;
+};
+
+/// Version and revision of this program, as a store knows it.
+[[nodiscard]] std::string code_identity();
+
+/// The experiment that a store belongs to. Throws InputError or MissingInput where a file that it names has changed or is
+/// gone.
+[[nodiscard]] experiment::Experiment experiment_of(const experiment::Identity& identity);
+
+}  // namespace rocking::program

@@ -1,0 +1,179 @@
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "campaign.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "machine.hpp"
+#include "progress.hpp"
+#include "rocking/base/digest.hpp"
+#include "rocking/experiment/run.hpp"
+#include "rocking/experiment/verification.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/read_report.hpp"
+#include "rocking/report/write_facts.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct VerifyRequest {
+  std::string folder;
+  std::optional<std::uint64_t> sample;
+  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+};
+
+/// What a check of a run brought to light.
+struct Findings {
+  std::vector<std::string> wrong;  ///< empty: nothing
+  std::uint64_t checked = 0;       ///< realisations that were run again
+};
+
+std::string text_of(const std::filesystem::path& path) {
+  try {
+    return report::read_file(path);
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
+
+class Verifier {
+ public:
+  explicit Verifier(const VerifyRequest& request)
+      : request_(&request),
+        folder_(request.folder),
+        report_(text_of(folder_.report_path())),
+        claims_(report::read_report(report_)) {}
+
+  Findings check() {
+    check_input();
+    if (!findings_.wrong.empty()) return findings_;  // what it asks is in doubt: nothing to run
+    if (folder_.has_store()) {
+      check_with_store(folder_.open_store(experiment::sqlite::Access::read));
+    } else if (request_->sample) {
+      throw UsageError(folder_.store_path().string() +
+                       ": is not there, so --sample has nothing to take one from; leave it out");
+    } else {
+      check_without_store();
+    }
+    if (!findings_.wrong.empty() && claims_.code != code_identity()) {
+      findings_.wrong.push_back(
+          fmt::format("the run is by rocking {}, this is {}: another version may give other results", claims_.code,
+                      code_identity()));
+    }
+    return findings_;
+  }
+
+ private:
+  void check_input() {
+    const std::string digest = base::to_hex(base::sha256(claims_.experiment));
+    if (digest == claims_.sha256) return;
+    findings_.wrong.push_back(
+        "report.json: input.experiment does not have the digest of input.sha256: one of them was changed");
+  }
+
+  void check_with_store(const experiment::Store& store) {
+    const experiment::Identity& identity = store.identity();
+    for (const std::string& difference : report::experiment_differences(claims_.experiment, identity.experiment)) {
+      findings_.wrong.push_back("report.json asks another question than realisations.sqlite answers: " + difference);
+    }
+    if (!findings_.wrong.empty()) return;
+    const experiment::Experiment experiment = experiment_of(identity);
+    const auto result = experiment::result_of(experiment, store);
+    if (!result) {
+      findings_.wrong.push_back("realisations.sqlite lacks realisations that report.json counts");
+    } else {
+      compare_report(experiment, *result);
+    }
+    const auto again = experiment::verify(experiment, store, request_->sample, options());
+    findings_.checked = again.checked;
+    for (const auto& [key, fields] : again.differences) {
+      findings_.wrong.push_back(
+          fmt::format("condition {}, realisation {}: run again it differs from realisations.sqlite in {}",
+                      key.condition, key.realisation, fmt::join(fields, ", ")));
+    }
+    if (again.different > again.differences.size()) {
+      findings_.wrong.push_back(fmt::format("{} realisations differ in all", again.different));
+    }
+  }
+
+  void check_without_store() {
+    const experiment::Experiment experiment =
+        experiment_of({.experiment = claims_.experiment, .code = claims_.code, .files = request_->folder, .shard = {}});
+    const auto result = experiment::run(experiment, options());
+    if (!result) return;
+    for (const auto& condition : result->conditions) findings_.checked += condition.realisations;
+    compare_report(experiment, *result);
+  }
+
+  void compare_report(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
+    const std::string right = report::report_text(experiment, result, system_facts(1));
+    for (const std::string& difference : report::report_differences(report_, right)) {
+      findings_.wrong.push_back("report.json: " + difference);
+    }
+  }
+
+  experiment::RunOptions options() {
+    experiment::RunOptions options;
+    options.threads = request_->labour.threads;
+    options.stop_requested = &stop_on_interrupt();
+    options.on_progress = [this](std::uint64_t done, std::uint64_t all) { progress_.show(done, all); };
+    return options;
+  }
+
+  const VerifyRequest* request_;
+  RunFolder folder_;
+  std::string report_;
+  report::ReportClaims claims_;
+  Findings findings_;
+  Progress progress_{request_->labour.loudness.quiet || request_->labour.loudness.no_progress
+                         ? ProgressStyle::none
+                         : suitable_progress_style()};
+};
+
+ExitCode verify(const VerifyRequest& request) {
+  const Findings findings = Verifier(request).check();
+  if (why_stopped() != StopReason::none) {
+    print_notice("interrupted before the check was through");
+    return ExitCode::interrupted;
+  }
+  const bool right = findings.wrong.empty();
+  if (request.labour.loudness.json) {
+    print_result(report::facts_text(std::vector<report::Fact>{
+        {"verified", right}, {"realisations_run_again", findings.checked}, {"findings", findings.wrong}}));
+  } else if (right) {
+    print_result(fmt::format("{}: {} run again, all with the same bits; the report is what follows from them\n",
+                             request.folder, counted(findings.checked, "realisation")));
+  } else {
+    print_result(fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(findings.wrong, "\n  ")));
+  }
+  return right ? ExitCode::done : ExitCode::check_failed;
+}
+
+}  // namespace
+
+void add_verify(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<VerifyRequest>();
+  CLI::App* command = app.add_subcommand("verify", "Run a finished run again and compare the bits");
+  command->footer(
+      "Example: rocking verify out --sample 100\n"
+      "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations "
+      "come out\n"
+      "the same again. Without --sample all of them are run. Without the store, the report is compared with a new "
+      "run.");
+  command->add_option("DIR", request->folder, "Folder of the run")->required();
+  command
+      ->add_option("--sample", request->sample, "Run about this many realisations again, evenly spread; default: all")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 56U))
+      ->type_name("N");
+  add_threads(*command, request->labour);
+  add_loudness(*command, request->labour.loudness);
+  command->final_callback([&action, request] { action = [request] { return verify(*request); }; });
+}
+
+}  // namespace rocking::program

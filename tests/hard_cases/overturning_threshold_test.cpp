@@ -1,0 +1,171 @@
+// Where a block just overturns, found by bisection: against closed forms, and the same twice.
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+#include <gtest/gtest.h>
+
+#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/trajectory.hpp"
+#include "support/split_mix.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+using dynamics::EventKind;
+using dynamics::Termination;
+
+constexpr double psi = 0x1.f5b75f92c80ddp-3;  ///< of H/B = 4
+
+/// The parameter between which and the next the answer changes, or where `width` is reached.
+struct Bracket {
+  double stands;
+  double overturns;
+};
+
+Bracket bisect(const std::function<bool(double)>& overturns, Bracket bracket, double width) {
+  while (bracket.overturns - bracket.stands > width) {
+    const double middle = 0.5 * (bracket.stands + bracket.overturns);
+    if (middle <= bracket.stands || middle >= bracket.overturns) break;
+    (overturns(middle) ? bracket.overturns : bracket.stands) = middle;
+  }
+  return bracket;
+}
+
+bool is_overturned(const Condition& condition) {
+  return realise(condition, 0, 0).termination == Termination::overturned;
+}
+
+// --- an initial rate ---------------------------------------------------------------------------------------------------
+
+/// Upright, with the rate Theta'.
+Condition thrown(double rate) {
+  Condition condition;
+  condition.scene.excitation.frequency_ratio = 6.0;
+  condition.scene.initial.tilt_rate = rate;
+  condition.horizon = {.transient_periods = 0, .sampled_periods = 60};
+  return condition;
+}
+
+// w0^2/2 + cos(psi) = 1 at the balance: w0 = 2 sin(psi/2). The energy of a run is kept to a rounding, about 1e-16 of 1, over
+// some 10 units of time that are passed away from the balance; dE = w0 dw.
+constexpr double least_rate = 0.99750126918139714578;  // 2 sin(psi/2)/psi, mpmath
+constexpr double rate_error = 10 * 0x1p-53 / (0.2449 * 0.2449);
+
+TEST(OverturningRate, IsThatOfTheEnergyAtTheBalance) {
+  const auto overturns = [](double rate) { return is_overturned(thrown(rate)); };
+  const Bracket bracket = bisect(overturns, {0.9, 1.1}, 1e-15);
+  EXPECT_NEAR(bracket.stands, least_rate, rate_error);
+  EXPECT_LE(bracket.overturns - bracket.stands, 1e-15);
+  const Bracket mirrored = bisect([&](double rate) { return overturns(-rate); }, {0.9, 1.1}, 1e-15);
+  EXPECT_EQ(mirrored.stands, bracket.stands) << "to the bit";
+  EXPECT_EQ(mirrored.overturns, bracket.overturns);
+}
+
+TEST(OverturningRate, SeparatesWhatStandsFromWhatOverturnsOnEitherSide) {
+  support::SplitMix random(20121106);
+  for (int i = 0; i < 400; ++i) {
+    const double away = std::pow(10.0, random.uniform(-13.5, -2.0));
+    EXPECT_FALSE(is_overturned(thrown(least_rate - away))) << away;
+    EXPECT_TRUE(is_overturned(thrown(least_rate + away))) << away;
+  }
+}
+
+TEST(OverturningRate, IsPassedWithDifferentStoriesOnItsTwoSides) {
+  const Trajectory below = trajectory_of(thrown(least_rate - 1e-12), 0, 0, 60);
+  ASSERT_FALSE(below.events.empty());
+  EXPECT_EQ(below.events.front().kind, EventKind::impact_stick);
+  EXPECT_EQ(below.termination, Termination::reached_horizon);
+  const Trajectory above = trajectory_of(thrown(least_rate + 1e-12), 0, 0, 60);
+  ASSERT_EQ(above.events.size(), 2U);
+  EXPECT_EQ(above.events[0].kind, EventKind::past_balance);
+  EXPECT_EQ(above.events[1].kind, EventKind::overturn);
+}
+
+// --- a rectangular pulse -----------------------------------------------------------------------------------------------
+
+/// At rest under alpha = `push` that lasts for `tau`.
+Condition pushed(double push, double tau) {
+  Condition condition;
+  const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
+  condition.scene.excitation.amplitude = 1.0;
+  condition.scene.excitation.frequency_ratio = 6.0;
+  condition.scene.excitation.record = std::make_shared<const GroundMotion>(
+      GroundMotion{.samples = {{0.0, push, 0.0}, {tau / p, push, 0.0}, {tau / p, 0.0, 0.0}}, .has_vertical = false});
+  condition.horizon = {.transient_periods = 0, .sampled_periods = 60};
+  return condition;
+}
+
+struct Pulse {
+  double push;
+  double least;
+};
+
+// The pulse does the work alpha (sin(psi) - sin(phi1)), which must be 1 - cos(psi): that is where it may end. The time until
+// then is the integral of dphi/w, w^2/2 = cos(psi) - cos(phi) + alpha (sin(psi) - sin(phi)). Housner's formula is its limit
+// for psi -> 0. The integral below is mpmath's in 50 digits.
+TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlender) {
+  constexpr std::array<Pulse, 4> pulses{{{0.3, 1.787188386909848861},
+                                         {0.5, 0.694657418494709702},
+                                         {1.0, 0.289103269815816011},
+                                         {3.0, 0.0875931510258186665}}};
+  for (const auto& [push, least] : pulses) {
+    const auto overturns = [push](double tau) { return is_overturned(pushed(push, tau)); };
+    const Bracket bracket = bisect(overturns, {0.5 * least, 2.0 * least}, 1e-13);
+    // An error of time dt is one of energy alpha cos(phi) w dt; energy is known to ten roundings, and to what a step leaves
+    // out, 1e-13 psi of w, in a handful of steps.
+    const double rate = std::sqrt(2.0 * (1.0 - std::cos(psi)));
+    EXPECT_NEAR(bracket.stands, least, 1e-13 + (10 * 0x1p-53 + 5 * 1e-13 * psi * rate) / (push * 0.96 * 0.5 * rate))
+        << push;
+    EXPECT_TRUE(overturns(least + 1e-11)) << push;
+    EXPECT_FALSE(overturns(least - 1e-11)) << push;
+  }
+}
+
+// --- harmonic shaking --------------------------------------------------------------------------------------------------
+
+Condition shaken(double amplitude, double tolerance) {
+  Condition condition;
+  condition.scene.excitation.amplitude = amplitude;
+  condition.scene.excitation.frequency_ratio = 5.0;
+  condition.tolerance = tolerance;
+  condition.horizon = {.transient_periods = 0, .sampled_periods = 40};
+  return condition;
+}
+
+Bracket least_amplitude(double tolerance) {
+  return bisect([tolerance](double amplitude) { return is_overturned(shaken(amplitude, tolerance)); }, {2.0, 12.0},
+                1e-12);
+}
+
+// From rest the set of amplitudes that overturn has more than one edge; bisection finds one, and the same one each time.
+TEST(OverturningAmplitude, IsFoundWithTheSameBitsAgainAndToTheErrorOfTheStepsAtAnotherTolerance) {
+  const Bracket first = least_amplitude(1e-13);
+  EXPECT_LE(first.overturns - first.stands, 1e-12);
+  const Bracket again = least_amplitude(1e-13);
+  EXPECT_EQ(first.stands, again.stands);
+  EXPECT_EQ(first.overturns, again.overturns);
+  EXPECT_NEAR(least_amplitude(1e-15).stands, first.stands, 1e-10);
+}
+
+TEST(OverturningAmplitude, HasStoriesThatAreOneUntilTheBalanceAndThenPart) {
+  const Bracket bracket = least_amplitude(1e-13);
+  const Trajectory stands = trajectory_of(shaken(bracket.stands, 1e-13), 0, 0, 40);
+  const Trajectory overturns = trajectory_of(shaken(bracket.overturns, 1e-13), 0, 0, 40);
+  EXPECT_EQ(stands.termination, Termination::reached_horizon);
+  EXPECT_EQ(overturns.termination, Termination::overturned);
+  ASSERT_GT(stands.events.size(), overturns.events.size() - 2) << "one goes on rocking";
+  std::size_t common = 0;
+  while (common < overturns.events.size() && overturns.events[common].kind == stands.events[common].kind) ++common;
+  EXPECT_GE(common + 2, overturns.events.size()) << "nothing but the passage of the balance and the fall differs";
+  // The last in common is by the balance, where a distance of 1e-12 has become its root.
+  for (std::size_t i = 0; i + 1 < common; ++i) {
+    EXPECT_NEAR(overturns.events[i].tau, stands.events[i].tau, 1e-6) << i;
+  }
+}
+
+}  // namespace
+}  // namespace rocking::experiment

@@ -1,5 +1,6 @@
 // Trajectories that can be written down: elliptic integrals, exponentials, parabolas.
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -135,6 +136,59 @@ TEST(Sliding, FollowsItsClosedFormUnderHarmonicShaking) {
         EXPECT_NEAR(sample.slip_rate, rate, 2e-13) << sample.period;
         EXPECT_NEAR(sample.slip, slip, 2e-12) << sample.period;
         EXPECT_EQ(sample.contact, dynamics::ContactState::slide);
+      }
+    }
+  }
+}
+
+// On a still base V = V0 - (4/3) mu_k s tau: it stops after 3 abs(V0)/(4 mu_k), V0^2 3/(8 mu_k) away, and stays there.
+TEST(Sliding, StopsOnAStillBaseWhereAndWhenConstantFrictionSays) {
+  for (const double start : {2.0, -0.5, 1e-3, -1e-9}) {
+    const Trajectory trajectory = run(sliding(start, 0.0, 0.0), 40);
+    ASSERT_EQ(trajectory.events.size(), 1U);
+    const TrajectoryEvent& stop = trajectory.events[0];
+    EXPECT_EQ(stop.kind, EventKind::slide_stop);
+    // Each of some twenty steps rounds tau and X once; the root has the resolution of the time, 2^-49 of a period.
+    EXPECT_NEAR(stop.tau, 0.75 * std::abs(start) / 0.15, 20.0 * 0x1p-52 * stop.tau + 0x1p-49 * 0.2 * pi) << start;
+    EXPECT_NEAR(stop.slip, 0.375 * start * std::abs(start) / 0.15, 40.0 * 0x1p-52 * std::abs(stop.slip)) << start;
+    EXPECT_EQ(stop.slip_rate, 0.0);
+    EXPECT_EQ(trajectory.strobe.back().slip, stop.slip) << "it stays where it stopped";
+    EXPECT_EQ(trajectory.strobe.back().contact, dynamics::ContactState::rest);
+  }
+}
+
+// Without any friction nothing pushes the block sideways: its centre of mass goes on at a steady speed past a base that is
+// shaken, through rocking, slipping and impacts alike. In the frame of the base the speed is V - w cos(phi), the place
+// X + S (sin(phi) - sin(psi)), the drift of the base over whole periods -(4/3) (A/Omega) cos(Phi).
+TEST(FrictionlessRocking, LeavesItsCentreOfMassToItself) {
+  for (const double height : {1.5, 4.0, 10.0}) {
+    for (const double phase : {0.0, 0.7, 3.0}) {
+      Condition condition = still(0.7, height);
+      condition.scene.friction = Friction{.static_coefficient = 0.0, .kinetic_coefficient = 0.0};
+      condition.scene.excitation.phase = phase;
+      condition.scene.excitation.amplitude = 4.0;
+      condition.scene.initial.tilt_rate = 0.3;
+      condition.scene.initial.slip_rate = 0.2;
+      const dynamics::Geometry block = dynamics::geometry_of(condition.scene.block);
+      const auto speed = [&block](double tilt, double rate, double slip_rate) {
+        return slip_rate - rate * block.shape_angle * std::cos(block.shape_angle * (1.0 - std::abs(tilt)));
+      };
+      const auto place = [&block](double tilt, double slip) {
+        const double moved = std::sin(block.shape_angle * (1.0 - std::abs(tilt))) - block.sine;
+        return slip + (tilt < 0.0 ? -moved : moved);
+      };
+      const double v0 = speed(0.7, 0.3, 0.2);
+      const double drift = -4.0 / 3.0 * 4.0 * block.shape_angle / 10.0 * std::cos(phase);
+      const Trajectory trajectory = run(condition, 10);
+      EXPECT_TRUE(std::any_of(trajectory.events.begin(), trajectory.events.end(),
+                              [](const auto& event) { return event.kind == EventKind::impact_slip; }));
+      for (const TrajectorySample& sample : trajectory.strobe) {
+        const double tau = 0.2 * pi * static_cast<double>(sample.period);
+        if (sample.contact != dynamics::ContactState::rock_slide) break;  // a chatter's end drops a hop
+        EXPECT_NEAR(speed(sample.tilt, sample.tilt_rate, sample.slip_rate), v0, 1e-13)
+            << height << " " << sample.period;
+        EXPECT_NEAR(place(sample.tilt, sample.slip), place(0.7, 0.0) + (v0 + drift) * tau, 1e-13)
+            << height << " " << sample.period;
       }
     }
   }

@@ -127,6 +127,21 @@ TEST(TriangularPulse, PushesASlidingBlockByItsTwoIntegrals) {
   }
 }
 
+// Under a constant acceleration V' = -(4/3) (alpha - mu_k) from V = -2: it stops after 1.5/(mu_k - alpha), and rests as long
+// as abs(alpha) <= mu_s.
+TEST(RecordedConstant, StopsASlidingBlockWhereAndWhenConstantFrictionSays) {
+  for (const double alpha : {-0.09, 0.05, -0.4}) {
+    const Trajectory trajectory = run(sliding_under({{0.0, alpha}, {90.0, alpha}}), 40);
+    const double tau = 1.5 / (0.1 - alpha);
+    ASSERT_FALSE(trajectory.events.empty());
+    EXPECT_EQ(trajectory.events[0].kind, alpha < -0.1 ? EventKind::slip_reverse : EventKind::slide_stop);
+    // V is rounded at the end of some forty steps: over its slope, (4/3) (mu_k - alpha) >= 0.06, an error of tau.
+    EXPECT_NEAR(trajectory.events[0].tau, tau, 1e-13) << alpha;
+    EXPECT_NEAR(trajectory.events[0].slip, -tau, 1e-13) << alpha;
+    EXPECT_TRUE(alpha < -0.1 || trajectory.events.size() == 1U) << "it stays there";
+  }
+}
+
 TEST(Jump, ChangesTheAccelerationAtOnce) {
   const Trajectory trajectory = run(sliding_under({{0.0, 0.3}, {1.3, 0.3}, {1.3, -0.2}, {3.0, -0.2}}), 4);
   EXPECT_NEAR(trajectory.strobe.at(1).slip_rate, -2.0 + 4.0 / 3.0 * (0.2 - 0.3 * 1.3 + 0.2 * 0.7), 5e-15);

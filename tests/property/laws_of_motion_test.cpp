@@ -11,34 +11,34 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "property/mechanics.hpp"
+#include "property/scene.hpp"
 #include "rocking/dynamics/forces.hpp"
-#include "support/scripted_coefficients.hpp"
-#include "support/simulation.hpp"
 #include "support/split_mix.hpp"
 #include "support/walk.hpp"
 
 namespace rocking::dynamics {
 namespace {
 
-using support::ScriptedCoefficients;
+using property::Base;
+using property::edge_angle_of;
+using property::energy_of;
+using property::random_record;
+using property::rocks;
+using property::Scene;
+using property::slipping_normal;
+using property::slips;
+using property::with_simulation;
 using support::SplitMix;
-using support::Stage;
 using support::WalkNode;
 using support::WalkPiece;
-using ScriptedRun = support::Simulation<ScriptedCoefficients>;
 
-struct Scene {
-  Stage stage;
-  ScriptedCoefficients coefficients;
-
-  [[nodiscard]] double alpha(double tau) const { return stage.base_acceleration(coefficients.amplitude_value, tau); }
-};
-
-/// From slender to square, from weak to strong shaking, from ice to rubber; static friction redrawn at stops.
+/// From slender to squat, from weak to strong shaking, from ice to rubber; static friction redrawn at stops; every third
+/// base harmonic, recorded, recorded with a vertical motion.
 Scene random_scene(std::uint64_t number) {
   SplitMix draw(number);
   Scene scene;
-  scene.stage.block.height = std::exp2(draw.uniform(0.0, 3.5));
+  scene.stage.block.height = std::exp2(draw.uniform(-0.5, 3.5));
   scene.stage.frequency = draw.uniform(2.0, 12.0);
   scene.stage.phase = draw.uniform(0.0, 2.0 * std::numbers::pi);
   scene.stage.periods = 1'000'000'000;
@@ -49,7 +49,10 @@ Scene random_scene(std::uint64_t number) {
     scene.coefficients.statics = {mu_s, mu_s * draw.uniform(0.5, 1.5), mu_s * draw.uniform(0.5, 1.5), mu_s};
     scene.coefficients.kinetics = {mu_s * (draw.below(3) == 0 ? 2.0 : draw.uniform(0.3, 1.0))};
   }
-  scene.coefficients.restitutions = {draw.below(2) == 0 ? 0.0 : draw.uniform(-0.9, 0.3)};
+  // Above 1/3 the impact of a squat block may gain energy (lib/docs/model.md, section 4).
+  scene.coefficients.restitutions = {draw.below(2) == 0 ? 0.0 : draw.uniform(-0.9, psi < 0.62 ? 1.0 : 1.0 / 3.0)};
+  scene.base = static_cast<Base>(number % 3);
+  if (scene.base != Base::harmonic) scene.knots = random_record(scene.stage, 11.0, draw);
   if (draw.below(3) == 0) return scene;
   scene.stage.start.tilt = draw.uniform(-0.8, 0.8) * psi;
   scene.stage.start.tilt_rate = draw.uniform(-0.8, 0.8) * psi;
@@ -63,78 +66,70 @@ constexpr int most_pieces = 5'000;
 /// Calls visit(scene, run, piece) for each smooth piece of the first ten periods of each of many scenes. The numbers of
 /// the scenes that did not get there.
 template <class Visit>
-std::vector<std::uint64_t> on_every_motion(Visit&& visit) {
+std::vector<std::uint64_t> on_every_motion(Visit&& visit, double tolerance = 1e-13) {
   std::vector<std::uint64_t> stuck;
-  for (std::uint64_t number = 0; number < 1'500; ++number) {
+  for (std::uint64_t number = 0; number < 1'800; ++number) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, "scene " + std::to_string(number));
-    const Scene scene = random_scene(number);
-    ScriptedRun run(scene.stage, scene.coefficients);
+    Scene scene = random_scene(number);
+    scene.stage.tolerance = tolerance;
     const double end = 10.0 * scene.stage.period_length();
-    const bool done = support::walk(run, end, most_pieces, [&](const WalkPiece& piece) { visit(scene, run, piece); });
-    if (!done) stuck.push_back(number);
+    with_simulation(scene, [&](auto& run) {
+      const bool done = support::walk(run, end, most_pieces, [&](const WalkPiece& piece) { visit(scene, run, piece); });
+      if (!done) stuck.push_back(number);
+    });
     if (testing::Test::HasFailure()) break;
   }
   return stuck;
 }
 
-double edge_angle_of(const State& state, const Scene& scene) {
-  return scene.stage.geometry().shape_angle - std::abs(state.tilt);
-}
-
-/// Energy over m R^2 p^2 in the frame of the base: the centre of mass moves at (V - w cos(phi), S w sin(phi)).
-double energy_of(const State& state, const Scene& scene) {
-  const double phi = edge_angle_of(state, scene);
-  const double x = state.slip_rate - state.tilt_rate * std::cos(phi);
-  const double y = state.tilt_rate * std::sin(phi);
-  return 0.5 * (x * x + y * y + state.tilt_rate * state.tilt_rate / 3.0) + 4.0 / 3.0 * std::cos(phi);
-}
-
-/// N of a slipping block: 4/3 in full contact, J (G - w^2 cos(phi))/D over an edge.
-double slipping_normal(const State& state, const Scene& scene, double mu_k) {
-  if (state.contact == ContactState::slide) return 4.0 / 3.0;
-  const double phi = edge_angle_of(state, scene);
-  const double q = state.side * std::sin(phi) + state.slip_direction * mu_k * std::cos(phi);
-  const double determinant = 1.0 / 3.0 + state.side * std::sin(phi) * q;
-  return (4.0 / 3.0 - state.tilt_rate * state.tilt_rate * std::cos(phi)) / (3.0 * determinant);
-}
-
-bool slips(const State& state) {
-  return state.contact == ContactState::slide || state.contact == ContactState::rock_slide;
-}
-
-bool rocks(const State& state) {
-  return state.contact == ContactState::rock || state.contact == ContactState::rock_slide;
-}
-
 TEST(Motion, NeverStandsStillInTime) {
-  const auto stuck = on_every_motion([](const Scene&, const ScriptedRun&, const WalkPiece&) {});
+  const auto stuck = on_every_motion([](const Scene&, const auto&, const WalkPiece&) {});
   EXPECT_THAT(stuck, testing::IsEmpty()) << "these scenes take more than " << most_pieces << " steps for ten periods";
 }
 
-// dE = -(4/3) alpha (V - w cos(phi)) - s mu_k N V: the work of the base and of friction. The step's last terms are below
-// 1e-13, so that a piece is off by no more than a few of them, times rates of order one; Gauss's formula adds nothing.
-TEST(Energy, ChangesByTheWorkOfBaseAndFriction) {
-  on_every_motion([](const Scene& scene, const ScriptedRun&, const WalkPiece& piece) {
-    double work = 0.0;
-    for (const WalkNode& node : piece.nodes) {
-      const State& state = node.state;
-      const double x = state.slip_rate - state.tilt_rate * std::cos(edge_angle_of(state, scene));
-      double power = -4.0 / 3.0 * scene.alpha(node.tau) * x;
-      if (slips(state)) {
-        const double mu_k = piece.kinetic_friction;
-        power -= state.slip_direction * mu_k * slipping_normal(state, scene, mu_k) * state.slip_rate;
-      }
-      work += node.weight * power;
-    }
-    const double change = energy_of(piece.end, scene) - energy_of(piece.start, scene);
-    ASSERT_NEAR(change, work, 2e-12 * (1.0 + energy_of(piece.start, scene)))
-        << "from tau = " << piece.start_tau << " to " << piece.end_tau << " in " << to_string(piece.start.contact);
-  });
+// dE = -(4/3) (alpha (V - w cos(phi)) + alpha_v S w sin(phi)) - s mu_k N V: the work of the base and of friction. A step's
+// last two terms are at most the tolerance, in Theta' and in V; where the terms fall off evenly it leaves out less than
+// twice that in each rate, and in the energy that times a few momenta of order 1 + E. Terms that come near a cosine's
+// zero twice in a row, to a share s, hide 1/s as much and do so with a chance of s^2. Gauss's formula adds nothing.
+// Rounding: some hundred of 2^-53.
+class EnergyAtTolerance : public testing::TestWithParam<double> {};
+
+TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
+  std::size_t pieces = 0;
+  std::size_t beyond = 0;
+  on_every_motion(
+      [&](const Scene& scene, const auto&, const WalkPiece& piece) {
+        double work = 0.0;
+        for (const WalkNode& node : piece.nodes) {
+          const State& state = node.state;
+          const double x = state.slip_rate - state.tilt_rate * std::cos(edge_angle_of(state, scene));
+          const auto [alpha, weight] = scene.ground(node.tau);
+          const double y = state.tilt_rate * state.side * std::sin(edge_angle_of(state, scene));
+          double power = -4.0 / 3.0 * (alpha * x + (rocks(state) ? (weight - 1.0) * y : 0.0));
+          if (slips(state)) {
+            const double mu_k = piece.kinetic_friction;
+            power -= state.slip_direction * mu_k * slipping_normal(state, scene, node.tau, mu_k) * state.slip_rate;
+          }
+          work += node.weight * power;
+        }
+        const double change = energy_of(piece.end, scene) - energy_of(piece.start, scene);
+        const double error = std::abs(change - work) / (1.0 + energy_of(piece.start, scene));
+        ++pieces;
+        if (error > 20.0 * GetParam() + 2e-14) ++beyond;
+        ASSERT_LE(error, 2000.0 * GetParam() + 2e-14)
+            << "from tau = " << piece.start_tau << " to " << piece.end_tau << " in " << to_string(piece.start.contact);
+      },
+      GetParam());
+  EXPECT_GT(pieces, 50'000U);
+  EXPECT_LE(beyond, pieces / 10'000) << "of " << pieces;
 }
 
-// Only impacts take energy at an instant, and none gives any (e <= 1/3 here). What a chatter drops is below its tolerance.
+INSTANTIATE_TEST_SUITE_P(All, EnergyAtTolerance, testing::Values(1e-13, 1e-11, 1e-8));
+
+// Only impacts take energy at an instant, and none gives any (e <= 1/3 here where blocks are squat). What a chatter drops
+// is below its tolerance.
 TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
-  on_every_motion([](const Scene& scene, const ScriptedRun& run, const WalkPiece& piece) {
+  on_every_motion([](const Scene& scene, const auto& run, const WalkPiece& piece) {
     bool lands = false;
     for (std::size_t k = piece.first_event; k < run.log.events.size(); ++k) {
       const EventKind kind = run.log.events[k].kind;
@@ -149,10 +144,11 @@ TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
 }
 
 TEST(Friction, OfARockingBlockStaysWithinItsConeWhileItPressesOnTheBase) {
-  on_every_motion([](const Scene& scene, const ScriptedRun&, const WalkPiece& piece) {
+  on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
     if (piece.start.contact != ContactState::rock || piece.end_tau == piece.start_tau) return;
     for (const WalkNode& node : piece.nodes) {
-      const Forces forces = rocking_forces(node.state, scene.alpha(node.tau), 1.0, scene.stage.geometry());
+      const Forces forces = rocking_forces(node.state, scene.ground(node.tau).alpha, scene.ground(node.tau).weight,
+                                           scene.stage.geometry());
       if (forces.normal <= 0.0) continue;
       ASSERT_LE(std::abs(forces.friction), piece.static_friction * forces.normal + 1e-11) << "at tau = " << node.tau;
     }
@@ -160,7 +156,7 @@ TEST(Friction, OfARockingBlockStaysWithinItsConeWhileItPressesOnTheBase) {
 }
 
 TEST(Friction, OpposesTheSlip) {
-  on_every_motion([](const Scene&, const ScriptedRun&, const WalkPiece& piece) {
+  on_every_motion([](const Scene&, const auto&, const WalkPiece& piece) {
     for (const WalkNode& node : piece.nodes) {
       if (!slips(node.state)) {
         ASSERT_EQ(node.state.slip_rate, 0.0) << "at tau = " << node.tau;
@@ -171,15 +167,35 @@ TEST(Friction, OpposesTheSlip) {
   });
 }
 
+// F is what Newton's law leaves for friction: the change of the centre's horizontal speed, V - w cos(phi), and (4/3) alpha.
+// A thousand tolerances, since a step's last terms may hide what it leaves out, as above.
+TEST(Friction, OfASlippingBlockIsItsShareOfTheNormalForceAgainstTheSlip) {
+  on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
+    if (!slips(piece.start)) return;
+    const auto speed = [&scene](const State& state) {
+      return state.slip_rate - state.tilt_rate * std::cos(edge_angle_of(state, scene));
+    };
+    double friction = speed(piece.end) - speed(piece.start);
+    double normal = 0.0;
+    for (const WalkNode& node : piece.nodes) {
+      friction += node.weight * 4.0 / 3.0 * scene.ground(node.tau).alpha;
+      normal += node.weight * slipping_normal(node.state, scene, node.tau, piece.kinetic_friction);
+    }
+    ASSERT_NEAR(friction, -piece.start.slip_direction * piece.kinetic_friction * normal, 1e-10 * (1.0 + normal))
+        << "from tau = " << piece.start_tau << " to " << piece.end_tau;
+  });
+}
+
 TEST(FullContact, HoldsOnlyWithinItsThresholds) {
-  on_every_motion([](const Scene& scene, const ScriptedRun&, const WalkPiece& piece) {
+  on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
     const double tangent = scene.stage.geometry().tangent;
     for (const WalkNode& node : piece.nodes) {
       if (rocks(node.state)) continue;
       ASSERT_EQ(node.state.tilt, 0.0);
       ASSERT_EQ(node.state.tilt_rate, 0.0);
       if (node.state.contact == ContactState::rest) {
-        ASSERT_LE(std::abs(scene.alpha(node.tau)), std::min(tangent, piece.static_friction) + 1e-14);
+        ASSERT_LE(std::abs(scene.ground(node.tau).alpha),
+                  std::min(tangent, piece.static_friction) * scene.ground(node.tau).weight + 1e-14);
       } else {
         ASSERT_LE(piece.kinetic_friction, tangent) << "it would tip, tau = " << node.tau;
       }
@@ -188,7 +204,7 @@ TEST(FullContact, HoldsOnlyWithinItsThresholds) {
 }
 
 TEST(Rocking, StaysOverItsEdge) {
-  on_every_motion([](const Scene&, const ScriptedRun&, const WalkPiece& piece) {
+  on_every_motion([](const Scene&, const auto&, const WalkPiece& piece) {
     for (const WalkNode& node : piece.nodes) {
       ASSERT_TRUE(!rocks(node.state) || node.state.tilt * node.state.side >= -1e-15) << "at tau = " << node.tau;
     }
@@ -196,12 +212,13 @@ TEST(Rocking, StaysOverItsEdge) {
 }
 
 TEST(NormalForce, IsPositiveOrItsLossIsReported) {
-  on_every_motion([](const Scene& scene, const ScriptedRun& run, const WalkPiece& piece) {
+  on_every_motion([](const Scene& scene, const auto& run, const WalkPiece& piece) {
     for (const WalkNode& node : piece.nodes) {
       if (!rocks(node.state)) continue;
-      const double normal = slips(node.state)
-                                ? slipping_normal(node.state, scene, piece.kinetic_friction)
-                                : rocking_forces(node.state, scene.alpha(node.tau), 1.0, scene.stage.geometry()).normal;
+      const double normal = slips(node.state) ? slipping_normal(node.state, scene, node.tau, piece.kinetic_friction)
+                                              : rocking_forces(node.state, scene.ground(node.tau).alpha,
+                                                               scene.ground(node.tau).weight, scene.stage.geometry())
+                                                    .normal;
       if (normal >= -1e-12) continue;
       ASSERT_GT(run.motion.losses_of_contact(), 0U) << "at tau = " << node.tau;
       ASSERT_LE(run.motion.first_loss_of_contact(), node.tau + 1e-12);
@@ -211,7 +228,7 @@ TEST(NormalForce, IsPositiveOrItsLossIsReported) {
 
 // X is the integral of V, across events too.
 TEST(Slip, IsTheIntegralOfItsRate) {
-  on_every_motion([](const Scene&, const ScriptedRun&, const WalkPiece& piece) {
+  on_every_motion([](const Scene&, const auto&, const WalkPiece& piece) {
     double slip = piece.start.slip;
     for (const WalkNode& node : piece.nodes) slip += node.weight * node.state.slip_rate;
     ASSERT_NEAR(piece.end.slip, slip, 1e-13 * (1.0 + std::abs(slip)));

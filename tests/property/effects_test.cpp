@@ -1,0 +1,242 @@
+// Effects one by one and together: every combination of what may fluctuate with every kind of base motion runs, and what a
+// scene does not ask for is not computed, to the last bit and the last count.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/trajectory.hpp"
+#include "rocking/report/read_experiment.hpp"
+#include "support/experiment_text.hpp"
+#include "support/split_mix.hpp"
+
+namespace rocking {
+namespace {
+
+using experiment::Condition;
+using experiment::Effort;
+using experiment::Record;
+using experiment::Trajectory;
+using report::Json;
+using support::SplitMix;
+
+enum class Base { harmonic, recorded, recorded_with_vertical, recorded_with_zero_vertical };
+
+/// Ten seconds of strong shaking at three cycles a second, no two alike, with a jump now and then.
+std::string record_text(Base base) {
+  SplitMix draw(7);
+  std::string text;
+  for (int i = 0; i <= 500; ++i) {
+    const double horizontal = draw.uniform(12.0, 18.0) * std::sin(0.38 * i);
+    const double vertical = base == Base::recorded_with_vertical ? draw.uniform(-2.0, 2.0) : 0.0;
+    const int place = i % 50 == 49 ? i - 1 : i;
+    text += std::to_string(0.02 * place) + " " + std::to_string(horizontal);
+    text += base == Base::recorded ? "\n" : " " + std::to_string(vertical) + "\n";
+  }
+  return text;
+}
+
+/// What a scene asks for. Static and kinetic friction fluctuate only where there is friction; the amplitude only under
+/// harmonic shaking: the reader refuses the rest.
+struct Combination {
+  Base base = Base::harmonic;
+  bool friction = false;
+  bool static_friction = false;
+  bool kinetic_friction = false;
+  bool restitution = false;
+  bool amplitude = false;
+
+  [[nodiscard]] bool is_random() const { return static_friction || kinetic_friction || restitution || amplitude; }
+
+  [[nodiscard]] std::string name() const {
+    std::string text = "base " + std::to_string(static_cast<int>(base));
+    if (friction) text += ", friction";
+    if (static_friction) text += ", mu_s";
+    if (kinetic_friction) text += ", mu_k";
+    if (restitution) text += ", e";
+    if (amplitude) text += ", A_h";
+    return text;
+  }
+};
+
+std::vector<Combination> all_combinations() {
+  std::vector<Combination> all;
+  for (const Base base : {Base::harmonic, Base::recorded, Base::recorded_with_vertical}) {
+    for (unsigned bits = 0; bits < 32; ++bits) {
+      const Combination one{.base = base,
+                            .friction = (bits & 1U) != 0,
+                            .static_friction = (bits & 2U) != 0,
+                            .kinetic_friction = (bits & 4U) != 0,
+                            .restitution = (bits & 8U) != 0,
+                            .amplitude = (bits & 16U) != 0};
+      if (!one.friction && (one.static_friction || one.kinetic_friction)) continue;
+      if (base != Base::harmonic && one.amplitude) continue;
+      all.push_back(one);
+    }
+  }
+  return all;
+}
+
+Json document_of(const Combination& combination) {
+  Json document = support::least_experiment();
+  document["horizon"] = {{"transient_periods", 10}, {"sampled_periods", 20}};
+  document["excitation"] = {{"amplitude", 7.0}, {"frequency_ratio", 10.0}};
+  if (combination.base != Base::harmonic) {
+    document["excitation"] = {{"kind", "recorded"}, {"file", "pulses.txt"}, {"frequency_ratio", 10.0}};
+  }
+  if (combination.friction) document["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
+  if (combination.static_friction) document["fluctuation"]["static_friction"] = {{"sigma", 0.03}};
+  if (combination.kinetic_friction) document["fluctuation"]["kinetic_friction"] = {{"sigma", 0.03}};
+  if (combination.restitution) document["fluctuation"]["restitution"] = {{"sigma", 0.05}};
+  if (combination.amplitude) document["fluctuation"]["amplitude"] = {{"sigma", 0.2}};
+  return document;
+}
+
+Condition condition_of(const Json& document, Base base) {
+  const auto file = [base](const std::string&, std::size_t) { return record_text(base); };
+  return report::read_experiment(document.dump(), {}, {.files = file}).conditions.at(0);
+}
+
+Condition condition_of(const Combination& combination) {
+  return condition_of(document_of(combination), combination.base);
+}
+
+constexpr std::uint64_t seed = 0x2012;
+
+std::uint64_t count_of(const Effort& effort, dynamics::EventKind kind) {
+  return effort.events[static_cast<std::size_t>(kind)];
+}
+
+TEST(EveryCombination, OfEffectsRunsToItsEnd) {
+  EXPECT_EQ(all_combinations().size(), 40U);
+  for (const Combination& combination : all_combinations()) {
+    const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
+    const Condition condition = condition_of(combination);
+    for (std::uint64_t realisation = 0; realisation < 4; ++realisation) {
+      const Record record = experiment::realise(condition, seed, realisation);
+      EXPECT_NE(record.termination, dynamics::Termination::painleve);
+      EXPECT_NE(record.termination, dynamics::Termination::stopped);
+      EXPECT_EQ(record.contradictions, 0U);
+      EXPECT_EQ(record.strobe.size() == 30U, record.termination == dynamics::Termination::reached_horizon);
+      for (const auto& point : record.strobe) {
+        ASSERT_TRUE(std::isfinite(point.tilt) && std::isfinite(point.tilt_rate) && std::isfinite(point.slip_rate));
+      }
+    }
+  }
+}
+
+TEST(EveryCombination, CountsWorkForTheEffectsThatItHasAndNoneForTheOthers) {
+  for (const Combination& combination : all_combinations()) {
+    const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
+    const Record record = experiment::realise(condition_of(combination), seed, 1);
+    const Effort& effort = record.effort;
+    EXPECT_EQ(effort.static_friction_draws > 0, combination.static_friction);
+    EXPECT_EQ(effort.kinetic_friction_draws > 0, combination.kinetic_friction);
+    EXPECT_EQ(effort.restitution_draws > 0, combination.restitution);
+    EXPECT_EQ(effort.amplitude_draws > 0, combination.amplitude);
+    EXPECT_EQ(effort.initial_draws, 0U);
+    EXPECT_EQ(effort.slip_steps > 0, combination.friction);
+    EXPECT_EQ(count_of(effort, dynamics::EventKind::slip_start) > 0, combination.friction);
+    EXPECT_EQ(effort.record_segments > 0, combination.base != Base::harmonic);
+    EXPECT_TRUE(effort.companion_periods == 0 || combination.base == Base::harmonic);
+    EXPECT_GT(count_of(effort, dynamics::EventKind::impact_stick) + count_of(effort, dynamics::EventKind::impact_slip),
+              9U);
+    const auto& clamps = record.clamps;
+    EXPECT_TRUE(clamps.kinetic_at_static == 0 || combination.static_friction || combination.kinetic_friction);
+    EXPECT_EQ(clamps.kinetic_at_zero + clamps.static_at_zero + clamps.restitution + clamps.amplitude_at_zero, 0U);
+  }
+}
+
+/// All bits of what two realisations did, and of how they are judged.
+void expect_same(const Condition& one, const Condition& other) {
+  for (std::uint64_t realisation = 0; realisation < 2; ++realisation) {
+    const Record a = experiment::realise(one, seed, realisation);
+    const Record b = experiment::realise(other, seed, realisation);
+    ASSERT_EQ(experiment::digest_of(a, 0), experiment::digest_of(b, 0));
+    EXPECT_EQ(to_string(a.verdict.mode), to_string(b.verdict.mode));
+    EXPECT_EQ(a.verdict.reason, b.verdict.reason);
+    EXPECT_EQ(a.verdict.margin, b.verdict.margin);
+    EXPECT_EQ(a.effort.steps, b.effort.steps);
+    EXPECT_EQ(a.losses_of_contact, b.losses_of_contact);
+    const Trajectory p = experiment::trajectory_of(one, seed, realisation, 30);
+    const Trajectory q = experiment::trajectory_of(other, seed, realisation, 30);
+    ASSERT_EQ(p.events.size(), q.events.size());
+    for (std::size_t i = 0; i < p.events.size(); ++i) {
+      ASSERT_EQ(p.events[i].kind, q.events[i].kind) << i;
+      ASSERT_EQ(p.events[i].tau, q.events[i].tau) << i;
+      ASSERT_EQ(p.events[i].tilt_rate, q.events[i].tilt_rate) << i;
+      ASSERT_EQ(p.events[i].slip, q.events[i].slip) << i;
+      ASSERT_EQ(p.events[i].slip_rate, q.events[i].slip_rate) << i;
+    }
+  }
+}
+
+TEST(EveryCombination, HasTheSameBitsWithASigmaOfZeroForWhatDoesNotFluctuate) {
+  for (const Combination& combination : all_combinations()) {
+    const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
+    Json document = document_of(combination);
+    Json& fluctuation = document["fluctuation"];
+    if (fluctuation.is_null()) fluctuation = Json::object();
+    if (!fluctuation.contains("restitution")) fluctuation["restitution"] = {{"sigma", 0.0}};
+    if (combination.base == Base::harmonic && !combination.amplitude) fluctuation["amplitude"] = {{"sigma", 0.0}};
+    if (combination.friction && !combination.static_friction) fluctuation["static_friction"] = {{"sigma", 0.0}};
+    if (combination.friction && !combination.kinetic_friction) {
+      fluctuation["kinetic_friction"] = {{"relative_sigma", 0.0}, {"refreshes_per_period", 50}};
+    }
+    expect_same(condition_of(combination), condition_of(document, combination.base));
+  }
+}
+
+// Friction of 5 carries whatever these bases ask for, and kinetic friction is then never looked at.
+TEST(EveryCombination, HasTheSameBitsWithFrictionThatNeverGivesWayAsWithNone) {
+  for (const Combination& combination : all_combinations()) {
+    if (!combination.friction) continue;
+    const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
+    Json with = document_of(combination);
+    with["friction"] = {{"static", 5.0}, {"kinetic", 1.0}};
+    Json without = with;
+    without.erase("friction");
+    if (without.contains("fluctuation")) {
+      without["fluctuation"].erase("static_friction");
+      without["fluctuation"].erase("kinetic_friction");
+    }
+    const Condition condition = condition_of(with, combination.base);
+    expect_same(condition, condition_of(without, combination.base));
+    const Effort effort = experiment::realise(condition, seed, 0).effort;
+    EXPECT_EQ(effort.slip_steps, 0U);
+    EXPECT_EQ(effort.kinetic_friction_draws, 0U);
+    EXPECT_EQ(effort.static_friction_draws, combination.static_friction ? 1U : 0U) << "the value at the start";
+  }
+}
+
+TEST(EveryCombination, HasTheSameBitsWithAVerticalMotionOfZeroAsWithNone) {
+  for (Combination combination : all_combinations()) {
+    if (combination.base != Base::recorded) continue;
+    const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
+    const Condition without = condition_of(combination);
+    combination.base = Base::recorded_with_zero_vertical;
+    const Condition with = condition_of(combination);
+    EXPECT_TRUE(with.scene.excitation.record->has_vertical);
+    EXPECT_FALSE(without.scene.excitation.record->has_vertical);
+    expect_same(without, with);
+  }
+}
+
+TEST(EveryEffect, ChangesWhatTheBlockDoes) {
+  for (const Combination& combination : all_combinations()) {
+    if (!combination.is_random()) continue;
+    const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
+    Combination still = combination;
+    still.static_friction = still.kinetic_friction = still.restitution = still.amplitude = false;
+    EXPECT_NE(experiment::digest_of(experiment::realise(condition_of(combination), seed, 1), 0),
+              experiment::digest_of(experiment::realise(condition_of(still), seed, 1), 0));
+  }
+}
+
+}  // namespace
+}  // namespace rocking

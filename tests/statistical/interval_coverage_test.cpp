@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <string>
 #include <vector>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <gtest/gtest.h>
 
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/sison_glaz.hpp"
 
 namespace {
 
@@ -74,9 +78,7 @@ TEST(ClopperPearson, CoversTheTruthAtLeastAsOftenAsItPromises) {
   }
 }
 
-TEST(ClopperPearson, IsNoWiderThanItsPromiseNeeds) {
-  EXPECT_LT(least_coverage(&clopper_pearson, 200, 0.95), 0.96);
-}
+TEST(ClopperPearson, IsNoWiderThanItsPromiseNeeds) { EXPECT_LT(least_coverage(&clopper_pearson, 200, 0.95), 0.96); }
 
 TEST(Wilson, CoversTheTruthAboutAsOftenAsItPromisesOnTheAverage) {
   for (const std::uint64_t n : {5U, 10U, 30U, 100U, 200U}) {
@@ -91,41 +93,194 @@ TEST(Wald, BreaksThePromiseSoThisTestCanSee) {
   }
 }
 
-/// Probability that the intervals of all three classes cover their truths at once, where `all` has those of each count.
-double joint_coverage(const std::vector<Interval>& all, const std::array<double, 3>& truth) {
-  const std::size_t n = all.size() - 1;
-  double covered = 0.0;
-  for (std::size_t a = 0; a <= n; ++a) {
-    for (std::size_t b = 0; a + b <= n; ++b) {
-      const std::array<std::size_t, 3> counts{a, b, n - a - b};
-      double probability = std::tgamma(static_cast<double>(n) + 1.0);
-      for (std::size_t i = 0; i < 3; ++i) {
-        const Interval& interval = all[counts[i]];
-        const auto k = static_cast<double>(counts[i]);
-        const bool covers = interval.low <= truth[i] && truth[i] <= interval.high;
-        probability *= covers ? std::pow(truth[i], k) / std::tgamma(k + 1.0) : 0.0;
-      }
-      covered += probability;
+TEST(Jeffreys, CoversTheTruthAboutAsOftenAsItPromisesOnTheAverage) {
+  for (const std::uint64_t n : {5U, 10U, 30U, 100U, 200U}) {
+    EXPECT_NEAR(mean_coverage(&jeffreys, n, 0.95), 0.95, 0.01) << n;
+  }
+}
+
+Interval of_unforeseen(const Proportion& proportion, double confidence) {
+  return exact_interval(proportion, Family{.foreseen = 6, .confidence = confidence}.of_unforeseen());
+}
+
+TEST(ExactInterval, MissesNoMoreOftenThanItsDoubt) {
+  for (const std::uint64_t n : sizes) {
+    const std::vector<Interval> all = intervals_of_all_counts(&of_unforeseen, n, 0.5);
+    const Doubt doubt = Family{.foreseen = 6, .confidence = 0.5}.of_unforeseen();
+    for (int i = 1; i < 4000; ++i) {
+      const double p = i < 1000 ? std::pow(10.0, -0.006 * i) : (i - 1000) / 3000.0 + 1e-4;
+      EXPECT_LE(1.0 - coverage(all, p), doubt.at(p) + 1e-14) << n << " at " << p;  // the sums' rounding
     }
+  }
+}
+
+// The rule it replaces: as many shares as categories were seen. With ever so many that are ever so rare one is seen
+// more often than not, and its interval starts above its probability.
+TEST(SharesByWhatWasSeen, BreakThePromise) {
+  constexpr double rare = 5e-6;
+  constexpr std::uint64_t n = 200;
+  const Interval of_one_seen = bonferroni_clopper_pearson({1, n}, 0.95, 5);
+  EXPECT_GT(of_one_seen.low, rare);
+  const double none_of_a_thousand = std::pow(1.0 - 1000.0 * rare, static_cast<double>(n));
+  EXPECT_LT(none_of_a_thousand, 0.37);  // no more than this is their coverage
+  EXPECT_LT(of_unforeseen({1, n}, 0.95).low, rare);
+}
+
+using Counts = std::array<std::uint64_t, 3>;
+using Truth = std::array<double, 3>;
+using Intervals = std::array<Interval, 3>;
+using SimultaneousMaker = Intervals (*)(const Counts&, double);
+
+std::uint64_t total(const Counts& counts) { return counts[0] + counts[1] + counts[2]; }
+
+template <std::size_t categories>
+Intervals bonferroni(const Counts& counts, double confidence) {
+  Intervals intervals;
+  for (std::size_t i = 0; i < 3; ++i) {
+    intervals[i] = bonferroni_clopper_pearson({counts[i], total(counts)}, confidence, categories);
+  }
+  return intervals;
+}
+
+/// The first category foreseen, the others not.
+Intervals one_foreseen(const Counts& counts, double confidence) {
+  const Family family{.foreseen = 1, .confidence = confidence};
+  const std::uint64_t n = total(counts);
+  return {exact_interval({counts[0], n}, family.of_foreseen()), exact_interval({counts[1], n}, family.of_unforeseen()),
+          exact_interval({counts[2], n}, family.of_unforeseen())};
+}
+
+Intervals goodman_of_three(const Counts& counts, double confidence) {
+  Intervals intervals;
+  for (std::size_t i = 0; i < 3; ++i) intervals[i] = goodman({counts[i], total(counts)}, confidence, 3);
+  return intervals;
+}
+
+/// Where the method has no answer it claims nothing.
+Intervals sison_glaz_of_three(const Counts& counts, double confidence) {
+  const auto found = sison_glaz(counts, confidence);
+  if (!found) return {Interval{0.0, 1.0}, Interval{0.0, 1.0}, Interval{0.0, 1.0}};
+  return {(*found)[0], (*found)[1], (*found)[2]};
+}
+
+/// All outcomes of n draws in three categories, each with what its intervals are and in how many orders it comes about.
+struct Outcome {
+  Counts counts;
+  Intervals intervals;
+  double orders;
+};
+
+std::vector<Outcome> all_outcomes(SimultaneousMaker maker, std::uint64_t n, double confidence) {
+  std::vector<Outcome> outcomes;
+  const auto factorial = [](std::uint64_t k) { return std::tgamma(static_cast<double>(k) + 1.0); };
+  for (std::uint64_t a = 0; a <= n; ++a) {
+    for (std::uint64_t b = 0; a + b <= n; ++b) {
+      const Counts counts{a, b, n - a - b};
+      const double orders = factorial(n) / (factorial(a) * factorial(b) * factorial(n - a - b));
+      outcomes.push_back({counts, maker(counts, confidence), orders});
+    }
+  }
+  return outcomes;
+}
+
+/// Probability that the intervals of all three categories cover their truths at once.
+double joint_coverage(const std::vector<Outcome>& outcomes, const Truth& truth) {
+  double covered = 0.0;
+  for (const auto& [counts, intervals, orders] : outcomes) {
+    double probability = orders;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const bool covers = intervals[i].low <= truth[i] && truth[i] <= intervals[i].high;
+      probability *= covers ? std::pow(truth[i], static_cast<double>(counts[i])) : 0.0;
+    }
+    covered += probability;
   }
   return covered;
 }
 
-/// The least joint coverage found for ten draws, at level 0.6, where three intervals at once can fail to keep it.
-double least_joint_coverage(std::size_t categories) {
-  std::vector<Interval> all;
-  for (std::uint64_t k = 0; k <= 10; ++k) all.push_back(bonferroni_clopper_pearson({k, 10}, 0.6, categories));
+struct Coverage {
   double least = 1.0;
+  double mean = 0.0;
+};
+
+/// Over a grid of truths, with 1/60 between them.
+Coverage joint_coverage(SimultaneousMaker maker, std::uint64_t n, double confidence) {
+  const std::vector<Outcome> outcomes = all_outcomes(maker, n, confidence);
+  Coverage found;
+  int points = 0;
   for (int i = 1; i < 60; ++i) {
-    for (int j = 1; i + j < 60; ++j) {
-      least = std::min(least, joint_coverage(all, {i / 60.0, j / 60.0, (60 - i - j) / 60.0}));
+    for (int j = 1; i + j < 60; ++j, ++points) {
+      const double covered = joint_coverage(outcomes, {i / 60.0, j / 60.0, (60 - i - j) / 60.0});
+      found.least = std::min(found.least, covered);
+      found.mean += covered;
     }
   }
-  return least;
+  found.mean /= points;
+  return found;
 }
 
-TEST(BonferroniClopperPearson, CoversAllTruthsAtOnceAsOftenAsItPromises) { EXPECT_GE(least_joint_coverage(3), 0.6); }
+// At level 0.6 three intervals at once can fail to keep a promise made for one.
+TEST(BonferroniClopperPearson, CoversAllTruthsAtOnceAsOftenAsItPromises) {
+  EXPECT_GE(joint_coverage(&bonferroni<3>, 10, 0.6).least, 0.6);
+  EXPECT_GE(joint_coverage(&bonferroni<3>, 30, 0.95).least, 0.95);
+}
 
-TEST(BonferroniClopperPearson, NeedsItsCorrection) { EXPECT_LT(least_joint_coverage(1), 0.6); }
+TEST(BonferroniClopperPearson, NeedsItsCorrection) { EXPECT_LT(joint_coverage(&bonferroni<1>, 10, 0.6).least, 0.6); }
+
+TEST(Family, CoversAllTruthsAtOnceAlsoOfCategoriesThatNobodyForesaw) {
+  EXPECT_GE(joint_coverage(&one_foreseen, 10, 0.6).least, 0.6);
+  EXPECT_GE(joint_coverage(&one_foreseen, 30, 0.95).least, 0.95);
+}
+
+TEST(Goodman, CoversAllTruthsAboutAsOftenAsItPromisesOnTheAverage) {
+  EXPECT_NEAR(joint_coverage(&goodman_of_three, 30, 0.95).mean, 0.95, 0.02);
+}
+
+TEST(SisonGlaz, CoversLessOftenThanItPromisesForThreeCategories) {
+  const Coverage found = joint_coverage(&sison_glaz_of_three, 30, 0.95);
+  EXPECT_LT(found.mean, 0.9);
+  EXPECT_LT(found.least, 0.82);
+}
+
+std::string per_cent(double probability) {
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "%.2f", 100.0 * probability);
+  return text.data();
+}
+
+/// The rows of the tables in lib/docs/methods.md; the first is about one mode, the second about three at once.
+std::vector<std::string> rows_of_documents() {
+  std::vector<std::string> rows;
+  const auto add = [&rows](const char* name, std::uint64_t n, std::initializer_list<double> values) {
+    std::string row = "| " + std::to_string(n) + " | " + name + " |";
+    for (const double value : values) row += ' ' + per_cent(value) + " |";
+    rows.push_back(row);
+  };
+  for (const std::uint64_t n : {10U, 50U, 200U, 1000U}) {
+    for (const auto& [name, maker] : {std::pair<const char*, IntervalMaker>{"Wald", &wald},
+                                      {"Wilson", &wilson},
+                                      {"Jeffreys", &jeffreys},
+                                      {"Clopper-Pearson", &clopper_pearson}}) {
+      const double at_a_thousandth = coverage(intervals_of_all_counts(maker, n, 0.95), 0.001);
+      add(name, n, {least_coverage(maker, n, 0.95), mean_coverage(maker, n, 0.95), at_a_thousandth});
+    }
+  }
+  for (const std::uint64_t n : {10U, 30U}) {
+    for (const auto& [name, maker] :
+         {std::pair<const char*, SimultaneousMaker>{"Bonferroni, three shares", &bonferroni<3>},
+          {"Bonferroni, one foreseen", &one_foreseen},
+          {"Goodman", &goodman_of_three},
+          {"Sison-Glaz", &sison_glaz_of_three}}) {
+      const Coverage found = joint_coverage(maker, n, 0.95);
+      add(name, n, {found.least, found.mean});
+    }
+  }
+  return rows;
+}
+
+TEST(CoverageTable, InTheDocumentsIsWhatComesOut) {
+  std::ifstream stream(ROCKING_SOURCE_DIR "/lib/docs/methods.md");
+  const std::string document{std::istreambuf_iterator<char>(stream), {}};
+  for (const std::string& row : rows_of_documents()) EXPECT_NE(document.find(row), std::string::npos) << row;
+}
 
 }  // namespace

@@ -9,12 +9,17 @@ logs=$top/build/log
 # Everything that comes from the system, by Debian 12's names. Boost stands apart: see boost_version_below.
 build_packages=(
   g++ cmake make pkg-config git
-  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev
+  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev
   libgtest-dev libgmock-dev
 )
 boost_package=libboost1.81-dev
 oldest_boost=107400
-full_packages=(clang libsundials-dev)  # SUNDIALS, for one test, brings MPI, PETSc and a Fortran compiler
+full_packages=(
+  clang libbenchmark-dev
+  valgrind  # for a profile
+  libsundials-dev  # for one test and a benchmark; brings MPI, PETSc and a Fortran compiler
+  g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with another processor's
+)
 
 say() { printf '%s\n' "$*"; }
 

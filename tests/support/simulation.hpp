@@ -41,12 +41,12 @@ struct Stage {
 };
 
 /// A block on its stage, with the log of what it does. Strobe points a whole number of periods after tau = 0.
-template <dynamics::CoefficientSource Coefficients>
+template <dynamics::CoefficientSource Coefficients, dynamics::BaseExcitation Excitation = dynamics::HarmonicExcitation>
 class Simulation {
  public:
-  using Motion = dynamics::BlockMotion<Coefficients, TaylorSteps>;
+  using Motion = dynamics::BlockMotion<Coefficients, TaylorSteps, Excitation>;
 
-  Simulation(const Stage& stage, const Coefficients& coefficients)
+  Simulation(const Stage& stage, const Coefficients& coefficients, const Excitation& excitation = {})
       : motion(dynamics::Setting{.block = stage.geometry(),
                                  .inertia = stage.inertia,
                                  .impact_slip_rule = stage.rule,
@@ -54,7 +54,7 @@ class Simulation {
                dynamics::Clock(stage.frequency, stage.phase), coefficients, stage.start,
                dynamics::Schedule{.first_strobe = {.period = 1, .time = stage.phase / stage.frequency},
                                   .strobes = stage.periods},
-               log) {}
+               log, excitation) {}
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 

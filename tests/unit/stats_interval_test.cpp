@@ -1,9 +1,13 @@
 #include "rocking/stats/interval.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include <boost/math/distributions/binomial.hpp>
 #include <gtest/gtest.h>
+
+#include "rocking/stats/sison_glaz.hpp"
 
 namespace {
 
@@ -109,11 +113,117 @@ TEST_P(AnyInterval, GrowsWithConfidenceAndShrinksWithTrials) {
   EXPECT_LT(width(GetParam()({30, 100}, 0.9)), width(GetParam()({3, 10}, 0.9)));
 }
 
-INSTANTIATE_TEST_SUITE_P(Stats, AnyInterval, ::testing::Values(&wilson, &clopper_pearson));
+INSTANTIATE_TEST_SUITE_P(Stats, AnyInterval, ::testing::Values(&wilson, &jeffreys, &clopper_pearson));
 
 TEST(BonferroniClopperPearson, SharesTheDoubtAmongTheCategories) {
   expect_close(bonferroni_clopper_pearson({3, 200}, 0.95, 7), {0.0015021813457016233, 0.055918403362990557});
   EXPECT_EQ(bonferroni_clopper_pearson({3, 200}, 0.95, 1).low, clopper_pearson({3, 200}, 0.95).low);
+}
+
+/// One of seven shares, divided among categories that nobody foresaw.
+Interval unforeseen(const Proportion& proportion, double confidence) {
+  return exact_interval(proportion, Family{.foreseen = 6, .confidence = confidence}.of_unforeseen());
+}
+
+TEST(ExactInterval, IsClopperPearsonWhereTheDoubtIsFixed) {
+  const Family family{.foreseen = 6, .confidence = 0.95};
+  for (const std::uint64_t k : {0U, 1U, 3U, 199U, 200U}) {
+    const Interval found = exact_interval({k, 200}, family.of_foreseen());
+    expect_close(found, bonferroni_clopper_pearson({k, 200}, 0.95, 7));
+  }
+}
+
+TEST(ExactInterval, LeavesBothTailsTheDoubtAtItsEnds) {
+  const Doubt doubt{.fixed = 0.001, .proportional = 0.03};
+  for (const std::uint64_t n : {2U, 7U, 200U, 20000U}) {
+    const auto trials = static_cast<double>(n);
+    for (const std::uint64_t k : {std::uint64_t{1}, n / 2, n - 1}) {
+      const Interval interval = exact_interval({k, n}, doubt);
+      const boost::math::binomial_distribution<double> at_low(trials, interval.low), at_high(trials, interval.high);
+      // To the 2^-40 of an end, which moves a tail by less than n times that.
+      EXPECT_NEAR(cdf(complement(at_low, static_cast<double>(k - 1))), 0.5 * doubt.at(interval.low), 1e-12 * trials);
+      EXPECT_NEAR(cdf(at_high, static_cast<double>(k)), 0.5 * doubt.at(interval.high), 1e-12 * trials);
+    }
+  }
+}
+
+TEST(ExactInterval, LiesInRangeAroundItsEstimateWhereTheDoubtIsProportional) {
+  for (std::uint64_t n = 1; n <= 60; ++n) {
+    for (std::uint64_t k = 0; k <= n; ++k) {
+      const Interval interval = unforeseen({k, n}, 0.95);
+      const double estimate = static_cast<double>(k) / static_cast<double>(n);
+      EXPECT_TRUE(0.0 <= interval.low && interval.low <= estimate) << k << "/" << n;
+      EXPECT_TRUE(estimate <= interval.high && interval.high <= 1.0) << k << "/" << n;
+      EXPECT_EQ(interval.low == 0.0, k <= 1) << k << "/" << n;  // of ever so many rare categories some occur once
+      EXPECT_EQ(interval.high == 1.0, k == n) << k << "/" << n;
+    }
+  }
+  EXPECT_EQ(unforeseen({0, 0}, 0.95).low, 0.0);
+  EXPECT_EQ(unforeseen({0, 0}, 0.95).high, 1.0);
+}
+
+TEST(Goodman, IsWilsonWithTheDoubtShared) {
+  EXPECT_EQ(goodman({3, 200}, 0.95, 1).low, wilson({3, 200}, 0.95).low);
+  EXPECT_NEAR(goodman({3, 200}, 0.95, 5).high, wilson({3, 200}, 0.99).high, 1e-15);
+  EXPECT_EQ(goodman({1, 1}, 0.95, 1).high, 1.0);
+  EXPECT_EQ(goodman({0, 0}, 0.95, 3).high, 1.0);
+}
+
+/// Multinomial probability of `counts` if their proportions are the truth.
+double probability_of(const std::vector<std::uint64_t>& counts, const std::vector<std::uint64_t>& observed) {
+  double probability = 1.0;
+  double n = 0.0, all = 0.0;
+  for (const std::uint64_t k : observed) all += static_cast<double>(k);
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    for (std::uint64_t j = 1; j <= counts[i]; ++j) {
+      n += 1.0;
+      probability *= n * static_cast<double>(observed[i]) / (all * static_cast<double>(j));
+    }
+  }
+  return probability;
+}
+
+// nu(c) is the probability of a box, which can be added up. The width jumps with c, and the authors' expansion errs by
+// less than a hundredth here: so far may the boxes of c and c + 1, and what lies between them, be off the confidence.
+TEST(SisonGlaz, TakesTheBoxThatHoldsTheConfidence) {
+  for (const std::vector<std::uint64_t>& observed :
+       {std::vector<std::uint64_t>{20, 10, 10}, {14, 14, 12}, {30, 5, 5}, {8, 30, 2}}) {
+    const auto intervals = sison_glaz(observed, 0.9);
+    ASSERT_TRUE(intervals.has_value());
+    const double c = std::round(static_cast<double>(observed[0]) - 40.0 * (*intervals)[0].low);
+    double within = 0.0, within_next = 0.0;
+    for (std::uint64_t a = 0; a <= 40; ++a) {
+      for (std::uint64_t b = 0; a + b <= 40; ++b) {
+        const std::vector<std::uint64_t> counts{a, b, 40 - a - b};
+        double distance = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+          distance = std::max(distance, std::abs(static_cast<double>(counts[i]) - static_cast<double>(observed[i])));
+        }
+        const double probability = probability_of(counts, observed);
+        within += distance <= c ? probability : 0.0;
+        within_next += distance <= c + 1.0 ? probability : 0.0;
+      }
+    }
+    EXPECT_LT(within, 0.9 + 0.01);
+    EXPECT_GT(within_next, 0.9 - 0.01);
+    const double gamma = 0.5 * (40.0 * (*intervals)[0].high - static_cast<double>(observed[0]) - c);
+    EXPECT_NEAR(within + gamma * (within_next - within), 0.9, 0.01);
+  }
+}
+
+TEST(SisonGlaz, HasNoAnswerWhereOneCategoryTookAllButAFew) {
+  EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{200, 0, 0, 0}, 0.95).has_value());
+  EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{0, 1}, 0.95).has_value());
+  EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{10}, 0.95).has_value());
+  EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{199, 1, 0, 0}, 0.95).has_value());
+  EXPECT_TRUE(sison_glaz(std::vector<std::uint64_t>{198, 2, 0, 0}, 0.95).has_value());
+}
+
+TEST(SisonGlaz, KnowsNothingWithoutTrials) {
+  const auto intervals = sison_glaz(std::vector<std::uint64_t>{0, 0}, 0.95);
+  ASSERT_TRUE(intervals.has_value());
+  EXPECT_EQ(intervals->at(1).low, 0.0);
+  EXPECT_EQ(intervals->at(1).high, 1.0);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "rocking/stats/quantile.hpp"
 
-#include <numeric>
-#include <vector>
+#include <cstdint>
+#include <map>
 
 #include <gtest/gtest.h>
 
@@ -9,15 +9,17 @@ namespace {
 
 using rocking::stats::censored_quantile;
 
-/// 1, 2, ... n.
-std::vector<double> first_numbers(std::size_t n) {
-  std::vector<double> values(n);
-  std::iota(values.begin(), values.end(), 1.0);
-  return values;
+using Tally = std::map<std::int64_t, std::uint64_t>;
+
+/// 1, 2, ... n, once each.
+Tally first_numbers(std::int64_t n) {
+  Tally tally;
+  for (std::int64_t value = 1; value <= n; ++value) tally[value] = 1;
+  return tally;
 }
 
 TEST(CensoredQuantile, IsTheSmallestValueThatEnoughDoNotExceed) {
-  const std::vector<double> four = first_numbers(4);
+  const Tally four = first_numbers(4);
   EXPECT_EQ(censored_quantile(four, 0, 0.25), 1.0);
   EXPECT_EQ(censored_quantile(four, 0, 0.2501), 2.0);
   EXPECT_EQ(censored_quantile(four, 0, 0.5), 2.0);
@@ -27,9 +29,9 @@ TEST(CensoredQuantile, IsTheSmallestValueThatEnoughDoNotExceed) {
 }
 
 TEST(CensoredQuantile, HitsWholeRanksInSpiteOfRounding) {
-  for (const std::size_t n : {10U, 100U, 1000U}) {
-    const std::vector<double> values = first_numbers(n);
-    for (std::size_t rank = 1; rank <= n; ++rank) {
+  for (const int n : {10, 100, 1000}) {
+    const Tally values = first_numbers(n);
+    for (int rank = 1; rank <= n; ++rank) {
       const double level = static_cast<double>(rank) / static_cast<double>(n);
       ASSERT_EQ(censored_quantile(values, 0, level), static_cast<double>(rank)) << level;
     }
@@ -40,6 +42,14 @@ TEST(CensoredQuantile, CountsTheLaterOnesAsLarger) {
   EXPECT_EQ(censored_quantile(first_numbers(2), 2, 0.5), 2.0);
   EXPECT_EQ(censored_quantile(first_numbers(2), 2, 0.51), std::nullopt);
   EXPECT_EQ(censored_quantile(first_numbers(2), 3, 0.25), 2.0);
+}
+
+TEST(CensoredQuantile, CountsAValueAsOftenAsItOccurred) {
+  const Tally tally{{3, 5}, {8, 1}, {9, 4}};
+  EXPECT_EQ(censored_quantile(tally, 0, 0.5), 3.0);
+  EXPECT_EQ(censored_quantile(tally, 0, 0.51), 8.0);
+  EXPECT_EQ(censored_quantile(tally, 0, 0.7), 9.0);
+  EXPECT_EQ(censored_quantile(tally, 10, 0.3), 8.0);
 }
 
 TEST(CensoredQuantile, IsAbsentWhereThereIsNothingToSee) {

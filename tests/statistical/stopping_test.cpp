@@ -1,0 +1,152 @@
+// What looking again and again does to an interval: exactly, by adding up the probabilities of all paths of counts, and
+// by simulating whole runs that stop by the rule.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include <boost/math/distributions/binomial.hpp>
+#include <gtest/gtest.h>
+
+#include "rocking/stats/confidence_sequence.hpp"
+#include "rocking/stats/stopping_rule.hpp"
+#include "support/false_alarms.hpp"
+#include "support/split_mix.hpp"
+
+namespace {
+
+using namespace rocking;
+using namespace rocking::stats;
+
+using Misses = std::function<bool(const Proportion&)>;
+
+/// Probability that an interval misses p at some number of trials in first ... last: of all paths of counts, those that
+/// have not yet come to a count that misses are carried on. Counts of probability below 1e-18 are not asked about and
+/// count as missing, 1e-15 in all.
+double probability_of_ever_missing(double p, std::uint64_t first, std::uint64_t last, const Misses& misses) {
+  std::vector<double> alive{1.0};  // by count
+  for (std::uint64_t n = 1; n <= last; ++n) {
+    alive.push_back(0.0);
+    for (std::uint64_t k = n; k > 0; --k) alive[k] = alive[k] * (1.0 - p) + alive[k - 1] * p;
+    alive[0] *= 1.0 - p;
+    if (n < first) continue;
+    for (std::uint64_t k = 0; k <= n; ++k) {
+      if (alive[k] > 0.0 && (alive[k] < 1e-18 || misses({k, n}))) alive[k] = 0.0;
+    }
+  }
+  double sum = 0.0;
+  for (const double probability : alive) sum += probability;
+  return 1.0 - sum;
+}
+
+double probability_that_a_sequence_misses(double p, double concentration, double doubt) {
+  const ConfidenceSequence sequence(concentration);
+  return probability_of_ever_missing(
+      p, 1, 2000, [&](const Proportion& counts) { return sequence.log_martingale(counts, p) >= -std::log(doubt); });
+}
+
+TEST(ConfidenceSequence, MissesNoMoreOftenThanItsDoubtHoweverOftenOneLooks) {
+  for (const double p : {0.01, 0.1, 0.5, 0.7}) {
+    const double missed = probability_that_a_sequence_misses(p, 20.0, 0.05);
+    EXPECT_LE(missed, 0.05) << p;
+    EXPECT_GT(missed, 0.01) << p << ": it gives away most of what it may";
+  }
+  EXPECT_LE(probability_that_a_sequence_misses(0.5, 687.0, 0.05 / 7.0), 0.05 / 7.0);
+}
+
+// The naive rule, the sabotaged twin: an interval that is right for one n, looked at after every trial.
+TEST(PeekingAtWilson, MissesTheTruthInTwoRunsOfFive) {
+  const auto misses = [](const Proportion& counts) {
+    const Interval interval = wilson(counts, 0.95);
+    return 0.5 < interval.low || interval.high < 0.5;
+  };
+  EXPECT_NEAR(probability_of_ever_missing(0.5, 50, 2000, misses), 0.42496, 1e-5);
+  EXPECT_LT(probability_of_ever_missing(0.5, 2000, 2000, misses), 0.06) << "once, it keeps its promise";
+}
+
+/// Three categories that are foreseen, the last of which never occurs, and twelve that are not.
+const std::vector<double> foreseen{0.55, 0.02, 0.0};
+const std::vector<double> unforeseen = [] {
+  std::vector<double> probabilities(12, 0.02);
+  probabilities[0] = 0.21;
+  return probabilities;
+}();
+
+constexpr StoppingGoal goal{.half_width = 0.1, .at_most = 1000, .family = {.foreseen = 3, .confidence = 0.95}};
+
+struct Draws {
+  CategoryCounts counts{
+      .trials = 0, .foreseen = std::vector<std::uint64_t>(3), .unforeseen = std::vector<std::uint64_t>(12)};
+  support::SplitMix random;
+
+  void draw_up_to(std::uint64_t trials) {
+    for (; counts.trials < trials; ++counts.trials) {
+      double left = random.uniform();
+      const auto falls_in = [&left](double probability) { return (left -= probability) < 0.0; };
+      const auto known = std::find_if(foreseen.begin(), foreseen.end(), falls_in);
+      if (known != foreseen.end()) {
+        ++counts.foreseen[static_cast<std::size_t>(known - foreseen.begin())];
+      } else {
+        const auto other = std::find_if(unforeseen.begin(), unforeseen.end() - 1, falls_in);
+        ++counts.unforeseen[static_cast<std::size_t>(other - unforeseen.begin())];
+      }
+    }
+  }
+};
+
+using IntervalOf = std::function<Interval(const Proportion&)>;
+
+bool all_cover(const std::vector<std::uint64_t>& counts, std::uint64_t n, const std::vector<double>& truth,
+               const IntervalOf& interval_of) {
+  for (std::size_t i = 0; i < truth.size(); ++i) {
+    const Interval interval = interval_of({counts[i], n});
+    if (truth[i] < interval.low || interval.high < truth[i]) return false;
+  }
+  return true;
+}
+
+/// Whether any interval misses its truth at any look of a run that stops by the rule.
+bool run_misses(std::uint64_t seed, const StoppingRule& rule, const IntervalOf& known, const IntervalOf& other) {
+  Draws draws{.random = support::SplitMix(seed)};
+  bool stopped = false;
+  while (!stopped) {
+    draws.draw_up_to(rule.next_look(draws.counts.trials));
+    const auto& [n, known_counts, other_counts] = draws.counts;
+    if (!all_cover(known_counts, n, foreseen, known) || !all_cover(other_counts, n, unforeseen, other)) return true;
+    stopped = n == goal.at_most || rule.narrow_enough(draws.counts);
+  }
+  return false;
+}
+
+constexpr std::uint64_t runs = 120;
+
+std::uint64_t runs_that_miss(const IntervalOf& known, const IntervalOf& other) {
+  std::uint64_t missed = 0;
+  for (std::uint64_t seed = 0; seed < runs; ++seed)
+    missed += run_misses(seed, StoppingRule(goal), known, other) ? 1 : 0;
+  return missed;
+}
+
+/// Probability of so many runs that miss or more, if each misses with the probability that the confidence leaves.
+double p_value(std::uint64_t missed) {
+  const boost::math::binomial_distribution<double> law(runs, 1.0 - goal.family.confidence);
+  return missed == 0 ? 1.0 : cdf(complement(law, static_cast<double>(missed - 1)));
+}
+
+TEST(StoppingRule, LeavesAllIntervalsAtAllLooksAsGoodAsItPromises) {
+  support::FalseAlarms alarms;
+  const StoppingRule rule(goal);
+  const auto missed = runs_that_miss([&](const Proportion& counts) { return rule.interval_of_foreseen(counts); },
+                                     [&](const Proportion& counts) { return rule.interval_of_unforeseen(counts); });
+  EXPECT_GT(p_value(missed), alarms.level()) << missed;
+}
+
+TEST(NaiveStopping, IsFoundOutByTheSameTest) {
+  const auto naive = [](const Proportion& counts) { return wilson(counts, 0.95); };
+  const auto exact_once = [](const Proportion& counts) { return clopper_pearson(counts, 0.95); };
+  EXPECT_LT(p_value(runs_that_miss(naive, naive)), support::false_alarm);
+  EXPECT_LT(p_value(runs_that_miss(exact_once, exact_once)), support::false_alarm);
+}
+
+}  // namespace

@@ -1,0 +1,75 @@
+// The account of false alarms is kept: by whom it should be, in the open, and with consequences.
+
+#include "support/false_alarms.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include <gtest/gtest-spi.h>
+#include <gtest/gtest.h>
+
+namespace {
+
+using namespace rocking::support;
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string all_tests() {
+  std::string text;
+  for (const auto& entry : fs::recursive_directory_iterator(ROCKING_SOURCE_DIR "/tests")) {
+    if (entry.path().extension() == ".cpp") text += text_of(entry.path());
+  }
+  return text;
+}
+
+TEST(FalseAlarms, AreAllowedToTestsThatExistOnly) {
+  const std::string tests = all_tests();
+  for (const Allowance& allowance : allowances) {
+    std::string declared(allowance.test);
+    declared.replace(declared.find('.'), 1, ", ");
+    EXPECT_NE(tests.find('(' + declared + ')'), std::string::npos) << allowance.test;
+  }
+}
+
+// Either a file's tests draw from the account, or its first line says that nothing is left to chance.
+TEST(FalseAlarms, AreAccountedForByEveryStatisticalTest) {
+  for (const auto& entry : fs::directory_iterator(ROCKING_SOURCE_DIR "/tests/statistical")) {
+    const std::string text = text_of(entry.path());
+    const bool draws = text.find("FalseAlarms alarms;") != std::string::npos;
+    const bool adds_up = text.find("no false alarm") != std::string::npos;
+    EXPECT_NE(draws, adds_up) << entry.path();
+  }
+}
+
+TEST(FalseAlarms, AreInTheDocumentsAsTheyAreCounted) {
+  const std::string document = text_of(ROCKING_SOURCE_DIR "/lib/docs/methods.md");
+  for (const Allowance& allowance : allowances) {
+    const std::string row = "| `" + std::string(allowance.test) + "` | " + std::to_string(allowance.instances) + " x " +
+                            std::to_string(allowance.comparisons) + " |";
+    EXPECT_NE(document.find(row), std::string::npos) << row;
+  }
+  const std::string sum = "| all | " + std::to_string(all_comparisons()) + " |";
+  EXPECT_NE(document.find(sum), std::string::npos) << sum;
+}
+
+TEST(FalseAlarms, AreNotGivenToWhomNoneAreAllowed) {
+  EXPECT_NONFATAL_FAILURE(
+      {
+        FalseAlarms alarms;
+        static_cast<void>(alarms.level());
+      },
+      "allows");
+}
+
+// P(|Z| > s) = erfc(s/sqrt 2).
+TEST(FalseAlarms, AreAsLikelyForAScoreAsForAPValue) {
+  EXPECT_NEAR(std::erfc(largest_score / std::sqrt(2.0)), false_alarm, 1e-5 * false_alarm);
+}
+
+}  // namespace

@@ -33,7 +33,7 @@ struct Score {
     const bool open = verdict.mode.kind == ResponseKind::unresolved;
     unresolved += open ? 1 : 0;
     wrong += !open && verdict.mode != truth ? 1 : 0;
-    ++verdicts[open ? std::string(to_string(verdict.reason)) : to_string(verdict.mode)];
+    ++verdicts[open ? std::string(to_string(verdict.reason.value())) : to_string(verdict.mode)];
   }
 
   void print(const char* name) const {

@@ -1,0 +1,53 @@
+#include "evidence/long_run.hpp"
+
+#include <algorithm>
+#include <span>
+#include <stdexcept>
+#include <type_traits>
+
+namespace rocking::evidence {
+
+LongRun::LongRun(const experiment::Condition& condition, const random::Draws& draws, int periods)
+    : shape_angle_(dynamics::geometry_of(condition.scene.block).shape_angle),
+      resolution_(std::max(1e-9, 1e3 * condition.tolerance)),
+      random_(experiment::is_random(condition.scene)),
+      recorder_(shape_angle_, periods) {
+  const experiment::Start start = experiment::start_of(condition.scene, draws);
+  const int transient = condition.horizon.transient_periods;
+  const auto beginning =
+      experiment::begin_realisation(condition, draws, start, experiment::Strobe::poincare, transient);
+  experiment::with_motion(condition.scene, beginning, recorder_, [&](auto motion) {
+    if constexpr (std::is_same_v<decltype(motion), Motion>) {
+      integrate::advance(motion);
+      after_transient_ = motion;
+      motion.extend(periods - transient);
+      integrate::advance(motion);
+      termination_ = motion.termination();
+    } else {
+      throw std::runtime_error("only harmonic excitation repeats");
+    }
+  });
+}
+
+section::Verdict LongRun::name(const Window& window, int exponent_periods, const section::Thresholds& thresholds) {
+  const auto end = static_cast<std::size_t>(window.first + window.count);
+  if (periods().size() < end) {
+    const bool fell = termination_ == dynamics::Termination::overturned;
+    return {.mode = {.kind = fell ? section::ResponseKind::overturned : section::ResponseKind::unresolved},
+            .reason = {}};
+  }
+  const auto sampled =
+      std::span(periods()).subspan(static_cast<std::size_t>(window.first), static_cast<std::size_t>(window.count));
+  return section::classify({.periods = sampled, .random = random_, .resolution = resolution_, .thresholds = thresholds},
+                           [&] { return exponent(exponent_periods).exponent; });
+}
+
+const experiment::CompanionRun& LongRun::exponent(int periods) {
+  const auto known =
+      std::find_if(exponents_.begin(), exponents_.end(), [&](const auto& entry) { return entry.first == periods; });
+  if (known != exponents_.end()) return known->second;
+  return exponents_.emplace_back(periods, experiment::companion_exponent(*after_transient_, shape_angle_, periods))
+      .second;
+}
+
+}  // namespace rocking::evidence

@@ -1,56 +1,32 @@
-// The same bits with every compiler, optimisation level and processor: a digest over every strobe point of a small
-// experiment that uses everything that draws, slips, lands and chatters. `tests/all --full` runs it with g++, with clang
-// and under the sanitizers. A change of this digest is a change of results and belongs in CHANGELOG.md.
+// The results of a small experiment, to the bit. A change of this digest is a change of results and belongs in
+// CHANGELOG.md. tests/golden/everywhere compares the bits of compilers, optimisation levels and processors.
 
 #include <gtest/gtest.h>
 
+#include "golden/experiment.hpp"
 #include "rocking/base/digest.hpp"
 #include "rocking/experiment/run.hpp"
+#include "rocking/stats/confidence_sequence.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
-Condition rocking_with_everything() {
-  Condition condition;
-  Scene& scene = condition.scene;
-  scene.excitation.amplitude = 6.6;
-  scene.excitation.frequency_ratio = 10.0;
-  scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
-  scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
-  scene.fluctuation = {.static_friction = 0.03,
-                       .kinetic_friction = 0.03,
-                       .refreshes_per_period = 200,
-                       .restitution = 0.05,
-                       .amplitude = 0.2};
-  scene.initial.tilt = Normal{.mean = 0.1, .sigma = 0.05};
-  condition.horizon = {.transient_periods = 40, .sampled_periods = 60};
-  condition.realisations = 8;
-  return condition;
-}
-
-Condition chattering_without_friction() {
-  Condition condition;
-  condition.scene.excitation.amplitude = 1.03;
-  condition.scene.excitation.frequency_ratio = 2.0;
-  condition.horizon = {.transient_periods = 4, .sampled_periods = 24};
-  return condition;
-}
-
-Condition as_printed() {
-  Condition condition = rocking_with_everything();
-  condition.scene.slide_inertia = dynamics::SlideInertia::edge;
-  condition.scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;
-  return condition;
-}
-
 TEST(Digest, IsTheSameEverywhere) {
-  Experiment experiment;
-  experiment.seed = 0x2012;
-  experiment.conditions = {rocking_with_everything(), chattering_without_friction(), as_printed()};
-  const auto result = run(experiment, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
+  const auto result = run(golden::golden_experiment(), {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
   ASSERT_TRUE(result.has_value());
   EXPECT_EQ(base::to_hex(result->digest), "d200b2355f986fc5d3168e3b556ddba3dc6f559735cd2f8e100f1a4ffb5128b6");
 }
 
+// The bits on which it depends where a run stops that looks at its own intervals.
+TEST(ConfidenceSequence, IsTheSameEverywhere) {
+  const stats::ConfidenceSequence sequence(687.0);
+  const stats::Interval foreseen = sequence.interval({731, 2000}, {.fixed = 0.05, .proportional = 0.0});
+  EXPECT_EQ(foreseen.low, 0x1.53aed4948c9fep-2);
+  EXPECT_EQ(foreseen.high, 0x1.99b6530bf6437p-2);
+  const stats::Interval unforeseen = sequence.interval({17, 200}, {.fixed = 0.0, .proportional = 0.05});
+  EXPECT_EQ(unforeseen.low, 0x1.70d35467995c3p-6);
+  EXPECT_EQ(unforeseen.high, 0x1.7427382267c68p-3);
+}
+
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/run.hpp"
+#include "rocking/experiment/work.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -128,7 +130,7 @@ TEST(Run, RunsOneRealisationWhereNothingIsRandom) {
   EXPECT_EQ(effective_realisations(condition_at(7.0, 50)), 1U);
   const ExperimentResult result = result_with(2);
   EXPECT_EQ(result.conditions.back().realisations, 1U);
-  EXPECT_EQ(result.conditions.back().stopped_because, "deterministic");
+  EXPECT_EQ(result.conditions.back().stopped_because, StoppedBecause::deterministic);
   EXPECT_FALSE(result.conditions.back().non_recurrence.has_value());
 }
 
@@ -164,6 +166,42 @@ TEST(Run, ReportsItsProgressUpToTheEnd) {
   EXPECT_TRUE(rises);
   EXPECT_EQ(last, 12U + 7U + 11U + 1U);
   EXPECT_EQ(total, last);
+}
+
+TEST(Run, RepeatsAsManyRealisationsAsItIsAskedTo) {
+  for (const auto& [every, repeated] : {std::pair{0U, 0U}, {1U, 12U}, {5U, 3U}, {100U, 1U}}) {
+    Experiment question = experiment();
+    for (Condition& condition : question.conditions) condition.repeat_every = every;
+    const auto result = run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
+    EXPECT_EQ(result->conditions[0].non_recurrence->arithmetic_flips.trials, repeated);
+    EXPECT_EQ(result->digest, result_with(2).digest) << "what is repeated does not touch what it is compared with";
+  }
+}
+
+// Under a longer horizon each checked realisation is what a run of that horizon calls it.
+TEST(Run, ChecksLabelsByALongerRunOfTheSameDraws) {
+  Experiment question = experiment();
+  question.conditions.resize(1);
+  Experiment longer = question;
+  longer.conditions[0].horizon.sampled_periods *= 3;
+  question.conditions[0].label_check = LabelCheck{.every = 4, .times_longer = 3};
+  const auto result = run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
+  std::map<section::ResponseMode, std::pair<std::uint64_t, std::uint64_t>> expected;  // gained, lost
+  for (const std::uint64_t number : {0U, 4U, 8U}) {
+    const auto named = realise(question.conditions[0], question.seed, number).verdict.mode;
+    const auto in_the_long_run = realise(longer.conditions[0], question.seed, number).verdict.mode;
+    if (named == in_the_long_run) continue;
+    ++expected[in_the_long_run].first;
+    ++expected[named].second;
+  }
+  EXPECT_FALSE(expected.empty()) << "a horizon of 40 names too little, so some names change";
+  for (const ModeEstimate& mode : result->conditions[0].modes) {
+    ASSERT_TRUE(mode.probability.corrected.has_value());
+    const auto& counts = mode.probability.corrected->counts;
+    EXPECT_EQ(counts.checked, 3U);
+    EXPECT_EQ(counts.gained, expected[mode.mode].first) << to_string(mode.mode);
+    EXPECT_EQ(counts.lost, expected[mode.mode].second) << to_string(mode.mode);
+  }
 }
 
 TEST(Run, CountsEveryRealisationOnce) {

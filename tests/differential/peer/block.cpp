@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "differential/peer/coefficients.hpp"
-#include "differential/peer/flow.hpp"
+#include "differential/peer/cvode_flow.hpp"
 #include "differential/peer/impact.hpp"
 #include "differential/peer/mechanics.hpp"
 #include "differential/peer/timetable.hpp"
@@ -26,14 +26,14 @@ double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 /// A block, told event by event.
 class Block final : private Equations {
  public:
-  Block(const Scene& scene, std::int64_t periods, const Care& care)
+  Block(const Scene& scene, std::int64_t periods, double shortest_hop, Flow& flow)
       : scene_(scene),
         body_(body_of(scene)),
         coefficients_(scene),
-        care_(care),
+        shortest_hop_(shortest_hop),
         periods_(periods),
         timetable_(scene),
-        flow_({.longest_step = timetable_.period() / care.steps_per_period}) {}
+        flow_(flow) {}
 
   Story tell() {
     begin();
@@ -77,12 +77,13 @@ class Block final : private Equations {
     g[overturn] = std::numbers::pi / 2.0 - side_ * y[0];
     g[ground] = side_ * y[0];
     if (!past_balance_) g[balance] = body_.psi - side_ * y[0];
+    if (contact_ == Contact::rock && !scene_.friction) return g;
     const Balance now = balance_at(time, y);
     if (contact_ == Contact::rock_slide) {
       g[determinant] = now.determinant;
     } else if (holds_anyway_) {
       g[normal] = now.normal;
-    } else if (scene_.friction && now.normal > 0.0) {
+    } else if (now.normal > 0.0) {
       g[grip_left] = friction_.at_rest * now.normal + now.friction;
       g[grip_right] = friction_.at_rest * now.normal - now.friction;
     }
@@ -285,7 +286,7 @@ class Block final : private Equations {
 
   /// Whether hops under this pull, up at rate w, are too short to follow.
   [[nodiscard]] bool hops_are_short(double pull) const {
-    return pull > 0.0 && 2.0 * std::abs(y_[1]) < care_.shortest_hop * pull;
+    return pull > 0.0 && 2.0 * std::abs(y_[1]) < shortest_hop_ * pull;
   }
 
   void come_down() {
@@ -302,10 +303,10 @@ class Block final : private Equations {
   Scene scene_;
   Body body_;
   Coefficients coefficients_;
-  Care care_;
+  double shortest_hop_;
   std::int64_t periods_;
   Timetable timetable_;
-  Flow flow_;
+  Flow& flow_;
 
   double tau_ = 0.0;
   Vector y_{};
@@ -322,7 +323,13 @@ class Block final : private Equations {
 }  // namespace
 
 Story story_of(const Scene& scene, std::int64_t periods, const Care& care) {
-  return Block(scene, periods, care).tell();
+  CvodeFlow flow(
+      {.relative = 2e-14, .absolute = 1e-15, .longest_step = Timetable(scene).period() / care.steps_per_period});
+  return Block(scene, periods, care.shortest_hop, flow).tell();
+}
+
+Story story_of(const Scene& scene, std::int64_t periods, Flow& flow) {
+  return Block(scene, periods, Care{}.shortest_hop, flow).tell();
 }
 
 }  // namespace rocking::peer

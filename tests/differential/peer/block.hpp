@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "differential/peer/flow.hpp"
 #include "differential/peer/scene.hpp"
 
 namespace rocking::peer {
@@ -39,7 +40,9 @@ struct Care {
   double shortest_hop = 1e-11;     ///< a chatter ends with the impact after which every hop would last less [tau]
 };
 
-/// What happens in `scene` over `periods` excitation periods.
+/// What happens in `scene` over `periods` excitation periods, by CVODE.
 [[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, const Care& care = {});
+/// The same by another integrator.
+[[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, Flow& flow);
 
 }  // namespace rocking::peer

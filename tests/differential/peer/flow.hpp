@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 
 namespace rocking::peer {
 
@@ -27,28 +26,23 @@ struct Stretch {
   std::array<bool, guard_count> fired;
 };
 
+/// Tolerances of an integrator for the error of a step.
 struct FlowAccuracy {
-  double relative = 2e-14;
-  double absolute = 1e-15;
+  double relative;
+  double absolute;
   double longest_step;  ///< guards are looked at once a step: a dip below 0 that is shorter is missed
 };
 
-/// CVODE, method of Adams, with its root finding.
+/// An integrator with its root finding.
 ///
 /// A guard that starts at 0 counts from when it has left 0; only a fall is reported.
-/// Source: Hindmarsh et al. (2005), SUNDIALS, ACM TOMS 31(3) 363-396.
 class Flow {
  public:
-  explicit Flow(const FlowAccuracy& accuracy);
-  ~Flow();
+  virtual ~Flow() = default;
 
   /// From `start` for `duration` or until the first guard falls through 0. The absolute tolerance is times `smallness`.
-  [[nodiscard]] Stretch follow(const Vector& start, double duration, double smallness, const Equations& equations);
-
- private:
-  struct Solver;
-  FlowAccuracy accuracy_;
-  std::unique_ptr<Solver> solver_;
+  [[nodiscard]] virtual Stretch follow(const Vector& start, double duration, double smallness,
+                                       const Equations& equations) = 0;
 };
 
 }  // namespace rocking::peer

@@ -15,13 +15,17 @@ struct Trial {
   double moment_left_over;
 };
 
+/// Where the centre of mass is, seen from the edge, and how the block moves.
+struct Pose {
+  double across;
+  double up;
+  double square;  ///< w^2
+};
+
 /// All four are affine in w'. `law(normal, force_of_sticking)` says what friction is.
 template <class FrictionLaw>
-Trial attempt(double w_dot, double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
-  const double phi = body.psi - std::abs(stance.theta);
-  const double across = stance.side * std::sin(phi);
-  const double up = std::cos(phi);
-  const double square = stance.w * stance.w;
+Trial attempt(double w_dot, double inertia, const Pose& pose, double alpha, FrictionLaw law) {
+  const auto [across, up, square] = pose;
   Trial trial{};
   trial.normal = weight + w_dot * across - square * up;
   const double without_slip = weight * alpha - w_dot * up - square * across;
@@ -33,10 +37,12 @@ Trial attempt(double w_dot, double inertia, const Body& body, const Stance& stan
 
 template <class FrictionLaw>
 Balance balance(double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
-  const double at_zero = attempt(0.0, inertia, body, stance, alpha, law).moment_left_over;
-  const double slope = attempt(1.0, inertia, body, stance, alpha, law).moment_left_over - at_zero;
+  const double phi = body.psi - std::abs(stance.theta);
+  const Pose pose{stance.side * std::sin(phi), std::cos(phi), stance.w * stance.w};
+  const double at_zero = attempt(0.0, inertia, pose, alpha, law).moment_left_over;
+  const double slope = attempt(1.0, inertia, pose, alpha, law).moment_left_over - at_zero;
   const double w_dot = -at_zero / slope;
-  const Trial found = attempt(w_dot, inertia, body, stance, alpha, law);
+  const Trial found = attempt(w_dot, inertia, pose, alpha, law);
   return {w_dot, found.v_dot, found.normal, found.friction, slope};
 }
 

@@ -1,4 +1,4 @@
-#include "differential/peer/flow.hpp"
+#include "differential/peer/cvode_flow.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -39,7 +39,7 @@ void be_silent(int, const char*, const char*, char*, void*) {}  // `require` rep
 
 }  // namespace
 
-struct Flow::Solver {
+struct CvodeFlow::Solver {
   SUNContext context = nullptr;
   N_Vector state = nullptr;
   SUNNonlinearSolver corrector = nullptr;
@@ -56,7 +56,7 @@ struct Flow::Solver {
   }
 };
 
-Flow::Flow(const FlowAccuracy& accuracy) : accuracy_(accuracy), solver_(std::make_unique<Solver>()) {
+CvodeFlow::CvodeFlow(const FlowAccuracy& accuracy) : accuracy_(accuracy), solver_(std::make_unique<Solver>()) {
   Solver& s = *solver_;
   require(SUNContext_Create(nullptr, &s.context), "SUNContext_Create");
   s.state = N_VNew_Serial(static_cast<sunindextype>(Vector{}.size()), s.context);
@@ -75,9 +75,9 @@ Flow::Flow(const FlowAccuracy& accuracy) : accuracy_(accuracy), solver_(std::mak
   require(CVodeSetNoInactiveRootWarn(s.memory), "CVodeSetNoInactiveRootWarn");
 }
 
-Flow::~Flow() = default;
+CvodeFlow::~CvodeFlow() = default;
 
-Stretch Flow::follow(const Vector& start, double duration, double smallness, const Equations& equations) {
+Stretch CvodeFlow::follow(const Vector& start, double duration, double smallness, const Equations& equations) {
   Solver& s = *solver_;
   std::copy(start.begin(), start.end(), N_VGetArrayPointer(s.state));
   require(CVodeReInit(s.memory, 0.0, s.state), "CVodeReInit");

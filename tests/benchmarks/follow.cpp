@@ -1,0 +1,117 @@
+#include "benchmarks/follow.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <stdexcept>
+
+#include "benchmarks/arkode_flow.hpp"
+#include "benchmarks/odeint_flow.hpp"
+#include "differential/peer/block.hpp"
+#include "rocking/experiment/realisation.hpp"
+
+namespace rocking::benchmarks {
+
+using differential::Question;
+
+namespace {
+
+/// Keeps the last strobe point.
+class LastStrobe final : public dynamics::Observer {
+ public:
+  void event(dynamics::EventKind, double, const dynamics::State&) override {}
+  void strobe(const dynamics::State& state) override { last_ = state; }
+  [[nodiscard]] const dynamics::State& last() const { return last_; }
+
+ private:
+  dynamics::State last_;
+};
+
+EndState end_of(const peer::Story& story) {
+  if (story.samples.empty()) return {};
+  const peer::Posture& last = story.samples.back().posture;
+  return {last.tilt, last.tilt_rate, last.slip_rate, story.ending == "reached_horizon"};
+}
+
+peer::FlowAccuracy accuracy_of(const Question& question, double tolerance) {
+  const double period = 2.0 * std::numbers::pi / question.condition.scene.excitation.frequency_ratio;
+  return {.relative = tolerance, .absolute = tolerance, .longest_step = period / 16.0};
+}
+
+/// The distance of end states; infinite where one of the two did not come as far as the horizon.
+double distance(const EndState& a, const EndState& b) {
+  if (!a.reached || !b.reached) return HUGE_VAL;
+  return std::max(
+      {std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
+}
+
+Calibration errors_at(const Case& c, const Follow& follow, double tolerance) {
+  std::vector<double> errors;
+  for (int start = 0; start < starts; ++start) {
+    const Question question = question_of(c, start);
+    errors.push_back(distance(follow(question, tolerance), follow_by_ours(question, 1e-15)));
+  }
+  std::sort(errors.begin(), errors.end());
+  return {tolerance, errors[starts / 2], errors.back()};
+}
+
+}  // namespace
+
+Question question_of(const Case& c, int start) {
+  Question question{
+      .condition = {}, .seed = 0x2012, .realisation = static_cast<std::uint64_t>(start), .periods = periods};
+  experiment::Scene& scene = question.condition.scene;
+  scene.excitation.amplitude = c.amplitude;
+  scene.excitation.frequency_ratio = 10.0;
+  if (c.slides) scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+  scene.fluctuation.static_friction = scene.fluctuation.kinetic_friction = c.sigma;
+  scene.initial.tilt = 0.05 + 0.02 * start;
+  return question;
+}
+
+EndState follow_by_ours(const Question& question, double tolerance) {
+  experiment::Condition condition = question.condition;
+  condition.tolerance = tolerance;
+  const random::Draws draws(question.seed, question.realisation);
+  LastStrobe observer;
+  const experiment::Start start = experiment::start_of(condition.scene, draws);
+  const auto beginning =
+      experiment::begin_realisation(condition, draws, start, experiment::Strobe::poincare, question.periods);
+  return experiment::with_motion(condition.scene, beginning, observer, [&](auto motion) {
+    integrate::advance(motion);
+    const double psi = beginning.setting.block.shape_angle;
+    const dynamics::State& last = observer.last();
+    return EndState{last.tilt / psi, last.tilt_rate / psi, last.slip_rate,
+                    motion.termination() == dynamics::Termination::reached_horizon};
+  });
+}
+
+EndState follow_by_odeint(const Question& question, double tolerance) {
+  OdeintFlow flow(accuracy_of(question, tolerance));
+  return end_of(peer::story_of(differential::peer_scene(question), question.periods, flow));
+}
+
+/// ARKODE gives up where rounding keeps it from a tolerance: such a run did not reach its end.
+EndState follow_by_arkode(const Question& question, double tolerance) {
+  ArkodeFlow flow(accuracy_of(question, tolerance));
+  try {
+    return end_of(peer::story_of(differential::peer_scene(question), question.periods, flow));
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+}
+
+Calibration calibrate(const Case& c, const Follow& follow, double wanted) {
+  constexpr int first = 28;
+  constexpr int last = 58;
+  Calibration best{.tolerance = 0.0, .median = HUGE_VAL, .largest = HUGE_VAL};
+  for (int rung = first; rung <= last && best.median > wanted; ++rung) {  // four a decade, from 1e-7
+    const Calibration found = errors_at(c, follow, std::pow(10.0, -0.25 * rung));
+    if (found.median < best.median) best = found;
+  }
+  return best;
+}
+
+}  // namespace rocking::benchmarks

@@ -1,0 +1,131 @@
+// What a period of motion costs at a given end-state error, on one thread: ours beside Boost.odeint and SUNDIALS' ARKODE,
+// which follow the mechanics of tests/differential/peer. Every integrator takes the coarsest tolerance of a ladder at which
+// the median error of its end states, against ours at 1e-15, is at most `wanted_error`. The pipeline is what a run does
+// with a realisation, over the usual 620 periods: motion, name, digest, row of the store. The last lines give times, errors
+// and ratios.
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <benchmark/benchmark.h>
+
+#include "benchmarks/follow.hpp"
+#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/store.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using namespace rocking;
+using namespace rocking::benchmarks;
+
+constexpr double wanted_error = 2e-11;
+
+struct Integrator {
+  std::string name;
+  Follow follow;
+};
+
+void follow_all(benchmark::State& state, const Case& c, const Follow& follow, const Calibration& calibration) {
+  std::vector<differential::Question> questions;
+  for (int start = 0; start < starts; ++start) questions.push_back(question_of(c, start));
+  for (auto _ : state) {
+    for (const auto& question : questions) benchmark::DoNotOptimize(follow(question, calibration.tolerance));
+  }
+  state.SetItemsProcessed(state.iterations() * starts * periods);
+}
+
+void run_pipeline(benchmark::State& state, const Case& c, const Calibration& calibration) {
+  const support::TemporaryFolder folder;
+  auto store = experiment::Store::create(folder / "benchmark.sqlite", {});
+  std::int64_t done = 0;
+  std::uint64_t realisation = 0;
+  for (auto _ : state) {
+    experiment::Condition condition = question_of(c, static_cast<int>(realisation % starts)).condition;
+    condition.tolerance = calibration.tolerance;
+    const experiment::Record record = experiment::realise(condition, 0x2012, realisation);
+    store.add({.condition = 0, .realisation = realisation}, experiment::summarise(record, realisation));
+    ++realisation;
+    done += static_cast<std::int64_t>(record.strobe.size());
+  }
+  store.commit();
+  state.SetItemsProcessed(done);
+}
+
+/// The usual table; beside it, the least time a period of each benchmark is kept.
+class Table : public benchmark::ConsoleReporter {
+ public:
+  void expect(const std::string& scene, const std::string& integrator, const Calibration& calibration) {
+    order_.push_back(scene + ": " + integrator);
+    rows_[order_.back()] = {.peer = scene + ": odeint", .calibration = calibration};
+  }
+
+  void ReportRuns(const std::vector<Run>& runs) override {
+    ConsoleReporter::ReportRuns(runs);
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration || run.error_occurred) continue;
+      double& least = rows_.at(run.benchmark_name()).microseconds;
+      const double microseconds = 1e6 / run.counters.at("items_per_second");
+      least = least == 0.0 ? microseconds : std::min(least, microseconds);
+    }
+  }
+
+  void print() const {
+    std::printf("\n%-44s %9s %9s %9s %10s %10s\n", "", "tolerance", "median", "largest", "us a", "odeint's");
+    std::printf("%-44s %9s %9s %9s %10s %10s\n", "", "", "error", "error", "period", "time over");
+    for (const std::string& name : order_) {
+      const Row& row = rows_.at(name);
+      if (row.microseconds == 0.0) continue;
+      std::printf("%-44s %9.1e %9.1e %9.1e %10.3f %10.2f\n", name.c_str(), row.calibration.tolerance,
+                  row.calibration.median, row.calibration.largest, row.microseconds,
+                  rows_.at(row.peer).microseconds / row.microseconds);
+    }
+  }
+
+ private:
+  struct Row {
+    std::string peer;
+    Calibration calibration{};
+    double microseconds = 0.0;  ///< 0: was not run
+  };
+  std::vector<std::string> order_;
+  std::map<std::string, Row> rows_;
+};
+
+void register_all(Table& table) {
+  const std::array<Integrator, 3> integrators{
+      {{"ours", follow_by_ours}, {"odeint", follow_by_odeint}, {"ARKODE", follow_by_arkode}}};
+  for (const Case& c : {Case{"no sliding", 4.5, false, 0.0}, Case{"sliding", 7.0, true, 0.0},
+                        Case{"fluctuating friction", 7.0, true, 0.03}}) {
+    const auto enlist = [&](const std::string& name, const Calibration& calibration, auto run) {
+      table.expect(c.name, name, calibration);
+      benchmark::RegisterBenchmark((c.name + ": " + name).c_str(), run)->Unit(benchmark::kMicrosecond);
+    };
+    for (const Integrator& integrator : integrators) {
+      const Calibration calibration = calibrate(c, integrator.follow, wanted_error);
+      enlist(integrator.name, calibration, [c, integrator, calibration](benchmark::State& state) {
+        follow_all(state, c, integrator.follow, calibration);
+      });
+      if (integrator.name != "ours") continue;
+      enlist("our pipeline", calibration,
+             [c, calibration](benchmark::State& state) { run_pipeline(state, c, calibration); });
+    }
+  }
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  benchmark::Initialize(&count, arguments);
+  if (benchmark::ReportUnrecognizedArguments(count, arguments)) return 64;
+  Table table;
+  register_all(table);
+  benchmark::RunSpecifiedBenchmarks(&table);
+  table.print();
+  return 0;
+}

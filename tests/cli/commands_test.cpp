@@ -7,17 +7,21 @@
 
 #include "cli/program.hpp"
 #include "rocking/base/digest.hpp"
+#include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 
 namespace {
 
 using rocking::report::Json;
+using rocking::support::example_experiment;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
 using rocking::support::recorded_experiment;
 using rocking::support::recorded_pulse;
+using rocking::support::without;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 class Command : public rocking::support::ProgramTest {
  protected:
@@ -45,6 +49,18 @@ TEST_F(Command, RunPrintsTheTableAndWhereTheReportIs) {
   const auto outcome = rocking("run quick.json -o out");
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("amplitude"), HasSubstr("4.2"), HasSubstr("unresolved"),
                                     HasSubstr("report: out/report.json")));
+}
+
+// Realisation 1 of this condition of the headline experiment locks onto (1,3) in the third eighth of its sampled periods.
+TEST_F(Command, RunSaysHowManySettledLateAndOnHowLittleTheirNamesRest) {
+  Json experiment = without(example_experiment(), "sweep");
+  experiment["realisations"] = 2;
+  experiment["excitation"]["amplitude"] = 5.5;
+  experiment["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
+  write("late.json", experiment.dump());
+  const std::string line = "settled late: 1 realisation, named by the last 62.5 % of their sampled periods or more";
+  EXPECT_THAT(rocking("run late.json -o late").output, HasSubstr(line));
+  EXPECT_THAT(rocking("run quick.json -o out").output, Not(HasSubstr("settled late")));
 }
 
 TEST_F(Command, RunWithJsonPrintsTheReportAndNothingElse) {
@@ -95,6 +111,16 @@ TEST_F(Command, DryRunOfADeterministicExperimentCountsOneRealisation) {
               AllOf(HasSubstr("3 realisations"), HasSubstr("nothing is random")));
 }
 
+TEST_F(Command, DryRunOfARecordNamesItAndCountsThePeriodsOfTheStrobe) {
+  write("record.json", recorded_experiment().dump());
+  write("pulse.txt", recorded_pulse());
+  const std::string horizontal = rocking("run record.json --dry-run").output;
+  EXPECT_THAT(horizontal, AllOf(HasSubstr("of the strobe\n"), HasSubstr("recorded horizontal motion of the base")));
+  EXPECT_THAT(horizontal, Not(HasSubstr("vertical")));
+  write("pulse.txt", "0.5, 0, 0\n0.7, 2, 1\n");
+  EXPECT_THAT(rocking("run record.json --dry-run").output, HasSubstr("recorded vertical motion of the base"));
+}
+
 TEST_F(Command, RunFollowsARecordFromTheFolderOfItsExperiment) {
   ASSERT_EQ(shell("mkdir there").exit_code, 0);
   write("there/record.json", recorded_experiment().dump());
@@ -136,10 +162,25 @@ TEST_F(Command, CheckNormalKeepsToItsSchema) {
   EXPECT_NEAR(check["mean"]["value"].get<double>(), 0.4, 5 * 0.03 / std::sqrt(20'000.0));
 }
 
+TEST_F(Command, CheckNormalKnowsThreeSamplers) {
+  for (const std::string sampler : {"box-muller", "ziggurat", "inverse-cdf"}) {
+    const auto outcome = rocking("check-normal --json --n 2000 --sampler " + sampler);
+    EXPECT_EQ(outcome.exit_code, 0) << sampler;
+    EXPECT_EQ(objections("check_normal", outcome.output), "");
+    const Json check = Json::parse(outcome.output);
+    EXPECT_EQ(check["sampler"], sampler);
+    EXPECT_EQ(check["refuted"], false);
+    EXPECT_EQ(check["correlations"].size(), 8U);
+  }
+}
+
 TEST_F(Command, CheckNormalSaysWhatASmallSkewnessIsWorth) {
   const auto outcome = rocking("check-normal --n 20000 --mean 0.4 --sigma 0.03 --seed 7");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.output, HasSubstr("skewness within 0.01: expected in 44 % of samples of this size"));
+  EXPECT_THAT(outcome.output, HasSubstr("skewness within 0.01: expected in 44 % of samples of this size; within "));
+  EXPECT_THAT(outcome.output, HasSubstr("neighbouring realisations"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("read D'Agostino-Pearson's")));
+  EXPECT_THAT(rocking("check-normal --n 9999").output, HasSubstr("below 10000 numbers read D'Agostino-Pearson's"));
 }
 
 TEST_F(Command, ValidateTellsProblemsAsJsonToo) {

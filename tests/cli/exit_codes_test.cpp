@@ -128,16 +128,21 @@ TEST_F(ExitCode, Is74WhereTheResultCannotBePrinted) {
   EXPECT_EQ(rocking("schema report > /dev/full").exit_code, 74);
 }
 
-TEST_F(ExitCode, Is130WhereItIsInterruptedAndNothingIsWritten) {
+TEST_F(ExitCode, Is130WhereItIsInterruptedAndWhatIsDoneIsKept) {
   auto slow = quick_experiment();
   slow["horizon"]["transient_periods"] = 10'000;
   slow["realisations"] = 10'000;
   write("slow.json", slow.dump());
-  const auto outcome = shell(std::string("'") + ROCKING_PROGRAM +
-                             "' run slow.json -o out & child=$!; sleep 1; kill -TERM $child; wait $child");
-  EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
-  EXPECT_THAT(outcome.errors, HasSubstr("nothing was written"));
-  EXPECT_TRUE(std::filesystem::is_empty(folder_ / "out"));
+  for (const char* signal : {"TERM", "INT", "USR1"}) {
+    const std::string folder = std::string("out") + signal;
+    // A shell gives its children in the background a SIGINT that is ignored; what they set themselves, they get.
+    const auto outcome = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o " + folder +
+                               " & child=$!; sleep 1; kill -" + signal + " $child; wait $child");
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` goes on")));
+    EXPECT_TRUE(exists(folder + "/realisations.sqlite"));
+    EXPECT_FALSE(exists(folder + "/report.json"));
+  }
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ class ProgramTest : public ::testing::Test {
 
   /// Runs `rocking` with these arguments, as a shell reads them.
   Outcome rocking(const std::string& arguments) const {
-    return shell(std::string("exec '") + ROCKING_PROGRAM + "' " + arguments);
+    return shell("exec '" ROCKING_PROGRAM "' " + arguments);
   }
 
   /// Runs a script in the folder; its two streams end up in the outcome. After two minutes it is ended, with code 124.

@@ -76,6 +76,17 @@ void expect_within(double bound, double (*error)(double), const std::vector<doub
   EXPECT_LE(worst, bound) << "ulp, at x = " << std::hexfloat << place;
 }
 
+TEST(ExactNumber, IsWhatACastGives) {
+  EXPECT_EQ(exact_number(0), 0.0);
+  EXPECT_EQ(exact_number(std::uint64_t{1} << 53U), 0x1p53);
+  EXPECT_EQ(exact_number((std::uint64_t{1} << 53U) - 1), 0x1p53 - 1);
+  std::mt19937_64 bits(20120213);
+  for (int i = 0; i < 10000; ++i) {
+    const std::uint64_t k = bits() >> (11 + i % 53);
+    ASSERT_EQ(exact_number(k), static_cast<double>(k)) << k;
+  }
+}
+
 TEST(ReducedSinCos, IsWithinOneUlpUpToAnEighthOfATurn) {
   expect_within(1.0, reduced_sin_cos_error, spread(20000, -std::numbers::pi / 4, std::numbers::pi / 4));
 }

@@ -2,6 +2,8 @@
 
 #include <cmath>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <utility>
 
 #include <gtest/gtest.h>
@@ -184,6 +186,25 @@ TEST(Replay, WithAPhaseKeepsTheGridAtTheStart) {
   const Trajectory a = trajectory_of(condition, 5, 2, 20);  // a whole number of periods from the start, in both
   const Trajectory b = trajectory_of(shifted, 5, 2, 20);
   for (std::size_t k = 0; k < 20; ++k) EXPECT_NEAR(a.strobe.at(k).slip_rate, b.strobe.at(k).slip_rate, 1e-12) << k;
+}
+
+TEST(Verdict, OfARunThatOverturnsHasNoReason) {
+  const Record record = realise(shaken(20.0), 0, 0);
+  EXPECT_EQ(record.termination, dynamics::Termination::overturned);
+  EXPECT_EQ(record.verdict.mode.kind, section::ResponseKind::overturned);
+  EXPECT_EQ(record.verdict.reason, std::nullopt);
+}
+
+TEST(Verdict, AfterARecordTellsWhetherTheBlockEverMoved) {
+  Condition condition = shaken(1.0);
+  condition.scene.excitation.record =
+      std::make_shared<const GroundMotion>(GroundMotion{.samples = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
+  EXPECT_EQ(realise(condition, 0, 0).verdict.reason, section::Reason::never_moved);
+  condition.scene.initial.tilt = 0.1;
+  condition.horizon.sampled_periods = 300;
+  const Record record = realise(condition, 0, 0);
+  EXPECT_EQ(record.verdict.mode.kind, section::ResponseKind::rest);
+  EXPECT_EQ(record.verdict.reason, section::Reason::came_to_rest);
 }
 
 TEST(PartingPeriod, IsTheFirstPeriodWithPointsApart) {

@@ -2,6 +2,7 @@
 
 #include "rocking/random/box_muller.hpp"
 
+#include <bit>
 #include <cmath>
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -69,6 +70,31 @@ TEST(BoxMuller, GivesTheCosineToEvenIndicesAndTheSineToOdd) {
   EXPECT_EQ(pair[0], 1.0);
   EXPECT_EQ(pair[7], 2.0);
   EXPECT_EQ(pair[all_ones - 1], 1.0);
+}
+
+TEST(BoxMuller, GivesABatchTheBitsOfOneByOne) {
+  BlockBatch blocks;
+  for (std::uint32_t i = 0; i < BlockBatch::size; ++i) {
+    blocks.half_0[i] = i % 5 == 0 ? std::uint64_t{0} - i : half_of(philox({i, 0, 0, 0}, 7), 0);
+    blocks.half_1[i] = i % 2 == 0 ? i * eighth_of_a_turn : half_of(philox({i, 0, 0, 0}, 7), 1);
+  }
+  const NormalBatch normals = box_muller(blocks);
+  for (std::size_t i = 0; i < BlockBatch::size; ++i) {
+    const NormalPair pair = box_muller(block_of(blocks.half_0[i], blocks.half_1[i]));
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(normals[2 * i]), std::bit_cast<std::uint64_t>(pair.cosine)) << i;
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(normals[2 * i + 1]), std::bit_cast<std::uint64_t>(pair.sine)) << i;
+  }
+}
+
+// The next largest radii are sqrt(-2 ln(2 2^-53)) and so on: the tail thins out, and ends, as (0, 1] says.
+TEST(BoxMuller, HasARadiusForEveryStepOfTheUniformNumber) {
+  double before = normal_tail_limit;
+  for (std::uint64_t k = 1; k < 100; ++k) {
+    const double radius = box_muller(block_of(k << 11U, 0)).cosine;
+    EXPECT_DOUBLE_EQ(radius, std::sqrt(-2.0 * std::log(static_cast<double>(k + 1) * 0x1p-53)));
+    EXPECT_LT(radius, before);
+    before = radius;
+  }
 }
 
 // Roundings in units of 2^-53 of the result: logarithm 2, halved by the root; root 1; angle 1 and pi/2 itself 0.4,

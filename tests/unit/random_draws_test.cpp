@@ -17,9 +17,9 @@ static_assert(std::is_trivially_copyable_v<Draws> && sizeof(Draws) == 16);
 
 // Published results name these numbers through their seeds. They never change.
 TEST(Source, KeepsItsNumber) {
-  const std::map<int, std::string_view> numbers{{1, "static_friction"}, {2, "kinetic_friction"}, {3, "restitution"},
-                                                {4, "amplitude"},       {5, "phase"},            {6, "tilt"},
-                                                {7, "tilt_rate"},       {8, "slip_rate"},        {9, "check_normal"}};
+  const std::map<int, std::string_view> numbers{
+      {1, "static_friction"}, {2, "kinetic_friction"}, {3, "restitution"}, {4, "amplitude"}, {5, "phase"}, {6, "tilt"},
+      {7, "tilt_rate"},       {8, "slip_rate"},        {9, "check_normal"}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 
@@ -85,6 +85,31 @@ TEST(Draws, GiveAPairTheTwoDrawsOfItsBlock) {
   }
 }
 
+// Whatever the first index and however many: batches begin and end anywhere.
+TEST(Draws, GiveAnArrayTheBitsOfOneByOne) {
+  const Draws draws(0x0123456789abcdef, (std::uint64_t{3} << 32U) + 11);
+  for (const std::uint64_t first :
+       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{31}, 2 * std::uint64_t{0xfffffff3} + 1}) {
+    for (const std::size_t n : {0U, 1U, 2U, 31U, 32U, 33U, 64U, 200U}) {
+      std::vector<double> numbers(n + 1, 0.5);
+      draws.standard_normals(Source::kinetic_friction, first, std::span(numbers).first(n));
+      for (std::size_t i = 0; i < n; ++i) {
+        ASSERT_EQ(numbers[i], draws.standard_normal(Source::kinetic_friction, first + i)) << first << " + " << i;
+      }
+      EXPECT_EQ(numbers.back(), 0.5) << "written beyond the end";
+    }
+  }
+}
+
+TEST(Draws, GiveAnArrayUpToTheLastIndex) {
+  const Draws draws(5, 6);
+  std::vector<double> numbers(5);
+  draws.standard_normals(Source::amplitude, largest - 4, numbers);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(numbers[i], draws.standard_normal(Source::amplitude, largest - 4 + i)) << i;
+  }
+}
+
 TEST(PairedIndex, IsAnotherForEveryPair) {
   constexpr std::uint64_t last = 0xffffffff;
   std::set<std::uint64_t> seen;
@@ -103,6 +128,8 @@ TEST(Draws, RefuseToRepeatThemselvesBeyondTheirLimits) {
   EXPECT_THROW(Draws(0, realisation_limit), ContractViolation);
   EXPECT_THROW(static_cast<void>(paired_index(std::uint64_t{1} << 32U, 0)), ContractViolation);
   EXPECT_THROW(static_cast<void>(paired_index(0, std::uint64_t{1} << 32U)), ContractViolation);
+  std::vector<double> numbers(6);
+  EXPECT_THROW(Draws(0, 0).standard_normals(Source::amplitude, largest - 4, numbers), ContractViolation);
 }
 #endif
 

@@ -112,9 +112,16 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"/fluctuation/kinetic_friction", R"({"sigma": 0.1})", "", "excludes \"friction\"", "keep one"}));
 
 INSTANTIATE_TEST_SUITE_P(
-    NotYet, OneFault,
-    ::testing::Values(Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 20000}})", "",
-                            "not available in this version", "200"}));
+    Until, OneFault,
+    ::testing::Values(
+        Fault{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 200}})", "/realisations/until/half_width",
+              "below 0.5", "0.02"},
+        Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 0}})", "/realisations/until/at_most",
+              "from 1", ""},
+        Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 9, "after": 1}})",
+              "/realisations/until/after", "is not a key", "at_most"},
+        Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
+        Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
 
 TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
   auto document = with(example_experiment(), "/block/width_m", "-1");

@@ -28,6 +28,8 @@ TEST(CanonicalText, IsItsOwnCanonicalText) {
        with(
            example_experiment(), "/sweep",
            R"([{"parameter": "/block/height_m", "values": [4, 3e0]}, {"parameter": "/realisations", "from": 10, "to": 30, "step": 10}])"),
+       with(least_experiment(), "/realisations", R"({"until": {"at_most": 900, "half_width": 2e-2}})"),
+       with(least_experiment(), "/check_labels", R"({"every": 5})"),
        with(least_experiment(), "/initial/tilt", R"({"normal": {"mean": 0.1, "sigma": 0.01}})")}) {
     const std::string once = canonical(document);
     EXPECT_EQ(canonical(Json::parse(once)), once);
@@ -64,7 +66,7 @@ TEST(CanonicalText, WritesEveryDefaultOut) {
       R"("formulation":"consistent","slide_inertia":"centroidal","restitution":0.0,"impact_slip_rule":"absolute",)"
       R"("excitation":{"kind":"harmonic","amplitude":4.2,"frequency_ratio":10.0,"phase_rad":0.0},)"
       R"("initial":{"tilt":0.0,"tilt_rate":0.0},"horizon":{"transient_periods":500,"sampled_periods":120},)"
-      R"("accuracy":{"tolerance":1e-13},"realisations":1,"confidence":0.95,"seed":"0x0"})");
+      R"("accuracy":{"tolerance":1e-13,"repeat_every":10},"realisations":1,"confidence":0.95,"seed":"0x0"})");
 }
 
 TEST(CanonicalText, NamesTheOptionsOfAFormulation) {

@@ -31,8 +31,11 @@ struct Made {
                             {.counts = {count, made.realisations},
                              .estimate = p,
                              .wilson = {},
+                             .jeffreys = {},
                              .clopper_pearson = {},
-                             .simultaneous = {0.5 * p, p}}});
+                             .simultaneous = {0.5 * p, p},
+                             .goodman = {},
+                             .sison_glaz = {}}});
     }
     result.conditions.push_back(made);
   }

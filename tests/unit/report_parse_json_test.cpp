@@ -36,6 +36,7 @@ TEST(ParseJson, TellsLineAndColumnOfWhatIsNoJson) {
 TEST(ParseJson, RefusesNumbersThatJsonDoesNotKnow) {
   for (const std::string word : {"NaN", "nan", "Infinity", "-Infinity", "inf"}) {
     const Problem problem = refusal_of("{\"a\": " + word + "}");
+    EXPECT_EQ(problem.place.substr(0, 9), "/a (line ");
     EXPECT_EQ(problem.value, word);
     EXPECT_EQ(problem.reason, "not a number that JSON knows");
     EXPECT_EQ(problem.remedy, "give a finite number, or leave the key out");
@@ -44,9 +45,15 @@ TEST(ParseJson, RefusesNumbersThatJsonDoesNotKnow) {
 
 TEST(ParseJson, RefusesNumbersBeyondTheRangeOfDoubles) {
   const Problem problem = refusal_of("{\n\"a\": 1e999}");
-  EXPECT_EQ(problem.place.substr(0, 6), "line 2");
+  EXPECT_EQ(problem.place, "/a (line 2, column 10)");
   EXPECT_EQ(problem.value, "1e999");
   EXPECT_EQ(problem.reason, "beyond the largest double, 1.8e308");
+}
+
+TEST(ParseJson, NamesTheKeyOfANumberItRefusesAlsoWithinLists) {
+  EXPECT_EQ(refusal_of(R"({"a": [{"b": 1}, {"c": [0, 1e999]}]})").place.substr(0, 9), "/a/1/c/1 ");
+  EXPECT_EQ(refusal_of(R"({"a": [1, [2, 3], NaN]})").place.substr(0, 5), "/a/2 ");
+  EXPECT_EQ(refusal_of("NaN").place, "line 1, column 1") << "no key";
 }
 
 TEST(ParseJson, FindsEveryKeyThatStandsTwice) {

@@ -24,8 +24,11 @@ experiment::ModeEstimate mode(section::ResponseMode kind, std::uint64_t successe
           {.counts = {successes, trials},
            .estimate = p,
            .wilson = interval,
+           .jeffreys = interval,
            .clopper_pearson = interval,
-           .simultaneous = interval}};
+           .simultaneous = interval,
+           .goodman = interval,
+           .sison_glaz = interval}};
 }
 
 /// A made-up result: what matters here is how it is written.
@@ -42,7 +45,7 @@ experiment::ExperimentResult result_for(const experiment::Experiment& experiment
   condition.validity.clamps.kinetic_at_static = 17;
   condition.effort.steps = 1000;
   condition.effort.events[0] = 5;
-  condition.stopped_because = "all_realisations_done";
+  condition.stopped_because = experiment::StoppedBecause::all_realisations_done;
   return {.conditions = std::vector(experiment.conditions.size(), condition), .digest = base::sha256("made up")};
 }
 
@@ -66,6 +69,15 @@ TEST(Report, OfOneRealisationSaysThatThereIsNothingToCompare) {
   const std::string text = report::report_text(example(), result, facts("here"));
   EXPECT_EQ(objections("report", text), "");
   EXPECT_TRUE(Json::parse(text)["result"]["conditions"][0]["non_recurrence"].is_null());
+}
+
+TEST(Report, MayHaveNoIntervalOfSisonAndGlaz) {
+  auto result = result_for(example());
+  for (auto& listed : result.conditions[0].modes) listed.probability.sison_glaz.reset();
+  const std::string text = report::report_text(example(), result, facts("here"));
+  EXPECT_EQ(objections("report", text), "");
+  const Json report = Json::parse(text);
+  EXPECT_TRUE(report["result"]["conditions"][0]["probabilities"]["(1,1)"]["simultaneous_sison_glaz"].is_null());
 }
 
 TEST(Report, DiffersInSystemOnlyBetweenEqualRuns) {
@@ -150,6 +162,9 @@ TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
   experiment::Trajectory trajectory;
   trajectory.strobe.push_back({1, 1.0 / 3.0, -0.1, 5e-324, -0.0, dynamics::ContactState::rock_slide});
   trajectory.events.push_back({0.1 + 0.2, dynamics::EventKind::impact_slip, 0.0, 1e-300, 2.0 / 3.0, 1.5});
+  trajectory.losses_of_contact = 2;
+  trajectory.first_loss_of_contact = 0.7;
+  trajectory.contradictions = 3;
   const std::string text = report::trajectory_text({.condition = 3, .realisation = 7}, trajectory);
   EXPECT_EQ(objections("trajectory", text), "");
   const Json json = Json::parse(text);
@@ -158,25 +173,53 @@ TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
   EXPECT_EQ(json["strobe"][0]["contact"], "rock_slide");
   EXPECT_EQ(json["events"][0]["tau"].get<double>(), 0.1 + 0.2);
   EXPECT_EQ(json["events"][0]["kind"], "impact_slip");
+  EXPECT_EQ(json["validity"],
+            Json::parse(R"({"losses_of_contact": 2, "first_loss_of_contact": 0.7, "contradictions": 3})"));
   EXPECT_EQ(json["condition"], 3);
   EXPECT_EQ(objections("trajectory", report::trajectory_text({}, {})), "") << "an empty one";
 }
 
-TEST(NormalCheck, KeepsToItsSchema) {
-  report::NormalCheck check;
-  check.sampler = "box-muller";
-  check.moments.n = 20'000;
-  for (stats::Moment* moment : {&check.moments.mean, &check.moments.standard_deviation, &check.moments.skewness,
-                                &check.moments.kurtosis, &check.pair_correlation, &check.lag_correlation}) {
-    moment->standard_error = 0.0173;
+/// 200 evenly spaced numbers: normal in nothing but their mean.
+report::SamplerCheck example_check() {
+  std::vector<double> sample, other;
+  for (int i = 0; i < 200; ++i) {
+    sample.push_back(0.4 + 0.0003 * (i - 99.5));
+    other.push_back(0.4 + 0.03 * (i % 2 == 0 ? 1.0 : -1.0));
   }
-  check.histogram.edges = {0.3, 0.4, 0.5};
-  check.histogram.counts = {2, 1};
-  check.histogram.expected = {1.5, 1.5};
-  EXPECT_EQ(objections("check_normal", report::check_normal_text(check)), "");
-  // erf(0.01/0.0173/sqrt 2) = 0.4367
-  EXPECT_THAT(report::check_normal_summary(check),
-              ::testing::HasSubstr("skewness within 0.01: expected in 44 % of samples of this size"));
+  return {"box-muller", 0x2012, stats::check_normal({sample, other, other}, {0.4, 0.03}).value()};
+}
+
+TEST(SamplerCheck, KeepsToItsSchema) {
+  const Json json = Json::parse(report::check_normal_text(example_check()));
+  EXPECT_EQ(objections("check_normal", json.dump()), "");
+  for (const auto& [pointer, value] : {std::pair{"/skewness/p_value", "1.5"}, std::pair{"/skewness/nearness", "[]"},
+                                       std::pair{"/correlations/0/between", "\"friends\""}, std::pair{"/refuted", "0"},
+                                       std::pair{"/mean/nearness", "[]"}}) {
+    EXPECT_NE(objections("check_normal", support::with(json, pointer, value).dump()), "") << pointer;
+  }
+}
+
+TEST(SamplerCheck, WritesWhatWasFound) {
+  const report::SamplerCheck check = example_check();
+  const Json json = Json::parse(report::check_normal_text(check));
+  EXPECT_EQ(json["n"], 200);
+  EXPECT_EQ(json["kurtosis"]["nearness"][1]["probability"], check.found.kurtosis.observed.probability);
+  EXPECT_EQ(json["standard_deviation"]["p_value"], check.found.standard_deviation.p_value);
+  EXPECT_EQ(json["correlations"].size(), 7U);
+  EXPECT_EQ(json["correlations"][2]["between"], "lag_1");
+  EXPECT_EQ(json["correlations"][2]["p_value"], check.found.correlations[2].test.p_value);
+  EXPECT_EQ(json["refuted"], true) << "neighbours all but equal";
+}
+
+// skewness within 0.01, standard error sqrt(6 198/(201 203)) = 0.1706: erf(0.01/0.1706/sqrt 2) = 0.047
+TEST(SamplerCheck, SaysInPlainWordsWhatIsRemarkable) {
+  const std::string text = report::check_normal_summary(example_check());
+  EXPECT_THAT(text, ::testing::HasSubstr("skewness within 0.01: expected in 5 % of samples of this size; within "));
+  EXPECT_THAT(text, ::testing::ContainsRegex("mean +0\\.4 .* not remarkable\n"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("lag 1 .* not this law\n"));
+  EXPECT_THAT(text, ::testing::ContainsRegex(
+                        "D'Agostino-Pearson .* 1 sample in [0-9.e+]+\n|D'Agostino-Pearson .* not this law\n"));
+  EXPECT_THAT(text, ::testing::HasSubstr("smallest of 18 p-values: "));
 }
 
 }  // namespace

@@ -1,0 +1,90 @@
+// `rocking bifurcation`: what coexists along a sweep.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::objections;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class Bifurcation : public rocking::support::ProgramTest {
+ protected:
+  Bifurcation() { write("quick.json", quick_experiment().dump()); }
+
+  /// Exit code, and that nothing was made.
+  int refused(const std::string& arguments) const {
+    const auto outcome = rocking("bifurcation " + arguments + " -o refused");
+    EXPECT_NE(outcome.errors, "");
+    EXPECT_FALSE(exists("refused")) << arguments;
+    return outcome.exit_code;
+  }
+};
+
+TEST_F(Bifurcation, WritesPointsAndPrintsResponses) {
+  const auto outcome = rocking("bifurcation quick.json -o out --realisation 2 --no-progress");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("upwards"),
+                                    HasSubstr("out/bifurcation.json")));
+  const std::string text = read("out/bifurcation.json");
+  EXPECT_EQ(objections("bifurcation", text), "");
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["realisation"], 2);
+  EXPECT_EQ(json["parameter"], "/excitation/amplitude");
+  ASSERT_EQ(json["diagrams"].size(), 1U);
+  const Json& steps = json["diagrams"][0]["steps"];
+  ASSERT_EQ(steps.size(), 9U);
+  std::string csv = "parameter,branch,tilt,tilt_rate,diagram\n";
+  for (const Json& step : steps) {
+    for (const Json& point : step["points"]) {
+      csv += step["value"].dump() + ',' + step["branch"].get<std::string>() + ',' + point[0].dump() + ',' +
+             point[1].dump() + ",0\n";
+    }
+  }
+  EXPECT_EQ(read("out/bifurcation.csv"), csv);
+  EXPECT_GT(csv.size(), 1000U);
+}
+
+TEST_F(Bifurcation, GivesTheSameBytesOnAnyNumberOfThreadsAndPrintsThemAsJson) {
+  ASSERT_EQ(rocking("bifurcation quick.json -q -o one -j 1").exit_code, 0);
+  const auto printed = rocking("bifurcation quick.json -q -o five -j 5 --json");
+  EXPECT_EQ(printed.output, read("one/bifurcation.json"));
+  EXPECT_EQ(read("five/bifurcation.json"), read("one/bifurcation.json"));
+  EXPECT_EQ(read("five/bifurcation.csv"), read("one/bifurcation.csv"));
+  ASSERT_EQ(rocking("bifurcation quick.json -q -o other --seed 9").exit_code, 0);
+  EXPECT_NE(read("other/bifurcation.csv"), read("one/bifurcation.csv"));
+}
+
+TEST_F(Bifurcation, ReplacesFilesOnlyWhenTold) {
+  ASSERT_EQ(rocking("bifurcation quick.json -q -o out").exit_code, 0);
+  const auto refusal = rocking("bifurcation quick.json -q -o out --seed 9");
+  EXPECT_EQ(refusal.exit_code, 74);
+  EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
+  const std::string before = read("out/bifurcation.csv");
+  EXPECT_EQ(rocking("bifurcation quick.json -q -o out --seed 9 --overwrite").exit_code, 0);
+  EXPECT_NE(read("out/bifurcation.csv"), before);
+}
+
+TEST_F(Bifurcation, RefusesWhatItCannotDraw) {
+  Json lone = quick_experiment();
+  lone.erase("sweep");
+  write("lone.json", lone.dump());
+  write("pulse.txt", rocking::support::recorded_pulse());
+  write("recorded.json", rocking::support::recorded_experiment().dump());
+  EXPECT_EQ(refused("lone.json"), 65);
+  EXPECT_EQ(refused("recorded.json"), 65);
+  EXPECT_EQ(refused("absent.json"), 66);
+  EXPECT_EQ(refused("quick.json --realisation -1"), 64);
+  EXPECT_EQ(rocking("bifurcation quick.json").exit_code, 64);
+  EXPECT_THAT(rocking("bifurcation lone.json -o x").errors, HasSubstr("/sweep: is missing"));
+  EXPECT_THAT(rocking("bifurcation recorded.json -o x").errors, HasSubstr("/excitation/kind"));
+  EXPECT_THAT(rocking("schema bifurcation").output, StartsWith("{"));
+}
+
+}  // namespace

@@ -1,0 +1,74 @@
+// `rocking compare`: what a setting changes.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::objections;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Compare : public rocking::support::ProgramTest {
+ protected:
+  Compare() {
+    auto other = quick_experiment();
+    other["horizon"] = {{"transient_periods", 100}, {"sampled_periods", 60}};
+    write("first.json", other.dump());
+    other["fluctuation"]["friction"]["sigma"] = 0.1;
+    write("second.json", other.dump());
+  }
+};
+
+TEST_F(Compare, TellsWhatDiffersAndWhatItChanges) {
+  ASSERT_EQ(rocking("run first.json -q -o a --realisations 30").exit_code, 0);
+  ASSERT_EQ(rocking("run second.json -q -o b --realisations 30").exit_code, 0);
+  const auto table = rocking("compare a b");
+  EXPECT_EQ(table.exit_code, 0);
+  EXPECT_THAT(table.output, AllOf(HasSubstr("/fluctuation/friction/sigma is 0.03, not 0.1"), HasSubstr("4.2"),
+                                  HasSubstr("(1,1)"), HasSubstr("McNemar")));
+  const auto text = rocking("compare a b --json");
+  EXPECT_EQ(objections("comparison", text.output), "");
+  const Json json = Json::parse(text.output);
+  std::uint64_t changed = 0;
+  for (const Json& condition : json["conditions"]) {
+    EXPECT_EQ(condition["realisations"], 30);
+    changed += condition["changed"]["count"].get<std::uint64_t>();
+  }
+  EXPECT_GT(changed, 0U);
+}
+
+TEST_F(Compare, FindsNothingBetweenARunAndItself) {
+  ASSERT_EQ(rocking("run first.json -q -o a").exit_code, 0);
+  const Json json = Json::parse(rocking("compare a a --json").output);
+  EXPECT_TRUE(json["settings"].empty());
+  for (const Json& condition : json["conditions"]) {
+    EXPECT_EQ(condition["changed"]["count"], 0);
+    for (const auto& [mode, counts] : condition["modes"].items()) {
+      EXPECT_EQ(counts["mcnemar_p_value"], 1.0) << mode;
+      EXPECT_TRUE(counts["variance_reduction"].is_null()) << mode;
+    }
+  }
+}
+
+TEST_F(Compare, RefusesRunsThatCannotBePaired) {
+  ASSERT_EQ(rocking("run first.json -q -o a").exit_code, 0);
+  ASSERT_EQ(rocking("run first.json -q -o b --seed 9").exit_code, 0);
+  const auto seeds = rocking("compare a b");
+  EXPECT_EQ(seeds.exit_code, 64);
+  EXPECT_THAT(seeds.errors, HasSubstr("other seeds"));
+  auto shorter = quick_experiment();
+  shorter.erase("sweep");
+  write("one.json", shorter.dump());
+  ASSERT_EQ(rocking("run one.json -q -o c").exit_code, 0);
+  const auto sweeps = rocking("compare a c");
+  EXPECT_EQ(sweeps.exit_code, 64);
+  EXPECT_THAT(sweeps.errors, HasSubstr("c has 1 condition"));
+  EXPECT_EQ(rocking("compare a absent").exit_code, 66);
+}
+
+}  // namespace

@@ -1,0 +1,228 @@
+// Runs that are stopped, cut, joined, checked: what a user sees of them.
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "rocking/experiment/sqlite.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class RunFolder : public rocking::support::ProgramTest {
+ protected:
+  RunFolder() { write("quick.json", quick_experiment().dump()); }
+
+  /// A run of a second or more, for which there is time to be stopped.
+  void write_slow() const {
+    auto slow = quick_experiment();
+    slow["horizon"]["transient_periods"] = 300;
+    slow["realisations"] = 400;
+    write("slow.json", slow.dump());
+  }
+
+  /// What must be the same however a report came about.
+  std::string lasting_part(const std::string& report) const {
+    Json json = Json::parse(read(report));
+    json.erase("system");
+    return json.dump();
+  }
+
+  void change_store(const std::string& sql) const {
+    rocking::experiment::sqlite::Database(folder_ / "out/realisations.sqlite",
+                                          rocking::experiment::sqlite::Access::write)
+        .execute(sql);
+  }
+
+  void change_report(const std::string& pointer, const Json& value) const {
+    Json report = Json::parse(read("out/report.json"));
+    report[Json::json_pointer(pointer)] = value;
+    write("out/report.json", report.dump(2));
+  }
+};
+
+TEST_F(RunFolder, HoldsItsRealisationsAndNothingElseIsLeft) {
+  ASSERT_EQ(rocking("run quick.json -o out").exit_code, 0);
+  EXPECT_TRUE(exists("out/realisations.sqlite"));
+  EXPECT_FALSE(exists("out/realisations.sqlite-wal"));
+  EXPECT_FALSE(exists("out/realisations.sqlite-shm"));
+}
+
+TEST_F(RunFolder, IsFinishedAfterAKillWithTheBytesOfAnUndisturbedRun) {
+  write_slow();
+  ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
+  for (const char* delay : {"0.1", "0.4"}) {
+    const std::string folder = std::string("killed") + delay;
+    const auto killed = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o " + folder +
+                              " & child=$!; sleep " + delay + "; kill -9 $child; wait $child");
+    ASSERT_EQ(killed.exit_code, 137) << killed.errors;
+    ASSERT_FALSE(exists(folder + "/report.json"));
+    if (!exists(folder + "/realisations.sqlite")) continue;  // killed before it began
+    const auto resumed = rocking("resume " + folder);
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+    EXPECT_EQ(lasting_part(folder + "/report.json"), lasting_part("whole/report.json"));
+  }
+}
+
+TEST_F(RunFolder, IsFinishedAfterItsTimeWasUp) {
+  write_slow();
+  const auto stopped = rocking("run slow.json -o out --max-time 0.2s");
+  EXPECT_EQ(stopped.exit_code, 75);
+  EXPECT_THAT(stopped.errors, AllOf(HasSubstr("the time is up"), HasSubstr("`rocking resume out` goes on")));
+  EXPECT_FALSE(exists("out/report.json"));
+  EXPECT_EQ(rocking("resume out -q").exit_code, 0);
+  ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
+TEST_F(RunFolder, OfAnUnfinishedRunIsNotTakenForAnother) {
+  write_slow();
+  ASSERT_EQ(rocking("run slow.json -o out --max-time 0.1s").exit_code, 75);
+  const auto refused = rocking("run quick.json -o out");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("rocking resume out"), HasSubstr("--overwrite")));
+  EXPECT_EQ(rocking("run quick.json -o out --overwrite").exit_code, 0);
+  EXPECT_EQ(rocking("verify out -q").exit_code, 0);
+}
+
+TEST_F(RunFolder, IsUsedByOneAtATime) {
+  write_slow();
+  const auto outcome = shell(std::string("r='") + ROCKING_PROGRAM +
+                             "'; \"$r\" run slow.json -o out -q >first & sleep 0.2; \"$r\" resume out; "
+                             "echo second $?; wait; \"$r\" verify out --sample 5 -q");
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("second 74"), HasSubstr("same bits")));
+  EXPECT_THAT(outcome.errors, HasSubstr("another `rocking` is at work"));
+}
+
+TEST_F(RunFolder, ResumeAsksForARun) {
+  EXPECT_EQ(rocking("resume absent").exit_code, 66);
+  write("plain/file", "");
+  EXPECT_FALSE(exists("absent")) << "it must not make what it did not find";
+}
+
+TEST_F(RunFolder, IsNotResumedByAnotherVersion) {
+  write_slow();
+  ASSERT_EQ(rocking("run slow.json -o out --max-time 0.1s").exit_code, 75);
+  change_store("UPDATE identity SET code = '0.0.9 old'");
+  const auto refused = rocking("resume out");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("0.0.9 old"));
+}
+
+TEST_F(RunFolder, OfShardsGivesTheBytesOfOneRun) {
+  ASSERT_EQ(rocking("run quick.json -q -o whole").exit_code, 0);
+  for (const char* part : {"1", "2", "3"}) {
+    const std::string n = part;
+    const auto outcome = rocking("run quick.json -o part" + n + " --shard " + n + "/3");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_THAT(outcome.errors, HasSubstr("rocking merge"));
+    EXPECT_FALSE(exists("part" + n + "/report.json"));
+  }
+  ASSERT_EQ(rocking("merge out part3 part1 part2").exit_code, 0);
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+
+  const auto partly = rocking("merge two part3 part1");
+  EXPECT_EQ(partly.exit_code, 75);
+  EXPECT_THAT(partly.errors, HasSubstr("rocking resume two"));
+  EXPECT_EQ(rocking("resume two -q").exit_code, 0);
+  EXPECT_EQ(lasting_part("two/report.json"), lasting_part("whole/report.json"));
+}
+
+TEST_F(RunFolder, OfAnotherExperimentIsNotMerged) {
+  ASSERT_EQ(rocking("run quick.json -q -o a --shard 1/2").exit_code, 0);
+  ASSERT_EQ(rocking("run quick.json -q -o b --shard 2/2 --seed 7").exit_code, 0);
+  const auto refused = rocking("merge out a b");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, AllOf(HasSubstr("b: belongs to another experiment"), HasSubstr("seed")));
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(RunFolder, TakesOnlyAPartOfAWholeAsAShard) {
+  for (const char* shard : {"0/3", "4/3", "3", "a/b", "1/", "-1/3", "1/99999999999"}) {
+    const auto refused = rocking(std::string("run quick.json -o out --shard=") + shard);
+    EXPECT_EQ(refused.exit_code, 64) << shard;
+    EXPECT_THAT(refused.errors, HasSubstr("--shard")) << shard;
+  }
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(RunFolder, IsReplayedBitForBit) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  const auto replayed = rocking("replay out --condition 2 --realisation 3");
+  EXPECT_EQ(replayed.exit_code, 0);
+  EXPECT_EQ(replayed.output, rocking("trajectory quick.json --condition 2 --realisation 3").output);
+  EXPECT_EQ(rocking("replay out --condition 2 --realisation 4").exit_code, 64);
+  EXPECT_EQ(rocking("replay absent --condition 0 --realisation 0").exit_code, 66);
+}
+
+TEST_F(RunFolder, IsVerified) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  const auto all = rocking("verify out");
+  EXPECT_EQ(all.exit_code, 0);
+  EXPECT_THAT(all.output, HasSubstr("12 realisations run again, all with the same bits"));
+  EXPECT_THAT(rocking("verify out --sample 4 --json").output, AllOf(HasSubstr("\"verified\": true"), HasSubstr("4")));
+  std::filesystem::remove(folder_ / "out/realisations.sqlite");
+  EXPECT_EQ(rocking("verify out").exit_code, 0) << "a report alone is checked by running it";
+  EXPECT_EQ(rocking("verify out --sample 4").exit_code, 64);
+}
+
+TEST_F(RunFolder, IsNotVerifiedWhereTheReportWasEdited) {
+  for (const bool with_store : {true, false}) {
+    ASSERT_EQ(rocking("run quick.json -q -o out --overwrite").exit_code, 0);
+    if (!with_store) std::filesystem::remove(folder_ / "out/realisations.sqlite");
+    change_report("/result/conditions/1/counts/overturned", 1);
+    const auto outcome = rocking("verify out");
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.output, HasSubstr("/result/conditions/1/counts/overturned is 1, not 0"));
+  }
+}
+
+TEST_F(RunFolder, IsNotVerifiedWhereTheSeedWasEdited) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  change_report("/input/experiment/seed", "0x2013");
+  const auto edited = rocking("verify out");
+  EXPECT_EQ(edited.exit_code, 1);
+  EXPECT_THAT(edited.output, HasSubstr("input.sha256"));
+
+  ASSERT_EQ(rocking("run quick.json -q -o other --seed 0x2013").exit_code, 0);
+  std::filesystem::copy_file(folder_ / "other/report.json", folder_ / "out/report.json",
+                             std::filesystem::copy_options::overwrite_existing);
+  const auto foreign = rocking("verify out");
+  EXPECT_EQ(foreign.exit_code, 1);
+  EXPECT_THAT(foreign.output,
+              HasSubstr("asks another question than realisations.sqlite answers: /seed is \"0x2013\", not \"0x2012\""));
+}
+
+TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  change_report("/system/version", "0.0.9");
+  EXPECT_EQ(rocking("verify out").exit_code, 0) << "another version with the same bits is as good";
+  change_report("/result/digest", std::string(64, '0'));
+  const auto outcome = rocking("verify out");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("the run is by rocking 0.0.9"), HasSubstr("/result/digest")));
+}
+
+TEST_F(RunFolder, IsNotVerifiedWhereAStoredRealisationWasEdited) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  change_store("UPDATE realisations SET mode = 'chaotic' WHERE condition = 1 AND realisation = 2");
+  const auto outcome = rocking("verify out");
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 is not what was written"));
+}
+
+TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {
+  EXPECT_EQ(rocking("verify absent").exit_code, 66);
+  write("report.json", "{}");
+  const auto outcome = rocking("verify .");
+  EXPECT_EQ(outcome.exit_code, 65);
+  EXPECT_THAT(outcome.errors, HasSubstr("this is no report"));
+}
+
+}  // namespace

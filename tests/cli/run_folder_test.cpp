@@ -57,7 +57,7 @@ TEST_F(RunFolder, HoldsItsRealisationsAndNothingElseIsLeft) {
 TEST_F(RunFolder, IsFinishedAfterAKillWithTheBytesOfAnUndisturbedRun) {
   write_slow();
   ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
-  for (const char* delay : {"0.1", "0.4"}) {
+  for (const char* delay : {"0.001", "0.003", "0.01", "0.03", "0.1", "0.4"}) {
     const std::string folder = std::string("killed") + delay;
     const auto killed = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o " + folder +
                               " & child=$!; sleep " + delay + "; kill -9 $child; wait $child");

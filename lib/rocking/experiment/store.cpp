@@ -40,9 +40,13 @@ Row sound_row(const Statement& statement, const Database& database) {
 }  // namespace
 
 Store Store::create(const std::filesystem::path& path, const Identity& identity) {
-  Database database(path, Access::create);
-  prepare_for_writing(database);
-  return made(std::move(database), identity);
+  // Made beside its place and moved there whole: whoever is killed here leaves no store, rather than one that is none.
+  std::filesystem::path unfinished = path;
+  unfinished += ".new";
+  for (const char* suffix : {"", "-journal"}) std::filesystem::remove(unfinished.string() + suffix);
+  { static_cast<void>(made(Database(unfinished, Access::create), identity)); }
+  std::filesystem::rename(unfinished, path);
+  return open(path, Access::write);
 }
 
 Store Store::in_memory(const Identity& identity) { return made(Database::in_memory(), identity); }

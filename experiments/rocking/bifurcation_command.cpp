@@ -42,8 +42,7 @@ void expect_room(const DiagramFiles& files, bool overwrite) {
 
 std::optional<std::vector<experiment::Diagram>> draw(const experiment::Experiment& experiment,
                                                      const BifurcationRequest& request) {
-  const Loudness& loudness = request.labour.loudness;
-  Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
+  Progress progress(suitable_progress_style(request.labour.loudness), "steps");
   experiment::RunOptions options;
   options.threads = request.labour.threads;
   options.stop_requested = &stop_on_interrupt();
@@ -61,7 +60,8 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   expect_room(files, request.overwrite);
   auto diagrams = draw(experiment, request);
   if (!diagrams) {
-    print_notice("interrupted; nothing is written, and the next time it begins anew");
+    print_notice(fmt::format("interrupted; nothing is written: `rocking bifurcation {} -o {}` begins anew",
+                             request.file, request.folder));
     return ExitCode::interrupted;
   }
   const report::DrawnDiagrams drawn{

@@ -14,6 +14,7 @@
 #include "rocking/report/files.hpp"
 #include "rocking/report/mode_table.hpp"
 #include "rocking/report/write_report.hpp"
+#include "running_estimate.hpp"
 
 namespace rocking::program {
 namespace {
@@ -81,14 +82,15 @@ struct Stretch {
 };
 
 Stretch work(const experiment::Experiment& experiment, experiment::Store& store, const Labour& labour) {
-  const Loudness& loudness = labour.loudness;
-  Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
+  Progress progress(suitable_progress_style(labour.loudness), "realisations");
+  RunningEstimate estimate(experiment);
   Stretch stretch{};
   experiment::RunOptions options;
   options.threads = labour.threads;
   options.stop_requested = &stop_on_interrupt();
+  options.on_realisations = [&](std::size_t condition, const auto& summaries) { estimate.add(condition, summaries); };
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-    progress.show(done, all);
+    progress.show(done, all, [&] { return estimate.text(); });
     stretch.done = done;
     stretch.all = all;
     if (labour.max_time && progress.elapsed() >= *labour.max_time) stop_for_time();

@@ -1,52 +1,126 @@
 #include "progress.hpp"
 
-#include <fmt/format.h>
-#include <unistd.h>
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
 
-#include "output.hpp"
+#include <fmt/format.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
 
 namespace rocking::program {
 namespace {
+
+constexpr std::size_t longest_bar = 24;
+constexpr std::size_t shortest_bar = 6;
 
 constexpr std::chrono::milliseconds interval_of(ProgressStyle style) {
   return style == ProgressStyle::rewritten_line ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
 }
 
+std::string environment(const char* name) {
+  const char* value = std::getenv(name);
+  return value == nullptr ? "" : value;
+}
+
+/// Of standard error, if that is a terminal; 80 where it does not tell.
+std::size_t columns() {
+  winsize size{};
+  const bool told = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return told ? size.ws_col : 80;
+}
+
+/// no-color.org: any value but an empty one turns colour off.
+bool wants_colour() { return environment("NO_COLOR").empty(); }
+
+std::string bar(const Pace& pace, std::size_t length) {
+  const double part = pace.all == 0 ? 1.0 : static_cast<double>(pace.done) / static_cast<double>(pace.all);
+  const auto filled = std::min(length, static_cast<std::size_t>(part * static_cast<double>(length)));
+  std::string text(length, ' ');
+  std::fill_n(text.begin(), filled, '=');
+  if (filled < length) text[filled] = '>';
+  return text;
+}
+
+/// At most `length` bytes, no letter in half.
+std::string cut(std::string text, std::size_t length) {
+  if (text.size() <= length) return text;
+  while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
+  text.resize(length);
+  return text;
+}
+
+/// The bar gives way to the words. The last column stays free: some terminals break the line there.
+void rewrite_line(const Pace& pace, const std::string& words) {
+  constexpr std::size_t frame = 3;
+  const std::size_t width = columns() - 1;
+  const std::size_t room = width - std::min(width, words.size() + frame);
+  const std::size_t length = std::clamp(room, shortest_bar, longest_bar);
+  if (width < 3 * length) {
+    fmt::print(stderr, "\r{}\x1b[K", cut(words, width));
+  } else {
+    const std::string_view on = wants_colour() ? "\x1b[32m" : "";
+    const std::string_view off = wants_colour() ? "\x1b[0m" : "";
+    fmt::print(stderr, "\r[{}{}{}] {}\x1b[K", on, bar(pace, length), off, cut(words, width - length - frame));
+  }
+}
+
 }  // namespace
 
-Progress::Progress(ProgressStyle style) : style_(style), start_(Clock::now()), next_(start_ + interval_of(style)) {}
+ProgressStyle suitable_progress_style(const Loudness& loudness) {
+  if (loudness.quiet || loudness.no_progress) return ProgressStyle::none;
+  const bool rewrites = isatty(STDERR_FILENO) == 1 && environment("TERM") != "dumb";
+  return rewrites ? ProgressStyle::rewritten_line : ProgressStyle::log_lines;
+}
+
+std::string progress_line(const Pace& pace, std::string_view noun) {
+  const auto part = static_cast<double>(pace.done);
+  const auto whole = static_cast<double>(pace.all);
+  std::string line = fmt::format("{}/{}", pace.done, pace.all);
+  if (!noun.empty()) {
+    line =
+        fmt::format("{} of {} {} ({:.1f} %)", pace.done, pace.all, noun, pace.all == 0 ? 100.0 : 100.0 * part / whole);
+  }
+  if (!pace.rate || *pace.rate <= 0.0) return line;
+  const std::string rate = *pace.rate < 100.0 ? fmt::format("{:.3g}", *pace.rate) : fmt::format("{:.0f}", *pace.rate);
+  return line + fmt::format(", {}/s, {} to go", rate, spoken_duration((whole - part) / *pace.rate));
+}
+
+Progress::Progress(ProgressStyle style, std::string noun)
+    : style_(style), noun_(std::move(noun)), start_(Clock::now()), next_(start_) {
+  if (style_ == ProgressStyle::log_lines) next_ += interval_of(style_);
+}
 
 Progress::~Progress() {
   if (line_open_) fmt::print(stderr, "\r\x1b[K");  // leave the line as it was found
 }
 
-void Progress::show(std::uint64_t done, std::uint64_t all) {
+void Progress::show(std::uint64_t done, std::uint64_t all, const std::function<std::string()>& more) {
+  if (!done_at_first_) {
+    done_at_first_ = done;
+    first_ = elapsed();
+  }
   if (style_ == ProgressStyle::none || Clock::now() < next_) return;
   next_ = Clock::now() + interval_of(style_);
-  const std::string line = progress_line(done, all, elapsed());
+  const Pace reached = pace(done, all);
+  std::string words = progress_line(reached, style_ == ProgressStyle::rewritten_line ? "" : noun_);
+  if (const std::string also = more ? more() : ""; !also.empty()) words += "; " + also;
   if (style_ == ProgressStyle::rewritten_line) {
-    fmt::print(stderr, "\r{}\x1b[K", line);
+    rewrite_line(reached, words);
     line_open_ = true;
   } else {
-    fmt::print(stderr, "{}\n", line);
+    fmt::print(stderr, "{}\n", words);
   }
 }
 
 double Progress::elapsed() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
 
-std::string progress_line(std::uint64_t done, std::uint64_t all, double elapsed) {
-  const auto part = static_cast<double>(done);
-  const auto whole = static_cast<double>(all);
-  std::string line =
-      fmt::format("{} of {} realisations ({:.1f} %)", done, all, all == 0 ? 100.0 : 100.0 * part / whole);
-  if (done == 0 || elapsed <= 0.0) return line;
-  const double rate = part / elapsed;
-  line += fmt::format(", {:.3g}/s, {} to go", rate, spoken_duration((whole - part) / rate));
-  return line;
-}
-
-ProgressStyle suitable_progress_style() {
-  return isatty(STDERR_FILENO) == 1 ? ProgressStyle::rewritten_line : ProgressStyle::log_lines;
+Pace Progress::pace(std::uint64_t done, std::uint64_t all) {
+  Pace pace{.done = done, .all = all, .rate = {}};
+  const double time = elapsed() - first_;
+  const std::uint64_t since = done - std::min(done, *done_at_first_);
+  if (time > 0.0 && since > 0) pace.rate = static_cast<double>(since) / time;
+  return pace;
 }
 
 }  // namespace rocking::program

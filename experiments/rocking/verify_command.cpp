@@ -131,9 +131,7 @@ class Verifier {
   std::string report_;
   report::ReportClaims claims_;
   Findings findings_;
-  Progress progress_{request_->labour.loudness.quiet || request_->labour.loudness.no_progress
-                         ? ProgressStyle::none
-                         : suitable_progress_style()};
+  Progress progress_{suitable_progress_style(request_->labour.loudness), "realisations"};
 };
 
 ExitCode verify(const VerifyRequest& request) {

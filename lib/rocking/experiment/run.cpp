@@ -75,6 +75,7 @@ RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options
                             for (std::size_t i = 0; i < summaries.size(); ++i)
                               work.mark_done({pair.condition, pair.first + i});
                             look(experiment, store, work, pair.condition);
+                            if (options.on_realisations) options.on_realisations(pair.condition, summaries);
                             if (options.on_progress) options.on_progress(work.done(), work.all());
                           }};
   try {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
@@ -18,6 +20,8 @@ struct RunOptions {
   std::function<void(std::uint64_t done, std::uint64_t all)> on_progress;
   /// Set from outside (a signal handler, a clock) to stop between realisations.
   const std::atomic<bool>* stop_requested = nullptr;
+  /// Called before `on_progress`, with what was just put into the store.
+  std::function<void(std::size_t condition, const std::vector<Summary>& summaries)> on_realisations = nullptr;
 };
 
 enum class RunEnd : std::uint8_t { complete, stopped };

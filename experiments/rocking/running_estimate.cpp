@@ -1,0 +1,44 @@
+#include "running_estimate.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "rocking/report/mode_table.hpp"
+#include "rocking/stats/interval.hpp"
+
+namespace rocking::program {
+namespace {
+
+constexpr double confidence = 0.95;
+
+std::string name_of(const experiment::Condition& condition) {
+  std::string name;
+  for (const experiment::Parameter& parameter : condition.parameters) {
+    const std::string key = parameter.pointer.substr(parameter.pointer.rfind('/') + 1);
+    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, report::short_value(parameter));
+  }
+  return name.empty() ? "so far" : name;
+}
+
+}  // namespace
+
+void RunningEstimate::add(std::size_t condition, const std::vector<experiment::Summary>& summaries) {
+  condition_ = condition;
+  for (const experiment::Summary& summary : summaries) ++counts_[condition][summary.mode];
+}
+
+std::string RunningEstimate::text() const {
+  const auto found = counts_.find(condition_);
+  if (found == counts_.end()) return "";
+  std::uint64_t number = 0;
+  for (const auto& [mode, count] : found->second) number += count;
+  const auto& [mode, count] =
+      *std::ranges::max_element(found->second, {}, [](const auto& entry) { return entry.second; });
+  const auto [low, high] = stats::wilson({.successes = count, .trials = number}, confidence);
+  return fmt::format("{}: {} {:.0f} % [{:.0f}, {:.0f}] of {}", name_of(experiment_->conditions[condition_]),
+                     to_string(mode), 100.0 * static_cast<double>(count) / static_cast<double>(number), 100.0 * low,
+                     100.0 * high, number);
+}
+
+}  // namespace rocking::program

@@ -7,6 +7,7 @@
 #include "rocking/random/sampler.hpp"
 #include "rocking/report/read_quantity.hpp"
 #include "rocking/report/write_check_normal.hpp"
+#include "usage.hpp"
 
 namespace rocking::program {
 namespace {
@@ -70,9 +71,8 @@ void add_check_normal(CLI::App& app, Action& action) {
       ->capture_default_str()
       ->type_name("S");
   command->add_option("--seed", request->seed, "Seed, as 0x2012 or 8210")->capture_default_str()->type_name("S");
-  command
-      ->add_option("--sampler", request->sampler, "How uniform numbers become normal ones; simulations use box-muller")
-      ->check(CLI::IsMember({"box-muller", "ziggurat", "inverse-cdf"}))
+  command->add_option("--sampler", request->sampler, "How numbers become normal; simulations use box-muller")
+      ->check(one_of({"box-muller", "ziggurat", "inverse-cdf"}))
       ->capture_default_str()
       ->type_name("NAME");
   add_loudness(*command, request->loudness);

@@ -1,5 +1,6 @@
 #include <cstdlib>
 #include <exception>
+#include <memory>
 #include <new>
 #include <system_error>
 
@@ -17,12 +18,13 @@ namespace rocking::program {
 namespace {
 
 void add_commands(CLI::App& app, Action& action) {
+  app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", std::string(base::build_info().version));
   app.require_subcommand(1);
   app.footer(
       "`rocking COMMAND --help` tells more, with an example.\n"
       "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 a bug of ours,\n"
-      "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` goes on after both).");
+      "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` goes on after both).\n");
   add_run(app, action);
   add_resume(app, action);
   add_merge(app, action);
@@ -35,6 +37,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_validate(app, action);
   add_schema(app, action);
   add_doctor(app, action);
+  add_completion(app, action);
 }
 
 ExitCode fail(ExitCode code, std::string_view message) {

@@ -1,9 +1,11 @@
 #include <memory>
-#include <set>
+#include <string>
+#include <vector>
 
 #include "commands.hpp"
 #include "output.hpp"
 #include "rocking/report/schema.hpp"
+#include "usage.hpp"
 
 namespace rocking::program {
 
@@ -13,9 +15,9 @@ void add_schema(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking schema experiment > experiment.schema.json\n"
       "An editor that knows JSON Schema then completes and checks experiment files.");
-  std::set<std::string> names;
-  for (const report::Schema& schema : report::schemas()) names.emplace(schema.name);
-  command->add_option("NAME", *name, "Which format")->required()->check(CLI::IsMember(names));
+  std::vector<std::string> names;
+  for (const report::Schema& schema : report::schemas()) names.emplace_back(schema.name);
+  command->add_option("NAME", *name, "Which format")->required()->check(one_of(names));
   const auto loudness = std::make_shared<Loudness>();
   add_loudness(*command, *loudness);
   command->final_callback([&action, name, loudness] {

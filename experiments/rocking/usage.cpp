@@ -1,9 +1,11 @@
 #include "usage.hpp"
 
+#include <algorithm>
 #include <string_view>
-#include <vector>
+#include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "rocking/report/spelling.hpp"
 
@@ -37,25 +39,60 @@ std::vector<std::string> flag_names(const CLI::App& command) {
   return names;
 }
 
+std::string called(const CLI::App& app, const CLI::App& command) {
+  return &command == &app ? app.get_name() : app.get_name() + ' ' + command.get_name();
+}
+
 }  // namespace
 
 std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, const char* const* argv) {
   const std::vector<std::string> words(argv + 1, argv + argc);
-  const CLI::App* command = nullptr;
+  const CLI::App* command = &app;
   for (const std::string& word : words) {
-    const bool is_flag = word.starts_with('-');
-    if (command == nullptr && !is_flag) {
+    if (word.starts_with("--")) {
+      const std::string flag = word.substr(0, word.find('='));
+      if (flag == "--" || command->get_option_no_throw(flag) != nullptr) continue;
+      return fmt::format("\"{}\" is no flag of `{}`{}", flag, called(app, *command),
+                         suggestion(flag, flag_names(*command)));
+    }
+    if (command == &app && !word.starts_with('-')) {
       command = command_named(app, word);
       if (command == nullptr) return fmt::format("\"{}\" is no command{}", word, suggestion(word, command_names(app)));
-    } else if (command != nullptr && word.starts_with("--")) {
-      const std::string flag = word.substr(0, word.find('='));
-      const auto known = flag_names(*command);
-      if (command->get_option_no_throw(flag) == nullptr) {
-        return fmt::format("\"{}\" is no flag of `rocking {}`{}", flag, command->get_name(), suggestion(flag, known));
-      }
     }
   }
   return std::nullopt;
+}
+
+CLI::Validator one_of(std::vector<std::string> words) {
+  const std::string list = fmt::format("{}", fmt::join(words, ","));
+  const auto check = [words = std::move(words)](const std::string& written) -> std::string {
+    if (std::ranges::find(words, written) != words.end()) return "";
+    return fmt::format("\"{}\" is none of {}{}", written, fmt::join(words, ", "), suggestion(written, words));
+  };
+  return CLI::Validator(check, '{' + list + '}');
+}
+
+std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
+  const std::string type = option->get_type_name();
+  std::string text;
+  if (!option->get_positional() && option->get_items_expected_max() > 0) text += ' ' + type.substr(0, type.find(':'));
+  if (!option->get_default_str().empty()) text += " (" + option->get_default_str() + ')';
+  if (!option->get_positional() && option->get_required()) text += " (required)";
+  if (option->get_positional() && option->get_items_expected_max() > 1) text += " ...";
+  return text;
+}
+
+std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
+  const auto choices = choices_of(*option);
+  return option->get_description() + (choices.empty() ? "" : fmt::format(": {}", fmt::join(choices, ", ")));
+}
+
+std::vector<std::string> choices_of(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  const std::size_t open = type.find('{');
+  const std::size_t close = type.find('}');
+  if (open == std::string::npos || close == std::string::npos) return {};
+  return CLI::detail::split(type.substr(open + 1, close - open - 1), ',');
 }
 
 }  // namespace rocking::program

@@ -1,0 +1,208 @@
+// What someone at a terminal sees: progress, help, completion, and what was probably meant.
+
+#include <algorithm>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+
+namespace {
+
+using rocking::support::Outcome;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::AnyOf;
+using ::testing::Contains;
+using ::testing::ContainsRegex;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::IsSupersetOf;
+using ::testing::Not;
+using ::testing::StartsWith;
+
+std::set<std::string> all_matches(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  std::set<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match) {
+    found.insert(match->str(1));
+  }
+  return found;
+}
+
+class Terminal : public rocking::support::ProgramTest {
+ protected:
+  Terminal() { write("quick.json", quick_experiment().dump()); }
+
+  /// What a terminal of so many columns gets to see of the program's standard error.
+  std::string seen(int columns, const std::string& arguments, const std::string& environment = "") const {
+    const Outcome outcome = shell("TERM=xterm script -qec \"stty cols " + std::to_string(columns) + "; " + environment +
+                                  " '" + ROCKING_PROGRAM + "' " + arguments + " >table\" typescript >shown");
+    EXPECT_EQ(outcome.exit_code, 0) << read("shown");
+    return read("shown");
+  }
+
+  /// The commands that `rocking --help` lists.
+  std::set<std::string> commands() const {
+    const std::string help = rocking("--help").output;
+    return all_matches(help.substr(help.find("Subcommands:")), R"(\n  ([a-z][a-z-]*) +[A-Z])");
+  }
+
+  /// What bash offers at the end of a line.
+  std::vector<std::string> offered(const std::string& line) const {
+    const Outcome outcome =
+        shell("'" ROCKING_PROGRAM "' completion bash >completion; bash -c '. ./completion; line=\"" + line +
+              "\"; COMP_WORDS=($line); [[ $line == *\" \" ]] && COMP_WORDS+=(\"\"); "
+              "COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _rocking; printf \"%s\\n\" \"${COMPREPLY[@]}\"'");
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(outcome.errors, "") << line;
+    std::vector<std::string> words;
+    std::istringstream lines(outcome.output);
+    for (std::string word; std::getline(lines, word);) {
+      if (!word.empty()) words.push_back(word);
+    }
+    return words;
+  }
+};
+
+TEST_F(Terminal, ShowsABarTheRestTheConditionAndItsEstimateOnOneLine) {
+  const std::string shown = seen(120, "run quick.json -o out");
+  EXPECT_THAT(shown, ContainsRegex("\r\\[.*\x1b\\[32m[=>].* *.*\\] [0-9]+/12.*; amplitude 3: [a-z(].* % "
+                                   "\\[[0-9]+, [0-9]+\\] of [0-9]+\x1b\\[K"));
+  EXPECT_THAT(shown, HasSubstr("\r\x1b[Krocking: ")) << "the line is left as it was found";
+}
+
+TEST_F(Terminal, ShowsNoColourWhereNoneIsWanted) {
+  const std::string shown = seen(120, "run quick.json -o out", "NO_COLOR=1");
+  EXPECT_THAT(shown, AllOf(HasSubstr("\r["), Not(HasSubstr("\x1b[3")), Not(HasSubstr("\x1b[0m"))));
+  EXPECT_THAT(seen(120, "run quick.json -o other", "NO_COLOR="), HasSubstr("\x1b[32m")) << "empty is not set";
+}
+
+TEST_F(Terminal, IsNeverWrappedByProgress) {
+  for (const int columns : {2, 12, 40, 80}) {
+    const std::string shown =
+        seen(columns, "run quick.json --overwrite -o out" + std::to_string(columns), "NO_COLOR=1");
+    const auto lines = all_matches(shown, "\r([^\r\n\x1b]+)\x1b\\[K");
+    ASSERT_THAT(lines, Not(IsEmpty())) << columns;
+    for (const std::string& line : lines) EXPECT_LT(line.size(), static_cast<std::size_t>(columns)) << line;
+  }
+}
+
+TEST_F(Terminal, IsLeftAloneWhereItCannotRewriteOrIsAskedNotTo) {
+  EXPECT_THAT(seen(80, "run quick.json -o a", "TERM=dumb"), Not(HasSubstr("\x1b")));
+  EXPECT_THAT(seen(80, "run quick.json -o b --no-progress"), Not(HasSubstr("\x1b")));
+  EXPECT_EQ(seen(80, "run quick.json -o c -q"), "");
+  EXPECT_THAT(rocking("run quick.json -o d").errors, Not(AnyOf(HasSubstr("\x1b"), HasSubstr(" of 12 "))));
+}
+
+TEST_F(Terminal, SeesABifurcationInSteps) { EXPECT_THAT(seen(80, "bifurcation quick.json -o out"), HasSubstr("/9")); }
+
+TEST_F(Terminal, GetsHelpOnEveryCommandWithAnExample) {
+  EXPECT_GT(commands().size(), 12U);
+  for (const std::string& command : commands()) {
+    const Outcome help = rocking(command + " --help");
+    EXPECT_EQ(help.exit_code, 0) << command;
+    EXPECT_EQ(help.errors, "") << command;
+    EXPECT_THAT(help.output,
+                AnyOf(HasSubstr("\nExample: rocking " + command), HasSubstr("\nExample: eval \"$(rocking " + command)));
+    std::istringstream lines(help.output);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 125U) << command << ": " << line;
+  }
+}
+
+/// Sections of lib/docs/commands.md by their headings.
+std::map<std::string, std::string> documented_commands() {
+  std::ifstream file(ROCKING_SOURCE_DIR "/lib/docs/commands.md");
+  std::map<std::string, std::string> sections;
+  std::string heading;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with("## ")) heading = line.substr(3);
+    sections[heading] += line + '\n';
+  }
+  return sections;
+}
+
+TEST_F(Terminal, IsToldByTheDocumentsWhatHelpTells) {
+  const auto sections = documented_commands();
+  const auto flags_of = [](const std::string& text) { return all_matches(text, R"((?:^|[^\w-])(--?[a-z][a-z-]*))"); };
+  ASSERT_TRUE(sections.contains("Flags of every command"));
+  const auto common = flags_of(sections.at("Flags of every command"));
+  std::set<std::string> documented;
+  for (const auto& [heading, text] : sections) {
+    if (heading.starts_with("rocking ")) documented.insert(heading.substr(8, heading.find(' ', 8) - 8));
+  }
+  EXPECT_EQ(documented, commands());
+  for (const std::string& command : commands()) {
+    const std::string help = rocking(command + " --help").output;
+    auto told = all_matches(help.substr(0, help.find("Example:")), R"((?:\n  |,)(--?[a-z][a-z-]*))");
+    for (const std::string& name : common) told.erase(name);
+    for (const auto& [heading, text] : sections) {
+      if ((heading + ' ').starts_with("rocking " + command + ' ')) {
+        EXPECT_EQ(all_matches(text, R"((?:\n\| `|, `)(--?[a-z][a-z-]*))"), told) << command;
+      }
+    }
+  }
+}
+
+TEST_F(Terminal, IsCompletedWithCommandsFlagsAndChoices) {
+  EXPECT_THAT(offered("rocking "), IsSupersetOf({"run", "resume", "check-normal", "--version"}));
+  EXPECT_EQ(offered("rocking bif"), std::vector<std::string>{"bifurcation"});
+  EXPECT_EQ(offered("rocking run --dr"), std::vector<std::string>{"--dry-run"});
+  EXPECT_THAT(offered("rocking run quick.json --se"), Contains("--seed"));
+  EXPECT_EQ(offered("rocking check-normal --sampler b"), std::vector<std::string>{"box-muller"});
+  EXPECT_EQ(offered("rocking check-normal --sampler = z"), std::vector<std::string>{"ziggurat"});
+  EXPECT_EQ(offered("rocking schema rep"), std::vector<std::string>{"report"});
+  EXPECT_THAT(offered("rocking run --seed "), IsEmpty());
+}
+
+TEST_F(Terminal, IsCompletedWithFilesAndFoldersWhereTheyBelong) {
+  ASSERT_EQ(shell("mkdir 'out one' other; touch notes.txt").exit_code, 0);
+  EXPECT_THAT(offered("rocking run q"), std::vector<std::string>{"quick.json"});
+  EXPECT_THAT(offered("rocking run "),
+              AllOf(IsSupersetOf({"quick.json", "out one", "other"}), Not(Contains("notes.txt"))));
+  EXPECT_EQ(offered("rocking resume ot"), std::vector<std::string>{"other"});
+  EXPECT_EQ(offered("rocking run quick.json -o ot"), std::vector<std::string>{"other"});
+  EXPECT_EQ(offered("rocking merge whole ot"), std::vector<std::string>{"other"});
+}
+
+TEST_F(Terminal, IsCompletedForEveryCommand) {
+  for (const std::string& command : commands()) EXPECT_THAT(offered("rocking " + command + " --h"), Contains("--help"));
+}
+
+TEST_F(Terminal, IsToldWhatWasProbablyMeant) {
+  const std::map<std::string, std::string> meant{{"rnu quick.json", "run"},
+                                                 {"--vesrion", "--version"},
+                                                 {"run quick.json --sed 4", "--seed"},
+                                                 {"run quick.json --realisation=4", "--realisations"},
+                                                 {"check-normal --sampler ziggurrat", "ziggurat"},
+                                                 {"schema reprot", "report"},
+                                                 {"completion bsh", "bash"}};
+  for (const auto& [written, right] : meant) {
+    const Outcome outcome = rocking(written);
+    EXPECT_EQ(outcome.exit_code, 64) << written;
+    EXPECT_THAT(outcome.errors, HasSubstr("did you mean \"" + right + "\"?"));
+  }
+  EXPECT_THAT(rocking("completion fish").errors, AllOf(HasSubstr("bash"), Not(HasSubstr("did you mean"))));
+}
+
+TEST_F(Terminal, InterruptsABifurcationCleanlyAndIsToldHowToBeginAnew) {
+  auto slow = quick_experiment();
+  slow["sweep"][0] = {{"parameter", "/excitation/amplitude"}, {"from", 3.0}, {"to", 6.0}, {"step", 0.0001}};
+  write("slow.json", slow.dump());
+  for (const char* signal : {"INT", "TERM"}) {
+    const std::string folder = std::string("out") + signal;
+    const Outcome outcome = shell(std::string("'") + ROCKING_PROGRAM + "' bifurcation slow.json -o " + folder +
+                                  " & child=$!; while [ ! -d " + folder + " ]; do sleep 0.02; done; sleep 0.3; kill -" +
+                                  signal + " $child; wait $child");
+    EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("`rocking bifurcation slow.json -o " + folder + "` begins anew"));
+    EXPECT_TRUE(std::filesystem::is_empty(folder_ / folder));
+  }
+}
+
+}  // namespace

@@ -31,6 +31,7 @@ void add_commands(CLI::App& app, Action& action) {
   add_verify(app, action);
   add_compare(app, action);
   add_bifurcation(app, action);
+  add_report(app, action);
   add_trajectory(app, action);
   add_replay(app, action);
   add_check_normal(app, action);

@@ -11,6 +11,7 @@ build_packages=(
   g++ cmake make pkg-config git
   nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev
   libgtest-dev libgmock-dev
+  gnuplot-nox  # draws the figures
 )
 boost_package=libboost1.81-dev
 oldest_boost=107400

@@ -66,6 +66,17 @@ Offences forbidden_uses(const std::string& module, const std::string& source) {
   return found;
 }
 
+/// What a source of analysis/ includes and may not: it sees results, in files and stores, and nothing that makes them.
+Offences forbidden_in_analysis(const std::string& source) {
+  static const std::regex include(R"(#\s*include\s*["<](rocking/\w+/\w+\.hpp|nlohmann/[^">]*))");
+  static const std::regex allowed(R"(rocking/(base|stats|section|report)/.*|rocking/experiment/(store|summary)\.hpp)");
+  Offences found;
+  for (std::sregex_iterator match(source.begin(), source.end(), include), end; match != end; ++match) {
+    if (!std::regex_match(match->str(1), allowed)) found.push_back(match->str(1));
+  }
+  return found;
+}
+
 /// JSON is read and written in one module only.
 Offences stray_json(const std::string& module, const std::string& source) {
   return module == "report" ? Offences{} : matches(source, R"(#\s*include\s*["<]nlohmann/[^">]*)");
@@ -157,6 +168,17 @@ TEST(TheHouse, HasArrowsOneWayOnly) {
   }
 }
 
+TEST(TheHouse, DrawsWithoutSimulating) {
+  std::size_t sources = 0;
+  for (const File& file : files_of_tree()) {
+    if (*file.path.lexically_relative(ROCKING_SOURCE_DIR).begin() != "analysis") continue;
+    ++sources;
+    EXPECT_THAT(forbidden_in_analysis(file.text), IsEmpty()) << file.path;
+    EXPECT_THAT(matches(without_comments(file.text), "\\brealise\\b|trajectory_of"), IsEmpty()) << file.path;
+  }
+  EXPECT_GT(sources, 10U);
+}
+
 TEST(TheHouse, ReadsAndWritesJsonInOneModule) {
   for (const File& file : sources_of_library()) EXPECT_THAT(stray_json(file.module, file.text), IsEmpty()) << file.path;
 }
@@ -193,6 +215,13 @@ TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
   EXPECT_THAT(forbidden_uses("base", "# include <rocking/report/json.hpp>\n"), ElementsAre("base -> report"));
   EXPECT_THAT(forbidden_uses("report", "#include \"rocking/random/normal.hpp\""), ElementsAre("report -> random"));
   EXPECT_THAT(forbidden_uses("section", "#include \"rocking/base/lane.hpp\"\n#include \"rocking/section/a.hpp\"\n"),
+              IsEmpty());
+}
+
+TEST(TheHouseRules, FindASimulatingFigure) {
+  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/experiment/record.hpp\"\n#include <nlohmann/json.hpp>\n"),
+              SizeIs(2));
+  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/experiment/store.hpp\"\n#include \"analysis/a.hpp\"\n"),
               IsEmpty());
 }
 

@@ -1,0 +1,70 @@
+#include "analysis/data_file.hpp"
+
+#include <charconv>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+/// One line, without the marks that would end a quoted text.
+std::string harmless(const std::string& text) {
+  std::string line;
+  for (const char c : text) line += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '"' ? '\'' : c;
+  return line;
+}
+
+std::string field(const Cell& cell) {
+  if (std::holds_alternative<std::string>(cell)) return '"' + harmless(std::get<std::string>(cell)) + '"';
+  return cell_text(cell);
+}
+
+std::string header_of(const Table& table) {
+  std::string text = "# " + harmless(table.name) + '\n';
+  if (table.grid) {
+    const Table::Grid& grid = *table.grid;
+    text += "# column i: x = " + number_text(grid.x) + " + i " + number_text(grid.dx);
+    text += "; line j: y = " + number_text(grid.y) + " + j " + number_text(grid.dy) + "; both count from 0\n";
+    return text;
+  }
+  std::string names = "#";
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    text +=
+        "# " + std::to_string(i + 1) + ' ' + table.columns[i].name + ": " + harmless(table.columns[i].meaning) + '\n';
+    names += (i == 0 ? " " : "\t") + table.columns[i].name;
+  }
+  return text + names + '\n';
+}
+
+}  // namespace
+
+std::string number_text(double number) {
+  char text[32];
+  const auto [end, error] = std::to_chars(text, text + sizeof text, number);
+  ROCKING_EXPECT(error == std::errc());
+  static_cast<void>(error);
+  return {text, end};
+}
+
+std::string cell_text(const Cell& cell) {
+  if (const double* number = std::get_if<double>(&cell)) return number_text(*number);
+  if (const std::string* text = std::get_if<std::string>(&cell)) return *text;
+  return "NaN";
+}
+
+std::string data_text(const Figure& figure) {
+  std::string text = "# " + harmless(figure.title) + '\n';
+  if (!figure.subtitle.empty()) text += "# " + harmless(figure.subtitle) + '\n';
+  for (std::size_t i = 0; i < figure.tables.size(); ++i) {
+    const Table& table = figure.tables[i];
+    text += (i == 0 ? "" : "\n\n") + header_of(table);
+    if (table.rows.empty()) text += "NaN\n";  // so that gnuplot counts it as a block
+    for (const auto& row : table.rows) {
+      for (std::size_t j = 0; j < row.size(); ++j) text += (j == 0 ? "" : "\t") + field(row[j]);
+      text += '\n';
+    }
+  }
+  return text;
+}
+
+}  // namespace rocking::analysis

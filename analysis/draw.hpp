@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/gnuplot.hpp"
+
+namespace rocking::analysis {
+
+/// The picture formats there are: svg, png, pdf.
+[[nodiscard]] const std::vector<std::string>& picture_formats();
+
+/// Writes NAME.tsv and NAME.gp into `folder`, which must be there, and draws the pictures in these formats beside them.
+/// Without gnuplot the two files are written all the same, and the drawing says so. Equal figures give equal bytes.
+/// Throws std::system_error with the path.
+[[nodiscard]] Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
+                                   const std::vector<std::string>& formats = picture_formats());
+
+/// The figure as SVG text, drawn in a temporary folder; empty without gnuplot, `drawing` says why.
+[[nodiscard]] std::string svg_of(const Figure& figure, Drawing& drawing);
+
+}  // namespace rocking::analysis

@@ -1,0 +1,105 @@
+#include "analysis/gnuplot.hpp"
+
+#include <array>
+#include <cerrno>
+#include <cstdlib>
+#include <system_error>
+
+#include <fcntl.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+extern char** environ;
+
+namespace rocking::analysis {
+namespace {
+
+/// A pipe whose ends close when this object goes.
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+  ~Pipe() {
+    ::close(ends_[0]);
+    close_writing();
+  }
+  [[nodiscard]] int writing() const { return ends_[1]; }
+  void close_writing() {
+    if (ends_[1] >= 0) ::close(ends_[1]);
+    ends_[1] = -1;
+  }
+  [[nodiscard]] std::string read_all() const {
+    std::string text;
+    char buffer[4096];
+    for (;;) {
+      const auto count = ::read(ends_[0], buffer, sizeof buffer);
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) return text;
+      text.append(buffer, static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  std::array<int, 2> ends_{};
+};
+
+/// The environment of this process in the plain language, without what would set gnuplot up otherwise.
+std::vector<std::string> plain_environment() {
+  std::vector<std::string> entries{"LC_ALL=C.UTF-8"};
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    const bool ours = text.starts_with("LC_") || text.starts_with("GNUPLOT_");
+    if (!ours) entries.push_back(text);
+  }
+  return entries;
+}
+
+std::vector<char*> pointers_to(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+int wait_for(pid_t process) {
+  int status = 0;
+  while (::waitpid(process, &status, 0) < 0) {
+    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "gnuplot");
+  }
+  return status;
+}
+
+}  // namespace
+
+Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name,
+                    const std::vector<std::string>& formats) {
+  std::string wanted = "formats='";
+  for (const std::string& format : formats) wanted += (wanted.back() == '\'' ? "" : " ") + format;
+  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + '\'', name + ".gp"};
+  std::vector<std::string> environment = plain_environment();
+  Pipe said;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
+  posix_spawn_file_actions_adddup2(&actions, said.writing(), STDOUT_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, said.writing(), STDERR_FILENO);
+  pid_t process = 0;
+  const int error = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, pointers_to(arguments).data(),
+                                   pointers_to(environment).data());
+  posix_spawn_file_actions_destroy(&actions);
+  if (error == ENOENT) {
+    return {.reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
+  }
+  if (error != 0) throw std::system_error(error, std::generic_category(), "gnuplot: cannot be started");
+  said.close_writing();
+  const std::string words = said.read_all();
+  if (wait_for(process) == 0) return {.drawn = true, .reason = {}};
+  return {.reason = "gnuplot failed on " + (folder / (name + ".gp")).string() + ": " + words};
+}
+
+}  // namespace rocking::analysis

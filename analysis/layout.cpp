@@ -1,0 +1,103 @@
+#include "analysis/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rocking::analysis {
+namespace {
+
+constexpr double full_width = 720.0;
+constexpr double line_height = 21.0;
+constexpr double letter = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
+constexpr double sample = 42.0;  // of a legend's entry, with the gap before its words
+constexpr double left_margin = 78.0;
+constexpr double right_margin = 18.0;
+constexpr double below_axes = 56.0;
+constexpr double above_axes = 26.0;
+
+/// Letters of UTF-8 text.
+double letters(const std::string& text) {
+  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// Each legend once, in the order of the panels.
+std::vector<LegendEntry> entries_of(const Figure& figure) {
+  std::vector<LegendEntry> entries;
+  for (const Panel& panel : figure.panels) {
+    for (const Layer& layer : panel.layers) {
+      const auto same = [&layer](const LegendEntry& entry) { return entry.text == layer.legend; };
+      if (layer.legend.empty() || std::any_of(entries.begin(), entries.end(), same)) continue;
+      entries.push_back({.kind = layer.kind, .style = layer.style, .text = layer.legend, .left = 0.0, .middle = 0.0});
+    }
+  }
+  return entries;
+}
+
+/// Sets the entries in columns of equal width, as many as there is room for; `top` is counted from the top of the figure.
+/// Returns the height they take.
+double set_in_columns(std::vector<LegendEntry>& entries, double top) {
+  if (entries.empty()) return 0.0;
+  double widest = 0.0;
+  for (const LegendEntry& entry : entries) widest = std::max(widest, sample + letter * letters(entry.text) + 14.0);
+  const auto count = static_cast<double>(entries.size());
+  const double columns = std::clamp(std::floor((full_width - 40.0) / widest), 1.0, count);
+  const double first = 0.5 * (full_width - columns * widest);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const double row = std::floor(static_cast<double>(i) / columns);
+    entries[i].left = std::max(8.0, first) + widest * (static_cast<double>(i) - row * columns);
+    entries[i].middle = top + line_height * (row + 0.5);
+  }
+  return line_height * std::ceil(count / columns);
+}
+
+double columns_for(const Figure& figure) {
+  const std::size_t panels = figure.panels.size();
+  if (figure.arrangement == Arrangement::stacked || panels < 2) return 1.0;
+  return panels <= 4 ? 2.0 : 3.0;
+}
+
+double height_of_axes(const Figure& figure, double columns) {
+  if (figure.arrangement == Arrangement::stacked && figure.panels.size() > 1) return 150.0;
+  return columns == 1.0 ? 330.0 : columns == 2.0 ? 240.0 : 170.0;
+}
+
+/// Panels in rows below `top`; returns where the last ends, both counted from the top of the figure.
+double place_panels(const Figure& figure, double top, std::vector<Place>& places) {
+  const double columns = columns_for(figure);
+  const double axes_width = (full_width - columns * (left_margin + right_margin)) / columns;
+  const double axes_height = height_of_axes(figure, columns);
+  const bool joined = figure.arrangement == Arrangement::stacked;
+  double left = left_margin;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const Panel& panel = figure.panels[i];
+    const bool last = i + 1 == figure.panels.size();
+    const bool row_ends = last || std::fmod(static_cast<double>(i) + 1.0, columns) == 0.0;
+    const double begin = top + (panel.title.empty() ? 8.0 : above_axes);
+    const double end = begin + axes_height * panel.height;
+    places.push_back({.left = left, .right = left + axes_width, .bottom = end, .top = begin});
+    left += axes_width + left_margin + right_margin;
+    if (!row_ends) continue;
+    left = left_margin;
+    top = end + (joined && !last ? 6.0 : below_axes);
+  }
+  return top;
+}
+
+}  // namespace
+
+Layout layout_of(const Figure& figure) {
+  Layout layout{.width = full_width, .height = 0.0, .title = 18.0, .subtitle = 38.0, .panels = {}, .legend = {}};
+  layout.legend = entries_of(figure);
+  double top = figure.subtitle.empty() ? 32.0 : 52.0;
+  top += set_in_columns(layout.legend, top) + 4.0;
+  layout.height = std::ceil(place_panels(figure, top, layout.panels));
+  for (double* height : {&layout.title, &layout.subtitle}) *height = layout.height - *height;
+  for (LegendEntry& entry : layout.legend) entry.middle = layout.height - entry.middle;
+  for (Place& place : layout.panels) {
+    place.bottom = layout.height - place.bottom;
+    place.top = layout.height - place.top;
+  }
+  return layout;
+}
+
+}  // namespace rocking::analysis

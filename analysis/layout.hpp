@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+
+/// Where the parts of a drawn figure stand, in pixels from its lower left corner.
+namespace rocking::analysis {
+
+struct Place {
+  double left, right, bottom, top;
+};
+
+/// A sample of a layer's look and the words beside it.
+struct LegendEntry {
+  LayerKind kind;
+  Style style;
+  std::string text;
+  double left;    ///< of the sample
+  double middle;  ///< height of the line it stands on
+};
+
+struct Layout {
+  double width, height;
+  double title, subtitle;     ///< middles of their lines
+  std::vector<Place> panels;  ///< within the axes
+  std::vector<LegendEntry> legend;
+};
+
+[[nodiscard]] Layout layout_of(const Figure& figure);
+
+}  // namespace rocking::analysis

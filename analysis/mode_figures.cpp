@@ -1,0 +1,291 @@
+#include "analysis/mode_figures.hpp"
+
+#include <algorithm>
+
+#include "analysis/data_file.hpp"
+#include "analysis/palette.hpp"
+#include "analysis/sweep_view.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using section::ResponseMode;
+
+constexpr std::size_t most_shown = 10;
+
+/// A mode that a condition does not list has the interval of any that it lists at 0: both depend on counts alone.
+ModeShare share_of(const ConditionReport& condition, const ResponseMode& mode) {
+  if (const auto found = condition.modes.find(mode); found != condition.modes.end()) return found->second;
+  for (const auto& [other, share] : condition.modes) {
+    if (share.count == 0) return share;
+  }
+  return {.count = 0, .estimate = 0.0, .interval = {.low = 0.0, .high = 1.0}};
+}
+
+double number(std::uint64_t count) { return static_cast<double>(count); }
+
+std::string table_name(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
+
+/// What every figure of a run shares.
+Figure figure_of(const RunReport& report, const SweepView& view, std::string name) {
+  Figure figure;
+  figure.name = std::move(name);
+  figure.subtitle = report.title;
+  for (const Slice& slice : view.slices) {
+    figure.panels.push_back({.title = slice.name,
+                             .x = view.axis,
+                             .y = {.quantity = "probability", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
+                             .layers = {}});
+  }
+  return figure;
+}
+
+void set_range(const SweepView& view, const std::vector<Stretch>& stretches, Panel& panel) {
+  panel.x.low = stretches.front().low;
+  panel.x.high = stretches.back().high;
+  if (!view.axis.ticks.empty()) panel.x.ticks = view.axis.ticks;
+}
+
+std::vector<double> places_of(const SweepView& view, const Slice& slice) {
+  std::vector<double> places;
+  for (const std::size_t condition : slice.conditions) places.push_back(view.x[condition]);
+  return places;
+}
+
+// Columns: x, x_low, x_high, n, then from and to of each mode, then of the others.
+Table band_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+  const auto modes = shown_modes(report);
+  Table table{.name = table_name(slice),
+              .columns = {view.column,
+                          {view.column.name + "_from", "where its stretch begins"},
+                          {view.column.name + "_to", "where its stretch ends"},
+                          {"n", "realisations"}},
+              .rows = {}};
+  for (const ResponseMode& mode : modes) {
+    table.columns.push_back({to_string(mode) + "_from", "lower edge of the band of " + to_string(mode)});
+    table.columns.push_back({to_string(mode) + "_to", "its upper edge; their difference is the estimated probability"});
+  }
+  table.columns.push_back({"others_from", "lower edge of the band of all other modes"});
+  table.columns.push_back({"others_to", "its upper edge: 1"});
+  const auto stretches = stretches_of(places_of(view, slice));
+  for (std::size_t i = 0; i < slice.conditions.size(); ++i) {
+    const ConditionReport& condition = report.conditions[slice.conditions[i]];
+    const double n = number(condition.realisations);
+    std::vector<Cell> row{view.x[slice.conditions[i]], stretches[i].low, stretches[i].high, n};
+    std::uint64_t below = 0;
+    for (const ResponseMode& mode : modes) {
+      row.emplace_back(number(below) / n);
+      below += share_of(condition, mode).count;
+      row.emplace_back(number(below) / n);
+    }
+    row.emplace_back(number(below) / n);
+    row.emplace_back(1.0);
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+// Columns: x, n, then count, estimate, low, high of each mode.
+Table probability_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+  const std::string level = number_text(100.0 * report.confidence) + " % simultaneous interval";
+  Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}, .rows = {}};
+  const auto modes = shown_modes(report);
+  for (const ResponseMode& mode : modes) {
+    const std::string name = to_string(mode);
+    table.columns.push_back({name + "_count", "realisations that were " + name});
+    table.columns.push_back({name, "estimated probability of " + name});
+    table.columns.push_back({name + "_low", "lower end of its " + level});
+    table.columns.push_back({name + "_high", "upper end of its " + level});
+  }
+  for (const std::size_t i : slice.conditions) {
+    const ConditionReport& condition = report.conditions[i];
+    std::vector<Cell> row{view.x[i], number(condition.realisations)};
+    for (const ResponseMode& mode : modes) {
+      const ModeShare share = share_of(condition, mode);
+      for (const double value : {number(share.count), share.estimate, share.interval.low, share.interval.high}) {
+        row.emplace_back(value);
+      }
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// The interval of a mode, but nothing where neither a condition nor its neighbours ever show it: there the ribbons of all
+/// rare modes would lie upon each other. Columns: x, low, high.
+Table ribbon_table(const Table& probabilities, std::size_t first) {
+  const auto& rows = probabilities.rows;
+  const auto occurs = [&rows, first](std::size_t i) {
+    return i < rows.size() && std::get<double>(rows[i][first]) > 0.0;
+  };
+  Table table{.name = "ribbon of " + probabilities.columns[first + 1].name + ": " + probabilities.name,
+              .columns = {probabilities.columns[0], probabilities.columns[first + 2], probabilities.columns[first + 3]},
+              .rows = {},
+              .only_drawn = true};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const bool shown = occurs(i) || occurs(i + 1) || (i > 0 && occurs(i - 1));
+    table.rows.push_back({rows[i][0], shown ? rows[i][first + 2] : Cell(), shown ? rows[i][first + 3] : Cell()});
+  }
+  return table;
+}
+
+/// A probability with its interval along a line.
+void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Figure& figure) {
+  Panel& panel = figure.panels[table];
+  Style ribbon = style_of(mode);
+  ribbon.hatch = 0;
+  ribbon.opacity = 0.22;
+  if (mode.kind == section::ResponseKind::unresolved) ribbon.colour = "#a0a0a0";
+  figure.tables.push_back(ribbon_table(figure.tables[table], first));
+  panel.layers.insert(
+      panel.layers.begin(),
+      {.kind = LayerKind::ribbon, .table = figure.tables.size() - 1, .columns = {0, 1, 2}, .style = ribbon});
+  Style line = style_of(mode);
+  if (mode.kind == section::ResponseKind::unresolved) line.colour = "#707070";
+  panel.layers.push_back(
+      {.kind = LayerKind::line, .table = table, .columns = {0, first + 1}, .style = line, .legend = to_string(mode)});
+}
+
+/// Rows of one condition: a mode each, for bars.
+Table bar_table(const RunReport& report, const ConditionReport& condition, const std::string& name) {
+  const std::string level = number_text(100.0 * report.confidence) + " % simultaneous interval";
+  Table table{.name = name,
+              .columns = {{"place", "place of the bar's middle"},
+                          {"from", "its left edge"},
+                          {"to", "its right edge"},
+                          {"zero", "its foot"},
+                          {"estimate", "estimated probability"},
+                          {"low", "lower end of its " + level},
+                          {"high", "upper end of its " + level},
+                          {"count", "realisations"},
+                          {"n", "of so many"},
+                          {"mode", "response mode"}},
+              .rows = {}};
+  double place = 0.0;
+  for (const ResponseMode& mode : shown_modes(report)) {
+    const ModeShare share = share_of(condition, mode);
+    table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, share.interval.low,
+                          share.interval.high, number(share.count), number(condition.realisations), to_string(mode)});
+    place += 1.0;
+  }
+  return table;
+}
+
+Panel bar_panel(const RunReport& report, std::size_t table, const std::string& title) {
+  Panel panel{.title = title,
+              .x = {.quantity = "response mode", .symbol = "", .unit = ""},
+              .y = {.quantity = "probability", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
+              .layers = {}};
+  const auto modes = shown_modes(report);
+  panel.x.low = -0.6;
+  panel.x.high = static_cast<double>(modes.size()) - 0.4;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    panel.x.ticks.push_back({.place = static_cast<double>(m), .text = to_string(modes[m])});
+  }
+  panel.layers.push_back(
+      {.kind = LayerKind::boxes, .table = table, .columns = {1, 2, 3, 4}, .style = {.colour = "#9fc5e8"}});
+  panel.layers.push_back(
+      {.kind = LayerKind::error_bars, .table = table, .columns = {0, 4, 5, 6}, .style = {.size = 0.5}});
+  return panel;
+}
+
+}  // namespace
+
+std::vector<ResponseMode> shown_modes(const RunReport& report) {
+  const auto occurring = report.occurring();
+  std::vector<std::pair<ResponseMode, std::uint64_t>> ranked(occurring.begin(), occurring.end());
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
+  if (ranked.size() > most_shown) ranked.resize(most_shown);
+  std::vector<ResponseMode> modes;
+  for (const auto& [mode, count] : ranked) modes.push_back(mode);
+  std::sort(modes.begin(), modes.end());
+  return modes;
+}
+
+std::string spoken_realisations(const RunReport& report) {
+  std::uint64_t least = report.conditions.front().realisations;
+  std::uint64_t most = least;
+  for (const ConditionReport& condition : report.conditions) {
+    least = std::min(least, condition.realisations);
+    most = std::max(most, condition.realisations);
+  }
+  const std::string range =
+      least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
+  return range + (most == 1 ? " realisation" : " realisations") + (report.conditions.size() > 1 ? " each" : "");
+}
+
+Figure mode_bands(const RunReport& report) {
+  const SweepView view = view_of(report);
+  Figure figure = figure_of(report, view, "mode_bands");
+  figure.title = "How likely is each response?";
+  const auto modes = shown_modes(report);
+  const bool with_others = report.occurring().size() > modes.size();
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    figure.tables.push_back(band_table(report, view, view.slices[i]));
+    Panel& panel = figure.panels[i];
+    set_range(view, stretches_of(places_of(view, view.slices[i])), panel);
+    for (std::size_t m = 0; m < modes.size(); ++m) {
+      panel.layers.push_back({.kind = LayerKind::boxes,
+                              .table = i,
+                              .columns = {1, 2, 4 + 2 * m, 5 + 2 * m},
+                              .style = style_of(modes[m]),
+                              .legend = to_string(modes[m])});
+    }
+    if (!with_others) continue;
+    const std::size_t first = 4 + 2 * modes.size();
+    panel.layers.push_back({.kind = LayerKind::boxes,
+                            .table = i,
+                            .columns = {1, 2, first, first + 1},
+                            .style = style_of_others(),
+                            .legend = "others"});
+  }
+  figure.caption = "Estimated probability of each response mode, stacked to 1; " + spoken_realisations(report) +
+                   ". Each condition fills the stretch halfway to its neighbours.";
+  return figure;
+}
+
+namespace {
+
+/// A panel for each condition, a bar for each mode.
+Figure mode_bars(const RunReport& report, const SweepView& view) {
+  Figure figure;
+  figure.name = "mode_probabilities";
+  figure.title = "How likely is each response, and how sure is that?";
+  figure.subtitle = report.title;
+  for (const Slice& slice : view.slices) {
+    for (const std::size_t i : slice.conditions) {
+      const std::string name = name_of_condition(report, report.conditions[i]);
+      figure.tables.push_back(bar_table(report, report.conditions[i], name.empty() ? "the only condition" : name));
+      figure.panels.push_back(bar_panel(report, figure.tables.size() - 1, name));
+    }
+  }
+  figure.caption = "Estimated probability of each response mode with its " + number_text(100.0 * report.confidence) +
+                   " % interval, which holds for all modes of a condition at once; " + spoken_realisations(report) +
+                   '.';
+  return figure;
+}
+
+}  // namespace
+
+Figure mode_probabilities(const RunReport& report) {
+  const SweepView view = view_of(report);
+  if (!view.is_line) return mode_bars(report, view);
+  Figure figure = figure_of(report, view, "mode_probabilities");
+  figure.title = "How likely is each response, and how sure is that?";
+  const auto modes = shown_modes(report);
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    figure.tables.push_back(probability_table(report, view, view.slices[i]));
+    set_range(view, stretches_of(places_of(view, view.slices[i])), figure.panels[i]);
+  }
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    for (std::size_t m = 0; m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
+  }
+  figure.caption =
+      "Estimated probability of each response mode (markers, joined to guide the eye) with its " +
+      number_text(100.0 * report.confidence) +
+      " % interval, which holds for all modes of a condition at once (ribbon, left out where a mode does not occur); " +
+      spoken_realisations(report) + '.';
+  return figure;
+}
+
+}  // namespace rocking::analysis

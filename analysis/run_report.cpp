@@ -1,0 +1,91 @@
+#include "analysis/run_report.hpp"
+
+#include "rocking/base/error.hpp"
+#include "rocking/report/parse_json.hpp"
+#include "rocking/report/read_report.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using report::Json;
+
+stats::Interval interval_from(const Json& json) { return {.low = json.at(0), .high = json.at(1)}; }
+
+std::optional<double> number_from(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return json.get<double>();
+}
+
+Parting parting_from(const Json& json) {
+  const Json& quartiles = json.at("quartiles_periods");
+  return {.pairs = json.at("pairs"),
+          .parted = json.at("parted"),
+          .lower_quartile = number_from(quartiles.at(0)),
+          .median = number_from(quartiles.at(1)),
+          .upper_quartile = number_from(quartiles.at(2))};
+}
+
+std::optional<Difference> difference_from(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return Difference{.differ = json.at("differ"),
+                    .interval = interval_from(json.at("differ_interval")),
+                    .entropy = json.at("entropy_nat"),
+                    .by_friction = parting_from(json.at("parting_by_friction")),
+                    .by_arithmetic = parting_from(json.at("parting_by_arithmetic"))};
+}
+
+ConditionReport condition_from(const Json& json) {
+  ConditionReport condition;
+  for (const auto& [pointer, value] : json.at("parameters").items()) condition.parameters.push_back(value);
+  condition.realisations = json.at("realisations");
+  for (const auto& [name, probability] : json.at("probabilities").items()) {
+    const auto mode = section::response_mode_named(name);
+    if (!mode) throw Json::other_error::create(501, "there is no response mode " + name, &json);
+    const Json& interval = probability.contains("anytime") ? probability["anytime"] : probability.at("simultaneous");
+    condition.modes[*mode] = {.count = json.at("counts").at(name),
+                              .estimate = probability.at("estimate"),
+                              .interval = interval_from(interval)};
+  }
+  condition.difference = difference_from(json.at("non_recurrence"));
+  return condition;
+}
+
+RunReport run_report_from(Json json) {
+  RunReport report;
+  report.experiment = json.at("input").at("experiment");
+  report.title = report.experiment.at("title");
+  report.confidence = report.experiment.at("confidence");
+  const Json& conditions = json.at("result").at("conditions");
+  for (const auto& [pointer, value] : conditions.at(0).at("parameters").items()) report.swept.push_back(pointer);
+  for (const Json& condition : conditions) report.conditions.push_back(condition_from(condition));
+  report.text = std::move(json);
+  return report;
+}
+
+}  // namespace
+
+std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
+  std::map<section::ResponseMode, std::uint64_t> found;
+  for (const ConditionReport& condition : conditions) {
+    for (const auto& [mode, share] : condition.modes) {
+      if (share.count > 0) found[mode] += share.count;
+    }
+  }
+  return found;
+}
+
+RunReport read_run_report(std::string_view text) {
+  static_cast<void>(report::read_report(text));  // whether it is a report at all
+  std::vector<base::Problem> problems;
+  Json json = report::parse_json(text, problems);
+  try {
+    return run_report_from(std::move(json));
+  } catch (const Json::exception& error) {
+    throw base::InputError({.place = "/result",
+                            .value = "",
+                            .reason = std::string("is not as a report's: ") + error.what(),
+                            .remedy = "`rocking verify` says more; `rocking run` writes a new one"});
+  }
+}
+
+}  // namespace rocking::analysis

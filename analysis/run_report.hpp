@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/report/json.hpp"
+#include "rocking/section/response_mode.hpp"
+#include "rocking/stats/interval.hpp"
+
+/// A report as figures and tables need it: the numbers of report.json, as they stand there.
+namespace rocking::analysis {
+
+struct ModeShare {
+  std::uint64_t count = 0;
+  double estimate = 0.0;
+  stats::Interval interval;  ///< simultaneous; with `until` the one that holds whenever the run stopped
+};
+
+struct Parting {
+  std::uint64_t pairs = 0;
+  std::uint64_t parted = 0;
+  std::optional<double> lower_quartile, median, upper_quartile;  ///< [periods]; absent: beyond the horizon
+};
+
+struct Difference {
+  double differ = 0.0;  ///< probability that two runs differ in response mode
+  stats::Interval interval;
+  double entropy = 0.0;  ///< [nat]
+  Parting by_friction, by_arithmetic;
+};
+
+struct ConditionReport {
+  std::vector<report::Json> parameters;  ///< a value for each entry of the sweep
+  std::uint64_t realisations = 0;
+  std::map<section::ResponseMode, ModeShare> modes;
+  std::optional<Difference> difference;  ///< absent with fewer than two realisations
+};
+
+struct RunReport {
+  std::string title;
+  report::Json experiment;         ///< canonical, as in `input.experiment`
+  std::vector<std::string> swept;  ///< JSON pointers, in the order of the sweep
+  std::vector<ConditionReport> conditions;
+  double confidence = 0.95;
+  report::Json text;  ///< the whole report
+
+  /// Response modes that occur anywhere, with how often.
+  [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
+};
+
+/// Reads the text of a report.json. Throws base::InputError where it is none.
+[[nodiscard]] RunReport read_run_report(std::string_view text);
+
+}  // namespace rocking::analysis

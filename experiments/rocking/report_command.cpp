@@ -1,0 +1,93 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/draw.hpp"
+#include "analysis/run_figures.hpp"
+#include "commands.hpp"
+#include "output.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/write_facts.hpp"
+#include "run_folder.hpp"
+#include "usage.hpp"
+
+namespace rocking::program {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::vector<std::string> all_formats{"gnuplot"};
+
+struct ReportRequest {
+  std::string folder;
+  std::vector<std::string> formats = all_formats;
+  Loudness loudness;
+};
+
+analysis::RunReport load_report(const RunFolder& folder) {
+  if (!folder.has_report()) {
+    throw MissingInput(
+        folder.has_store()
+            ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
+            : folder.name() + ": holds no run (there is no report.json)");
+  }
+  try {
+    return analysis::read_run_report(report::read_file(folder.report_path()));
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
+
+/// Writes the figures; returns the files.
+std::vector<std::string> draw(const analysis::RunReport& report, const fs::path& folder) {
+  report::ensure_writable(folder);
+  std::vector<std::string> written;
+  std::set<std::string> reasons;
+  for (const analysis::Figure& figure : analysis::run_figures(report)) {
+    const analysis::Drawing drawing = analysis::write_figure(figure, folder);
+    if (!drawing.drawn) reasons.insert(drawing.reason);
+    const std::string stem = (folder / figure.name).string();
+    for (const char* ending : {".tsv", ".gp"}) written.push_back(stem + ending);
+    if (!drawing.drawn) continue;
+    for (const std::string& format : analysis::picture_formats()) written.push_back(stem + '.' + format);
+  }
+  for (const std::string& reason : reasons) print_notice(reason);
+  return written;
+}
+
+ExitCode report_again(const ReportRequest& request) {
+  const RunFolder folder(request.folder);
+  const analysis::RunReport report = load_report(folder);
+  const std::set<std::string> formats(request.formats.begin(), request.formats.end());
+  std::vector<std::string> written;
+  if (formats.contains("gnuplot")) written = draw(report, fs::path(request.folder) / "figures");
+  print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
+                                     : fmt::format("{}\n", fmt::join(written, "\n")));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_report(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<ReportRequest>();
+  CLI::App* command = app.add_subcommand("report", "Draw and tabulate a finished run again, without simulating");
+  command->footer(
+      "Example: rocking report out --format gnuplot\n"
+      "writes the figures of out/report.json to out/figures: of each the data (tsv), a gnuplot script (gp), and what\n"
+      "gnuplot makes of them (svg, png, pdf).");
+  command->add_option("DIR", request->folder, "Folder of the run")->required();
+  command->add_option("--format", request->formats, "What to make; default: all")
+      ->delimiter(',')
+      ->check(one_of(all_formats))
+      ->type_name("LIST");
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return report_again(*request); }; });
+}
+
+}  // namespace rocking::program

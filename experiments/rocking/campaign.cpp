@@ -148,6 +148,12 @@ report::SystemFacts system_facts(unsigned threads) {
 ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
                        const Labour& labour) {
   report::SystemFacts system = system_facts(labour.threads);
+  if (store.journalling() == experiment::Journalling::rollback) {
+    print_notice(
+        fmt::format("{}: this file system has no shared memory for SQLite's log; realisations are kept the slower "
+                    "way, and looking on may have to wait for a moment",
+                    folder.name()));
+  }
   const Stretch stretch = work(experiment, store, labour);
   if (stretch.end == experiment::RunEnd::stopped) return explain_stop(folder, stretch);
   if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);

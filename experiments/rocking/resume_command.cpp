@@ -1,10 +1,13 @@
 #include <memory>
+#include <utility>
 
 #include <fmt/format.h>
 
 #include "campaign.hpp"
 #include "commands.hpp"
 #include "machine.hpp"
+#include "output.hpp"
+#include "rocking/experiment/salvage.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -15,10 +18,23 @@ struct ResumeRequest {
   Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
+// Whatever is damaged is found before anything is added to it.
+experiment::Store sound_store(const RunFolder& folder, const experiment::Experiment& experiment,
+                              experiment::Store store) {
+  const auto damage = store.damage();
+  if (!damage) return store;
+  const RunFolder::Mending mending = folder.mend_store(std::move(store), experiment);
+  print_notice(fmt::format("{}; {} in it {} sound and kept, the rest is run again. The damaged file is now {}", *damage,
+                           counted(mending.kept, "realisation"), mending.kept == 1 ? "is" : "are",
+                           mending.damaged_file.string()));
+  return folder.open_store(experiment::sqlite::Access::write);
+}
+
 ExitCode resume(const ResumeRequest& request) {
   if (!RunFolder(request.folder).has_store()) throw MissingInput(request.folder + ": holds no run to go on with");
   RunFolder folder(request.folder);
   folder.claim();
+  experiment::restore_length(folder.store_path());
   experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
   if (store.identity().code != code_identity()) {
     throw InTheWay(
@@ -26,7 +42,9 @@ ExitCode resume(const ResumeRequest& request) {
                     "or begin anew in another folder",
                     request.folder, store.identity().code, code_identity()));
   }
-  return carry_through(folder, experiment_of(store.identity()), store, request.labour);
+  const experiment::Experiment experiment = experiment_of(store.identity());
+  store = sound_store(folder, experiment, std::move(store));
+  return carry_through(folder, experiment, store, request.labour);
 }
 
 }  // namespace
@@ -36,7 +54,9 @@ void add_resume(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
   command->footer(
       "Example: rocking resume out\n"
-      "runs what out/realisations.sqlite lacks and writes the report, with the same bytes as if nothing had happened.");
+      "runs what out/realisations.sqlite lacks and writes the report, with the same bytes as if nothing had happened. "
+      "Of a\n"
+      "damaged file it keeps what is sound, and the file itself under another name.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   add_threads(*command, request->labour);
   add_max_time(*command, request->labour);

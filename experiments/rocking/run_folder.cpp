@@ -10,10 +10,25 @@
 
 #include "exit_code.hpp"
 #include "rocking/base/build_info.hpp"
+#include "rocking/experiment/salvage.hpp"
 #include "rocking/report/files.hpp"
 #include "rocking/report/read_experiment.hpp"
 
 namespace rocking::program {
+namespace {
+
+void remove_database(const std::filesystem::path& path) {
+  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path.string() + suffix);
+}
+
+std::filesystem::path first_free_name(const std::filesystem::path& folder) {
+  for (int number = 1;; ++number) {
+    std::filesystem::path name = folder / fmt::format("damaged-{}.sqlite", number);
+    if (!std::filesystem::exists(name)) return name;
+  }
+}
+
+}  // namespace
 
 RunFolder::~RunFolder() {
   if (lock_ >= 0) ::close(lock_);
@@ -38,9 +53,30 @@ experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const
   return experiment::Store::open(store_path(), access);
 }
 
+RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const {
+  const std::filesystem::path mended = path_ / "mended.sqlite";
+  remove_database(mended);
+  Mending mending;
+  {
+    experiment::Store store = experiment::Store::create(mended, damaged.identity());
+    mending.kept = experiment::salvage(experiment, damaged, store);
+    store.close_up();
+  }
+  { const experiment::Store closed = std::move(damaged); }
+  mending.damaged_file = first_free_name(path_);
+  std::filesystem::create_hard_link(store_path(), mending.damaged_file);
+  // A log of the damaged file would be taken for the new one's.
+  for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+    const std::filesystem::path log = store_path().string() + suffix;
+    if (std::filesystem::exists(log)) std::filesystem::rename(log, mending.damaged_file.string() + suffix);
+  }
+  std::filesystem::rename(mended, store_path());
+  return mending;
+}
+
 void RunFolder::clear() const {
   std::filesystem::remove(report_path());
-  for (const char* suffix : {"", "-wal", "-shm"}) std::filesystem::remove(store_path().string() + suffix);
+  remove_database(store_path());
 }
 
 std::string code_identity() {

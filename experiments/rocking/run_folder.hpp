@@ -8,9 +8,6 @@
 
 namespace rocking::program {
 
-/// What `rocking` may do in a folder in which another one is at work.
-enum class Use : std::uint8_t { alone, beside_others };
-
 /// A folder with the outcome of a run: the store of its realisations and, once all are done, its report.
 class RunFolder {
  public:
@@ -29,6 +26,12 @@ class RunFolder {
   [[nodiscard]] experiment::Store create_store(const experiment::Identity& identity) const;
   /// The store that is there. Throws MissingInput where none is, otherwise as experiment::Store does.
   [[nodiscard]] experiment::Store open_store(experiment::sqlite::Access access) const;
+  /// Puts a store with all that is sound in a damaged one into its place, and keeps the damaged file beside it.
+  struct Mending {
+    std::uint64_t kept = 0;              ///< realisations taken over
+    std::filesystem::path damaged_file;  ///< where the damaged file is now
+  };
+  Mending mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const;
   /// Removes store and report.
   void clear() const;
 

@@ -104,6 +104,7 @@ Database::Database(const std::filesystem::path& path, Access access) : path_(pat
   handle_.reset(database);
   if (code != SQLITE_OK) fail(path_, code, database == nullptr ? "not enough memory" : sqlite3_errmsg(database));
   sqlite3_extended_result_codes(database, 1);
+  execute("PRAGMA cell_size_check = ON; PRAGMA trusted_schema = OFF");  // a damaged file is told of before it misleads
   sqlite3_busy_timeout(database, 5000);  // ms: a reader waits while the writer folds its log in
 }
 

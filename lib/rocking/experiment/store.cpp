@@ -1,9 +1,9 @@
 #include "rocking/experiment/store.hpp"
 
+#include <system_error>
 #include <utility>
 
 #include "rocking/experiment/store_row.hpp"
-#include "rocking/random/draws.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -19,16 +19,44 @@ std::string table_definition() {
          ", PRIMARY KEY (condition, realisation)) STRICT, WITHOUT ROWID";
 }
 
-// The log lets readers look on while a run writes. What a power failure may cost without a flush at each commit is told in
-// the header.
-void prepare_for_writing(Database& database) {
-  database.execute("PRAGMA journal_mode = WAL");
-  database.execute("PRAGMA synchronous = NORMAL");
-}
-
 std::int64_t number_in(const Database& database, const char* sql) {
   Statement statement = database.prepare(sql);
   return statement.step() ? statement.integer(0) : 0;
+}
+
+std::string text_in(const Database& database, const char* sql) {
+  Statement statement = database.prepare(sql);
+  return statement.step() ? statement.text(0) : "";
+}
+
+// The log lets readers look on while a run writes. What a power failure may cost without a flush at each commit is told in
+// the header. False where the file system has no shared memory, which the log needs.
+bool begin_write_ahead(Database& database) {
+  if (text_in(database, "PRAGMA journal_mode = WAL") != "wal") return false;
+  database.execute("PRAGMA synchronous = NORMAL; BEGIN IMMEDIATE; ROLLBACK");  // the memory is not asked for before
+  return true;
+}
+
+// Exclusive locks stand in for the shared memory while what a log may still hold is folded in.
+void begin_rollback(Database& database) {
+  database.execute("PRAGMA locking_mode = EXCLUSIVE");
+  database.execute("PRAGMA journal_mode = TRUNCATE");
+  database.execute("PRAGMA locking_mode = NORMAL");
+  database.execute("PRAGMA synchronous = FULL");
+  number_in(database, "SELECT count(*) FROM sqlite_master");  // lets go of the lock
+}
+
+void expect_layout(const Database& database) {
+  if (number_in(database, "PRAGMA application_id") != application_id) {
+    throw sqlite::UnusableFile(database.path() + ": is not a store of realisations");
+  }
+  const bool known =
+      text_in(database, "SELECT sql FROM sqlite_master WHERE name = 'realisations'") == table_definition() &&
+      text_in(database, "SELECT sql FROM sqlite_master WHERE name = 'identity'") == identity_table();
+  if (known) return;
+  throw sqlite::UnusableFile(database.path() +
+                             ": is damaged, or was written by another version of the program in a layout unknown to "
+                             "this one");
 }
 
 Row sound_row(const Statement& statement, const Database& database) {
@@ -56,54 +84,34 @@ Store Store::made(Database database, const Identity& identity) {
   Database& made = store.database_;
   made.execute("BEGIN IMMEDIATE");
   made.execute("PRAGMA application_id = " + std::to_string(application_id));
-  made.execute(
-      "CREATE TABLE identity (experiment TEXT NOT NULL, code TEXT NOT NULL, draws TEXT NOT NULL, files TEXT NOT NULL, "
-      "part INTEGER, parts INTEGER) STRICT");
+  made.execute(identity_table());
   made.execute(table_definition());
-  Statement insert = made.prepare("INSERT INTO identity VALUES (?, ?, ?, ?, ?, ?)");
-  insert.bind(0, identity.experiment);
-  insert.bind(1, identity.code);
-  insert.bind(2, random::draws_format);
-  insert.bind(3, identity.files);
-  if (identity.shard) {
-    insert.bind(4, static_cast<std::int64_t>(identity.shard->part));
-    insert.bind(5, static_cast<std::int64_t>(identity.shard->parts));
-  }
-  insert.run();
+  write_identity(made, identity);
   made.execute("COMMIT");
   store.identity_ = identity;
   return store;
 }
 
 Store Store::open(const std::filesystem::path& path, Access access) {
-  Store store(Database(path, access));
-  store.read_identity();
-  if (access == Access::write) prepare_for_writing(store.database_);
+  if (access == Access::read) return read(Database(path, access));
+  try {
+    Store store = read(Database(path, access));
+    if (begin_write_ahead(store.database_)) return store;
+  } catch (const std::system_error&) {
+    // Perhaps the shared memory is missing. What else it may be shows at the next try.
+  }
+  Database database(path, access);
+  begin_rollback(database);
+  Store store = read(std::move(database));
+  store.journalling_ = Journalling::rollback;
   return store;
 }
 
-void Store::read_identity() {
-  const std::string& path = database_.path();
-  if (number_in(database_, "PRAGMA application_id") != application_id) {
-    throw sqlite::UnusableFile(path + ": is not a store of realisations");
-  }
-  Statement layout = database_.prepare("SELECT sql FROM sqlite_master WHERE name = 'realisations'");
-  if (!layout.step() || layout.text(0) != table_definition()) {
-    throw sqlite::UnusableFile(path +
-                               ": was written by another version of the program, in a layout unknown to this one");
-  }
-  Statement statement = database_.prepare("SELECT experiment, code, draws, files, part, parts FROM identity");
-  if (!statement.step()) throw sqlite::UnusableFile(path + ": does not say to what experiment it belongs");
-  identity_ = {
-      .experiment = statement.text(0), .code = statement.text(1), .files = statement.text(3), .shard = std::nullopt};
-  if (statement.text(2) != random::draws_format) {
-    throw sqlite::UnusableFile(path + ": its draws are " + statement.text(2) + ", those of this program are " +
-                               std::string(random::draws_format));
-  }
-  if (!statement.is_null(4)) {
-    identity_.shard = Shard{.part = static_cast<std::uint64_t>(statement.integer(4)),
-                            .parts = static_cast<std::uint64_t>(statement.integer(5))};
-  }
+Store Store::read(Database database) {
+  Store store(std::move(database));
+  expect_layout(store.database_);
+  store.identity_ = read_identity(store.database_);
+  return store;
 }
 
 void Store::add(const RealisationKey& key, const Summary& summary) {
@@ -128,11 +136,15 @@ void Store::close_up() {
 }
 
 std::optional<Summary> Store::find(const RealisationKey& key) const {
-  Statement statement = database_.prepare("SELECT * FROM realisations WHERE condition = ? AND realisation = ?");
-  statement.bind(0, static_cast<std::int64_t>(key.condition));
-  statement.bind(1, static_cast<std::int64_t>(key.realisation));
-  if (!statement.step()) return std::nullopt;
-  return sound_row(statement, database_).summary;
+  auto statement = std::exchange(find_, std::nullopt);  // one that fails is not used again
+  if (!statement) statement = database_.prepare("SELECT * FROM realisations WHERE condition = ? AND realisation = ?");
+  statement->bind(0, static_cast<std::int64_t>(key.condition));
+  statement->bind(1, static_cast<std::int64_t>(key.realisation));
+  std::optional<Summary> found;
+  if (statement->step()) found = sound_row(*statement, database_).summary;
+  statement->reset();
+  find_ = std::move(statement);
+  return found;
 }
 
 void Store::for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const {
@@ -141,6 +153,17 @@ void Store::for_each(const std::function<void(const RealisationKey&, const Summa
     const Row row = sound_row(statement, database_);
     use(row.key, row.summary);
   }
+}
+
+std::optional<std::string> Store::damage() const {
+  try {
+    const std::string finding = text_in(database_, "PRAGMA integrity_check(1)");
+    if (finding != "ok") return database_.path() + ": is damaged: " + finding;
+    for_each([](const RealisationKey&, const Summary&) {});
+  } catch (const sqlite::UnusableFile& error) {
+    return error.what();
+  }
+  return std::nullopt;
 }
 
 void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) const {

@@ -5,21 +5,18 @@
 #include <functional>
 #include <map>
 #include <optional>
-#include <stdexcept>
 #include <string>
 
-#include "rocking/experiment/shard.hpp"
 #include "rocking/experiment/sqlite.hpp"
+#include "rocking/experiment/store_identity.hpp"
 #include "rocking/experiment/summary.hpp"
 
 namespace rocking::experiment {
 
-/// What a store belongs to. Realisations of one experiment and one code may be put together, others not.
-struct Identity {
-  std::string experiment;  ///< canonical text, with the seed
-  std::string code;        ///< version and revision of what simulated
-  std::string files;       ///< folder from which the files that the experiment names are seen; may differ between parts
-  std::optional<Shard> shard;  ///< which part of the experiment is to be done here; absent: all of it
+/// How a store that is being written guards itself against a kill.
+enum class Journalling : std::uint8_t {
+  write_ahead,  ///< a log beside the file; others can read at any time
+  rollback,     ///< what a file system without shared memory allows: old pages are kept aside during each commit
 };
 
 /// The journal of a run: a SQLite database with a row for each finished realisation, written while the run goes on.
@@ -38,6 +35,8 @@ class Store {
   [[nodiscard]] static Store in_memory(const Identity& identity);
 
   [[nodiscard]] const Identity& identity() const { return identity_; }
+  /// Of a store opened for writing.
+  [[nodiscard]] Journalling journalling() const { return journalling_; }
 
   /// Adds a row, or replaces the one of this key.
   void add(const RealisationKey& key, const Summary& summary);
@@ -49,6 +48,8 @@ class Store {
   [[nodiscard]] std::optional<Summary> find(const RealisationKey& key) const;
   /// Every row, in the order of the keys.
   void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+  /// What is wrong in the file, the first thing found; absent where every page and every row is as it was written. Reads all.
+  [[nodiscard]] std::optional<std::string> damage() const;
   void for_each_key(const std::function<void(const RealisationKey&)>& use) const;
   /// Realisations numbered below `realisations`, by response mode.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> mode_counts(std::uint64_t condition,
@@ -57,11 +58,13 @@ class Store {
  private:
   explicit Store(sqlite::Database database) : database_(std::move(database)) {}
   [[nodiscard]] static Store made(sqlite::Database database, const Identity& identity);
-  void read_identity();
+  [[nodiscard]] static Store read(sqlite::Database database);
 
   sqlite::Database database_;
   Identity identity_;
+  Journalling journalling_ = Journalling::write_ahead;
   std::optional<sqlite::Statement> insert_;
+  mutable std::optional<sqlite::Statement> find_;
   bool in_transaction_ = false;
 };
 

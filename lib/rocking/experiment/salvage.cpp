@@ -1,0 +1,56 @@
+#include "rocking/experiment/salvage.hpp"
+
+#include <fstream>
+#include <string>
+
+#include "rocking/experiment/work.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+// Absent too where the way to it is damaged.
+std::optional<Summary> find_if_sound(const Store& store, const RealisationKey& key) {
+  try {
+    return store.find(key);
+  } catch (const sqlite::UnusableFile&) {
+    return std::nullopt;
+  }
+}
+
+// A big-endian number in a database's header.
+std::uintmax_t number_at(const std::string& header, std::size_t place, std::size_t bytes) {
+  std::uintmax_t number = 0;
+  for (std::size_t i = place; i < place + bytes; ++i) number = number << 8 | static_cast<unsigned char>(header[i]);
+  return number;
+}
+
+}  // namespace
+
+// Offsets: SQLite's file format, "The Database Header". A page size of 65536 is written as 1.
+void restore_length(const std::filesystem::path& path) {
+  std::string header(100, '\0');
+  if (!std::ifstream(path, std::ios::binary).read(header.data(), 100)) return;
+  if (!header.starts_with("SQLite format 3")) return;
+  const std::uintmax_t page = number_at(header, 16, 2);
+  const std::uintmax_t length = (page == 1 ? 65536 : page) * number_at(header, 28, 4);
+  constexpr std::uintmax_t most = std::uintmax_t{1} << 44U;  // a header may be damaged too
+  if (std::filesystem::file_size(path) < length && length < most) std::filesystem::resize_file(path, length);
+}
+
+// A walk ends at the first damaged page; one look-up a key goes around it.
+std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store& into) {
+  std::uint64_t kept = 0;
+  for (std::uint64_t condition = 0; condition < experiment.conditions.size(); ++condition) {
+    const std::uint64_t realisations = effective_realisations(experiment.conditions[condition]);
+    for (std::uint64_t realisation = 0; realisation < realisations; ++realisation) {
+      const RealisationKey key{condition, realisation};
+      const auto summary = find_if_sound(damaged, key);
+      if (!summary) continue;
+      into.add(key, *summary);
+      ++kept;
+    }
+  }
+  return kept;
+}
+
+}  // namespace rocking::experiment

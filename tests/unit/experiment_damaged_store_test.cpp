@@ -1,0 +1,223 @@
+// A store whose bytes were changed or lost: it is told, and what is sound is kept. And one where there is no shared memory.
+
+#include <fstream>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <sqlite3.h>
+
+#include "rocking/experiment/salvage.hpp"
+#include "rocking/experiment/store.hpp"
+#include "rocking/experiment/verification.hpp"
+#include "support/split_mix.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+namespace fs = std::filesystem;
+using sqlite::Access;
+using ::testing::HasSubstr;
+
+const Identity identity{.experiment = "{\"a\": 1}", .code = "1 abc", .files = "/records", .shard = {}};
+constexpr std::uint64_t realisations = 300;
+
+Experiment experiment() {
+  Experiment question;
+  question.conditions.resize(2);
+  for (Condition& condition : question.conditions) {
+    condition.realisations = realisations;
+    condition.scene.initial.tilt = Uniform{.low = 0.0, .high = 0.1};
+  }
+  return question;
+}
+
+Summary summary_of(const RealisationKey& key) {
+  Summary summary;
+  summary.digest = base::sha256(std::to_string(key.condition) + ' ' + std::to_string(key.realisation));
+  summary.margin = static_cast<double>(key.realisation) / 7.0;
+  summary.effort.steps = 1000 * key.realisation;
+  return summary;
+}
+
+class DamagedStore : public ::testing::Test {
+ protected:
+  DamagedStore() {
+    Store store = Store::create(path_, identity);
+    for (std::uint64_t condition = 0; condition < 2; ++condition) {
+      for (std::uint64_t number = 0; number < realisations; ++number) {
+        store.add({condition, number}, summary_of({condition, number}));
+      }
+    }
+    store.close_up();
+  }
+
+  std::string bytes() const {
+    std::ifstream file(path_, std::ios::binary);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+  void put(const std::string& bytes) const { std::ofstream(path_, std::ios::binary) << bytes; }
+
+  /// Realisations that are sound in the file; every one must be what was written. Absent where it is refused altogether.
+  std::optional<std::uint64_t> salvaged() const {
+    try {
+      const Store damaged = Store::open(path_, Access::read);
+      Store mended = Store::in_memory(damaged.identity());
+      const std::uint64_t kept = salvage(experiment(), damaged, mended);
+      mended.for_each([](const RealisationKey& key, const Summary& summary) {
+        EXPECT_TRUE(differing_fields(summary, summary_of(key)).empty()) << key.condition << ' ' << key.realisation;
+      });
+      EXPECT_TRUE(damaged.damage().has_value() || kept == 2 * realisations)
+          << "something is missing, and nothing is told";
+      return kept;
+    } catch (const sqlite::UnusableFile& error) {
+      EXPECT_THAT(error.what(), HasSubstr(path_.string()));
+    } catch (const std::system_error& error) {
+      EXPECT_THAT(error.what(), HasSubstr(path_.string()));
+    }
+    return std::nullopt;
+  }
+
+  support::TemporaryFolder folder_;
+  fs::path path_ = folder_ / "a.sqlite";
+};
+
+TEST_F(DamagedStore, IsNotToldOfASoundOne) {
+  EXPECT_EQ(Store::open(path_, Access::read).damage(), std::nullopt);
+  EXPECT_EQ(salvaged(), 2 * realisations);
+}
+
+TEST_F(DamagedStore, GivesNoWrongRowWhereverABitTurns) {
+  const std::string sound = bytes();
+  support::SplitMix random(8);
+  std::uint64_t kept_in_all = 0;
+  std::uint64_t whole = 0;
+  constexpr std::uint64_t trials = 60;
+  for (std::uint64_t trial = 0; trial < trials; ++trial) {
+    std::string changed = sound;
+    const std::size_t place = random.bits() % changed.size();
+    changed[place] = static_cast<char>(changed[place] ^ (1 << (random.bits() % 8)));
+    put(changed);
+    const std::uint64_t kept = salvaged().value_or(0);
+    kept_in_all += kept;
+    whole += kept == 2 * realisations ? 1 : 0;
+  }
+  EXPECT_LT(whole, trials / 2) << "bits that turn in rows must cost a row";
+  EXPECT_GT(kept_in_all, trials * 2 * realisations * 8 / 10) << "a bit costs a row or a page, not the store";
+}
+
+TEST_F(DamagedStore, KeepsWhatStandsBehindALostPage) {
+  std::string changed = bytes();
+  const std::size_t pages = changed.size() / 4096;
+  changed.replace(4096 * (pages / 2), 4096, std::string(4096, '\0'));
+  put(changed);
+  const std::uint64_t kept = salvaged().value();
+  EXPECT_LT(kept, 2 * realisations);
+  EXPECT_GT(kept, 2 * realisations - 100);
+  const Store damaged = Store::open(path_, Access::read);
+  EXPECT_THAT(damaged.damage().value(), HasSubstr("is damaged"));
+}
+
+TEST_F(DamagedStore, KeepsWhatIsLeftOfACutFile) {
+  const std::string sound = bytes();
+  std::uint64_t before = 0;
+  for (const std::size_t tenth : {0U, 3U, 5U, 7U, 9U}) {
+    put(sound.substr(0, sound.size() * tenth / 10));
+    EXPECT_EQ(salvaged(), std::nullopt) << "SQLite reads no shorter file than the header tells of";
+    restore_length(path_);
+    const std::uint64_t kept = salvaged().value_or(0);
+    EXPECT_GE(kept, before) << tenth;
+    EXPECT_LT(kept, 2 * realisations) << tenth;
+    before = kept;
+  }
+  EXPECT_GT(before, 2 * realisations * 8 / 10);
+}
+
+TEST_F(DamagedStore, OfTheRightLengthKeepsIt) {
+  const std::string sound = bytes();
+  restore_length(path_);
+  EXPECT_EQ(bytes(), sound);
+  put("no database, but as long as a header would be: " + std::string(100, 'x'));
+  restore_length(path_);
+  EXPECT_EQ(fs::file_size(path_), 147U);
+}
+
+TEST_F(DamagedStore, IsRefusedWhereItsIdentityWasChanged) {
+  for (const char* change : {"experiment = '{\"a\": 2}'", "code = '2'", "files = '/'", "part = 1, parts = 2"}) {
+    const std::string sound = bytes();
+    sqlite::Database(path_, Access::write).execute(std::string("UPDATE identity SET ") + change);
+    try {
+      (void)Store::open(path_, Access::read);
+      ADD_FAILURE() << change;
+    } catch (const sqlite::UnusableFile& error) {
+      EXPECT_THAT(error.what(), HasSubstr("does not say soundly to what experiment it belongs")) << change;
+    }
+    put(sound);
+  }
+}
+
+/// SQLite's usual way to the system, but for the shared memory: as on a file system that has none.
+class NoSharedMemory {
+ public:
+  NoSharedMemory() : usual_(sqlite3_vfs_find(nullptr)), poor_(*usual_) {
+    poor_.zName = "poor";
+    poor_.xOpen = &open;
+    sqlite3_vfs_register(&poor_, 1);
+  }
+  NoSharedMemory(const NoSharedMemory&) = delete;
+  NoSharedMemory& operator=(const NoSharedMemory&) = delete;
+  ~NoSharedMemory() {
+    sqlite3_vfs_unregister(&poor_);
+    sqlite3_vfs_register(usual_, 1);
+  }
+
+ private:
+  static int open(sqlite3_vfs* vfs, const char* name, sqlite3_file* file, int flags, int* out) {
+    const int code = sqlite3_vfs_find("unix")->xOpen(vfs, name, file, flags, out);
+    if (code == SQLITE_OK && (flags & SQLITE_OPEN_MAIN_DB) != 0) {
+      static sqlite3_io_methods methods;
+      methods = *file->pMethods;
+      methods.xShmMap = [](sqlite3_file*, int, int, int, void volatile**) { return SQLITE_IOERR_SHMMAP; };
+      file->pMethods = &methods;
+    }
+    return code;
+  }
+
+  sqlite3_vfs* usual_;
+  sqlite3_vfs poor_;
+};
+
+TEST(WithoutSharedMemory, AStoreKeepsItsRowsTheOtherWay) {
+  const support::TemporaryFolder folder;
+  const NoSharedMemory here;
+  Store store = Store::create(folder / "a.sqlite", identity);
+  EXPECT_EQ(store.journalling(), Journalling::rollback);
+  store.add({0, 0}, summary_of({0, 0}));
+  store.commit();
+  store.add({0, 1}, summary_of({0, 1}));
+  const Store onlooker = Store::open(folder / "a.sqlite", Access::read);
+  EXPECT_TRUE(onlooker.find({0, 0}).has_value());
+  EXPECT_FALSE(onlooker.find({0, 1}).has_value());
+  store.close_up();
+  EXPECT_TRUE(onlooker.find({0, 1}).has_value());
+}
+
+TEST(WithoutSharedMemory, AStoreThatWasKilledElsewhereIsReadWithItsLog) {
+  const support::TemporaryFolder folder;
+  {
+    Store store = Store::create(folder / "a.sqlite", identity);
+    EXPECT_EQ(store.journalling(), Journalling::write_ahead);
+    store.add({0, 0}, summary_of({0, 0}));
+    store.commit();
+    for (const char* suffix : {"", "-wal"}) {
+      fs::copy_file((folder / "a.sqlite").string() + suffix, (folder / "b.sqlite").string() + suffix);
+    }
+  }
+  const NoSharedMemory here;
+  const Store store = Store::open(folder / "b.sqlite", Access::write);
+  EXPECT_EQ(store.journalling(), Journalling::rollback);
+  EXPECT_TRUE(store.find({0, 0}).has_value());
+}
+
+}  // namespace
+}  // namespace rocking::experiment

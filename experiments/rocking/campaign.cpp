@@ -1,13 +1,16 @@
 #include "campaign.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <map>
+#include <system_error>
 
 #include <fmt/format.h>
 
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "progress.hpp"
+#include "progress_file.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/experiment/noise_floor.hpp"
 #include "rocking/experiment/run.hpp"
@@ -18,6 +21,11 @@
 
 namespace rocking::program {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// What a kill may cost. A commit takes less than a thousandth of it (lib/docs/scale.md).
+constexpr std::chrono::milliseconds between_commits(100);
 
 std::uint64_t unresolved_realisations(const experiment::ExperimentResult& result) {
   std::uint64_t count = 0;
@@ -81,21 +89,41 @@ struct Stretch {
   double duration_s = 0.0;
 };
 
-Stretch work(const experiment::Experiment& experiment, experiment::Store& store, const Labour& labour) {
-  Progress progress(suitable_progress_style(labour.loudness), "realisations");
-  RunningEstimate estimate(experiment);
-  Stretch stretch{};
+experiment::RunOptions options_of(const experiment::Store& store, const Labour& labour) {
   experiment::RunOptions options;
   options.threads = labour.threads;
   options.stop_requested = &stop_on_interrupt();
+  options.commit_is_due = [last = Clock::now()]() mutable {
+    if (Clock::now() - last < between_commits) return false;
+    last = Clock::now();
+    return true;
+  };
+  if (labour.crew.hire) options.workforce = labour.crew.hire(store.identity(), labour.threads);
+  return options;
+}
+
+Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
+             const Labour& labour) {
+  Progress progress(suitable_progress_style(labour.loudness), "realisations");
+  RunningEstimate estimate(experiment);
+  Stretch stretch{};
+  ProgressFile file(folder.progress_path());
+  experiment::RunOptions options = options_of(store, labour);
   options.on_realisations = [&](std::size_t condition, const auto& summaries) { estimate.add(condition, summaries); };
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, all, [&] { return estimate.text(); });
+    file.note(done, all);
     stretch.done = done;
     stretch.all = all;
     if (labour.max_time && progress.elapsed() >= *labour.max_time) stop_for_time();
   };
-  stretch.end = experiment::run(experiment, store, options);
+  try {
+    stretch.end = experiment::run(experiment, store, options);
+  } catch (const std::system_error&) {
+    print_notice(
+        fmt::format("what was stored is kept; once the cause is mended, `rocking resume {}` goes on", folder.name()));
+    throw;
+  }
   stretch.duration_s = progress.elapsed();
   return stretch;
 }
@@ -147,21 +175,21 @@ report::SystemFacts system_facts(unsigned threads) {
 
 ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
                        const Labour& labour) {
-  report::SystemFacts system = system_facts(labour.threads);
+  report::SystemFacts system = system_facts(labour.threads * labour.crew.processes);
   if (store.journalling() == experiment::Journalling::rollback) {
     print_notice(
         fmt::format("{}: this file system has no shared memory for SQLite's log; realisations are kept the slower "
                     "way, and looking on may have to wait for a moment",
                     folder.name()));
   }
-  const Stretch stretch = work(experiment, store, labour);
+  const Stretch stretch = work(folder, experiment, store, labour);
   if (stretch.end == experiment::RunEnd::stopped) return explain_stop(folder, stretch);
   if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
   system.duration_s = stretch.duration_s;
   const auto result = experiment::result_of(experiment, store);
   const ExitCode code = conclude(folder, experiment, result.value(), {.system = system, .loudness = labour.loudness});
   if (!labour.loudness.quiet) {
-    print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(labour.threads, "thread")));
+    print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }
   return code;
 }

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "crew.hpp"
 #include "exit_code.hpp"
 #include "output.hpp"
 #include "rocking/experiment/experiment.hpp"
@@ -16,9 +17,10 @@ namespace rocking::program {
 
 /// How to work: what `run`, `resume` and `verify` have in common.
 struct Labour {
-  unsigned threads;
+  unsigned threads = 1;
   std::optional<double> max_time;  ///< stop cleanly after this long [s]
   Loudness loudness;
+  Crew crew = {};
 };
 
 /// Adds `-j`, and `--max-time` where a run can go on later.

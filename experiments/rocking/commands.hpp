@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "crew.hpp"
 #include "exit_code.hpp"
 
 namespace rocking::program {
@@ -14,8 +15,9 @@ namespace rocking::program {
 using Action = std::function<ExitCode()>;
 
 /// Each function adds its command to `app`. Parsing a command line that names it sets `action`.
-void add_run(CLI::App& app, Action& action);
-void add_resume(CLI::App& app, Action& action);
+void add_run(CLI::App& app, Action& action, const Crew& crew);
+void add_resume(CLI::App& app, Action& action, const Crew& crew);
+void add_status(CLI::App& app, Action& action);
 void add_merge(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);

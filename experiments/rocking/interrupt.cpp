@@ -28,6 +28,10 @@ const std::atomic<bool>& stop_on_interrupt() {
   return stop_requested;
 }
 
+void meet_limits_as_errors() {
+  for (const int number : {SIGPIPE, SIGXFSZ}) std::signal(number, SIG_IGN);
+}
+
 void stop_for_time() {
   if (why_stopped() == StopReason::none) reason.store(StopReason::time);
   stop_requested.store(true);

@@ -11,6 +11,10 @@ enum class StopReason : std::uint8_t { none, signal, time };
 /// ending the process; a second one ends it. Returns what then becomes true.
 [[nodiscard]] const std::atomic<bool>& stop_on_interrupt();
 
+/// From here on a pipe that nobody reads and a limit of a file's size are errors of the write that meets them, and no longer
+/// ends of the process.
+void meet_limits_as_errors();
+
 /// Asks the same because the time is up.
 void stop_for_time();
 

@@ -23,7 +23,9 @@ void print_result(std::string_view text) {
   if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
 }
 
-void print_notice(std::string_view text) { fmt::print(stderr, "rocking: {}\n", text); }
+void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", text)); }
+
+void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 
 experiment::Experiment load_experiment(const std::string& path, const report::Overrides& overrides) {
   try {
@@ -41,6 +43,12 @@ std::string listed_problems(const base::InputError& error) {
 
 std::string counted(std::uint64_t number, std::string_view noun) {
   return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string spoken_size(std::uint64_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size < 1e6) return fmt::format("{:.3g} kB", size / 1e3);
+  return size < 1e9 ? fmt::format("{:.3g} MB", size / 1e6) : fmt::format("{:.3g} GB", size / 1e9);
 }
 
 std::string spoken_duration(double seconds) {

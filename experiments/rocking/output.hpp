@@ -28,6 +28,9 @@ void print_result(std::string_view text);
 /// Writes `rocking: text` to standard error.
 void print_notice(std::string_view text);
 
+/// Writes to standard error. That nobody reads it stops no run.
+void print_aside(const std::string& text);
+
 /// Reads an experiment file. Throws base::InputError, or MissingInput where the file cannot be read.
 [[nodiscard]] experiment::Experiment load_experiment(const std::string& path, const report::Overrides& overrides);
 
@@ -36,6 +39,9 @@ void print_notice(std::string_view text);
 
 /// `1 condition`, `2 conditions`.
 [[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
+
+/// `820 kB`, `2.4 GB`.
+[[nodiscard]] std::string spoken_size(std::uint64_t bytes);
 
 /// `12 s`, `3 min 20 s`, `2 h 05 min`.
 [[nodiscard]] std::string spoken_duration(double seconds);

@@ -17,8 +17,12 @@ struct Plan {
   bool at_most = false;              ///< some conditions may stop before
   std::uint64_t periods = 0;         ///< of all realisations together
   bool has_record = false;           ///< a period is then that of the strobe, not of an excitation
+  std::uint64_t disk_bytes = 0;      ///< for the store, at most
   std::vector<std::string> effects;  ///< that are on in at least one condition
 };
+
+/// Bytes that a store of so many realisations takes on the disk, rather too many than too few.
+[[nodiscard]] std::uint64_t disk_need(std::uint64_t realisations);
 
 [[nodiscard]] Plan plan_of(const experiment::Experiment& experiment);
 [[nodiscard]] std::string to_text(const Plan& plan);

@@ -8,6 +8,8 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include "output.hpp"
+
 namespace rocking::program {
 namespace {
 
@@ -57,11 +59,11 @@ void rewrite_line(const Pace& pace, const std::string& words) {
   const std::size_t room = width - std::min(width, words.size() + frame);
   const std::size_t length = std::clamp(room, shortest_bar, longest_bar);
   if (width < 3 * length) {
-    fmt::print(stderr, "\r{}\x1b[K", cut(words, width));
+    print_aside("\r" + cut(words, width) + "\x1b[K");
   } else {
     const std::string_view on = wants_colour() ? "\x1b[32m" : "";
     const std::string_view off = wants_colour() ? "\x1b[0m" : "";
-    fmt::print(stderr, "\r[{}{}{}] {}\x1b[K", on, bar(pace, length), off, cut(words, width - length - frame));
+    print_aside(fmt::format("\r[{}{}{}] {}\x1b[K", on, bar(pace, length), off, cut(words, width - length - frame)));
   }
 }
 
@@ -92,7 +94,7 @@ Progress::Progress(ProgressStyle style, std::string noun)
 }
 
 Progress::~Progress() {
-  if (line_open_) fmt::print(stderr, "\r\x1b[K");  // leave the line as it was found
+  if (line_open_) print_aside("\r\x1b[K");  // leave the line as it was found
 }
 
 void Progress::show(std::uint64_t done, std::uint64_t all, const std::function<std::string()>& more) {
@@ -109,7 +111,7 @@ void Progress::show(std::uint64_t done, std::uint64_t all, const std::function<s
     rewrite_line(reached, words);
     line_open_ = true;
   } else {
-    fmt::print(stderr, "{}\n", words);
+    print_aside(words + "\n");
   }
 }
 

@@ -5,8 +5,9 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "machine.hpp"
 #include "output.hpp"
+#include "plan.hpp"
+#include "rocking/experiment/run.hpp"
 #include "rocking/experiment/salvage.hpp"
 #include "run_folder.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 struct ResumeRequest {
   std::string folder;
-  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  Labour labour;
 };
 
 // Whatever is damaged is found before anything is added to it.
@@ -44,13 +45,16 @@ ExitCode resume(const ResumeRequest& request) {
   }
   const experiment::Experiment experiment = experiment_of(store.identity());
   store = sound_store(folder, experiment, std::move(store));
+  const auto [done, all] = experiment::completeness(experiment, store);
+  if (!plan_of(experiment).at_most) folder.expect_room(disk_need(all - done));
   return carry_through(folder, experiment, store, request.labour);
 }
 
 }  // namespace
 
-void add_resume(CLI::App& app, Action& action) {
+void add_resume(CLI::App& app, Action& action, const Crew& crew) {
   const auto request = std::make_shared<ResumeRequest>();
+  request->labour = {.threads = crew.threads, .max_time = {}, .loudness = {}, .crew = crew};
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
   command->footer(
       "Example: rocking resume out\n"

@@ -7,7 +7,6 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "machine.hpp"
 #include "output.hpp"
 #include "plan.hpp"
 #include "run_folder.hpp"
@@ -20,7 +19,7 @@ struct RunRequest {
   std::string folder;
   std::string shard;
   report::Overrides overrides;
-  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  Labour labour;
   bool dry_run = false;
   bool overwrite = false;
 };
@@ -84,9 +83,9 @@ ExitCode run(const RunRequest& request) {
   RunFolder folder(request.folder);
   folder.claim();
   make_room(folder, request.overwrite);
-  if (request.labour.loudness.verbose) {
-    print_notice(fmt::format("{}: {}", request.file, to_text(plan_of(experiment))));
-  }
+  const Plan plan = plan_of(experiment);
+  if (request.labour.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan)));
+  if (!plan.at_most) folder.expect_room(disk_need(plan.realisations / (shard ? shard->parts : 1)));
   experiment::Store store = folder.create_store({.experiment = experiment.canonical_text,
                                                  .code = code_identity(),
                                                  .files = folder_of(request.file),
@@ -96,8 +95,9 @@ ExitCode run(const RunRequest& request) {
 
 }  // namespace
 
-void add_run(CLI::App& app, Action& action) {
+void add_run(CLI::App& app, Action& action, const Crew& crew) {
   const auto request = std::make_shared<RunRequest>();
+  request->labour = {.threads = crew.threads, .max_time = {}, .loudness = {}, .crew = crew};
   CLI::App* command = app.add_subcommand("run", "Simulate an experiment: how likely is each response?");
   command->footer(
       "Example: rocking run experiments/headline/headline.json -o out\n"

@@ -1,7 +1,9 @@
 #include "run_folder.hpp"
 
 #include <cerrno>
+#include <chrono>
 #include <system_error>
+#include <thread>
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <unistd.h>
 
 #include "exit_code.hpp"
+#include "output.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/experiment/salvage.hpp"
 #include "rocking/report/files.hpp"
@@ -34,14 +37,38 @@ RunFolder::~RunFolder() {
   if (lock_ >= 0) ::close(lock_);
 }
 
+// A file of its own, never removed: some network file systems lock only what is open for writing, and a lock on a file that
+// another process has just removed guards nothing.
 void RunFolder::claim() {
   report::ensure_writable(path_);
-  lock_ = ::open(path_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  if (lock_ < 0) throw std::system_error(errno, std::generic_category(), name() + ": cannot be opened");
-  // A file system that knows no locks cannot tell; there the user has to.
-  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    throw InTheWay(name() + ": another `rocking` is at work in this folder; wait for it, or choose another folder");
+  lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0) throw std::system_error(errno, std::generic_category(), lock_path().string() + ": cannot be opened");
+  for (int attempt = 0; ::flock(lock_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
+    if (errno != EWOULDBLOCK) return;  // a file system that knows no locks cannot tell; there the user has to
+    if (attempt == 10) {
+      throw InTheWay(name() + ": another `rocking` is at work in this folder; wait for it, or choose another folder");
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // `rocking status` holds it for a moment
   }
+}
+
+bool RunFolder::is_at_work() const {
+  const int lock = ::open(lock_path().c_str(), O_RDONLY | O_CLOEXEC);
+  if (lock < 0) return false;
+  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(lock);
+  return held;
+}
+
+void RunFolder::expect_room(std::uint64_t bytes) const {
+  std::error_code unknown;
+  const std::uintmax_t free = std::filesystem::space(path_, unknown).available;
+  if (unknown || bytes <= free) return;
+  throw std::system_error(
+      std::make_error_code(std::errc::no_space_on_device),
+      fmt::format("{}: its realisations may need {}, {} are free; make room, choose another disk, or "
+                  "divide the run with --shard",
+                  name(), spoken_size(bytes), spoken_size(free)));
 }
 
 experiment::Store RunFolder::create_store(const experiment::Identity& identity) const {
@@ -75,7 +102,7 @@ RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experi
 }
 
 void RunFolder::clear() const {
-  std::filesystem::remove(report_path());
+  for (const auto& path : {report_path(), progress_path()}) std::filesystem::remove(path);
   remove_database(store_path());
 }
 

@@ -19,6 +19,10 @@ class RunFolder {
   /// Makes the folder if need be, checks that it can be written to, and keeps others from working in it as long as this
   /// object lives. Throws InTheWay where another process does, std::system_error with the path where it cannot be used.
   void claim();
+  /// Whether a process, this one or another, has claimed it.
+  [[nodiscard]] bool is_at_work() const;
+  /// Throws std::system_error where the disk has not that many bytes free.
+  void expect_room(std::uint64_t bytes) const;
 
   [[nodiscard]] bool has_store() const { return std::filesystem::exists(store_path()); }
   [[nodiscard]] bool has_report() const { return std::filesystem::exists(report_path()); }
@@ -38,8 +42,11 @@ class RunFolder {
   [[nodiscard]] std::string name() const { return path_.string(); }
   [[nodiscard]] std::filesystem::path store_path() const { return path_ / "realisations.sqlite"; }
   [[nodiscard]] std::filesystem::path report_path() const { return path_ / "report.json"; }
+  [[nodiscard]] std::filesystem::path progress_path() const { return path_ / "progress.json"; }
 
  private:
+  [[nodiscard]] std::filesystem::path lock_path() const { return path_ / ".lock"; }
+
   std::filesystem::path path_;
   int lock_ = -1;
 };

@@ -45,14 +45,15 @@ WorkList work_left(const Experiment& experiment, const Store& store) {
 /// Puts what comes of pairs into the store, and makes it durable now and then.
 class Journal {
  public:
-  Journal(const Experiment& experiment, Store& store) : experiment_(&experiment), store_(&store) {}
+  Journal(const Experiment& experiment, Store& store, const RunOptions& options)
+      : experiment_(&experiment), store_(&store), options_(&options) {}
 
   void add(const Pair& pair, const std::vector<Summary>& summaries) {
     for (std::size_t i = 0; i < summaries.size(); ++i) store_->add({pair.condition, pair.first + i}, summaries[i]);
     const Horizon& horizon = experiment_->conditions[pair.condition].horizon;
     const std::int64_t periods = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
     uncommitted_ += summaries.size() * static_cast<std::uint64_t>(periods);
-    if (uncommitted_ < periods_between_commits) return;
+    if (options_->commit_is_due ? !options_->commit_is_due() : uncommitted_ < periods_between_commits) return;
     store_->commit();
     uncommitted_ = 0;
   }
@@ -60,6 +61,7 @@ class Journal {
  private:
   const Experiment* experiment_;
   Store* store_;
+  const RunOptions* options_;
   std::uint64_t uncommitted_ = 0;
 };
 
@@ -67,7 +69,7 @@ class Journal {
 
 RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options) {
   WorkList work = work_left(experiment, store);
-  Journal journal(experiment, store);
+  Journal journal(experiment, store, options);
   const PairFlow flow{.next = [&] { return work.take(); },
                       .accept =
                           [&](const Pair& pair, const std::vector<Summary>& summaries) {
@@ -79,7 +81,7 @@ RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options
                             if (options.on_progress) options.on_progress(work.done(), work.all());
                           }};
   try {
-    run_pairs(experiment, options, flow);
+    (options.workforce ? options.workforce : run_pairs)(experiment, options, flow);
   } catch (...) {
     commit_if_possible(store);
     throw;

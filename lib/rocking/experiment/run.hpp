@@ -13,6 +13,12 @@
 
 namespace rocking::experiment {
 
+struct PairFlow;
+struct RunOptions;
+
+/// Who runs the pairs of an experiment until none is left or it is asked to stop.
+using Workforce = std::function<void(const Experiment&, const RunOptions&, const PairFlow&)>;
+
 /// How to work through an experiment. Nothing here changes a result.
 struct RunOptions {
   unsigned threads = 1;
@@ -22,6 +28,10 @@ struct RunOptions {
   const std::atomic<bool>* stop_requested = nullptr;
   /// Called before `on_progress`, with what was just put into the store.
   std::function<void(std::size_t condition, const std::vector<Summary>& summaries)> on_realisations = nullptr;
+  /// Whether what was added since it last said so is to be made durable; asked after each pair. Empty: after a fixed number
+  /// of strobe periods.
+  std::function<bool()> commit_is_due = {};
+  Workforce workforce = {};  ///< empty: `threads` threads of this process
 };
 
 enum class RunEnd : std::uint8_t { complete, stopped };

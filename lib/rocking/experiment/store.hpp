@@ -54,6 +54,7 @@ class Store {
   /// Realisations numbered below `realisations`, by response mode.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> mode_counts(std::uint64_t condition,
                                                                            std::uint64_t realisations) const;
+  [[nodiscard]] std::map<dynamics::Termination, std::uint64_t> termination_counts() const;
 
  private:
   explicit Store(sqlite::Database database) : database_(std::move(database)) {}

@@ -1,0 +1,100 @@
+#include <cstdlib>
+#include <exception>
+#include <memory>
+#include <new>
+#include <system_error>
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "output.hpp"
+#include "program.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/experiment/sqlite.hpp"
+#include "usage.hpp"
+
+namespace rocking::program {
+namespace {
+
+void add_commands(CLI::App& app, Action& action, const Crew& crew) {
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_version_flag("--version", std::string(base::build_info().version));
+  app.require_subcommand(1);
+  app.footer(
+      "`rocking COMMAND --help` tells more, with an example.\n"
+      "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 a bug of ours,\n"
+      "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` goes on after both).\n");
+  add_run(app, action, crew);
+  add_resume(app, action, crew);
+  add_status(app, action);
+  add_merge(app, action);
+  add_verify(app, action);
+  add_compare(app, action);
+  add_bifurcation(app, action);
+  add_report(app, action);
+  add_trajectory(app, action);
+  add_replay(app, action);
+  add_check_normal(app, action);
+  add_validate(app, action);
+  add_schema(app, action);
+  add_doctor(app, action);
+  add_completion(app, action);
+}
+
+ExitCode fail(ExitCode code, std::string_view message) {
+  print_notice(message);
+  return code;
+}
+
+// Where only flags are at fault, the file is not.
+ExitCode code_of(const base::InputError& error) {
+  for (const base::Problem& problem : error.problems()) {
+    if (!problem.place.starts_with("--")) return ExitCode::bad_input;
+  }
+  return ExitCode::usage;
+}
+
+ExitCode carry_out(const Action& action) {
+  try {
+    return action();
+  } catch (const base::InputError& error) {
+    return fail(code_of(error), "the experiment cannot be used: " + listed_problems(error));
+  } catch (const UsageError& error) {
+    return fail(ExitCode::usage, error.what());
+  } catch (const MissingInput& error) {
+    return fail(ExitCode::missing_input, error.what());
+  } catch (const InTheWay& error) {
+    return fail(ExitCode::input_output, error.what());
+  } catch (const experiment::sqlite::UnusableFile& error) {
+    return fail(ExitCode::bad_input, error.what());
+  } catch (const std::system_error& error) {
+    return fail(ExitCode::input_output, error.what());
+  } catch (const std::bad_alloc&) {
+    return fail(ExitCode::input_output, "not enough memory; ask for fewer realisations, conditions or sampled periods");
+  } catch (const std::exception& error) {
+    return fail(ExitCode::our_bug,
+                fmt::format("a bug of ours, please report it with the output of `rocking doctor`: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+ExitCode carry_out_command_line(int argc, const char* const* argv, const Crew& crew) {
+  meet_limits_as_errors();
+  CLI::App app("How likely is each response of a rocking block?", "rocking");
+  Action action;
+  add_commands(app, action, crew);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return static_cast<ExitCode>(app.exit(error));  // --help, --version
+    const auto explanation = explain_unknown_word(app, argc, argv);
+    return fail(ExitCode::usage, fmt::format("{}\nTry `rocking --help`.", explanation.value_or(error.what())));
+  }
+  return carry_out(action);
+}
+
+}  // namespace rocking::program

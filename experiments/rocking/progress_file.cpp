@@ -1,0 +1,40 @@
+#include "progress_file.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include <unistd.h>
+
+#include "rocking/report/files.hpp"
+
+namespace rocking::program {
+namespace {
+
+constexpr std::chrono::seconds interval(5);
+
+}  // namespace
+
+ProgressFile::ProgressFile(std::filesystem::path path) : path_(std::move(path)), start_(Clock::now()), next_(start_) {}
+
+ProgressFile::~ProgressFile() {
+  std::error_code ignored;
+  std::filesystem::remove(path_, ignored);
+}
+
+void ProgressFile::note(std::uint64_t done, std::uint64_t all) {
+  if (!done_before_) done_before_ = done;
+  if (Clock::now() < next_) return;
+  next_ = Clock::now() + interval;
+  const report::ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
+                                  .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),
+                                  .done_before = *done_before_,
+                                  .done = done,
+                                  .all = all};
+  try {
+    report::write_atomically(path_, to_text(note));
+  } catch (const std::system_error&) {
+    // The disk is full or gone; the store will say so where it matters.
+  }
+}
+
+}  // namespace rocking::program

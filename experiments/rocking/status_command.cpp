@@ -1,0 +1,114 @@
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "rocking/experiment/run.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/progress_note.hpp"
+#include "rocking/report/write_facts.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct StatusRequest {
+  std::string folder;
+  Loudness loudness;
+};
+
+/// How a run stands.
+struct Standing {
+  std::string state;  ///< running, stopped or finished
+  std::string part;   ///< `2/5` of a shard; empty: the whole
+  experiment::Completeness realisations;
+  std::uint64_t failed = 0;  ///< of those that are done: the model or a budget gave no answer
+  double rate = 0.0;         ///< realisations a second of the run at work; 0 where none is, or it has just begun
+
+  [[nodiscard]] std::uint64_t missing() const { return realisations.all - realisations.done; }
+};
+
+double rate_of(const RunFolder& folder) {
+  if (!std::filesystem::exists(folder.progress_path())) return 0.0;
+  const auto note = report::read_progress_note(report::read_file(folder.progress_path()));
+  if (!note || note->elapsed_s <= 0.0) return 0.0;
+  return static_cast<double>(note->done - note->done_before) / note->elapsed_s;
+}
+
+std::uint64_t failures_in(const experiment::Store& store) {
+  const auto counts = store.termination_counts();
+  const auto count = [&counts](dynamics::Termination termination) {
+    const auto found = counts.find(termination);
+    return found == counts.end() ? 0 : found->second;
+  };
+  return count(dynamics::Termination::painleve) + count(dynamics::Termination::stopped);
+}
+
+Standing standing_of(const RunFolder& folder) {
+  const bool running = folder.is_at_work();
+  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
+  Standing standing;
+  if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);
+  standing.realisations = experiment::completeness(experiment_of(store.identity()), store);
+  standing.failed = failures_in(store);
+  const bool complete = standing.missing() == 0 && (folder.has_report() || !standing.part.empty());
+  standing.state = running ? "running" : complete ? "finished" : "stopped";
+  if (running) standing.rate = rate_of(folder);
+  return standing;
+}
+
+std::string to_text(const StatusRequest& request, const Standing& standing) {
+  const auto [done, all] = standing.realisations;
+  const double share = all == 0 ? 100.0 : 100.0 * static_cast<double>(done) / static_cast<double>(all);
+  std::string text = fmt::format("{}: {}{}\n", request.folder, standing.state,
+                                 standing.part.empty() ? "" : ", shard " + standing.part);
+  text += fmt::format("done     {} of {} realisations ({:.1f} %)\n", done, all, share);
+  text += fmt::format("missing  {}\nfailed   {}\n", standing.missing(), standing.failed);
+  if (standing.rate > 0.0) {
+    text += fmt::format("rate     {:.3g}/s\nto go    {}\n", standing.rate,
+                        spoken_duration(static_cast<double>(standing.missing()) / standing.rate));
+  }
+  if (standing.state == "stopped") text += fmt::format("`rocking resume {}` goes on\n", request.folder);
+  return text;
+}
+
+std::vector<report::Fact> facts_of(const Standing& standing) {
+  std::vector<report::Fact> facts{{"state", standing.state},
+                                  {"done", standing.realisations.done},
+                                  {"all", standing.realisations.all},
+                                  {"missing", standing.missing()},
+                                  {"failed", standing.failed}};
+  if (!standing.part.empty()) facts.push_back({"shard", standing.part});
+  if (standing.rate > 0.0) {
+    facts.push_back({"realisations_per_s", standing.rate});
+    facts.push_back({"to_go_s", static_cast<double>(standing.missing()) / standing.rate});
+  }
+  return facts;
+}
+
+ExitCode status(const StatusRequest& request) {
+  const Standing standing = standing_of(RunFolder(request.folder));
+  print_result(request.loudness.json ? report::facts_text(facts_of(standing)) : to_text(request, standing));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_status(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<StatusRequest>();
+  CLI::App* command = app.add_subcommand("status", "Say how far a run has come, also while it works");
+  command->footer(
+      "Example: rocking status out\n"
+      "counts what is done, missing and failed (the model had no answer, or a budget ran out), and tells rate and time "
+      "to "
+      "go\n"
+      "while another `rocking` is at work in out. It only reads.");
+  command->add_option("DIR", request->folder, "Folder of the run")->required();
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return status(*request); }; });
+}
+
+}  // namespace rocking::program

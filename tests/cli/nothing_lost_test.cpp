@@ -1,0 +1,219 @@
+// Killed, stopped, cut off from disk or terminal at any moment: `rocking resume` gives the bytes of an undisturbed run.
+// ROCKING_KILLS=100 in the environment makes it a hundred kills in place of a few.
+
+#include <chrono>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include "cli/program.hpp"
+#include "support/split_mix.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class NothingIsLost : public rocking::support::ProgramTest {
+ protected:
+  NothingIsLost() {
+    auto question = quick_experiment();
+    question["horizon"]["transient_periods"] = 100;
+    question["realisations"] = 60;
+    write("question.json", question.dump());
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(rocking("run question.json -q -o whole -j 2").exit_code, 0);
+    duration_s_ = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  /// What must be the same however a report came about.
+  std::string lasting_part(const std::string& report) const {
+    Json json = Json::parse(read(report));
+    json.erase("system");
+    return json.dump();
+  }
+
+  void expect_the_whole_of(const std::string& folder) const {
+    ASSERT_TRUE(exists(folder + "/report.json"));
+    EXPECT_EQ(lasting_part(folder + "/report.json"), lasting_part("whole/report.json"));
+    for (const char* file : {"realisations.sqlite-wal", "realisations.sqlite-shm", "progress.json", "mended.sqlite"}) {
+      EXPECT_FALSE(exists(folder + "/" + file)) << file;
+    }
+  }
+
+  void expect_resumable(const std::string& folder) const {
+    const auto resumed = rocking("resume " + folder + " -q");
+    ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+    expect_the_whole_of(folder);
+  }
+
+  /// Starts a command in the background, waits, sends a signal; `$?` is then its exit code.
+  static std::string disturbed(const std::string& command, const std::string& delay, const std::string& signal) {
+    return "'" ROCKING_PROGRAM "' " + command + " & child=$!; sleep " + delay + "; kill -" + signal +
+           " $child 2>/dev/null; wait $child";
+  }
+
+  /// How long the undisturbed run took: moments to disturb another are shares of it.
+  double duration_s_ = 0.0;
+
+  /// Changes a byte of a file, `share` of its length from its beginning.
+  void change_byte(const std::string& name, double share) const {
+    std::string bytes = read(name);
+    char& byte = bytes.at(static_cast<std::size_t>(share * static_cast<double>(bytes.size())));
+    byte = static_cast<char>(byte ^ 0x10);
+    write(name, bytes);
+  }
+};
+
+TEST_F(NothingIsLost, ByKillsAtRandomTimesOneAfterTheOther) {
+  const char* asked = std::getenv("ROCKING_KILLS");
+  const int kills = asked == nullptr ? 8 : std::stoi(asked);
+  rocking::support::SplitMix random(9);
+  int under_way = 0;
+  for (int kill = 0; kill < kills; ++kill) {
+    const bool begun = exists("out/realisations.sqlite");
+    const std::string command = begun ? "resume out -j 2" : "run question.json -o out -j 2";
+    const auto outcome = shell(disturbed(command, std::to_string(random.uniform(0.0, duration_s_)), "9"));
+    ASSERT_TRUE(outcome.exit_code == 137 || outcome.exit_code == 0) << outcome.errors;
+    if (outcome.exit_code == 137) ++under_way;
+    if (!exists("out/report.json")) continue;
+    expect_resumable("out");
+    std::filesystem::remove_all(folder_ / "out");
+  }
+  EXPECT_GT(under_way, kills / 4);
+  if (exists("out/realisations.sqlite")) expect_resumable("out");
+}
+
+TEST_F(NothingIsLost, BySignalsThatAskToStop) {
+  int stopped = 0;
+  for (const char* signal : {"INT", "TERM", "USR1", "HUP"}) {
+    const auto outcome =
+        shell(disturbed(std::string("run question.json -j 1 -o ") + signal, std::to_string(duration_s_ / 2), signal));
+    if (outcome.exit_code != 0) {
+      EXPECT_EQ(outcome.exit_code, 130) << signal << outcome.errors;
+      EXPECT_THAT(outcome.errors, AllOf(HasSubstr("interrupted"), HasSubstr("rocking resume"))) << signal;
+      EXPECT_FALSE(exists(std::string(signal) + "/realisations.sqlite-wal")) << signal;
+      ++stopped;
+    }
+    expect_resumable(signal);
+  }
+  EXPECT_GE(stopped, 1) << "all four came too late";
+}
+
+TEST_F(NothingIsLost, ByAnOutputThatNobodyReads) {
+  EXPECT_THAT(shell("'" ROCKING_PROGRAM "' run question.json -o closed | true; echo").errors,
+              HasSubstr("standard output"));
+  expect_the_whole_of("closed");
+  const auto deaf = shell("'" ROCKING_PROGRAM "' run question.json -o deaf -v 2>&1 >/dev/null | true");
+  EXPECT_EQ(deaf.exit_code, 0);
+  expect_the_whole_of("deaf");
+}
+
+TEST_F(NothingIsLost, ByALimitOfTheSizeOfFiles) {
+  const auto outcome = shell("ulimit -f 30; exec '" ROCKING_PROGRAM "' run question.json -o out -q");
+  EXPECT_EQ(outcome.exit_code, 74) << outcome.errors;
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("out/realisations.sqlite"), HasSubstr("rocking resume out")));
+  expect_resumable("out");
+}
+
+TEST_F(NothingIsLost, ByADiskThatIsFull) {
+  if (geteuid() != 0) GTEST_SKIP() << "only the superuser can mount a small disk";
+  const auto mounted = shell("mkdir small && mount -t tmpfs -o size=2m none small");
+  if (mounted.exit_code != 0) GTEST_SKIP() << "no small disk can be mounted here: " << mounted.errors;
+  const auto full =
+      shell("'" ROCKING_PROGRAM
+            "' run question.json -o small/out -q -j 1 & child=$!; until test -s small/out/realisations.sqlite-wal; "
+            "do sleep 0.01; done; cat /dev/zero >small/filler 2>/dev/null; wait $child");
+  EXPECT_EQ(full.exit_code, 74);
+  EXPECT_THAT(full.errors, AllOf(HasSubstr("small/out"), HasSubstr("rocking resume small/out")));
+  const auto refused = rocking("run question.json -o small/second");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_EQ(shell("rm small/filler").exit_code, 0);
+  const auto too_much = rocking("run question.json -o small/third --realisations 10000");
+  EXPECT_EQ(too_much.exit_code, 74);
+  EXPECT_THAT(too_much.errors, AllOf(HasSubstr("may need"), HasSubstr("free"))) << "told before it begins";
+  EXPECT_FALSE(exists("small/third/realisations.sqlite"));
+  expect_resumable("small/out");
+  EXPECT_EQ(shell("umount small").exit_code, 0);
+}
+
+TEST_F(NothingIsLost, ByAFolderThatCannotBeWrittenTo) {
+  ASSERT_EQ(rocking("run question.json -q -o out --max-time 0.0001s").exit_code, 75);
+  if (geteuid() == 0) {
+    if (shell("mount --bind out out && mount -o remount,ro,bind out").exit_code != 0) {
+      GTEST_SKIP() << "the superuser may write everywhere, and nothing can be mounted here";
+    }
+  } else {
+    ASSERT_EQ(shell("chmod 500 out").exit_code, 0);
+  }
+  const auto refused = rocking("resume out");
+  const auto looked = rocking("status out");
+  ASSERT_EQ(shell(geteuid() == 0 ? "umount out" : "chmod 700 out").exit_code, 0);
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("out"));
+  EXPECT_EQ(looked.exit_code, 0) << looked.errors;
+  expect_resumable("out");
+}
+
+TEST_F(NothingIsLost, OfWhatIsSoundInADamagedStore) {
+  for (const double place : {0.5, 0.9}) {
+    ASSERT_EQ(shell("rm -rf out; cp -r whole out; rm out/report.json").exit_code, 0);
+    change_byte("out/realisations.sqlite", place);
+    const auto resumed = rocking("resume out -q");
+    EXPECT_EQ(resumed.exit_code, 0);
+    EXPECT_THAT(resumed.errors, AllOf(HasSubstr("sound and kept"), HasSubstr("out/damaged-1.sqlite")));
+    EXPECT_EQ(read("out/damaged-1.sqlite").size(), read("whole/realisations.sqlite").size());
+    expect_the_whole_of("out");
+  }
+}
+
+TEST_F(NothingIsLost, OfWhatIsLeftOfACutStore) {
+  ASSERT_EQ(shell("cp -r whole out; truncate -s 30K out/realisations.sqlite").exit_code, 0);
+  EXPECT_EQ(rocking("verify out").exit_code, 65);
+  const auto resumed = rocking("resume out -q");
+  EXPECT_EQ(resumed.exit_code, 0);
+  EXPECT_THAT(resumed.errors, AllOf(HasSubstr("sound and kept"), Not(HasSubstr("; 0 realisations"))));
+  expect_the_whole_of("out");
+}
+
+TEST_F(NothingIsLost, ToOneWhoAsksHowFarItIs) {
+  const auto whole = rocking("status whole --json");
+  EXPECT_EQ(whole.exit_code, 0);
+  const Json finished = Json::parse(whole.output);
+  EXPECT_EQ(finished.at("state"), "finished");
+  EXPECT_EQ(finished.at("done"), 180);
+  EXPECT_EQ(finished.at("missing"), 0);
+  EXPECT_EQ(finished.at("failed"), 0);
+
+  ASSERT_EQ(rocking("run question.json -q -o part --shard 2/3 --max-time 0.0001s -j 1").exit_code, 75);
+  const Json stopped = Json::parse(rocking("status part --json").output);
+  EXPECT_EQ(stopped.at("state"), "stopped");
+  EXPECT_EQ(stopped.at("shard"), "2/3");
+  EXPECT_EQ(stopped.at("done").get<int>() + stopped.at("missing").get<int>(), 60);
+  EXPECT_THAT(rocking("status part").output, HasSubstr("`rocking resume part` goes on"));
+  EXPECT_EQ(rocking("status absent").exit_code, 66);
+
+  // The disk's part of the store is behind by a commit, the note in progress.json by seconds.
+  const auto running = shell("'" ROCKING_PROGRAM
+                             "' run question.json -q -o out --realisations 1000000 2>told & child=$!; "
+                             "sleep 0.5; '" ROCKING_PROGRAM
+                             "' status out --json; echo $? >code; sleep 0.2; "
+                             "kill -INT $child; wait $child; cat code");
+  EXPECT_THAT(running.output, AllOf(HasSubstr("\"state\": \"running\""), HasSubstr("\"all\": 3000000")));
+  EXPECT_TRUE(running.output.ends_with("0\n")) << running.output;
+}
+
+TEST_F(NothingIsLost, ThroughARunThatIsLookedAtAllTheTime) {
+  const auto watched =
+      shell("'" ROCKING_PROGRAM
+            "' run question.json -q -o out & child=$!; "
+            "for i in 1 2 3 4 5 6 7 8; do '" ROCKING_PROGRAM "' status out >status 2>&1; done; wait $child");
+  EXPECT_EQ(watched.exit_code, 0) << watched.errors;
+  expect_the_whole_of("out");
+}
+
+}  // namespace

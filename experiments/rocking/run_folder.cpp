@@ -4,10 +4,12 @@
 #include <chrono>
 #include <system_error>
 #include <thread>
+#include <utility>
 
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "exit_code.hpp"
@@ -31,21 +33,40 @@ std::filesystem::path first_free_name(const std::filesystem::path& folder) {
   }
 }
 
+// Whether the open file is still the one of this name.
+bool is_file_at(int descriptor, const std::filesystem::path& path) {
+  struct stat open {};
+  struct stat named {};
+  return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
+         open.st_dev == named.st_dev;
+}
+
 }  // namespace
 
 RunFolder::~RunFolder() {
-  if (lock_ >= 0) ::close(lock_);
+  if (lock_ < 0) return;
+  ::unlink(lock_path().c_str());
+  ::close(lock_);
 }
 
-// A file of its own, never removed: some network file systems lock only what is open for writing, and a lock on a file that
-// another process has just removed guards nothing.
+// A file of its own, open for writing: some network file systems lock nothing else. Who held the lock before may have removed
+// the file since it was opened here; a lock on it then guards nothing, and another try finds a new one.
 void RunFolder::claim() {
   report::ensure_writable(path_);
-  lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-  if (lock_ < 0) throw std::system_error(errno, std::generic_category(), lock_path().string() + ": cannot be opened");
+  while (lock_ < 0) {
+    lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (lock_ < 0) throw std::system_error(errno, std::generic_category(), lock_path().string() + ": cannot be opened");
+    wait_for_lock();
+    if (is_file_at(lock_, lock_path())) return;
+    ::close(std::exchange(lock_, -1));
+  }
+}
+
+void RunFolder::wait_for_lock() {
   for (int attempt = 0; ::flock(lock_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
     if (errno != EWOULDBLOCK) return;  // a file system that knows no locks cannot tell; there the user has to
     if (attempt == 10) {
+      ::close(std::exchange(lock_, -1));
       throw InTheWay(name() + ": another `rocking` is at work in this folder; wait for it, or choose another folder");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));  // `rocking status` holds it for a moment

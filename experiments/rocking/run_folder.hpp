@@ -45,6 +45,7 @@ class RunFolder {
   [[nodiscard]] std::filesystem::path progress_path() const { return path_ / "progress.json"; }
 
  private:
+  void wait_for_lock();
   [[nodiscard]] std::filesystem::path lock_path() const { return path_ / ".lock"; }
 
   std::filesystem::path path_;

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
-#include "rocking/experiment/sqlite.hpp"
+#include "rocking/experiment/store.hpp"
 
 namespace {
 
@@ -107,9 +107,13 @@ TEST_F(RunFolder, ResumeAsksForARun) {
 }
 
 TEST_F(RunFolder, IsNotResumedByAnotherVersion) {
-  write_slow();
-  ASSERT_EQ(rocking("run slow.json -o out --max-time 0.1s").exit_code, 75);
-  change_store("UPDATE identity SET code = '0.0.9 old'");
+  namespace experiment = rocking::experiment;
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  const std::filesystem::path path = folder_ / "out/realisations.sqlite";
+  auto identity = experiment::Store::open(path, experiment::sqlite::Access::read).identity();
+  identity.code = "0.0.9 old";
+  std::filesystem::remove(path);
+  experiment::Store::create(path, identity).close_up();
   const auto refused = rocking("resume out");
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, HasSubstr("0.0.9 old"));

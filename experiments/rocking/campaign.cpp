@@ -9,6 +9,7 @@
 
 #include "interrupt.hpp"
 #include "machine.hpp"
+#include "page.hpp"
 #include "progress.hpp"
 #include "progress_file.hpp"
 #include "rocking/base/build_info.hpp"
@@ -164,7 +165,9 @@ ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experim
                   const experiment::ExperimentResult& result, const Conclusion& how) {
   const std::string text = report::report_text(experiment, result, how.system);
   report::write_atomically(folder.report_path(), text);
-  const std::string where = fmt::format("report: {}\n", folder.report_path().string());
+  write_page(folder, analysis::read_run_report(text), how.loudness);
+  const std::string where =
+      fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string());
   print_result(how.loudness.json ? text : summary_of(experiment, result) + where);
   return ExitCode::done;
 }

@@ -41,7 +41,7 @@ struct Conclusion {
 /// Facts of this process, at this time.
 [[nodiscard]] report::SystemFacts system_facts(unsigned threads);
 
-/// Writes the report and prints the table.
+/// Writes the report and its page, and prints the table.
 [[nodiscard]] ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
                                 const experiment::ExperimentResult& result, const Conclusion& how);
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,6 +13,7 @@
 #include "analysis/run_figures.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "page.hpp"
 #include "rocking/report/files.hpp"
 #include "rocking/report/write_facts.hpp"
 #include "run_folder.hpp"
@@ -22,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> all_formats{"gnuplot"};
+const std::vector<std::string> all_formats{"html", "gnuplot"};
 
 struct ReportRequest {
   std::string folder;
@@ -66,7 +68,14 @@ ExitCode report_again(const ReportRequest& request) {
   const analysis::RunReport report = load_report(folder);
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
   std::vector<std::string> written;
-  if (formats.contains("gnuplot")) written = draw(report, fs::path(request.folder) / "figures");
+  if (formats.contains("html")) {
+    report::ensure_writable(request.folder);
+    write_page(folder, report, request.loudness);
+    written.push_back(folder.page_path().string());
+  }
+  if (formats.contains("gnuplot")) {
+    for (std::string& file : draw(report, fs::path(request.folder) / "figures")) written.push_back(std::move(file));
+  }
   print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
                                      : fmt::format("{}\n", fmt::join(written, "\n")));
   return ExitCode::done;
@@ -78,9 +87,10 @@ void add_report(CLI::App& app, Action& action) {
   const auto request = std::make_shared<ReportRequest>();
   CLI::App* command = app.add_subcommand("report", "Draw and tabulate a finished run again, without simulating");
   command->footer(
-      "Example: rocking report out --format gnuplot\n"
-      "writes the figures of out/report.json to out/figures: of each the data (tsv), a gnuplot script (gp), and what\n"
-      "gnuplot makes of them (svg, png, pdf).");
+      "Example: rocking report out --format html,gnuplot\n"
+      "html: out/report.html, a page that needs nothing beside it. gnuplot: the figures of out/report.json in "
+      "out/figures,\n"
+      "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf).");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--format", request->formats, "What to make; default: all")
       ->delimiter(',')

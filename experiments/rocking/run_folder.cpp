@@ -123,7 +123,7 @@ RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experi
 }
 
 void RunFolder::clear() const {
-  for (const auto& path : {report_path(), progress_path()}) std::filesystem::remove(path);
+  for (const auto& path : {report_path(), page_path(), progress_path()}) std::filesystem::remove(path);
   remove_database(store_path());
 }
 

@@ -36,12 +36,13 @@ class RunFolder {
     std::filesystem::path damaged_file;  ///< where the damaged file is now
   };
   Mending mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const;
-  /// Removes store and report.
+  /// Removes store, report and page.
   void clear() const;
 
   [[nodiscard]] std::string name() const { return path_.string(); }
   [[nodiscard]] std::filesystem::path store_path() const { return path_ / "realisations.sqlite"; }
   [[nodiscard]] std::filesystem::path report_path() const { return path_ / "report.json"; }
+  [[nodiscard]] std::filesystem::path page_path() const { return path_ / "report.html"; }
   [[nodiscard]] std::filesystem::path progress_path() const { return path_ / "progress.json"; }
 
  private:

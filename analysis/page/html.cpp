@@ -1,0 +1,78 @@
+#include "analysis/page/html.hpp"
+
+#include <cctype>
+#include <vector>
+
+#include <openssl/evp.h>
+
+#include "rocking/base/digest.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+std::string base64(std::string_view bytes) {
+  std::vector<unsigned char> text(4 * ((bytes.size() + 2) / 3) + 1);
+  const auto* first = reinterpret_cast<const unsigned char*>(bytes.data());
+  const int written = EVP_EncodeBlock(text.data(), first, static_cast<int>(bytes.size()));
+  return {text.begin(), text.begin() + written};
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string html;
+  html.reserve(text.size());
+  for (const char c : text) {
+    switch (c) {
+      case '&': html += "&amp;"; break;
+      case '<': html += "&lt;"; break;
+      case '>': html += "&gt;"; break;
+      case '"': html += "&quot;"; break;
+      case '\'': html += "&#39;"; break;
+      default: html += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  }
+  return html;
+}
+
+std::string json_for_script(const report::Json& json) {
+  const std::string text = json.dump();
+  std::string safe;
+  safe.reserve(text.size());
+  for (const char c : text) {
+    if (c == '<') {
+      safe += "\\u003c";
+    } else {
+      safe += c;
+    }
+  }
+  return safe;
+}
+
+std::string data_address(std::string_view svg) { return "data:image/svg+xml;base64," + base64(svg); }
+
+std::string policy_hash(std::string_view text) {
+  const base::Sha256 digest = base::sha256(text);
+  return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), digest.size()}) + '\'';
+}
+
+std::string symbol_html(std::string_view symbol) {
+  std::string html;
+  bool low = false;
+  for (const char c : symbol) {
+    const bool goes_on = std::isalnum(static_cast<unsigned char>(c)) != 0;
+    if (c == '_') {
+      html += "<sub>";
+      low = true;
+    } else {
+      if (low && !goes_on) {
+        html += "</sub>";
+        low = false;
+      }
+      html += escaped({&c, 1});
+    }
+  }
+  return "<i>" + html + (low ? "</sub>" : "") + "</i>";
+}
+
+}  // namespace rocking::analysis

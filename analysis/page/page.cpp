@@ -1,0 +1,134 @@
+#include "analysis/page/page.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/page/answer.hpp"
+#include "analysis/page/assets.hpp"
+#include "analysis/page/html.hpp"
+#include "analysis/page/question.hpp"
+#include "analysis/page/trust.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+/// The parts of a page, by what of a figure's name tells where it belongs.
+struct Part {
+  const char* id;
+  const char* heading;
+  std::vector<std::string> figures;  ///< beginnings of names
+};
+
+const std::vector<Part>& parts() {
+  static const std::vector<Part> all{{"responses", "Which responses, and how likely?", {"mode_"}},
+                                     {"recurrence", "Does it repeat?", {"non_recurrence", "parting"}},
+                                     {"more", "More figures", {""}}};
+  return all;
+}
+
+bool belongs(const Part& part, const Figure& figure) {
+  return std::ranges::any_of(part.figures, [&](const std::string& start) { return figure.name.starts_with(start); });
+}
+
+std::string head(const std::string& title) {
+  const std::string style = dygraphs_style() + page_style();
+  const std::string library = dygraphs_script();
+  const std::string script = page_script();
+  const std::string scripts = library.empty() ? policy_hash(script) : policy_hash(library) + ' ' + policy_hash(script);
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+      "http-equiv=\"Content-Security-Policy\" "
+      "content=\"default-src 'none'; style-src {}; script-src {}; img-src data:; base-uri 'none'; form-action "
+      "'none'\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<link rel=\"icon\" "
+      "href=\"data:,\">\n<style>{}</style>\n</head>\n",
+      policy_hash(style), scripts, escaped(title), style);
+}
+
+std::string card(const char* id, const char* heading, const std::string& content, const char* link) {
+  return fmt::format(
+      "<article class=\"card\" aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}<p class=\"more\"><a "
+      "href=\"{3}\">More on &ldquo;{1}&rdquo;</a></p>\n</article>\n",
+      id, heading, content, link);
+}
+
+std::string section(const char* id, const char* heading, const std::string& content) {
+  return fmt::format(
+      "<section id=\"{0}\" aria-labelledby=\"heading-{0}\">\n<h2 id=\"heading-{0}\">{1}</h2>\n{2}</section>\n", id,
+      heading, content);
+}
+
+/// Each figure goes to the first part that takes it.
+std::string figure_parts(const RunReport& report, const std::vector<DrawnFigure>& figures) {
+  std::string text;
+  std::vector<bool> placed(figures.size(), false);
+  for (const Part& part : parts()) {
+    std::string content;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+      if (placed[i] || !belongs(part, figures[i].figure)) continue;
+      placed[i] = true;
+      content += figure_html(report, figures[i]);
+    }
+    if (!content.empty()) text += section(part.id, part.heading, content);
+  }
+  return text;
+}
+
+constexpr std::string_view dygraphs_licence =
+    "Copyright (c) 2006, 2009, 2011, 2012, 2013, 2017 Dan Vanderkam and other contributors. Permission is hereby "
+    "granted, free "
+    "of charge, to any person obtaining a copy of this software and associated documentation files (the \"Software\"), "
+    "to deal "
+    "in the Software without restriction, including without limitation the rights to use, copy, modify, merge, "
+    "publish, "
+    "distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is "
+    "furnished to do "
+    "so, subject to the following conditions: The above copyright notice and this permission notice shall be included "
+    "in all "
+    "copies or substantial portions of the Software. THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, "
+    "EXPRESS "
+    "OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND "
+    "NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER "
+    "LIABILITY, "
+    "WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR "
+    "THE USE OR "
+    "OTHER DEALINGS IN THE SOFTWARE.";
+
+std::string footer() {
+  if (dygraphs_script().empty()) return "";
+  return fmt::format(
+      "<footer>\n<details><summary>Charts by dygraphs, under the MIT licence</summary>\n<p>{}</p></details>\n"
+      "</footer>\n",
+      escaped(dygraphs_licence));
+}
+
+std::string scripts() {
+  const std::string library = dygraphs_script();
+  std::string text;
+  if (!library.empty()) text += "<script>" + library + "</script>\n";
+  return text + "<script>" + page_script() + "</script>\n";
+}
+
+}  // namespace
+
+std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures) {
+  const std::string title = report.title.empty() ? "A rocking block" : report.title;
+  const auto checks = checks_of(report);
+  std::string text = head(title);
+  text += fmt::format(
+      "<body>\n<a class=\"skip\" href=\"#main\">To the answers</a>\n<header>\n<h1>{}</h1>\n</header>\n<main "
+      "id=\"main\">\n<div class=\"cards\">\n",
+      escaped(title));
+  text += card("asked", "What was asked?", question_in_brief(report), "#question");
+  text += card("likely", "Which responses, and how likely?", responses_in_brief(report), "#responses");
+  text += card("repeats", "Does it repeat?", recurrence_in_brief(report), "#recurrence");
+  text += card("believe", "May I believe it?", trust_in_brief(checks), "#trust");
+  text += "</div>\n" + figure_parts(report, figures);
+  text += section("trust", "May I believe it?", trust_in_full(checks));
+  text += section("question", "What was asked?", question_in_full(report));
+  text += section("again", "Where does it come from?", provenance(report));
+  return text + "</main>\n" + footer() + scripts() + "</body>\n</html>\n";
+}
+
+}  // namespace rocking::analysis

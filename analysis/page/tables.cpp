@@ -1,0 +1,114 @@
+#include "analysis/page/tables.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "analysis/page/html.hpp"
+#include "analysis/page/words.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/report/text_table.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+struct PageTable {
+  std::string caption;
+  std::vector<std::string> head;               ///< HTML
+  std::vector<std::vector<std::string>> rows;  ///< HTML; a row's first cell is its heading
+  std::size_t all_rows = 0;                    ///< with those that are left out
+};
+
+/// The buttons are made by the page's script: without it there is nothing to press.
+std::string html_of(const PageTable& table) {
+  std::string text = fmt::format(
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table: {0}\"><table class=\"sortable\">"
+      "<caption>{0}</caption>\n<thead><tr>",
+      table.caption);
+  for (const std::string& cell : table.head) text += fmt::format("<th scope=\"col\">{}</th>", cell);
+  text += "</tr></thead>\n<tbody>\n";
+  for (const auto& row : table.rows) {
+    text += "<tr>";
+    const char* open = "<th scope=\"row\">";
+    const char* close = "</th>";
+    for (const std::string& cell : row) {
+      text += open + cell + close;
+      open = "<td>";
+      close = "</td>";
+    }
+    text += "</tr>\n";
+  }
+  text += "</tbody></table></div>\n";
+  if (table.all_rows > table.rows.size()) {
+    text += fmt::format(
+        "<p class=\"limit\">The first {} of {} rows. <code>rocking report DIR --format csv</code> writes "
+        "all of them.</p>\n",
+        table.rows.size(), table.all_rows);
+  }
+  return text;
+}
+
+std::string mode_cell(const ConditionReport& condition, const section::ResponseMode& mode, ModeCells cells) {
+  const auto found = condition.modes.find(mode);
+  if (found == condition.modes.end() || found->second.count == 0) return "0";
+  const ModeShare& share = found->second;
+  if (cells == ModeCells::estimates) return per_cent(share.estimate);
+  return fmt::format("{} <span class=\"interval\">[{}, {}]</span>", per_cent(share.estimate),
+                     per_cent(share.interval.low), per_cent(share.interval.high));
+}
+
+std::string column_name(const std::string& pointer) {
+  const Axis axis = axis_of_parameter(pointer);
+  return escaped(axis.quantity) + (axis.symbol.empty() ? "" : ' ' + symbol_html(axis.symbol)) +
+         (axis.unit.empty() ? "" : " [" + escaped(axis.unit) + ']');
+}
+
+std::string cell_html(const Cell& cell) {
+  if (const double* number = std::get_if<double>(&cell)) return report::significant(*number, 5);
+  if (const std::string* text = std::get_if<std::string>(&cell)) return escaped(*text);
+  return "<span class=\"none\">none</span>";
+}
+
+}  // namespace
+
+std::string mode_table_html(const RunReport& report, ModeCells cells) {
+  PageTable table;
+  table.caption = "Response modes in per cent of the realisations";
+  if (cells == ModeCells::with_intervals) {
+    table.caption += fmt::format(" [{:g} % interval, for all modes of a condition at once]", 100.0 * report.confidence);
+  }
+  if (report.swept.empty()) table.head.emplace_back("condition");
+  for (const std::string& pointer : report.swept) table.head.push_back(column_name(pointer));
+  table.head.emplace_back("<i>n</i>");
+  const auto modes = report.occurring();
+  for (const auto& [mode, count] : modes) table.head.push_back(escaped(to_string(mode)));
+  table.all_rows = report.conditions.size();
+  for (std::size_t i = 0; i < std::min(most_rows, report.conditions.size()); ++i) {
+    const ConditionReport& condition = report.conditions[i];
+    std::vector<std::string> row;
+    if (report.swept.empty()) row.emplace_back("the only one");
+    for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
+      row.push_back(escaped(short_value(report.swept[entry], condition.parameters[entry])));
+    }
+    row.push_back(std::to_string(condition.realisations));
+    for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode, cells));
+    table.rows.push_back(std::move(row));
+  }
+  return html_of(table);
+}
+
+std::string data_table_html(const Table& table, const std::string& title) {
+  PageTable shown;
+  shown.caption = escaped(title) + (table.name.empty() ? "" : ": " + escaped(table.name));
+  for (const Column& column : table.columns) shown.head.push_back(escaped(column.meaning));
+  shown.all_rows = table.rows.size();
+  for (std::size_t i = 0; i < std::min(most_rows, table.rows.size()); ++i) {
+    std::vector<std::string> row;
+    for (const Cell& cell : table.rows[i]) row.push_back(cell_html(cell));
+    shown.rows.push_back(std::move(row));
+  }
+  return html_of(shown);
+}
+
+}  // namespace rocking::analysis

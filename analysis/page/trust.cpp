@@ -1,0 +1,217 @@
+#include "analysis/page/trust.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analysis/page/html.hpp"
+#include "analysis/page/words.hpp"
+#include "rocking/report/text_table.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using report::Json;
+
+/// Realisations of one kind in all conditions.
+struct Cases {
+  std::uint64_t count = 0;
+  std::string first;  ///< HTML; empty where there is none
+};
+
+Cases cases_of(const RunReport& report, const std::string& kind) {
+  Cases cases;
+  const Json& conditions = report.text.at("result").at("conditions");
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const Json& validity = conditions[i].at("validity");
+    const auto count = validity.at(kind).get<std::uint64_t>();
+    if (count > 0 && cases.count == 0) {
+      cases.first = fmt::format("First: <code>--condition {} --realisation {}</code>.", i,
+                                validity.at("first_realisations").at(kind).at(0).get<std::uint64_t>());
+    }
+    cases.count += count;
+  }
+  return cases;
+}
+
+struct Kind {
+  const char* key;
+  const char* name;
+  const char* none;  ///< the finding where there is none
+  const char* some;  ///< what follows the number where there are
+  Verdict verdict;   ///< then
+};
+
+constexpr Kind kinds[] = {
+    {"left_ground", "contact with the floor", "The normal force stayed positive.",
+     "met a normal force of zero or less: the model ends there.", Verdict::look},
+    {"painleve", "Painlev&eacute;&#39;s paradox", "Not met.", "ended in it.", Verdict::look},
+    {"stopped", "event budget", "Every realisation reached its horizon or overturned.",
+     "ended by too many events or a vanishing step.", Verdict::look},
+    {"contradictions", "sticking and slipping", "One of the two always agreed with the equations.",
+     "met an instant at which neither agrees with the equations.", Verdict::look},
+    {"in_transient", "settled at the horizon", "No response was still drifting.", "were still drifting.",
+     Verdict::look},
+    {"settled_late", "settled within the sampled periods", "None settled late.",
+     "settled within the sampled periods and are named by what they settled on.", Verdict::note},
+    {"past_balance", "beyond the balance point", "|&Theta;| stayed below 1.", "passed |&Theta;| = 1.", Verdict::note},
+    {"clamped", "clamped draws", "No draw had to be clamped.",
+     "had a draw clamped (friction below 0, kinetic above static friction, and the like).", Verdict::note},
+};
+
+Check check_of(const RunReport& report, const Kind& kind) {
+  const Cases cases = cases_of(report, kind.key);
+  if (cases.count == 0) return {.name = kind.name, .verdict = Verdict::fine, .finding = kind.none, .where = {}};
+  return {.name = kind.name,
+          .verdict = kind.verdict,
+          .finding = fmt::format("{} {}", counted(cases.count, "realisation"), kind.some),
+          .where = cases.first};
+}
+
+Check arithmetic(const RunReport& report) {
+  Check check{.name = "arithmetic noise", .verdict = Verdict::note, .finding = {}, .where = {}};
+  const Json& floor = report.text.at("result").at("noise_floor");
+  if (floor.is_null()) {
+    check.finding = "Not measured: no realisation was run again at another tolerance.";
+    return check;
+  }
+  const std::string noise = floor.at("arithmetic_noise");
+  const Json& interval = floor.at("interval");
+  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance [{}, {} %], ",
+                              floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>(),
+                              per_cent(interval.at(0)), per_cent(interval.at(1)));
+  const std::string half_width = per_cent(floor.at("half_width")) + " %.";
+  if (noise == "small") {
+    check.verdict = Verdict::fine;
+    check.finding += "small beside the narrowest half-width of an interval, " + half_width;
+  } else if (noise == "not_small") {
+    check.verdict = Verdict::look;
+    check.finding += "<strong>not</strong> small beside the narrowest half-width of an interval, " + half_width;
+  } else {
+    check.finding += "too few repeats to set beside the narrowest half-width of an interval, " + half_width;
+  }
+  return check;
+}
+
+/// Unresolved responses are no failure, but what they are is not known: above this share of a condition, look.
+constexpr double worrying_share = 0.05;
+
+Check unresolved(const RunReport& report) {
+  const section::ResponseMode mode{.kind = section::ResponseKind::unresolved};
+  std::uint64_t count = 0;
+  std::size_t where = 0;
+  double worst = 0.0;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const auto found = report.conditions[i].modes.find(mode);
+    if (found == report.conditions[i].modes.end()) continue;
+    count += found->second.count;
+    if (found->second.estimate > worst) {
+      worst = found->second.estimate;
+      where = i;
+    }
+  }
+  if (count == 0)
+    return {
+        .name = "unresolved responses", .verdict = Verdict::fine, .finding = "Every response has a name.", .where = {}};
+  const double share = static_cast<double>(count) / static_cast<double>(realisations_of(report));
+  return {.name = "unresolved responses",
+          .verdict = worst > worrying_share ? Verdict::look : Verdict::note,
+          .finding =
+              fmt::format("{} of {} ({} %); most at {}: {} %.", count, counted(realisations_of(report), "realisation"),
+                          per_cent(share), escaped(condition_name(report, where)), per_cent(worst)),
+          .where = {}};
+}
+
+Check enough(const RunReport& report) {
+  std::uint64_t short_of = 0;
+  double widest = 0.0;
+  for (const Json& condition : report.text.at("result").at("conditions")) {
+    if (condition.at("stopped_because") == "at_most_reached") ++short_of;
+  }
+  for (const ConditionReport& condition : report.conditions) {
+    for (const auto& [mode, share] : condition.modes) {
+      widest = std::max(widest, 0.5 * (share.interval.high - share.interval.low));
+    }
+  }
+  const std::string width = fmt::format("The widest interval reaches {} % to either side.", per_cent(widest));
+  if (short_of == 0) return {.name = "enough realisations", .verdict = Verdict::fine, .finding = width, .where = {}};
+  return {.name = "enough realisations",
+          .verdict = Verdict::look,
+          .finding = fmt::format("{} used up their realisations before their intervals were as narrow as asked. {}",
+                                 counted(short_of, "condition"), width),
+          .where = {}};
+}
+
+std::string_view word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::fine: return "fine";
+    case Verdict::note: return "note";
+    case Verdict::look: return "look";
+  }
+  return "";
+}
+
+std::string badge(Verdict verdict) {
+  constexpr const char* signs[] = {"&#10003;", "&#8226;", "!"};
+  return fmt::format("<span class=\"badge {0}\"><span aria-hidden=\"true\">{1}</span> {0}</span>", word_of(verdict),
+                     signs[static_cast<std::size_t>(verdict)]);
+}
+
+}  // namespace
+
+std::vector<Check> checks_of(const RunReport& report) {
+  std::vector<Check> checks{arithmetic(report), unresolved(report), enough(report)};
+  for (const Kind& kind : kinds) checks.push_back(check_of(report, kind));
+  return checks;
+}
+
+std::string trust_in_brief(const std::vector<Check>& checks) {
+  const auto fine = std::ranges::count(checks, Verdict::fine, &Check::verdict);
+  std::string text =
+      fmt::format("<p>{} of {} checks find nothing to remark.</p>\n<ul class=\"checks\">\n", fine, checks.size());
+  for (const Verdict verdict : {Verdict::look, Verdict::note}) {
+    for (const Check& check : checks) {
+      if (check.verdict != verdict) continue;
+      text += fmt::format("<li>{} {}{}</li>\n", badge(verdict), check.name,
+                          verdict == Verdict::look ? ": " + check.finding : "");
+    }
+  }
+  return text + "</ul>\n";
+}
+
+std::string trust_in_full(const std::vector<Check>& checks) {
+  std::string rows;
+  for (const Check& check : checks) {
+    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{} {}</td></tr>\n", check.name,
+                        badge(check.verdict), check.finding, check.where);
+  }
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table "
+         "class=\"words\"><caption>What "
+         "could make a result untrue, and what was found</caption>\n<thead><tr><th scope=\"col\">check</th><th "
+         "scope=\"col\">verdict</th><th scope=\"col\">finding</th></tr></thead>\n<tbody>\n" +
+         rows +
+         "</tbody></table></div>\n<p>A number of a condition and a realisation is what <code>rocking replay</code> "
+         "takes to "
+         "show it in full.</p>\n";
+}
+
+std::string provenance(const RunReport& report) {
+  const Json& system = report.text.at("system");
+  const auto text = [&system](const char* key) { return escaped(system.at(key).get<std::string>()); };
+  return fmt::format(
+      "<p>The same experiment file gives the same numbers on every machine: <code>rocking verify</code> runs it again "
+      "and "
+      "compares the bits.</p>\n<dl class=\"settings\">\n<dt>seed</dt><dd>{}</dd>\n<dt>digest of the "
+      "input</dt><dd><code>{}</code></dd>\n<dt>digest of the realisations</dt><dd><code>{}</code></dd>\n<dt>program"
+      "</dt><dd>rocking {} {}</dd>\n<dt>built with</dt><dd>{} "
+      "{}</dd>\n<dt>machine</dt><dd>{}</dd>\n<dt>begun</dt><dd>{}"
+      "</dd>\n<dt>time</dt><dd>{} s on {}</dd>\n</dl>\n",
+      escaped(report.experiment.at("seed").get<std::string>()),
+      escaped(report.text.at("input").at("sha256").get<std::string>()),
+      escaped(report.text.at("result").at("digest").get<std::string>()), text("version"), text("revision"),
+      text("compiler"), text("flags"), text("machine"), text("start"),
+      report::significant(system.at("duration_s").get<double>(), 3),
+      counted(system.at("threads").get<std::uint64_t>(), "thread"));
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,57 @@
+#include "analysis/page/words.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "analysis/sweep_view.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+std::string spoken(int number) {
+  constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
+                                              "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+  const auto place = static_cast<std::size_t>(number);
+  return place < words.size() ? words[place] : std::to_string(number);
+}
+
+std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twice" : spoken(number) + " times"; }
+
+}  // namespace
+
+std::string per_cent(double probability) { return fmt::format("{:.1f}", 100.0 * probability); }
+
+std::string per_cent(double probability, const stats::Interval& interval) {
+  return fmt::format("{} % [{}, {}]", per_cent(probability), per_cent(interval.low), per_cent(interval.high));
+}
+
+std::string counted(std::uint64_t number, const std::string& noun) {
+  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+}
+
+std::string meaning_of(const section::ResponseMode& mode) {
+  switch (mode.kind) {
+    case section::ResponseKind::periodic:
+      if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
+      return "rocks " + times(mode.rocks) + " in " + spoken(mode.periods) + " periods";
+    case section::ResponseKind::chaotic: return "never repeats";
+    case section::ResponseKind::overturned: return "falls over";
+    case section::ResponseKind::rest: return "does not rock, or no longer";
+    case section::ResponseKind::unresolved: return "could not be named";
+  }
+  return "";
+}
+
+std::uint64_t realisations_of(const RunReport& report) {
+  std::uint64_t sum = 0;
+  for (const ConditionReport& condition : report.conditions) sum += condition.realisations;
+  return sum;
+}
+
+std::string condition_name(const RunReport& report, std::size_t condition) {
+  const std::string name = name_of_condition(report, report.conditions[condition]);
+  return name.empty() ? "the only condition" : name;
+}
+
+}  // namespace rocking::analysis

@@ -12,6 +12,7 @@ build_packages=(
   nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev
   libgtest-dev libgmock-dev
   gnuplot-nox  # draws the figures
+  libjs-dygraphs  # charts of report.html
 )
 boost_package=libboost1.81-dev
 oldest_boost=107400
@@ -91,6 +92,13 @@ missing_of() {
   for package in "$@"; do
     [[ $(dpkg-query -W -f='${db:Status-Status}' "$package" 2>/dev/null) == installed ]] || printf '%s\n' "$package"
   done
+}
+
+# missing_browser: prints what the tests of report.html in a browser lack. Looks for the programs, since node and npm often
+# come from elsewhere, and Debian's exclude those.
+missing_browser() {
+  if ! command -v node >/dev/null || ! command -v npm >/dev/null; then printf '%s\n' nodejs npm; fi
+  command -v chromium >/dev/null || printf '%s\n' chromium
 }
 
 # install_missing PACKAGE...: installs what is not there of these and of Boost. Touches nothing where all is there.

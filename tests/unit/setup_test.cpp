@@ -45,6 +45,12 @@ TEST(Setup, InstallsBoostWhereThereIsNoneOrNoneThatWillDo) {
   EXPECT_EQ(output_of("missing_boost " + headers("no_math", "108100", false).string()), "libboost1.81-dev\n");
 }
 
+TEST(Setup, InstallsNoNodeBesideOneThatIsThere) {
+  EXPECT_EQ(output_of("command() { return 0; }; missing_browser"), "");
+  EXPECT_EQ(output_of("command() { [[ $2 != npm ]]; }; missing_browser"), "nodejs\nnpm\n");
+  EXPECT_EQ(output_of("command() { [[ $2 != chromium ]]; }; missing_browser"), "chromium\n");
+}
+
 TEST(Setup, NamesTheMissingPackagesOnly) {
   EXPECT_EQ(output_of("dpkg-query() { if [[ ${@: -1} == here ]]; then echo installed; else return 1; fi; };"
                       "missing_of here gone here lost"),

@@ -1,0 +1,261 @@
+// report.html in Chromium: opened from disk, as a reader opens it.
+
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { pathToFileURL } from 'node:url';
+import { after, before, describe, it } from 'node:test';
+import { chromium } from 'playwright-core';
+
+const address = pathToFileURL(process.env.PAGE).href;
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+const desktop = { width: 1280, height: 900 };
+
+let browser;
+before(async () => {
+  browser = await chromium.launch({ executablePath: process.env.CHROMIUM, args: ['--no-sandbox'] });
+});
+after(async () => browser?.close());
+
+/// Opens the page and gathers what it says and asks for.
+async function open(options = {}) {
+  const context = await browser.newContext({ viewport: desktop, ...options });
+  const page = await context.newPage();
+  const heard = [];
+  page.on('console', (message) => heard.push(`${message.type()}: ${message.text()}`));
+  page.on('pageerror', (error) => heard.push(`error: ${error}`));
+  page.on('request', (request) => {
+    if (request.url() !== address && !request.url().startsWith('data:')) heard.push(`request: ${request.url()}`);
+  });
+  await page.goto(address);
+  return { page, heard, close: () => context.close() };
+}
+
+/// Share of a picture's pixels that differ from its first one, and the number of its colours.
+async function ink(png) {
+  const page = await browser.newPage();
+  const found = await page.evaluate(async (source) => {
+    const image = new Image();
+    image.src = source;
+    await image.decode();
+    const canvas = document.createElement('canvas');
+    canvas.width = image.width;
+    canvas.height = image.height;
+    const context = canvas.getContext('2d');
+    context.drawImage(image, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
+    return { share: pixels.filter((pixel) => pixel !== pixels[0]).length / pixels.length, colours: new Set(pixels).size };
+  }, `data:image/png;base64,${png.toString('base64')}`);
+  await page.close();
+  return found;
+}
+
+async function assertDrawn(locator, what) {
+  const { share, colours } = await ink(await locator.screenshot());
+  assert.ok(share > 0.01 && share < 0.99 && colours > 8, `${what}: ${share} of it is drawn on, in ${colours} colours`);
+}
+
+/// Texts of a column of a table, from the top.
+const column = (table, place) =>
+  table.locator('tbody tr').evaluateAll((rows, at) => rows.map((row) => row.cells[at].textContent.trim()), place);
+
+const axisLabels = (panel) => panel.locator('.dygraph-axis-label-x').allTextContents();
+
+describe('the page', () => {
+  it('says nothing on the console, asks for nothing and runs no script of a title', async () => {
+    const { page, heard, close } = await open();
+    await page.waitForTimeout(200);
+    assert.deepEqual(heard, []);
+    assert.match(await page.title(), /^<script>document\.title/);
+    await close();
+  });
+
+  it('is refused what its policy forbids', async () => {
+    const { page, heard, close } = await open();
+    await page.evaluate(() => {
+      const script = document.createElement('script');
+      script.textContent = 'window.intruder = true';
+      document.body.append(script);
+      new Image().src = 'https://example.invalid/pixel.png';
+    });
+    await page.waitForTimeout(100);
+    assert.equal(await page.evaluate(() => window.intruder), undefined);
+    assert.ok(heard.some((text) => text.includes('Content Security Policy')), heard.join('\n'));
+    await close();
+  });
+
+  it('draws every chart', async () => {
+    const { page, close } = await open();
+    const panels = page.locator('.panel');
+    assert.ok((await panels.count()) >= 4);
+    for (let i = 0; i < (await panels.count()); ++i) await assertDrawn(panels.nth(i).locator('.plot'), `chart ${i}`);
+    await close();
+  });
+
+  it('draws every chart within its panel, also when the window changes', async () => {
+    const { page, close } = await open();
+    for (const width of [1280, 700, 1100]) {
+      await page.setViewportSize({ width, height: 900 });
+      await page.waitForTimeout(100);
+      for (const panel of await page.locator('.panel').all()) {
+        const [outer, inner] = [await panel.boundingBox(), await panel.locator('canvas').first().boundingBox()];
+        const [above, foot] = [await panel.locator('.plot').boundingBox(), await panel.locator('.foot').boundingBox()];
+        assert.ok(inner.x >= outer.x - 1 && inner.x + inner.width <= outer.x + outer.width + 1, `${width} px`);
+        assert.ok(inner.width > 0.9 * outer.width && above.y + above.height <= foot.y + 1, `${width} px`);
+      }
+    }
+    await close();
+  });
+
+  it('answers four questions above its figures', async () => {
+    const { page, close } = await open();
+    assert.equal(await page.locator('.card').count(), 4);
+    const figure = await page.locator('figure').first().boundingBox();
+    for (const card of await page.locator('.card').all()) {
+      const box = await card.boundingBox();
+      assert.ok(box.y + box.height <= figure.y && box.width > 200 && box.height > 80);
+    }
+    await close();
+  });
+
+  it('zooms by button, by dragging and by keys, and comes back', async () => {
+    const { page, close } = await open();
+    const panel = page.locator('.panel').first();
+    const home = await axisLabels(panel);
+    await panel.getByRole('button', { name: 'Zoom in' }).click();
+    assert.notDeepEqual(await axisLabels(panel), home);
+    await panel.getByRole('button', { name: 'Show all' }).click();
+    assert.deepEqual(await axisLabels(panel), home);
+    const box = await panel.locator('.plot').boundingBox();
+    await page.mouse.move(box.x + 0.4 * box.width, box.y + 0.5 * box.height);
+    await page.mouse.down();
+    await page.mouse.move(box.x + 0.6 * box.width, box.y + 0.5 * box.height, { steps: 5 });
+    await page.mouse.up();
+    await page.waitForTimeout(100);
+    assert.notDeepEqual(await axisLabels(panel), home);
+    await assertDrawn(panel.locator('.plot'), 'a zoomed chart');
+    await panel.locator('.plot').dblclick({ position: { x: 200, y: 100 } });
+    assert.deepEqual(await axisLabels(panel), home);
+    await panel.locator('.frame').focus();
+    await page.keyboard.press('+');
+    assert.notDeepEqual(await axisLabels(panel), home);
+    await page.keyboard.press('0');
+    assert.deepEqual(await axisLabels(panel), home);
+    await close();
+  });
+
+  it('tells under the pointer and by keys what the table says', async () => {
+    const { page, close } = await open();
+    const figure = page.locator('#mode_probabilities');
+    const panel = figure.locator('.panel').first();
+    await panel.locator('.plot').hover({ position: { x: 360, y: 120 } });
+    const pointed = await panel.locator('.readout').textContent();
+    const place = pointed.match(/^Ah = ([0-9.]+)/)?.[1];
+    assert.ok(place, pointed);
+    const row = (await column(figure.locator('table'), 1)).indexOf(place);
+    const cell = (await column(figure.locator('table'), 3))[row];
+    const [estimate, low, high] = cell.match(/[0-9.]+/g).map((text) => Number(text) / 100);
+    const told = pointed.match(/\(1,1\): ([0-9.]+) \[([0-9.]+), ([0-9.]+)\]/).slice(1).map(Number);
+    [estimate, low, high].forEach((number, i) => assert.ok(Math.abs(number - told[i]) < 0.0006, `${cell} / ${pointed}`));
+    await panel.locator('.frame').focus();
+    await page.keyboard.press('Home');
+    assert.match(await panel.locator('.readout').textContent(), /^Ah = 1/);
+    await page.keyboard.press('ArrowRight');
+    assert.match(await panel.locator('.readout').textContent(), /^Ah = 2/);
+    await close();
+  });
+
+  it('hides what its legend is asked to hide', async () => {
+    const { page, close } = await open();
+    const figure = page.locator('#mode_bands');
+    const plot = figure.locator('.plot').first();
+    const whole = await plot.screenshot();
+    await figure.getByRole('button', { name: '(1,1)', exact: true }).click();
+    assert.notDeepEqual(await plot.screenshot(), whole);
+    await figure.getByRole('button', { name: '(1,1)', exact: true }).click();
+    assert.deepEqual(await plot.screenshot(), whole);
+    await close();
+  });
+
+  it('sorts its tables by any column, up and down, by mouse and by keys', async () => {
+    const { page, close } = await open();
+    const table = page.locator('#mode_bands table');
+    const head = table.getByRole('columnheader', { name: '(1,1)' });
+    await head.getByRole('button').click();
+    const up = (await column(table, 3)).map(Number);
+    assert.equal(await head.getAttribute('aria-sort'), 'ascending');
+    assert.deepEqual(up, [...up].sort((a, b) => a - b));
+    assert.ok(up[0] < up.at(-1));
+    await head.getByRole('button').press('Enter');
+    assert.equal(await head.getAttribute('aria-sort'), 'descending');
+    assert.deepEqual((await column(table, 3)).map(Number), up.reverse());
+    await close();
+  });
+
+  it('has a table with its numbers under every chart', async () => {
+    const { page, close } = await open();
+    for (const figure of await page.locator('figure:has(.charts)').all()) {
+      assert.ok((await figure.locator('table caption').count()) >= 1);
+      assert.ok((await figure.locator('tbody tr').count()) >= 2);
+    }
+    await close();
+  });
+
+  it('is found accessible', async () => {
+    for (const viewport of [desktop, { width: 375, height: 700 }]) {
+      const { page, close } = await open({ viewport });
+      await page.evaluate(axe);
+      const { violations, passes } = await page.evaluate(() => window.axe.run(document, { preload: false }));
+      assert.ok(passes.length > 20);
+      assert.deepEqual(
+        violations.map((found) => `${found.id}: ${found.nodes.map((node) => node.html).join(' | ')}`), []);
+      await close();
+    }
+  });
+
+  it('fits a narrow screen', async () => {
+    const { page, close } = await open({ viewport: { width: 375, height: 700 } });
+    const width = await page.evaluate(() => document.documentElement.scrollWidth);
+    assert.ok(width <= 375, `${width} px wide`);
+    await assertDrawn(page.locator('.plot').first(), 'a narrow chart');
+    await close();
+  });
+
+  it('shows pictures and tables without scripts, and no buttons', async () => {
+    const { page, heard, close } = await open({ javaScriptEnabled: false });
+    const pictures = page.locator('figure img');
+    assert.equal(await pictures.count(), await page.locator('figure').count());
+    for (let i = 0; i < (await pictures.count()); ++i) {
+      await assertDrawn(pictures.nth(i), `picture ${i}`);
+      assert.ok((await pictures.nth(i).getAttribute('alt')).length > 30);
+    }
+    assert.equal(await page.locator('button').count(), 0);
+    assert.ok((await page.locator('td:visible').count()) > 50);
+    assert.deepEqual(heard.filter((text) => !text.includes('script')), []);
+    await close();
+  });
+
+  it('prints pictures in place of charts, and its tables whole', async () => {
+    const { page, close } = await open();
+    await page.emulateMedia({ media: 'print' });
+    for (const selector of ['.charts', '.tools', '.more']) {
+      for (const element of await page.locator(selector).all()) assert.equal(await element.isVisible(), false, selector);
+    }
+    for (const picture of await page.locator('figure img').all()) assert.ok(await picture.isVisible());
+    for (const box of await page.locator('.scroll').all()) {
+      assert.ok(await box.evaluate((element) => element.scrollHeight <= element.clientHeight + 1));
+    }
+    const pages = (await page.pdf({ format: 'A4' })).toString('latin1').match(/\/Type\s*\/Page\b/g).length;
+    assert.ok(pages >= 2 && pages <= 12, `${pages} pages`);
+    await close();
+  });
+});
+
+describe('the tests', () => {
+  it('take an empty chart for what it is', async () => {
+    const { page, close } = await open();
+    await page.locator('.plot').first().evaluate((plot) => plot.replaceChildren());
+    await assert.rejects(assertDrawn(page.locator('.plot').first(), 'an empty chart'));
+    await close();
+  });
+});

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <map>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -153,12 +152,8 @@ void add_threads(CLI::App& command, Labour& labour) {
 }
 
 void add_max_time(CLI::App& command, Labour& labour) {
-  const std::map<std::string, double> units{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
-  command
-      .add_option("--max-time", labour.max_time,
-                  "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on")
-      ->transform(CLI::AsNumberWithUnit(units, CLI::AsNumberWithUnit::Options::CASE_INSENSITIVE, "TIME"))
-      ->type_name("T");
+  add_duration(command, "--max-time", labour.max_time,
+               "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on");
 }
 
 ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,

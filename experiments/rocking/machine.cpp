@@ -1,10 +1,12 @@
 #include "machine.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <chrono>
 #include <ctime>
 #include <fstream>
 #include <string_view>
+#include <system_error>
 #include <thread>
 
 #include <fmt/chrono.h>
@@ -36,6 +38,14 @@ std::string machine_description() {
 std::string utc_now() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));
+}
+
+double thread_seconds() {
+  timespec used{};
+  if (clock_gettime(CLOCK_THREAD_CPUTIME_ID, &used) != 0) {
+    throw std::system_error(errno, std::generic_category(), "the processor time of a thread cannot be read");
+  }
+  return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
 }
 
 unsigned available_threads() { return std::max(1U, std::thread::hardware_concurrency()); }

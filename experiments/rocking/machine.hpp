@@ -10,6 +10,9 @@ namespace rocking::program {
 /// The time now, ISO 8601 in UTC: `2012-02-01T12:00:00Z`.
 [[nodiscard]] std::string utc_now();
 
+/// Processor time that the calling thread has used [s].
+[[nodiscard]] double thread_seconds();
+
 /// How many threads this process may run at once; at least 1.
 [[nodiscard]] unsigned available_threads();
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <string_view>
 
@@ -21,6 +22,16 @@ struct Loudness {
 
 /// Adds `--json`, `-q`, `-v` and `--no-progress` to a command.
 void add_loudness(CLI::App& command, Loudness& loudness);
+
+/// Adds an option that takes a time as 90s, 15min, 2h; `seconds` is a number or an optional one.
+template <class Seconds>
+CLI::Option* add_duration(CLI::App& command, const std::string& name, Seconds& seconds,
+                          const std::string& description) {
+  const std::map<std::string, double> units{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+  return command.add_option(name, seconds, description)
+      ->transform(CLI::AsNumberWithUnit(units, CLI::AsNumberWithUnit::Options::CASE_INSENSITIVE, "TIME"))
+      ->type_name("T");
+}
 
 /// Writes to standard output and makes sure that it got there. Throws std::system_error.
 void print_result(std::string_view text);

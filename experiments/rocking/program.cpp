@@ -34,6 +34,7 @@ void add_commands(CLI::App& app, Action& action, const Crew& crew) {
   add_verify(app, action);
   add_compare(app, action);
   add_bifurcation(app, action);
+  add_cost(app, action);
   add_report(app, action);
   add_trajectory(app, action);
   add_replay(app, action);

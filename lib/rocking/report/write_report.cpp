@@ -2,17 +2,11 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/report/provenance_json.hpp"
 #include "rocking/report/result_json.hpp"
 
 namespace rocking::report {
 namespace {
-
-Json input_json(const experiment::Experiment& experiment) {
-  Json input = Json::object();
-  input["experiment"] = Json::parse(experiment.canonical_text);
-  input["sha256"] = base::to_hex(base::sha256(experiment.canonical_text));
-  return input;
-}
 
 Json all_conditions_json(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
   Json json = Json::object();
@@ -23,20 +17,6 @@ Json all_conditions_json(const experiment::Experiment& experiment, const experim
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     conditions.push_back(condition_json(experiment.conditions[i], result.conditions[i]));
   }
-  return json;
-}
-
-Json system_json(const SystemFacts& system) {
-  Json json = Json::object();
-  json["version"] = system.build.version;
-  json["revision"] = system.build.revision;
-  json["compiler"] = system.build.compiler;
-  json["flags"] = system.build.flags;
-  json["build_type"] = system.build.build_type;
-  json["machine"] = system.machine;
-  json["start"] = system.start;
-  json["duration_s"] = system.duration_s;
-  json["threads"] = system.threads;
   return json;
 }
 

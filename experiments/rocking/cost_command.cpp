@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "campaign.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "machine.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "rocking/experiment/cost.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/write_cost.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+/// Each takes some hundred bytes at each tolerance until all are measured.
+constexpr std::uint64_t largest_sample = 100'000;
+
+struct CostRequest {
+  std::string file;
+  std::string folder;  ///< empty: nothing is written
+  double time = 60.0;  ///< to spend [s]
+  std::optional<std::uint64_t> sample;
+  std::vector<double> tolerances;  ///< empty: the usual ones
+  report::Overrides overrides;
+  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  bool overwrite = false;
+};
+
+std::vector<double> tolerances_of(const CostRequest& request, const experiment::Experiment& experiment) {
+  if (request.tolerances.empty()) return experiment::tolerance_ladder(experiment);
+  std::vector<double> tolerances = request.tolerances;
+  tolerances.push_back(experiment.conditions.front().tolerance);
+  std::ranges::sort(tolerances, std::greater<>());
+  const auto repeated = std::ranges::unique(tolerances);
+  tolerances.erase(repeated.begin(), repeated.end());
+  if (tolerances.size() < 3) {
+    throw UsageError(
+        "--tolerances: with the experiment's own these are fewer than three; the tightest is the reference and the "
+        "second tightest the floor, so give at least three, as 1e-8,1e-11,1e-14");
+  }
+  return tolerances;
+}
+
+/// What is measured, as far as the time allowed; absent if interrupted.
+std::optional<std::vector<experiment::MeasuredRealisation>> measured(const experiment::Experiment& experiment,
+                                                                     const CostRequest& request,
+                                                                     const std::vector<double>& tolerances,
+                                                                     Progress& progress) {
+  const auto at_this_rate = [&](std::uint64_t done) {
+    const double all = static_cast<double>(done) * request.time / std::max(progress.elapsed(), 1e-9);
+    return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_sample))));
+  };
+  experiment::RunOptions options;
+  options.threads = request.labour.threads;
+  options.stop_requested = &stop_on_interrupt();
+  options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
+    progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)));
+    if (!request.sample && progress.elapsed() >= request.time) stop_for_time();
+  };
+  auto found = experiment::measure_cost(experiment,
+                                        {.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)},
+                                        {.processor_seconds = thread_seconds}, options);
+  if (why_stopped() == StopReason::signal) return std::nullopt;
+  return found;
+}
+
+std::filesystem::path file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
+
+void expect_room(const CostRequest& request) {
+  if (request.overwrite || !std::filesystem::exists(file_in(request.folder))) return;
+  throw InTheWay(file_in(request.folder).string() +
+                 ": is already there; choose another folder, or add --overwrite to replace it");
+}
+
+ExitCode cost(const CostRequest& request) {
+  const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
+  const std::vector<double> tolerances = tolerances_of(request, experiment);
+  std::optional<RunFolder> folder;
+  if (!request.folder.empty()) {
+    folder.emplace(request.folder);
+    folder->claim();
+    expect_room(request);
+  }
+  const Loudness& loudness = request.labour.loudness;
+  report::SystemFacts system = system_facts(request.labour.threads);
+  std::optional<std::vector<experiment::MeasuredRealisation>> sample;
+  {
+    Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
+    sample = measured(experiment, request, tolerances, progress);
+    system.duration_s = progress.elapsed();
+  }
+  if (!sample) {
+    print_notice("interrupted; nothing is written, and the next time it begins anew");
+    return ExitCode::interrupted;
+  }
+  const report::MeasuredCost result{.experiment = &experiment,
+                                    .cost = experiment::cost_of(experiment, tolerances, *sample),
+                                    .system = std::move(system)};
+  const std::string text = report::cost_text(result);
+  std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + report::cost_table(result);
+  if (folder) {
+    report::write_atomically(file_in(request.folder), text);
+    table += fmt::format("numbers: {}\n", file_in(request.folder).string());
+  }
+  print_result(loudness.json ? text : table);
+  return ExitCode::done;
+}
+
+void add_budget(CLI::App& command, CostRequest& request) {
+  CLI::Option* time = add_duration(command, "--time", request.time,
+                                   "Measure as many realisations as this takes, as 20s, 5min; at least one")
+                          ->capture_default_str();
+  command.add_option("--sample", request.sample, "Measure so many instead: the same numbers again, but for times")
+      ->check(CLI::Range(std::uint64_t{1}, largest_sample))
+      ->excludes(time)
+      ->type_name("N");
+  command
+      .add_option("--tolerances", request.tolerances,
+                  "Tolerances in place of 1e-4, 1e-5, ... 1e-14, with commas between; the experiment's own is added")
+      ->delimiter(',')
+      ->check(CLI::Range(1e-16, 1e-2))
+      ->type_name("T,T,T");
+}
+
+}  // namespace
+
+void add_cost(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<CostRequest>();
+  CLI::App* command =
+      app.add_subcommand("cost", "What does accuracy cost in time? Measured on a sample of an experiment");
+  command->footer(
+      "Example: rocking cost experiments/headline/headline.json --time 5min -o out\n"
+      "runs a sample of the realisations at a ladder of tolerances with the same draws, and tells for each tolerance "
+      "the\n"
+      "error, how many response modes it changes, and the time a period; for more realisations the width of the "
+      "intervals and\n"
+      "the time; and which tolerance will do. `-o` keeps the numbers in out/cost.json. Times are processor times of "
+      "this machine.");
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
+  command->add_option("-o,--output", request->folder, "Folder for cost.json; made if need be")->type_name("DIR");
+  add_budget(*command, *request);
+  add_threads(*command, request->labour);
+  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+      ->type_name("S");
+  command
+      ->add_option("--realisations", request->overrides.realisations,
+                   "Realisations of each condition that are intended, in place of the file's")
+      ->type_name("N");
+  command->add_flag("--overwrite", request->overwrite, "Replace cost.json in the folder");
+  add_loudness(*command, request->labour.loudness);
+  command->final_callback([&action, request] { action = [request] { return cost(*request); }; });
+}
+
+}  // namespace rocking::program

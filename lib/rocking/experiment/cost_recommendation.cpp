@@ -1,0 +1,84 @@
+#include "rocking/experiment/cost_recommendation.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+double bearable_of(const Yardstick& yardstick) {
+  return yardstick.is_everything ? 0.0 : bearable_share * yardstick.half_width.value_or(0.0);
+}
+
+bool has_bearable_error(const Departure& departure) { return departure.median_error.value_or(0.0) <= bearable_error; }
+
+/// The coarsest place that passes, as do all tighter ones; the floor may fail and lets others through.
+template <class Passes>
+std::optional<std::size_t> coarsest(std::span<const ToleranceCost> curve, Passes passes) {
+  const std::size_t floor = curve.size() - 2;
+  std::optional<std::size_t> found;
+  for (std::size_t i = floor + 1; i-- > 0;) {
+    if (passes(*curve[i].departure)) {
+      found = i;
+    } else if (i != floor) {
+      break;
+    }
+  }
+  return found;
+}
+
+/// n with (1 - share)^n = (1 - confidence)/2: none of n then has `share` for its upper end.
+std::optional<std::uint64_t> flipless_sample(double share, double confidence) {
+  if (share <= 0.0 || share >= 1.0) return std::nullopt;
+  return static_cast<std::uint64_t>(std::ceil(std::log(0.5 * (1.0 - confidence)) / std::log1p(-share)));
+}
+
+}  // namespace
+
+std::string_view to_string(Assurance assurance) {
+  switch (assurance) {
+    case Assurance::shown: return "shown";
+    case Assurance::not_told_apart: return "not_told_apart";
+    case Assurance::none: return "none";
+  }
+  return "";
+}
+
+double share_at_most(const Departure& departure, const Yardstick& yardstick) {
+  if (yardstick.is_everything) {
+    const auto& floor = departure.beside_floor;
+    const std::uint64_t blamed =
+        floor ? std::min(floor->first_only, departure.flips.successes) : departure.flips.successes;
+    return static_cast<double>(blamed) / static_cast<double>(departure.flips.trials);
+  }
+  const double all = departure.flips_interval.high;
+  return departure.beyond_floor ? std::min(all, departure.beyond_floor->high) : all;
+}
+
+Recommendation recommend(std::span<const ToleranceCost> curve, const Yardstick& yardstick, double confidence) {
+  ROCKING_EXPECT(curve.size() >= 3);
+  Recommendation found;
+  found.bearable = bearable_of(yardstick);
+  const auto is_shown = [&](const Departure& departure) {
+    if (!yardstick.half_width && !yardstick.is_everything) return false;
+    return has_bearable_error(departure) && share_at_most(departure, yardstick) <= found.bearable;
+  };
+  const std::uint64_t at_floor = curve[curve.size() - 2].departure->flips.successes;
+  const auto is_blameless = [&](const Departure& departure) {
+    return yardstick.half_width && has_bearable_error(departure) && departure.flips.successes <= at_floor &&
+           share_at_most(departure, yardstick) <= *yardstick.half_width;
+  };
+  found.place = coarsest(curve, is_shown);
+  found.assurance = Assurance::shown;
+  if (!found.place) {
+    found.place = coarsest(curve, is_blameless);
+    found.assurance = found.place ? Assurance::not_told_apart : Assurance::none;
+    found.sample_needed = flipless_sample(found.bearable, confidence);
+  }
+  if (found.place) found.at_most = share_at_most(*curve[*found.place].departure, yardstick);
+  return found;
+}
+
+}  // namespace rocking::experiment

@@ -1,0 +1,164 @@
+#include <cmath>
+#include <cstdint>
+
+#include "rocking/report/text_table.hpp"
+#include "rocking/report/write_cost.hpp"
+
+namespace rocking::report {
+namespace {
+
+using experiment::Assurance;
+using experiment::Cost;
+using experiment::Departure;
+using experiment::ToleranceCost;
+
+double share(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+
+std::string per_cent(double probability) { return fixed_point(100.0 * probability, 2); }
+
+std::string per_cent(const stats::Interval& interval) {
+  return '[' + per_cent(interval.low) + ", " + per_cent(interval.high) + ']';
+}
+
+/// Processor time a period [s].
+double time_of(const ToleranceCost& cost) {
+  return cost.periods == 0 ? 0.0 : cost.seconds / static_cast<double>(cost.periods);
+}
+
+/// How many times as fast as at the experiment's own tolerance; 1 where the clock was too coarse to tell.
+double speed_of(const ToleranceCost& tolerance, const Cost& cost) {
+  const double time = time_of(tolerance);
+  return time > 0.0 ? time_of(cost.curve[cost.own]) / time : 1.0;
+}
+
+std::string tolerance_name(const ToleranceCost& cost) { return significant(cost.tolerance, 3); }
+
+std::string error_cell(const std::optional<double>& error) { return error ? significant(*error, 1) : "."; }
+
+TextRow row_of(const ToleranceCost& tolerance, const Cost& cost) {
+  const bool is_own = &tolerance == &cost.curve[cost.own];
+  TextRow row{tolerance_name(tolerance) + (is_own ? " *" : "  ")};
+  if (const auto& departure = tolerance.departure) {
+    row.insert(row.end(), {error_cell(departure->median_error), error_cell(departure->largest_error),
+                           per_cent(share(departure->parted, cost.sample)), std::to_string(departure->flips.successes),
+                           per_cent(departure->flips_interval),
+                           departure->beyond_floor ? per_cent(*departure->beyond_floor) : "."});
+  } else {
+    row.insert(row.end(), 6, ".");
+  }
+  row.push_back(fixed_point(tolerance.periods == 0 ? 0.0 : share(tolerance.steps, tolerance.periods), 1));
+  row.push_back(significant(1e6 * time_of(tolerance), 3));
+  row.push_back(fixed_point(speed_of(tolerance, cost), 2));
+  return row;
+}
+
+std::string spoken_time(double seconds) {
+  if (seconds < 60.0) return significant(seconds, 2) + " s";
+  if (seconds < 3600.0) return significant(seconds / 60.0, 2) + " min";
+  if (seconds < 48.0 * 3600.0) return significant(seconds / 3600.0, 2) + " h";
+  return significant(std::round(seconds / 86400.0), 6) + " d";
+}
+
+std::string realisations_table(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  if (cost.planned.empty()) return "nothing is drawn at random: one realisation of each condition says all\n";
+  const double time = time_of(cost.curve[cost.own]);
+  const auto run_time = [&](std::uint64_t periods) { return spoken_time(static_cast<double>(periods) * time); };
+  const std::uint64_t asked_for = measured.experiment->conditions.front().realisations;
+  std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
+  for (const auto& [factor, widths, periods] : cost.planned) {
+    rows.push_back({std::to_string(factor * asked_for), per_cent(widths.mean), per_cent(widths.widest),
+                    per_cent(widths.widest_wilson), run_time(periods)});
+  }
+  std::string text = aligned(rows);
+  for (const auto& [half_width, needed, periods] : cost.goals) {
+    text += "for " + per_cent(half_width) + " everywhere: " + std::to_string(needed.by_shares) + " realisations, " +
+            run_time(periods) + "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
+  }
+  return text +
+         "half-widths in per cent, of each condition's widest simultaneous interval, if modes keep their shares; "
+         "time of one\nprocessor at the experiment's tolerance, without repeats and checks\n";
+}
+
+std::string part_of_half_width(const Cost& cost) {
+  const double width = *cost.yardstick.half_width;
+  const double part = cost.recommendation.at_most / width;
+  const std::string of = "the half-width of the intervals, " + per_cent(width) + " %";
+  return part < 0.95 ? "1/" + significant(std::round(1.0 / part), 4) + " of " + of
+                     : significant(part, 2) + " times " + of;
+}
+
+std::string changes(const Cost& cost, const Departure& departure) {
+  const Departure& floor = *cost.curve[cost.curve.size() - 2].departure;
+  std::string text = std::to_string(departure.flips.successes) + " of " + std::to_string(departure.flips.trials) +
+                     " response modes change by it";
+  if (departure.beside_floor) {
+    text +=
+        " (" + std::to_string(floor.flips.successes) + " at " + tolerance_name(cost.curve[cost.curve.size() - 2]) + ')';
+  }
+  return text;
+}
+
+std::string speed_words(const Cost& cost, std::size_t place) {
+  if (place == cost.own) return "It is the experiment's own.";
+  const double speed = speed_of(cost.curve[place], cost);
+  const std::string own = tolerance_name(cost.curve[cost.own]) + ", the experiment's own";
+  if (speed >= 1.005) return "It is " + fixed_point(speed, 2) + " times faster than " + own + '.';
+  return "It takes " + fixed_point(1.0 / speed, 2) + " times as long as " + own + '.';
+}
+
+std::string unrecommended(const Cost& cost) {
+  std::string text = "No tolerance can be recommended: of " + std::to_string(cost.sample) + " realisations ";
+  if (cost.yardstick.is_everything) return text + "some change their response mode at every tolerance.";
+  text += cost.yardstick.half_width ? "too few keep their response mode to tell."
+                                    : "of a deterministic experiment not all were measured.";
+  return text + " Give more --time, or a larger --sample.";
+}
+
+}  // namespace
+
+std::string cost_recommendation(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  const experiment::Recommendation& found = cost.recommendation;
+  if (!found.place) return unrecommended(cost);
+  const ToleranceCost& chosen = cost.curve[*found.place];
+  const Departure& departure = *chosen.departure;
+  std::string text =
+      found.assurance == Assurance::shown ? "Recommended: tolerance " : "Not told apart from the tightest: tolerance ";
+  text += tolerance_name(chosen) + ". " + changes(cost, departure);
+  if (cost.yardstick.is_everything) {
+    text += ", of all that there are. ";
+  } else {
+    text += "; it is to blame for at most " + per_cent(found.at_most) + " %, " + part_of_half_width(cost) + ". ";
+  }
+  if (departure.median_error) {
+    text += "Error after " + std::to_string(experiment::cost_error_periods) +
+            " periods: " + significant(*departure.median_error, 1) + " (median). ";
+  }
+  text += speed_words(cost, *found.place);
+  if (found.sample_needed) {
+    text += " To show that at most " + per_cent(found.bearable) + " % change takes " +
+            std::to_string(*found.sample_needed) + " realisations of which none does.";
+  }
+  return text;
+}
+
+std::string cost_table(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "parted", "changed", "interval",
+                             "beyond " + tolerance_name(cost.curve[cost.curve.size() - 2]), "steps", "us", "speed"}};
+  for (const ToleranceCost& tolerance : cost.curve) rows.push_back(row_of(tolerance, cost));
+  const double confidence = measured.experiment->conditions.front().confidence;
+  return aligned(rows) + '\n' + std::to_string(cost.sample) + " realisations of " +
+         std::to_string(cost.sampled_conditions) +
+         " conditions with the draws of the reference, the last line. Error: of the first " +
+         std::to_string(experiment::cost_error_periods) +
+         " periods;\nparted: motions that did before the horizon, per cent; changed: response modes, with the exact " +
+         significant(100.0 * confidence, 4) +
+         " % interval of their\nshare, and of how much larger it is than at the second tightest, per cent; steps and "
+         "processor "
+         "time a period; speed as a\nmultiple of that at the experiment's own tolerance (*)\n\n" +
+         realisations_table(measured) + '\n' + cost_recommendation(measured) + '\n';
+}
+
+}  // namespace rocking::report

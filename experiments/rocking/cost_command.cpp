@@ -84,6 +84,7 @@ void expect_room(const CostRequest& request) {
 }
 
 ExitCode cost(const CostRequest& request) {
+  if (request.time <= 0.0) throw UsageError("--time: must be longer than nothing; give a time such as 60s or 5min");
   const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
   const std::vector<double> tolerances = tolerances_of(request, experiment);
   std::optional<RunFolder> folder;
@@ -92,16 +93,15 @@ ExitCode cost(const CostRequest& request) {
     folder->claim();
     expect_room(request);
   }
-  const Loudness& loudness = request.labour.loudness;
   report::SystemFacts system = system_facts(request.labour.threads);
   std::optional<std::vector<experiment::MeasuredRealisation>> sample;
   {
-    Progress progress(loudness.quiet || loudness.no_progress ? ProgressStyle::none : suitable_progress_style());
+    Progress progress(suitable_progress_style(request.labour.loudness), "realisations");
     sample = measured(experiment, request, tolerances, progress);
     system.duration_s = progress.elapsed();
   }
   if (!sample) {
-    print_notice("interrupted; nothing is written, and the next time it begins anew");
+    print_notice(fmt::format("interrupted; nothing is written: `rocking cost {}` begins anew", request.file));
     return ExitCode::interrupted;
   }
   const report::MeasuredCost result{.experiment = &experiment,
@@ -113,7 +113,7 @@ ExitCode cost(const CostRequest& request) {
     report::write_atomically(file_in(request.folder), text);
     table += fmt::format("numbers: {}\n", file_in(request.folder).string());
   }
-  print_result(loudness.json ? text : table);
+  print_result(request.labour.loudness.json ? text : table);
   return ExitCode::done;
 }
 
@@ -127,7 +127,7 @@ void add_budget(CLI::App& command, CostRequest& request) {
       ->type_name("N");
   command
       .add_option("--tolerances", request.tolerances,
-                  "Tolerances in place of 1e-4, 1e-5, ... 1e-14, with commas between; the experiment's own is added")
+                  "Tolerances in place of 1e-4, 1e-5, ... 1e-14; the experiment's own is added")
       ->delimiter(',')
       ->check(CLI::Range(1e-16, 1e-2))
       ->type_name("T,T,T");

@@ -29,6 +29,18 @@ std::optional<std::size_t> coarsest(std::span<const ToleranceCost> curve, Passes
   return found;
 }
 
+/// The tightest place from `coarsest` on that passes and is cheap beside it.
+template <class Passes>
+std::size_t tightest_cheap(std::span<const ToleranceCost> curve, std::size_t coarsest, Passes passes) {
+  const auto steps = [&](std::size_t i) { return static_cast<double>(curve[i].steps); };
+  const auto periods = [&](std::size_t i) { return static_cast<double>(curve[i].periods); };
+  for (std::size_t i = curve.size() - 2; i > coarsest; --i) {
+    const bool is_cheap = steps(i) * periods(coarsest) <= cheap_steps * steps(coarsest) * periods(i);
+    if (is_cheap && passes(*curve[i].departure)) return i;
+  }
+  return coarsest;
+}
+
 /// n with (1 - share)^n = (1 - confidence)/2: none of n then has `share` for its upper end.
 std::optional<std::uint64_t> flipless_sample(double share, double confidence) {
   if (share <= 0.0 || share >= 1.0) return std::nullopt;
@@ -70,14 +82,17 @@ Recommendation recommend(std::span<const ToleranceCost> curve, const Yardstick& 
     return yardstick.half_width && has_bearable_error(departure) && departure.flips.successes <= at_floor &&
            share_at_most(departure, yardstick) <= *yardstick.half_width;
   };
-  found.place = coarsest(curve, is_shown);
-  found.assurance = Assurance::shown;
-  if (!found.place) {
-    found.place = coarsest(curve, is_blameless);
-    found.assurance = found.place ? Assurance::not_told_apart : Assurance::none;
-    found.sample_needed = flipless_sample(found.bearable, confidence);
-  }
-  if (found.place) found.at_most = share_at_most(*curve[*found.place].departure, yardstick);
+  const auto choose = [&](const auto& passes, Assurance assurance) {
+    found.coarsest = coarsest(curve, passes);
+    if (!found.coarsest) return;
+    found.assurance = assurance;
+    found.place = tightest_cheap(curve, *found.coarsest, passes);
+    found.at_most = share_at_most(*curve[*found.place].departure, yardstick);
+  };
+  choose(is_shown, Assurance::shown);
+  if (found.place) return found;
+  choose(is_blameless, Assurance::not_told_apart);
+  found.sample_needed = flipless_sample(found.bearable, confidence);
   return found;
 }
 

@@ -30,11 +30,15 @@ inline constexpr double bearable_share = 0.05;
 /// A hundredth of the distance at which two runs are said to have parted.
 inline constexpr double bearable_error = 1e-4;
 
+/// So many more steps are a price for digits that nobody has to think about.
+inline constexpr double cheap_steps = 1.1;
+
 struct Recommendation {
   Assurance assurance = Assurance::none;
-  std::optional<std::size_t> place;  ///< of the tolerance in the curve; absent with `none`
-  double bearable = 0.0;             ///< share of flipped modes that is too small to matter
-  double at_most = 0.0;              ///< upper bound of the share that matters, there; see share_at_most
+  std::optional<std::size_t> place;     ///< of the tolerance in the curve; absent with `none`
+  std::optional<std::size_t> coarsest;  ///< of the coarsest that will do; likewise
+  double bearable = 0.0;                ///< share of flipped modes that is too small to matter
+  double at_most = 0.0;                 ///< upper bound of the share that matters, at `place`; see share_at_most
   /// Realisations, none of which flips, that would show it; absent where it is shown, or cannot be by a sample.
   std::optional<std::uint64_t> sample_needed;
 };
@@ -43,10 +47,11 @@ struct Recommendation {
 /// that flip beyond the floor's. Of a sample that is everything the share itself.
 [[nodiscard]] double share_at_most(const Departure& departure, const Yardstick& yardstick);
 
-/// The coarsest tolerance of which it is shown that it does not matter, it and every tighter one: the median error is
-/// bearable and share_at_most is at most `bearable_share` of the half-width (of a sample that is everything: 0). Where none
-/// is, the coarsest of which nothing speaks against it, it and every tighter one: bearable error, no more flips than at the
-/// floor, and share_at_most no larger than the half-width.
+/// A tolerance will do if that is shown of it and of every tighter one: the median error is bearable, and share_at_most is
+/// at most `bearable_share` of the half-width (of a sample that is everything: 0). Where it is shown of none: if nothing
+/// speaks against it and against any tighter one: bearable error, no more flips than at the floor, and share_at_most no
+/// larger than the half-width. Of the coarsest that will do and those tighter that take at most `cheap_steps` times its
+/// steps the tightest is recommended.
 ///
 /// `curve` by falling tolerance, at least three; `confidence` that of its intervals.
 [[nodiscard]] Recommendation recommend(std::span<const ToleranceCost> curve, const Yardstick& yardstick,

@@ -39,10 +39,11 @@ TextRow row_of(const ToleranceCost& tolerance, const Cost& cost) {
   const bool is_own = &tolerance == &cost.curve[cost.own];
   TextRow row{tolerance_name(tolerance) + (is_own ? " *" : "  ")};
   if (const auto& departure = tolerance.departure) {
-    row.insert(row.end(), {error_cell(departure->median_error), error_cell(departure->largest_error),
-                           per_cent(share(departure->parted, cost.sample)), std::to_string(departure->flips.successes),
-                           per_cent(departure->flips_interval),
-                           departure->beyond_floor ? per_cent(*departure->beyond_floor) : "."});
+    row.insert(row.end(),
+               {error_cell(departure->median_error), error_cell(departure->largest_error),
+                per_cent(share(departure->parted, cost.sample)), std::to_string(departure->flips.successes),
+                cost.yardstick.is_everything ? "." : per_cent(departure->flips_interval),
+                departure->beyond_floor && !cost.yardstick.is_everything ? per_cent(*departure->beyond_floor) : "."});
   } else {
     row.insert(row.end(), 6, ".");
   }
@@ -72,8 +73,9 @@ std::string realisations_table(const MeasuredCost& measured) {
   }
   std::string text = aligned(rows);
   for (const auto& [half_width, needed, periods] : cost.goals) {
-    text += "for " + per_cent(half_width) + " everywhere: " + std::to_string(needed.by_shares) + " realisations, " +
-            run_time(periods) + "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
+    text += "for " + significant(100.0 * half_width, 3) + " % in every condition: " + std::to_string(needed.by_shares) +
+            " realisations, " + run_time(periods) +
+            "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
   }
   return text +
          "half-widths in per cent, of each condition's widest simultaneous interval, if modes keep their shares; "
@@ -108,11 +110,34 @@ std::string speed_words(const Cost& cost, std::size_t place) {
 }
 
 std::string unrecommended(const Cost& cost) {
-  std::string text = "No tolerance can be recommended: of " + std::to_string(cost.sample) + " realisations ";
-  if (cost.yardstick.is_everything) return text + "some change their response mode at every tolerance.";
-  text += cost.yardstick.half_width ? "too few keep their response mode to tell."
-                                    : "of a deterministic experiment not all were measured.";
-  return text + " Give more --time, or a larger --sample.";
+  if (cost.yardstick.is_everything) {
+    return "No tolerance can be recommended: at every one, response modes change that the next tighter keeps.";
+  }
+  return "No tolerance can be recommended: " + std::to_string(cost.sample) + " realisations are too few to tell.";
+}
+
+/// What it takes to show what is not shown.
+std::string advice(const MeasuredCost& measured) {
+  const Cost& cost = measured.cost;
+  const auto& needed = cost.recommendation.sample_needed;
+  if (cost.recommendation.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
+  if (!needed) return " Give more --time, so that every condition is measured.";
+  const double seconds = measured.system.duration_s * share(*needed, cost.sample);
+  return " To show that no more than " + per_cent(cost.recommendation.bearable) + " % change takes " +
+         std::to_string(*needed) + " realisations of which none does, some " + spoken_time(seconds) + " at this rate.";
+}
+
+std::string blame_words(const Cost& cost) {
+  if (cost.yardstick.is_everything) return ", of all that there are. ";
+  return "; it is to blame for at most " + per_cent(cost.recommendation.at_most) + " %, " + part_of_half_width(cost) +
+         ". ";
+}
+
+std::string coarser_words(const Cost& cost) {
+  const experiment::Recommendation& found = cost.recommendation;
+  if (found.coarsest == found.place) return "";
+  return " Coarser ones, up to " + tolerance_name(cost.curve[*found.coarsest]) +
+         ", do as well, but save less than a tenth of the steps.";
 }
 
 }  // namespace
@@ -120,27 +145,17 @@ std::string unrecommended(const Cost& cost) {
 std::string cost_recommendation(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   const experiment::Recommendation& found = cost.recommendation;
-  if (!found.place) return unrecommended(cost);
+  if (!found.place) return unrecommended(cost) + advice(measured);
   const ToleranceCost& chosen = cost.curve[*found.place];
   const Departure& departure = *chosen.departure;
   std::string text =
       found.assurance == Assurance::shown ? "Recommended: tolerance " : "Not told apart from the tightest: tolerance ";
-  text += tolerance_name(chosen) + ". " + changes(cost, departure);
-  if (cost.yardstick.is_everything) {
-    text += ", of all that there are. ";
-  } else {
-    text += "; it is to blame for at most " + per_cent(found.at_most) + " %, " + part_of_half_width(cost) + ". ";
-  }
+  text += tolerance_name(chosen) + ". " + changes(cost, departure) + blame_words(cost);
   if (departure.median_error) {
-    text += "Error after " + std::to_string(experiment::cost_error_periods) +
+    text += "Error in the first " + std::to_string(experiment::cost_error_periods) +
             " periods: " + significant(*departure.median_error, 1) + " (median). ";
   }
-  text += speed_words(cost, *found.place);
-  if (found.sample_needed) {
-    text += " To show that at most " + per_cent(found.bearable) + " % change takes " +
-            std::to_string(*found.sample_needed) + " realisations of which none does.";
-  }
-  return text;
+  return text + speed_words(cost, *found.place) + coarser_words(cost) + advice(measured);
 }
 
 std::string cost_table(const MeasuredCost& measured) {

@@ -62,6 +62,7 @@ Json recommendation_json(const Cost& cost) {
   const experiment::Recommendation& found = cost.recommendation;
   Json json = Json::object();
   json["tolerance"] = found.place ? Json(cost.curve[*found.place].tolerance) : Json();
+  json["coarsest"] = found.coarsest ? Json(cost.curve[*found.coarsest].tolerance) : Json();
   json["assurance"] = to_string(found.assurance);
   json["half_width"] = or_null(cost.yardstick.half_width);
   json["bearable"] = found.bearable;

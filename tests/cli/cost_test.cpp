@@ -1,0 +1,95 @@
+// `rocking cost`: what accuracy costs in an experiment.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::objections;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Cost : public rocking::support::ProgramTest {
+ protected:
+  Cost() { write("quick.json", quick_experiment().dump()); }
+};
+
+TEST_F(Cost, PrintsATableAndKeepsTheNumbers) {
+  const auto outcome = rocking("cost quick.json --sample 9 -o out");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("1e-10"), HasSubstr("1e-13 *"), HasSubstr("9 realisations of 3 conditions"),
+                    HasSubstr("mean half-width"), HasSubstr("numbers: out/cost.json")));
+  const std::string text = read("out/cost.json");
+  EXPECT_EQ(objections("cost", text), "");
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["result"]["tolerances"].size(), 11U);
+  EXPECT_EQ(json["result"]["realisations"][2]["factor"], 16);
+  EXPECT_GT(json["system"]["processor_s_per_period"][0].get<double>(), 0.0);
+  EXPECT_EQ(rocking("cost quick.json --sample 9 -o out").exit_code, 74);
+  EXPECT_EQ(rocking("cost quick.json --sample 3 -o out --overwrite -q").exit_code, 0);
+  EXPECT_EQ(Json::parse(read("out/cost.json"))["result"]["sample"]["realisations"], 3);
+}
+
+TEST_F(Cost, FindsTheSameAgainButForTimes) {
+  Json results[2];
+  for (const int threads : {1, 2}) {
+    const auto outcome =
+        rocking("cost quick.json --sample 10 --tolerances 1e-5,1e-9,1e-14 --json -j " + std::to_string(threads));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    Json& json = results[threads - 1] = Json::parse(outcome.output);
+    EXPECT_EQ(json["result"]["tolerances"].size(), 4U) << "with the experiment's own, 1e-13";
+    json.erase("system");
+  }
+  EXPECT_EQ(results[0].dump(), results[1].dump());
+}
+
+TEST_F(Cost, FindsThatErrorsFollowTheTolerance) {
+  const Json json = Json::parse(rocking("cost quick.json --sample 6 --tolerances 1e-5,1e-9,1e-14 --json").output);
+  const Json& rows = json["result"]["tolerances"];
+  const auto error = [&](std::size_t i) { return rows[i]["departure"]["error"]["median"].get<double>(); };
+  EXPECT_GT(error(0), 100.0 * error(1));
+  EXPECT_GT(error(1), 100.0 * error(2));
+  EXPECT_LT(rows[0]["steps_per_period"], rows[3]["steps_per_period"]);
+  EXPECT_TRUE(rows[3]["departure"].is_null()) << "the reference";
+}
+
+TEST_F(Cost, MeasuresAtLeastOneRealisationHoweverShortTheTime) {
+  const auto outcome = rocking("cost quick.json --time 0.001s --json -j 1");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const Json json = Json::parse(outcome.output);
+  EXPECT_EQ(json["result"]["sample"]["realisations"], 1);
+  EXPECT_EQ(json["result"]["recommendation"]["assurance"], "none");
+}
+
+TEST_F(Cost, OfADeterministicExperimentMeasuresEachConditionOnce) {
+  auto still = quick_experiment();
+  still.erase("fluctuation");
+  write("still.json", still.dump());
+  const auto outcome = rocking("cost still.json --json");
+  EXPECT_EQ(objections("cost", outcome.output), "");
+  const Json result = Json::parse(outcome.output)["result"];
+  EXPECT_EQ(result["sample"], Json::parse(R"({"realisations": 3, "conditions": 3, "is_everything": true})"));
+  EXPECT_TRUE(result["realisations"].empty());
+}
+
+TEST_F(Cost, RefusesWhatCannotBeMeasured) {
+  for (const char* arguments :
+       {"quick.json --sample 0", "quick.json --sample 2 --time 3s", "quick.json --time soon", "quick.json --time -3s",
+        "quick.json --tolerances 1e-4,1e-20,1e-8", "quick.json --tolerances 1e-13,1e-9", "quick.json --tolerances all",
+        "quick.json --realisations 0"}) {
+    const auto outcome = rocking(std::string("cost ") + arguments);
+    EXPECT_EQ(outcome.exit_code, 64) << arguments << outcome.errors;
+    EXPECT_EQ(outcome.output, "");
+  }
+  EXPECT_THAT(rocking("cost quick.json --tolerances 1e-13,1e-9").errors, HasSubstr("give at least three"));
+  EXPECT_EQ(rocking("cost absent.json").exit_code, 66);
+  write("bad.json", "{}");
+  EXPECT_EQ(rocking("cost bad.json").exit_code, 65);
+}
+
+}  // namespace

@@ -257,6 +257,17 @@ TEST(Recommendation, SaysWhatWouldShowWhatTooFewDoNot) {
   EXPECT_GT(stats::clopper_pearson({0, *found.sample_needed - 1}, 0.95).high, 0.002);
 }
 
+// 1 of 1000 and 2 of 1000: at 0.001 and 0.002 of all.
+TEST(Recommendation, KnowsThatNoSampleShowsWhatIsNotSo) {
+  const auto some = recommended(curve_of({9, 1, 1, 1}, 1000));
+  EXPECT_EQ(some.assurance, Assurance::not_told_apart);
+  ASSERT_TRUE(some.sample_needed.has_value());
+  const std::uint64_t n = *some.sample_needed;
+  EXPECT_LE(stats::clopper_pearson({(n + 999) / 1000, n}, 0.95).high, 0.002);
+  EXPECT_GT(stats::clopper_pearson({(n + 999) / 1000, n * 9 / 10}, 0.95).high, 0.002);
+  EXPECT_FALSE(recommended(curve_of({9, 2, 2, 2}, 1000)).sample_needed.has_value());
+}
+
 TEST(Recommendation, IsNoneWhereNotEvenTheHalfWidthIsReached) {
   const auto found = recommended(curve_of({0, 0, 0, 0}, 50));
   EXPECT_EQ(found.assurance, Assurance::none);
@@ -388,7 +399,8 @@ TEST(CostWords, OfTooFewRealisationsSayHowManyWouldDo) {
   EXPECT_THAT(report::cost_recommendation(some), HasSubstr("Not told apart from the tightest: tolerance 1e-08. "));
   EXPECT_THAT(
       report::cost_recommendation(some),
-      HasSubstr("To show that no more than 0.20 % change takes 1843 realisations of which none does, some 1.8 min"));
+      HasSubstr(
+          "To show that no more than 0.20 % change takes 1843 realisations, if as large a share does: some 1.8 min"));
   const auto few = cost_with(experiment, curve_of({0, 0, 0, 0}, 50), {.half_width = 0.04});
   EXPECT_THAT(report::cost_recommendation(few),
               HasSubstr("No tolerance can be recommended: 50 realisations are too few to tell. To show"));

@@ -41,10 +41,27 @@ std::size_t tightest_cheap(std::span<const ToleranceCost> curve, std::size_t coa
   return coarsest;
 }
 
-/// n with (1 - share)^n = (1 - confidence)/2: none of n then has `share` for its upper end.
-std::optional<std::uint64_t> flipless_sample(double share, double confidence) {
-  if (share <= 0.0 || share >= 1.0) return std::nullopt;
-  return static_cast<std::uint64_t>(std::ceil(std::log(0.5 * (1.0 - confidence)) / std::log1p(-share)));
+/// About the least n at which a proportion of the same value has an upper end of at most `bearable`.
+std::optional<std::uint64_t> sample_for(const stats::Proportion& flips, double bearable, double confidence) {
+  const double share = static_cast<double>(flips.successes) / static_cast<double>(flips.trials);
+  if (share >= bearable) return std::nullopt;
+  const auto is_enough = [&](std::uint64_t n) {
+    const double count = std::ceil(share * static_cast<double>(n));
+    const stats::Proportion expected{.successes = static_cast<std::uint64_t>(count), .trials = n};
+    return stats::clopper_pearson(expected, confidence).high <= bearable;
+  };
+  constexpr std::uint64_t most = std::uint64_t{1} << 40U;
+  std::uint64_t too_few = 0;
+  std::uint64_t enough = 1;
+  while (enough < most && !is_enough(enough)) {
+    too_few = enough;
+    enough *= 2;
+  }
+  while (enough - too_few > 1) {
+    const std::uint64_t middle = too_few + (enough - too_few) / 2;
+    (is_enough(middle) ? enough : too_few) = middle;
+  }
+  return enough;
 }
 
 }  // namespace
@@ -92,7 +109,8 @@ Recommendation recommend(std::span<const ToleranceCost> curve, const Yardstick& 
   choose(is_shown, Assurance::shown);
   if (found.place) return found;
   choose(is_blameless, Assurance::not_told_apart);
-  found.sample_needed = flipless_sample(found.bearable, confidence);
+  const std::size_t place = found.place.value_or(curve.size() - 2);
+  found.sample_needed = sample_for(curve[place].departure->flips, found.bearable, confidence);
   return found;
 }
 

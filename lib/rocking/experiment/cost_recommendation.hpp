@@ -39,7 +39,8 @@ struct Recommendation {
   std::optional<std::size_t> coarsest;  ///< of the coarsest that will do; likewise
   double bearable = 0.0;                ///< share of flipped modes that is too small to matter
   double at_most = 0.0;                 ///< upper bound of the share that matters, at `place`; see share_at_most
-  /// Realisations, none of which flips, that would show it; absent where it is shown, or cannot be by a sample.
+  /// Realisations that would show it, if the tolerance (or with `none` the floor) keeps its share of flips; absent where it is
+  /// shown, and where that share is not bearable, so that none would.
   std::optional<std::uint64_t> sample_needed;
 };
 

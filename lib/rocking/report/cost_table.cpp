@@ -119,12 +119,14 @@ std::string unrecommended(const Cost& cost) {
 /// What it takes to show what is not shown.
 std::string advice(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
-  const auto& needed = cost.recommendation.sample_needed;
-  if (cost.recommendation.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
-  if (!needed) return " Give more --time, so that every condition is measured.";
-  const double seconds = measured.system.duration_s * share(*needed, cost.sample);
-  return " To show that no more than " + per_cent(cost.recommendation.bearable) + " % change takes " +
-         std::to_string(*needed) + " realisations of which none does, some " + spoken_time(seconds) + " at this rate.";
+  const experiment::Recommendation& found = cost.recommendation;
+  if (found.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
+  if (!cost.yardstick.half_width) return " Give more --time, so that every condition is measured.";
+  const std::string bearable = per_cent(found.bearable) + " %";
+  if (!found.sample_needed) return " While so many change, no sample shows that it is less than " + bearable + '.';
+  const double seconds = measured.system.duration_s * share(*found.sample_needed, cost.sample);
+  return " To show that no more than " + bearable + " change takes " + std::to_string(*found.sample_needed) +
+         " realisations, if as large a share does: some " + spoken_time(seconds) + " at this rate.";
 }
 
 std::string blame_words(const Cost& cost) {

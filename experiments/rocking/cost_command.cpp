@@ -1,10 +1,9 @@
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <functional>
-#include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -39,17 +38,14 @@ struct CostRequest {
 
 std::vector<double> tolerances_of(const CostRequest& request, const experiment::Experiment& experiment) {
   if (request.tolerances.empty()) return experiment::tolerance_ladder(experiment);
-  std::vector<double> tolerances = request.tolerances;
-  tolerances.push_back(experiment.conditions.front().tolerance);
-  std::ranges::sort(tolerances, std::greater<>());
-  const auto repeated = std::ranges::unique(tolerances);
-  tolerances.erase(repeated.begin(), repeated.end());
-  if (tolerances.size() < 3) {
+  std::set<double, std::greater<>> all(request.tolerances.begin(), request.tolerances.end());
+  all.insert(experiment.conditions.front().tolerance);
+  if (all.size() < 3) {
     throw UsageError(
         "--tolerances: with the experiment's own these are fewer than three; the tightest is the reference and the "
         "second tightest the floor, so give at least three, as 1e-8,1e-11,1e-14");
   }
-  return tolerances;
+  return {all.begin(), all.end()};
 }
 
 /// What is measured, as far as the time allowed; absent if interrupted.

@@ -202,7 +202,7 @@ std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& flips, std
   for (std::size_t i = 0; i < curve.size(); ++i) {
     curve[i].tolerance = std::vector{1e-6, 1e-8, 1e-10, 1e-12, 1e-14}[i];
     curve[i].periods = 1000;
-    curve[i].steps = steps.empty() ? 1000 << i : steps[i];
+    curve[i].steps = steps.empty() ? std::uint64_t{1000} << i : steps[i];
     curve[i].seconds = static_cast<double>(curve[i].steps) * 1e-6;
     if (i == flips.size()) break;
     Departure& departure = curve[i].departure.emplace();

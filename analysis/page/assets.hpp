@@ -9,7 +9,7 @@ namespace rocking::analysis {
 [[nodiscard]] std::string dygraphs_script();
 [[nodiscard]] std::string dygraphs_style();
 
-/// Our own part of a page: page.js, page.css.
+/// Our own part of a page: shapes.js, series.js, charts.js and page.js; page.css.
 [[nodiscard]] std::string page_script();
 [[nodiscard]] std::string page_style();
 

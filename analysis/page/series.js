@@ -1,0 +1,77 @@
+// A panel's numbers as dygraphs takes them.
+var series = (function () {
+  'use strict';
+
+  function extent(panel, axis, columnsOf) {
+    var low = Infinity, high = -Infinity;
+    panel.layers.forEach(function (layer) {
+      columnsOf(layer).forEach(function (column) {
+        column.forEach(function (number) {
+          if (number === null) return;
+          low = Math.min(low, number);
+          high = Math.max(high, number);
+        });
+      });
+    });
+    if (low > high) { low = 0; high = 1; }
+    if (axis.low !== null) low = axis.low;
+    if (axis.high !== null) high = axis.high;
+    var margin = low === high ? 1 : 0.02 * (high - low);
+    return [low - margin, high + margin];
+  }
+
+  var isCurve = { line: true, points: true, steps: true };
+
+  // Columns of places and of values: of curves and intervals the first is the place, of boxes the first two.
+  function places(layer) {
+    var one = isCurve[layer.kind] || layer.kind === 'ribbon' || layer.kind === 'error_bars';
+    return one ? 1 : 2;
+  }
+
+  // The interval that belongs to a curve: a ribbon or error bars of the same group.
+  function intervalOf(panel, curve) {
+    var found = panel.layers.filter(function (layer) {
+      return (layer.kind === 'ribbon' || layer.kind === 'error_bars') && layer.group === curve.group;
+    })[0];
+    if (!found) return null;
+    var columns = found.columns.slice(-2), at = {};
+    found.columns[0].forEach(function (x, i) { at[x] = [columns[0][i], columns[1][i]]; });
+    return at;
+  }
+
+  // Curves with their intervals as dygraphs takes them: rows of x and [low, y, high], where an end that is not known stands
+  // at the curve. `ends` are the intervals as they are.
+  function seriesOf(panel) {
+    var curves = panel.layers.filter(function (layer) { return isCurve[layer.kind]; });
+    var bars = panel.layers.filter(function (layer) {
+      return layer.kind === 'error_bars' && !curves.some(function (curve) { return curve.group === layer.group; });
+    });
+    curves = curves.concat(bars);
+    var rows = new Map(), ends = curves.map(function () { return {}; });
+    curves.forEach(function (curve, place) {
+      var interval = curve.kind === 'error_bars' ? null : intervalOf(panel, curve);
+      curve.columns[0].forEach(function (x, i) {
+        if (x === null) return;
+        if (!rows.has(x)) rows.set(x, curves.map(function () { return [null, null, null]; }));
+        var y = curve.columns[1][i];
+        var known = curve.kind === 'error_bars' ? [curve.columns[2][i], curve.columns[3][i]] : interval && interval[x];
+        if (y === null) return;
+        if (known && (known[0] !== null || known[1] !== null)) ends[place][x] = known;
+        else known = [y, y];
+        rows.get(x)[place] = [known[0] === null ? y : known[0], y, known[1] === null ? y : known[1]];
+      });
+    });
+    var xs = Array.from(rows.keys()).sort(function (a, b) { return a - b; });
+    return { curves: curves, xs: xs, ends: ends, rows: xs.map(function (x) { return [x].concat(rows.get(x)); }) };
+  }
+
+  return {
+    of: seriesOf,
+    xRange: function (panel) {
+      return extent(panel, panel.x, function (layer) { return layer.columns.slice(0, places(layer)); });
+    },
+    yRange: function (panel) {
+      return extent(panel, panel.y, function (layer) { return layer.columns.slice(places(layer)); });
+    }
+  };
+}());

@@ -165,6 +165,39 @@ TEST_F(RunFolder, IsReplayedBitForBit) {
   EXPECT_EQ(rocking("replay absent --condition 0 --realisation 0").exit_code, 66);
 }
 
+TEST_F(RunFolder, HoldsAPageThatIsWrittenAgainWithTheSameBytes) {
+  ASSERT_EQ(rocking("run quick.json -q -o part1 --shard 1/2").exit_code, 0);
+  ASSERT_EQ(rocking("run quick.json -q -o part2 --shard 2/2").exit_code, 0);
+  EXPECT_FALSE(exists("part1/report.html"));
+  EXPECT_THAT(rocking("merge out part1 part2").output, HasSubstr("page: out/report.html"));
+  const std::string page = read("out/report.html");
+  EXPECT_THAT(page, AllOf(HasSubstr("<title>quick</title>"), HasSubstr("</html>")));
+  std::filesystem::remove(folder_ / "out/report.html");
+  EXPECT_THAT(rocking("report out --format html").output, HasSubstr("out/report.html"));
+  EXPECT_TRUE(page == read("out/report.html"));
+  ASSERT_EQ(rocking("run quick.json -q -o out --overwrite --shard 1/2").exit_code, 0);
+  EXPECT_FALSE(exists("out/report.html")) << "it is of the run that was replaced";
+}
+
+TEST_F(RunFolder, HoldsAPageWithoutPicturesWhereGnuplotIsMissing) {
+  ASSERT_EQ(shell("mkdir nothing").exit_code, 0);
+  const std::string without = std::string("PATH=$PWD/nothing '") + ROCKING_PROGRAM + "' ";
+  const auto told = shell(without + "run quick.json -o out");
+  EXPECT_EQ(told.exit_code, 0);
+  EXPECT_THAT(told.errors, HasSubstr("report.html has no pictures for paper: gnuplot"));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("No picture for paper"));
+  EXPECT_EQ(shell(without + "run quick.json -q -o quiet").errors, "");
+}
+
+TEST_F(RunFolder, HasNoPageWithoutAReport) {
+  EXPECT_EQ(rocking("report absent --format html").exit_code, 66);
+  EXPECT_FALSE(exists("absent"));
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  change_report("/result/conditions/1", Json::object());
+  EXPECT_EQ(rocking("report out --format html").exit_code, 65);
+  EXPECT_EQ(rocking("report out --format htlm").exit_code, 64);
+}
+
 TEST_F(RunFolder, IsVerified) {
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
   const auto all = rocking("verify out");

@@ -13,16 +13,11 @@ using section::ResponseMode;
 
 constexpr std::size_t most_shown = 10;
 
-/// A mode that a condition does not list has the interval of any that it lists at 0: both depend on counts alone.
-ModeShare share_of(const ConditionReport& condition, const ResponseMode& mode) {
-  if (const auto found = condition.modes.find(mode); found != condition.modes.end()) return found->second;
-  for (const auto& [other, share] : condition.modes) {
-    if (share.count == 0) return share;
-  }
-  return {.count = 0, .estimate = 0.0, .interval = {.low = 0.0, .high = 1.0}};
-}
-
 double number(std::uint64_t count) { return static_cast<double>(count); }
+
+/// The ends of an interval, where there is one.
+Cell low_of(const ModeShare& share) { return share.interval ? Cell(share.interval->low) : Cell(); }
+Cell high_of(const ModeShare& share) { return share.interval ? Cell(share.interval->high) : Cell(); }
 
 std::string table_name(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
 
@@ -75,7 +70,7 @@ Table band_table(const RunReport& report, const SweepView& view, const Slice& sl
     std::uint64_t below = 0;
     for (const ResponseMode& mode : modes) {
       row.emplace_back(number(below) / n);
-      below += share_of(condition, mode).count;
+      below += share_of(report, condition, mode).count;
       row.emplace_back(number(below) / n);
     }
     row.emplace_back(number(below) / n);
@@ -101,9 +96,9 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
     const ConditionReport& condition = report.conditions[i];
     std::vector<Cell> row{view.x[i], number(condition.realisations)};
     for (const ResponseMode& mode : modes) {
-      const ModeShare share = share_of(condition, mode);
-      for (const double value : {number(share.count), share.estimate, share.interval.low, share.interval.high}) {
-        row.emplace_back(value);
+      const ModeShare share = share_of(report, condition, mode);
+      for (const Cell& cell : {Cell(number(share.count)), Cell(share.estimate), low_of(share), high_of(share)}) {
+        row.push_back(cell);
       }
     }
     table.rows.push_back(std::move(row));
@@ -163,9 +158,9 @@ Table bar_table(const RunReport& report, const ConditionReport& condition, const
               .rows = {}};
   double place = 0.0;
   for (const ResponseMode& mode : shown_modes(report)) {
-    const ModeShare share = share_of(condition, mode);
-    table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, share.interval.low,
-                          share.interval.high, number(share.count), number(condition.realisations), to_string(mode)});
+    const ModeShare share = share_of(report, condition, mode);
+    table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, low_of(share), high_of(share),
+                          number(share.count), number(condition.realisations), to_string(mode)});
     place += 1.0;
   }
   return table;

@@ -1,9 +1,22 @@
 #include "analysis/run_figures.hpp"
 
 #include "analysis/mode_figures.hpp"
+#include "analysis/non_recurrence_figures.hpp"
+#include "analysis/parting_figure.hpp"
+#include "analysis/scene_sketch.hpp"
 
 namespace rocking::analysis {
 
-std::vector<Figure> run_figures(const RunReport& report) { return {mode_bands(report), mode_probabilities(report)}; }
+std::vector<Figure> run_figures(const RunReport& report, const experiment::Store* store) {
+  std::vector<Figure> figures{mode_bands(report), mode_probabilities(report)};
+  const auto add = [&figures](std::optional<Figure> figure) {
+    if (figure) figures.push_back(std::move(*figure));
+  };
+  add(non_recurrence(report));
+  add(parting_quartiles(report));
+  if (store != nullptr) add(parting_times(report, *store));
+  figures.push_back(scene_sketch(report.experiment));
+  return figures;
+}
 
 }  // namespace rocking::analysis

@@ -1,6 +1,7 @@
 #include "analysis/run_report.hpp"
 
 #include "rocking/base/error.hpp"
+#include "rocking/experiment/mode_family.hpp"
 #include "rocking/report/parse_json.hpp"
 #include "rocking/report/read_report.hpp"
 
@@ -41,6 +42,7 @@ ConditionReport condition_from(const Json& json) {
   for (const auto& [name, probability] : json.at("probabilities").items()) {
     const auto mode = section::response_mode_named(name);
     if (!mode) throw Json::other_error::create(501, "there is no response mode " + name, &json);
+    condition.stopped_by_data = condition.stopped_by_data || probability.contains("anytime");
     const Json& interval = probability.contains("anytime") ? probability["anytime"] : probability.at("simultaneous");
     condition.modes[*mode] = {.count = json.at("counts").at(name),
                               .estimate = probability.at("estimate"),
@@ -72,6 +74,16 @@ std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
     }
   }
   return found;
+}
+
+ModeShare share_of(const RunReport& report, const ConditionReport& condition, const section::ResponseMode& mode) {
+  if (const auto found = condition.modes.find(mode); found != condition.modes.end()) return found->second;
+  if (condition.stopped_by_data) return {};
+  const stats::Family family = experiment::mode_family(report.confidence);
+  const stats::Doubt doubt = experiment::is_foreseen(mode) ? family.of_foreseen() : family.of_unforeseen();
+  return {.count = 0,
+          .estimate = 0.0,
+          .interval = stats::exact_interval({.successes = 0, .trials = condition.realisations}, doubt)};
 }
 
 RunReport read_run_report(std::string_view text) {

@@ -18,7 +18,8 @@ namespace rocking::analysis {
 struct ModeShare {
   std::uint64_t count = 0;
   double estimate = 0.0;
-  stats::Interval interval;  ///< simultaneous; with `until` the one that holds whenever the run stopped
+  /// Simultaneous; with `until` the one that holds whenever the run stopped. Absent where a report has none.
+  std::optional<stats::Interval> interval;
 };
 
 struct Parting {
@@ -39,6 +40,7 @@ struct ConditionReport {
   std::uint64_t realisations = 0;
   std::map<section::ResponseMode, ModeShare> modes;
   std::optional<Difference> difference;  ///< absent with fewer than two realisations
+  bool stopped_by_data = false;          ///< `until` was asked for
 };
 
 struct RunReport {
@@ -52,6 +54,11 @@ struct RunReport {
   /// Response modes that occur anywhere, with how often.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
 };
+
+/// What a condition says of a mode. Of one that it does not list, since it never occurred there, the interval is the one that
+/// the report of such a mode would have.
+[[nodiscard]] ModeShare share_of(const RunReport& report, const ConditionReport& condition,
+                                 const section::ResponseMode& mode);
 
 /// Reads the text of a report.json. Throws base::InputError where it is none.
 [[nodiscard]] RunReport read_run_report(std::string_view text);

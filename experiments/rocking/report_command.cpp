@@ -11,6 +11,7 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
+#include "analysis/tables.hpp"
 #include "commands.hpp"
 #include "output.hpp"
 #include "page.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> all_formats{"html", "gnuplot"};
+const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex"};
 
 struct ReportRequest {
   std::string folder;
@@ -47,11 +48,13 @@ analysis::RunReport load_report(const RunFolder& folder) {
 }
 
 /// Writes the figures; returns the files.
-std::vector<std::string> draw(const analysis::RunReport& report, const fs::path& folder) {
+std::vector<std::string> draw(const analysis::RunReport& report, const RunFolder& run, const fs::path& folder) {
   report::ensure_writable(folder);
+  std::optional<experiment::Store> store;
+  if (run.has_store()) store = run.open_store(experiment::sqlite::Access::read);
   std::vector<std::string> written;
   std::set<std::string> reasons;
-  for (const analysis::Figure& figure : analysis::run_figures(report)) {
+  for (const analysis::Figure& figure : analysis::run_figures(report, store ? &*store : nullptr)) {
     const analysis::Drawing drawing = analysis::write_figure(figure, folder);
     if (!drawing.drawn) reasons.insert(drawing.reason);
     const std::string stem = (folder / figure.name).string();
@@ -74,8 +77,21 @@ ExitCode report_again(const ReportRequest& request) {
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    for (std::string& file : draw(report, fs::path(request.folder) / "figures")) written.push_back(std::move(file));
+    for (std::string& file : draw(report, folder, fs::path(request.folder) / "figures")) {
+      written.push_back(std::move(file));
+    }
   }
+  const fs::path tables = fs::path(request.folder) / "tables";
+  const auto write = [&](const std::string& name, const std::string& text) {
+    report::write_atomically(tables / name, text);
+    written.push_back((tables / name).string());
+  };
+  if (formats.contains("csv") || formats.contains("latex")) report::ensure_writable(tables);
+  if (formats.contains("csv")) {
+    write("modes.csv", modes_csv(report));
+    write("non_recurrence.csv", non_recurrence_csv(report));
+  }
+  if (formats.contains("latex")) write("modes.tex", modes_latex(report));
   print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
                                      : fmt::format("{}\n", fmt::join(written, "\n")));
   return ExitCode::done;
@@ -90,7 +106,8 @@ void add_report(CLI::App& app, Action& action) {
       "Example: rocking report out --format html,gnuplot\n"
       "html: out/report.html, a page that needs nothing beside it. gnuplot: the figures of out/report.json in "
       "out/figures,\n"
-      "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf).");
+      "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf). csv and latex: tables in\n"
+      "out/tables.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--format", request->formats, "What to make; default: all")
       ->delimiter(',')

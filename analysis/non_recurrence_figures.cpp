@@ -1,0 +1,143 @@
+#include "analysis/non_recurrence_figures.hpp"
+
+#include <algorithm>
+
+#include "analysis/data_file.hpp"
+#include "analysis/mode_figures.hpp"
+#include "analysis/palette.hpp"
+#include "analysis/sweep_view.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+
+bool has_differences(const RunReport& report) {
+  return std::any_of(report.conditions.begin(), report.conditions.end(),
+                     [](const ConditionReport& condition) { return condition.difference.has_value(); });
+}
+
+/// The ends of the shown parameter, with room beside them.
+void set_range(const SweepView& view, Panel& panel) {
+  const auto [least, most] = std::minmax_element(view.x.begin(), view.x.end());
+  const double room = *least < *most ? 0.03 * (*most - *least) : 0.5;
+  panel.x.low = *least - room;
+  panel.x.high = *most + room;
+}
+
+std::string name_of(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
+
+Table difference_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+  const std::string level = number_text(100.0 * report.confidence) + " % interval";
+  Table table{.name = name_of(slice),
+              .columns = {view.column,
+                          {"n", "realisations"},
+                          {"differ", "probability that two runs differ in response mode"},
+                          {"low", "lower end of its " + level},
+                          {"high", "upper end of its " + level},
+                          {"entropy", "entropy of the response modes [nat]"}},
+              .rows = {}};
+  for (const std::size_t i : slice.conditions) {
+    const ConditionReport& condition = report.conditions[i];
+    if (!condition.difference) continue;
+    const Difference& found = *condition.difference;
+    table.rows.push_back({view.x[i], static_cast<double>(condition.realisations), found.differ, found.interval.low,
+                          found.interval.high, found.entropy});
+  }
+  return table;
+}
+
+Table parting_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+  Table table{.name = name_of(slice),
+              .columns = {view.column,
+                          {"pairs", "pairs of runs"},
+                          {"parted", "of them, those that parted before the horizon"},
+                          {"median", "median of the time to parting [periods]"},
+                          {"lower", "lower quartile [periods]"},
+                          {"upper", "upper quartile [periods]"},
+                          {"upper_drawn", "the same, at the horizon where it lies beyond [periods]"}},
+              .rows = {}};
+  const report::Json& horizon = report.experiment.at("horizon");
+  const double end = horizon.at("transient_periods").get<double>() + horizon.at("sampled_periods").get<double>();
+  for (const std::size_t i : slice.conditions) {
+    if (!report.conditions[i].difference) continue;
+    const Parting& parting = report.conditions[i].difference->by_friction;
+    if (parting.pairs == 0) continue;
+    const Cell drawn = parting.lower_quartile ? Cell(parting.upper_quartile.value_or(end)) : Cell();
+    table.rows.push_back({view.x[i], static_cast<double>(parting.pairs), static_cast<double>(parting.parted),
+                          cell_of(parting.median), cell_of(parting.lower_quartile), cell_of(parting.upper_quartile),
+                          drawn});
+  }
+  return table;
+}
+
+/// A ribbon and the curve within it, for the table that was added last.
+void add_curve(const Slice& slice, std::size_t number, const std::vector<std::size_t>& columns, Figure& figure) {
+  Panel& panel = figure.panels.front();
+  const std::size_t table = figure.tables.size() - 1;
+  Style ribbon = style_of_curve(number);
+  ribbon.hatch = 0;
+  ribbon.opacity = 0.2;
+  panel.layers.push_back(
+      {.kind = LayerKind::ribbon, .table = table, .columns = {0, columns[1], columns[2]}, .style = ribbon});
+  panel.layers.push_back({.kind = LayerKind::line,
+                          .table = table,
+                          .columns = {0, columns[0]},
+                          .style = style_of_curve(number),
+                          .legend = name_of(slice)});
+}
+
+Figure empty_figure(const RunReport& report, const SweepView& view) {
+  Figure figure;
+  figure.subtitle = report.title;
+  Panel panel{.title = "", .x = view.axis, .y = {}, .layers = {}};
+  set_range(view, panel);
+  figure.panels.push_back(std::move(panel));
+  return figure;
+}
+
+}  // namespace
+
+std::optional<Figure> non_recurrence(const RunReport& report) {
+  if (!has_differences(report)) return std::nullopt;
+  const SweepView view = view_of(report);
+  Figure figure = empty_figure(report, view);
+  figure.name = "non_recurrence";
+  figure.title = "How often do two equal runs respond differently?";
+  figure.panels.front().y = {
+      .quantity = "probability that two runs differ", .symbol = "", .unit = "", .low = 0.0, .high = 1.0};
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    figure.tables.push_back(difference_table(report, view, view.slices[i]));
+    add_curve(view.slices[i], i, {2, 3, 4}, figure);
+  }
+  figure.caption = "Probability that two runs of one condition, with other draws, differ in response mode, with its " +
+                   number_text(100.0 * report.confidence) + " % interval; " + spoken_realisations(report) + '.';
+  return figure;
+}
+
+std::optional<Figure> parting_quartiles(const RunReport& report) {
+  if (!has_differences(report)) return std::nullopt;
+  const SweepView view = view_of(report);
+  Figure figure = empty_figure(report, view);
+  figure.name = "parting_quartiles";
+  figure.title = "After how long have two equal runs parted?";
+  figure.panels.front().y = {
+      .quantity = "time to parting", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true};
+  bool any = false;
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    figure.tables.push_back(parting_table(report, view, view.slices[i]));
+    const auto& rows = figure.tables.back().rows;
+    any = any ||
+          std::any_of(rows.begin(), rows.end(), [](const auto& row) { return std::holds_alternative<double>(row[4]); });
+    add_curve(view.slices[i], i, {3, 4, 6}, figure);
+  }
+  if (!any) return std::nullopt;
+  figure.caption =
+      "Periods until two runs of one condition, with other draws, are more than 0.01 apart in (Θ, Θ′): median "
+      "(markers) and quartiles over pairs (ribbon, cut at the horizon). Where nothing is drawn, more than half, or "
+      "three "
+      "quarters, of the pairs had not parted by the horizon.";
+  return figure;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,101 @@
+#include "analysis/parting_figure.hpp"
+
+#include <algorithm>
+
+#include "analysis/palette.hpp"
+#include "analysis/sweep_view.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+constexpr std::size_t most_curves = 7;
+
+/// The pairs (0,1), (2,3), ... of a condition.
+struct Pairs {
+  std::size_t condition = 0;
+  std::uint64_t count = 0;
+  std::vector<std::int64_t> parted;  ///< when, in periods, in the order of the pairs
+};
+
+std::vector<Pairs> pairs_of(const RunReport& report, const experiment::Store& store) {
+  std::vector<Pairs> all(report.conditions.size());
+  store.for_each([&](const experiment::RealisationKey& key, const experiment::Summary& summary) {
+    if (key.condition >= all.size()) return;
+    const std::uint64_t whole = report.conditions[key.condition].realisations / 2 * 2;
+    if (key.realisation % 2 != 0 || key.realisation >= whole) return;
+    Pairs& pairs = all[key.condition];
+    pairs.condition = key.condition;
+    ++pairs.count;
+    if (summary.parted_from_next) pairs.parted.push_back(*summary.parted_from_next);
+  });
+  std::erase_if(all, [](const Pairs& pairs) { return pairs.count == 0; });
+  const auto differ = [&report](const Pairs& pairs) {
+    const auto& difference = report.conditions[pairs.condition].difference;
+    return difference ? difference->differ : 0.0;
+  };
+  std::stable_sort(all.begin(), all.end(), [&](const Pairs& a, const Pairs& b) { return differ(a) > differ(b); });
+  if (all.size() > most_curves) all.resize(most_curves);
+  std::stable_sort(all.begin(), all.end(), [](const Pairs& a, const Pairs& b) { return a.condition < b.condition; });
+  for (Pairs& pairs : all) std::sort(pairs.parted.begin(), pairs.parted.end());
+  return all;
+}
+
+double horizon_of(const RunReport& report) {
+  const report::Json& horizon = report.experiment.at("horizon");
+  return horizon.at("transient_periods").get<double>() + horizon.at("sampled_periods").get<double>();
+}
+
+/// A line for each period in which pairs parted, the start and the horizon. Before the first period nothing can be seen.
+Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
+  Table table{.name = name,
+              .columns = {{"period", "excitation periods since the start"},
+                          {"share", "share of pairs that have parted by then"},
+                          {"parted", "pairs that have parted by then"},
+                          {"pairs", "of so many"}},
+              .rows = {}};
+  const auto count = static_cast<double>(pairs.count);
+  const auto add = [&table, count](double period, double parted) {
+    table.rows.push_back({period, parted / count, parted, count});
+  };
+  if (pairs.parted.empty() || pairs.parted.front() > 1) add(1.0, 0.0);
+  for (std::size_t i = 0; i < pairs.parted.size(); ++i) {
+    const bool last_of_period = i + 1 == pairs.parted.size() || pairs.parted[i + 1] != pairs.parted[i];
+    if (last_of_period) add(static_cast<double>(pairs.parted[i]), static_cast<double>(i + 1));
+  }
+  add(horizon, static_cast<double>(pairs.parted.size()));
+  return table;
+}
+
+}  // namespace
+
+std::optional<Figure> parting_times(const RunReport& report, const experiment::Store& store) {
+  const std::vector<Pairs> all = pairs_of(report, store);
+  if (all.empty()) return std::nullopt;
+  Figure figure;
+  figure.name = "parting_times";
+  figure.title = "By when have two equal runs parted?";
+  figure.subtitle = report.title;
+  Panel panel{.title = "",
+              .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
+              .y = {.quantity = "share of pairs that have parted", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
+              .layers = {}};
+  panel.x.high = std::max(horizon_of(report), 2.0);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const std::string name = name_of_condition(report, report.conditions[all[i].condition]);
+    figure.tables.push_back(table_of(all[i], name.empty() ? "the only condition" : name, *panel.x.high));
+    panel.layers.push_back({.kind = LayerKind::steps,
+                            .table = i,
+                            .columns = {0, 1},
+                            .style = style_of_curve(i),
+                            .legend = figure.tables.back().name});
+  }
+  figure.panels.push_back(std::move(panel));
+  figure.caption =
+      "Share of pairs of runs, with other draws, that have parted (are more than 0.01 apart in (Θ, Θ′) at a strobe "
+      "instant), against time.";
+  if (report.conditions.size() > most_curves)
+    figure.caption += " The seven conditions in which two runs differ most often in response mode.";
+  return figure;
+}
+
+}  // namespace rocking::analysis

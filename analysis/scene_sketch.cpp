@@ -1,0 +1,177 @@
+#include "analysis/scene_sketch.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/data_file.hpp"
+#include "rocking/report/text_table.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+struct Point {
+  double x, y;
+};
+
+/// Names for a table's columns.
+const std::vector<Column> corners{{"x", "to the right of the block's left edge [m]"}, {"y", "above the base [m]"}};
+
+double rounded(double length) { return std::round(length * 1e6) / 1e6 + 0.0; }
+
+/// A block at rest on its left lower edge O = (0, 0), turned by `tilt` anticlockwise.
+class TiltedBlock {
+ public:
+  TiltedBlock(double width, double height, double tilt)
+      : width_(width), height_(height), cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
+
+  /// A point given along the block's foot and up its side.
+  [[nodiscard]] Point at(double along, double up) const {
+    return {along * cosine_ - up * sine_, along * sine_ + up * cosine_};
+  }
+  [[nodiscard]] Point centre() const { return at(0.5 * width_, 0.5 * height_); }
+  [[nodiscard]] std::vector<Point> outline() const {
+    return {at(0.0, 0.0), at(width_, 0.0), at(width_, height_), at(0.0, height_), at(0.0, 0.0)};
+  }
+
+ private:
+  double width_, height_, cosine_, sine_;
+};
+
+/// Collects the tables and layers of the sketch.
+class Sketch {
+ public:
+  void path(const std::string& name, const std::vector<Point>& points, LayerKind kind, const Style& style) {
+    Table table{.name = name, .columns = corners, .rows = {}};
+    for (const Point& point : points) table.rows.push_back({rounded(point.x), rounded(point.y)});
+    add(std::move(table), kind, {0, 1}, style);
+  }
+  void arrow(const std::string& name, const Point& from, const Point& way) {
+    Table table{.name = name, .columns = corners, .rows = {}};
+    table.columns.push_back({"dx", "its length to the right [m]"});
+    table.columns.push_back({"dy", "upwards [m]"});
+    table.rows.push_back({rounded(from.x), rounded(from.y), rounded(way.x), rounded(way.y)});
+    add(std::move(table), LayerKind::arrows, {0, 1, 2, 3}, {.colour = "#d55e00", .width = 2.0});
+  }
+  void word(const std::string& text, const Point& where) {
+    words_.rows.push_back({rounded(where.x), rounded(where.y), text});
+  }
+  void arc(const std::string& name, const Point& centre, double radius, double from, double to) {
+    std::vector<Point> points;
+    for (int i = 0; i <= 24; ++i) {
+      const double angle = from + (to - from) * i / 24.0;
+      points.push_back({centre.x + radius * std::cos(angle), centre.y + radius * std::sin(angle)});
+    }
+    path(name, points, LayerKind::line, {.colour = "#0072b2", .marker = 0, .width = 1.2});
+  }
+  void finish(Figure& figure) {
+    add(std::move(words_), LayerKind::texts, {0, 1, 2}, {});
+    figure.tables = std::move(tables_);
+    figure.panels.front().layers = std::move(layers_);
+  }
+
+ private:
+  void add(Table table, LayerKind kind, std::vector<std::size_t> columns, const Style& style) {
+    table.only_drawn = true;
+    layers_.push_back({.kind = kind, .table = tables_.size(), .columns = std::move(columns), .style = style});
+    tables_.push_back(std::move(table));
+  }
+
+  std::vector<Table> tables_;
+  std::vector<Layer> layers_;
+  Table words_{.name = "words", .columns = {corners[0], corners[1], {"text", "what stands there"}}, .rows = {}};
+};
+
+constexpr double right_angle = 1.5707963267948966;
+
+/// Ground, base motion and the forces at the edge.
+void draw_base(Sketch& sketch, double size, double width) {
+  const double left = -0.55 * size;
+  const double right = width + 0.45 * size;
+  sketch.path("base", {{left, 0.0}, {right, 0.0}, {right, -0.06 * size}, {left, -0.06 * size}, {left, 0.0}},
+              LayerKind::polygon, {.colour = "#d0d0d0", .hatch = 4});
+  sketch.path("surface", {{left, 0.0}, {right, 0.0}}, LayerKind::line, {.marker = 0, .width = 2.0});
+  sketch.arrow("base acceleration", {0.5 * width - 0.11 * size, -0.12 * size}, {0.22 * size, 0.0});
+  sketch.word("a_h(t)", {0.5 * width + 0.2 * size, -0.12 * size});
+  sketch.arrow("normal force", {0.0, -0.2 * size}, {0.0, 0.2 * size});
+  sketch.word("N", {-0.04 * size, -0.17 * size});
+  sketch.arrow("friction force", {-0.26 * size, 0.025 * size}, {0.24 * size, 0.0});
+  sketch.word("F", {-0.29 * size, 0.035 * size});
+}
+
+void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, double shape_angle, double tilt) {
+  const Point centre = block.centre();
+  sketch.path("half diagonal", {{0.0, 0.0}, centre}, LayerKind::line, {.colour = "#0072b2", .dash = 2, .marker = 0});
+  sketch.word("R", {0.82 * centre.x - 0.035 * size, 0.82 * centre.y});
+  const double side = right_angle + tilt;  // of the block's left side
+  sketch.arc("shape angle", {0.0, 0.0}, 0.26 * size, side - shape_angle, side);
+  const double half = side - 0.5 * shape_angle;
+  sketch.word("ψ", {0.3 * size * std::cos(half), 0.3 * size * std::sin(half)});
+  sketch.arc("tilt", {0.0, 0.0}, 0.5 * size, 0.0, tilt);
+  sketch.word("θ", {0.54 * size * std::cos(0.5 * tilt), 0.54 * size * std::sin(0.5 * tilt)});
+}
+
+double number_at(const report::Json& experiment, const char* pointer) {
+  return experiment.at(report::Json::json_pointer(pointer)).get<double>();
+}
+
+std::string short_number(double number) { return report::significant(number, 3); }
+
+/// `, A_h = 4.2` where the experiment says so.
+std::string spoken(const report::Json& experiment, const char* pointer, const std::string& words) {
+  const report::Json::json_pointer place(pointer);
+  if (!experiment.contains(place) || !experiment.at(place).is_number()) return "";
+  return ", " + words + ' ' + report::significant(experiment.at(place).get<double>(), 6);
+}
+
+}  // namespace
+
+std::string spoken_scene(const report::Json& experiment) {
+  const double width = number_at(experiment, "/block/width_m");
+  const double height = number_at(experiment, "/block/height_m");
+  const double half_diagonal = 0.5 * std::hypot(width, height);
+  const double gravity = number_at(experiment, "/block/gravity_m_s2");
+  std::string text = "B = " + number_text(width) + " m, H = " + number_text(height) +
+                     " m, ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
+                     " m, p = " + short_number(std::sqrt(0.75 * gravity / half_diagonal)) + " rad/s";
+  text += spoken(experiment, "/excitation/amplitude", "A_h =");
+  text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");
+  text += spoken(experiment, "/friction/static", "μ_s =");
+  text += spoken(experiment, "/friction/kinetic", "μ_k =");
+  text += spoken(experiment, "/fluctuation/friction/sigma", "friction scatters with σ =");
+  return text;
+}
+
+Figure scene_sketch(const report::Json& experiment) {
+  const double width = number_at(experiment, "/block/width_m");
+  const double height = number_at(experiment, "/block/height_m");
+  const double size = std::max(width, height);
+  const double shape_angle = std::atan2(width, height);
+  const double tilt = std::min(0.14, 0.5 * shape_angle);
+  Figure figure;
+  figure.name = "scene";
+  figure.title = "The block, to scale, and what acts on it";
+  figure.subtitle = experiment.at("title").get<std::string>();
+  figure.panels.push_back({.title = "", .x = {}, .y = {}, .layers = {}, .to_scale = true});
+  Panel& panel = figure.panels.front();
+  panel.x.low = -0.6 * size;
+  panel.x.high = width + 0.5 * size;
+  panel.y.low = -0.26 * size;
+  panel.y.high = 1.08 * height + width * std::sin(tilt);
+  const TiltedBlock block(width, height, tilt);
+  Sketch sketch;
+  draw_base(sketch, size, width);
+  sketch.path("block", block.outline(), LayerKind::polygon, {.colour = "#dbe9f6"});
+  sketch.path("outline", block.outline(), LayerKind::line, {.marker = 0, .width = 2.0});
+  draw_angles(sketch, block, size, shape_angle, tilt);
+  sketch.path("centre of mass", {block.centre()}, LayerKind::points, {.size = 1.0});
+  sketch.arrow("weight", block.centre(), {0.0, -0.24 * size});
+  sketch.word("mg", {block.centre().x + 0.05 * size, block.centre().y - 0.16 * size});
+  sketch.word("B", block.at(0.5 * width, height + 0.045 * size));
+  sketch.word("H", block.at(width + 0.045 * size, 0.6 * height));
+  sketch.finish(figure);
+  figure.caption = spoken_scene(experiment) + ". The tilt θ is drawn at " + short_number(tilt / shape_angle) +
+                   " ψ. N and F act at the edge on which the block stands.";
+  return figure;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,175 @@
+#include "analysis/tables.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "analysis/data_file.hpp"
+#include "analysis/mode_figures.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/report/text_table.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using section::ResponseMode;
+
+constexpr std::size_t most_columns = 5;
+
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return field + '"';
+}
+
+std::string csv_number(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
+
+std::string end_of(const ModeShare& share, double stats::Interval::*end) {
+  return number_text(share.interval.value().*end);
+}
+
+std::string csv_head(const RunReport& report) {
+  std::string text;
+  for (const std::string& pointer : report.swept) text += csv_field(pointer) + ',';
+  return text + 'n';
+}
+
+/// The parameters and n of a condition.
+std::string csv_start(const ConditionReport& condition) {
+  std::string text;
+  for (const report::Json& value : condition.parameters) {
+    text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
+  }
+  return text + std::to_string(condition.realisations);
+}
+
+/// Text as LaTeX sets it; a symbol with a lower index is mathematics.
+std::string latex_text(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    switch (c) {
+      case '\\': result += "\\textbackslash{}"; break;
+      case '~': result += "\\textasciitilde{}"; break;
+      case '^': result += "\\textasciicircum{}"; break;
+      case '&':
+      case '%':
+      case '$':
+      case '#':
+      case '_':
+      case '{':
+      case '}': result += std::string("\\") + c; break;
+      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+    }
+  }
+  return result;
+}
+
+std::string latex_symbol(const std::string& pointer) {
+  static const std::map<std::string, std::string> symbols{
+      {"/excitation/amplitude", "$A_h$"}, {"/excitation/frequency_ratio", "$\\Omega_h$"},
+      {"/friction", "$\\mu_s/\\mu_k$"},   {"/friction/static", "$\\mu_s$"},
+      {"/friction/kinetic", "$\\mu_k$"},  {"/restitution", "$e$"}};
+  const auto found = symbols.find(pointer);
+  return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
+}
+
+std::string per_cent(double probability) { return report::fixed_point(100.0 * probability, 1); }
+
+std::vector<ResponseMode> columns_of(const RunReport& report) {
+  const auto occurring = report.occurring();
+  std::vector<ResponseMode> modes = shown_modes(report);
+  std::stable_sort(modes.begin(), modes.end(),
+                   [&](const ResponseMode& a, const ResponseMode& b) { return occurring.at(a) > occurring.at(b); });
+  if (modes.size() > most_columns) modes.resize(most_columns);
+  std::sort(modes.begin(), modes.end());
+  return modes;
+}
+
+std::string latex_row(const RunReport& report, const ConditionReport& condition, const std::vector<ResponseMode>& modes,
+                      bool with_others) {
+  std::string text;
+  for (std::size_t i = 0; i < condition.parameters.size(); ++i) {
+    text += latex_text(short_value(report.swept[i], condition.parameters[i])) + " & ";
+  }
+  text += std::to_string(condition.realisations);
+  std::uint64_t rest = condition.realisations;
+  for (const ResponseMode& mode : modes) {
+    const auto found = condition.modes.find(mode);
+    const bool occurs = found != condition.modes.end() && found->second.count > 0;
+    text += " & ";
+    if (!occurs) {
+      text += "--";
+      continue;
+    }
+    rest -= found->second.count;
+    const auto [low, high] = found->second.interval.value();
+    text += per_cent(found->second.estimate) + " [" + per_cent(low) + ", " + per_cent(high) + ']';
+  }
+  if (with_others) {
+    const double share = static_cast<double>(rest) / static_cast<double>(condition.realisations);
+    text += " & " + (rest == 0 ? "--" : per_cent(share));
+  }
+  return text + " \\\\\n";
+}
+
+}  // namespace
+
+std::string modes_csv(const RunReport& report) {
+  std::string text = csv_head(report) + ",mode,count,estimate,low,high\n";
+  for (const ConditionReport& condition : report.conditions) {
+    for (const auto& [mode, share] : condition.modes) {
+      text += csv_start(condition) + ',' + csv_field(to_string(mode)) + ',' + std::to_string(share.count) + ',' +
+              number_text(share.estimate) + ',' + end_of(share, &stats::Interval::low) + ',' +
+              end_of(share, &stats::Interval::high) + '\n';
+    }
+  }
+  return text;
+}
+
+std::string non_recurrence_csv(const RunReport& report) {
+  std::string text =
+      csv_head(report) + ",differ,low,high,entropy_nat,pairs,parted,lower_quartile,median,upper_quartile\n";
+  for (const ConditionReport& condition : report.conditions) {
+    text += csv_start(condition);
+    if (!condition.difference) {
+      text += ",,,,,,,,,\n";
+      continue;
+    }
+    const Difference& found = *condition.difference;
+    for (const double value : {found.differ, found.interval.low, found.interval.high, found.entropy}) {
+      text += ',' + number_text(value);
+    }
+    const Parting& parting = found.by_friction;
+    text += ',' + std::to_string(parting.pairs) + ',' + std::to_string(parting.parted);
+    for (const auto& value : {parting.lower_quartile, parting.median, parting.upper_quartile}) {
+      text += ',' + csv_number(value);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+std::string modes_latex(const RunReport& report) {
+  const std::vector<ResponseMode> modes = columns_of(report);
+  const bool with_others = report.occurring().size() > modes.size();
+  const std::size_t leading = report.swept.size() + 1;
+  std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
+  text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
+          "Response modes in per cent of $n$ realisations, with " +
+          latex_text(number_text(100.0 * report.confidence) + " %") +
+          " intervals that hold for all modes of a condition at once.}\n";
+  text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
+          "}\n    \\toprule\n    ";
+  for (const std::string& pointer : report.swept) text += latex_symbol(pointer) + " & ";
+  text += "$n$";
+  for (const ResponseMode& mode : modes) text += " & " + to_string(mode);
+  text += std::string(with_others ? " & others" : "") + " \\\\\n    \\midrule\n";
+  for (const ConditionReport& condition : report.conditions) {
+    text += "    " + latex_row(report, condition, modes, with_others);
+  }
+  return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+}  // namespace rocking::analysis

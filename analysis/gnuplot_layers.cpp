@@ -32,7 +32,7 @@ std::string spans(const Layer& layer) {
 
 std::string image(const Table::Grid& grid) {
   return "matrix using (" + number_text(grid.x) + "+$1*" + number_text(grid.dx) + "):(" + number_text(grid.y) + "+$2*" +
-         number_text(grid.dy) + "):($3>0?log10($3):NaN) with image pixels";
+         number_text(grid.dy) + "):($3>0?log10($3):NaN) with image";
 }
 
 std::string markers_of(const Style& style) {
@@ -57,7 +57,9 @@ std::string in_quotes(std::string_view text) {
 }
 
 std::string fill_of(const Style& style) {
-  return "fc rgb '" + style.colour + "' fs transparent solid " + number_text(style.opacity) + " noborder";
+  const std::string fill = "fc rgb '" + style.colour + "' fs transparent solid " + number_text(style.opacity);
+  // A border in the same colour closes the seams between neighbours; through a sheer one it would show.
+  return fill + (style.opacity < 1.0 ? std::string(" noborder") : " border lc rgb '" + style.colour + "' lw 0.4");
 }
 
 std::string hatch_over(const Style& style) {

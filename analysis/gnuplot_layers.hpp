@@ -11,7 +11,7 @@ namespace rocking::analysis {
 /// A text as gnuplot reads it: in single quotes, on one line.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 
-/// `fs solid ... fc ...` of a filled shape; with a hatch there is another to be laid over it.
+/// `fc ... fs transparent solid ...` of a filled shape; with a hatch there is another to be laid over it.
 [[nodiscard]] std::string fill_of(const Style& style);
 [[nodiscard]] std::string hatch_over(const Style& style);
 

@@ -78,7 +78,8 @@ std::string heading(const Figure& figure, const Layout& layout) {
   }
   for (const LegendEntry& entry : layout.legend) {
     text += sample(layout, entry);
-    text += "  set label " + in_quotes(entry.text) + " at " + at(layout, entry.left + 37.0, entry.middle) + " front\n";
+    text += "  set label " + in_quotes(entry.text) + " at " + at(layout, entry.left + 37.0, entry.middle) +
+            " noenhanced front\n";
   }
   return text;
 }
@@ -174,7 +175,8 @@ std::string script_text(const Figure& figure) {
                      ".gp\n#   gnuplot -e \"formats='svg'\" " + figure.name + ".gp\n" +
                      "if (!exists(\"formats\")) formats = 'svg png pdf'\nset encoding utf8\ndata = " +
                      in_quotes(figure.name + ".tsv") +
-                     "\nset datafile separator tab\nset key off\nset y2range [0:1]\n"
+                     "\nset datafile separator tab\nset key off\nset minussign\n"
+                     "set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.05\nset y2range [0:1]\n"
                      "unset colorbox\nset palette defined (0 '#b0b0b0', 1 '#000000')\nset cbrange [0:" +
                      number_text(std::round(top_shade(figure) * 1e4) / 1e4) + "]\ndo for [format in formats] {\n";
   text += terminals(figure, layout) + "  set multiplot\n" + heading(figure, layout);

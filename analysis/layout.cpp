@@ -10,7 +10,7 @@ constexpr double full_width = 720.0;
 constexpr double line_height = 21.0;
 constexpr double letter = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
 constexpr double sample = 42.0;  // of a legend's entry, with the gap before its words
-constexpr double left_margin = 78.0;
+constexpr double left_margin = 84.0;
 constexpr double right_margin = 18.0;
 constexpr double below_axes = 56.0;
 constexpr double above_axes = 26.0;
@@ -33,21 +33,24 @@ std::vector<LegendEntry> entries_of(const Figure& figure) {
   return entries;
 }
 
-/// Sets the entries in columns of equal width, as many as there is room for; `top` is counted from the top of the figure.
-/// Returns the height they take.
-double set_in_columns(std::vector<LegendEntry>& entries, double top) {
-  if (entries.empty()) return 0.0;
-  double widest = 0.0;
-  for (const LegendEntry& entry : entries) widest = std::max(widest, sample + letter * letters(entry.text) + 14.0);
-  const auto count = static_cast<double>(entries.size());
-  const double columns = std::clamp(std::floor((full_width - 40.0) / widest), 1.0, count);
-  const double first = 0.5 * (full_width - columns * widest);
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    const double row = std::floor(static_cast<double>(i) / columns);
-    entries[i].left = std::max(8.0, first) + widest * (static_cast<double>(i) - row * columns);
-    entries[i].middle = top + line_height * (row + 0.5);
+/// Sets the entries in rows, as many in each as there is room for, each row in the middle; `top` is counted from the top of
+/// the figure. Returns the height they take.
+double set_in_rows(std::vector<LegendEntry>& entries, double top) {
+  constexpr double widest = full_width - 30.0;
+  const double begin = top;
+  for (std::size_t first = 0; first < entries.size(); top += line_height) {
+    double width = 0.0;
+    std::size_t last = first;
+    for (; last < entries.size(); ++last) {
+      const double more = sample + letter * letters(entries[last].text) + 18.0;
+      if (last > first && width + more > widest) break;
+      entries[last].left = width;
+      entries[last].middle = top + 0.5 * line_height;
+      width += more;
+    }
+    for (; first < last; ++first) entries[first].left += std::max(8.0, 0.5 * (full_width - width + 18.0));
   }
-  return line_height * std::ceil(count / columns);
+  return top - begin;
 }
 
 double columns_for(const Figure& figure) {
@@ -89,7 +92,7 @@ Layout layout_of(const Figure& figure) {
   Layout layout{.width = full_width, .height = 0.0, .title = 18.0, .subtitle = 38.0, .panels = {}, .legend = {}};
   layout.legend = entries_of(figure);
   double top = figure.subtitle.empty() ? 32.0 : 52.0;
-  top += set_in_columns(layout.legend, top) + 4.0;
+  top += set_in_rows(layout.legend, top) + 4.0;
   layout.height = std::ceil(place_panels(figure, top, layout.panels));
   for (double* height : {&layout.title, &layout.subtitle}) *height = layout.height - *height;
   for (LegendEntry& entry : layout.legend) entry.middle = layout.height - entry.middle;

@@ -16,8 +16,8 @@ constexpr std::size_t most_shown = 10;
 double number(std::uint64_t count) { return static_cast<double>(count); }
 
 /// The ends of an interval, where there is one.
-Cell low_of(const ModeShare& share) { return share.interval ? Cell(share.interval->low) : Cell(); }
-Cell high_of(const ModeShare& share) { return share.interval ? Cell(share.interval->high) : Cell(); }
+Cell low_of(const AnyShare& share) { return share.interval ? Cell(share.interval->low) : Cell(); }
+Cell high_of(const AnyShare& share) { return share.interval ? Cell(share.interval->high) : Cell(); }
 
 std::string table_name(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
 
@@ -96,7 +96,7 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
     const ConditionReport& condition = report.conditions[i];
     std::vector<Cell> row{view.x[i], number(condition.realisations)};
     for (const ResponseMode& mode : modes) {
-      const ModeShare share = share_of(report, condition, mode);
+      const AnyShare share = share_of(report, condition, mode);
       for (const Cell& cell : {Cell(number(share.count)), Cell(share.estimate), low_of(share), high_of(share)}) {
         row.push_back(cell);
       }
@@ -158,7 +158,7 @@ Table bar_table(const RunReport& report, const ConditionReport& condition, const
               .rows = {}};
   double place = 0.0;
   for (const ResponseMode& mode : shown_modes(report)) {
-    const ModeShare share = share_of(report, condition, mode);
+    const AnyShare share = share_of(report, condition, mode);
     table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, low_of(share), high_of(share),
                           number(share.count), number(condition.realisations), to_string(mode)});
     place += 1.0;

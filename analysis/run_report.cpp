@@ -76,8 +76,11 @@ std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
   return found;
 }
 
-ModeShare share_of(const RunReport& report, const ConditionReport& condition, const section::ResponseMode& mode) {
-  if (const auto found = condition.modes.find(mode); found != condition.modes.end()) return found->second;
+AnyShare share_of(const RunReport& report, const ConditionReport& condition, const section::ResponseMode& mode) {
+  if (const auto found = condition.modes.find(mode); found != condition.modes.end()) {
+    const ModeShare& share = found->second;
+    return {.count = share.count, .estimate = share.estimate, .interval = share.interval};
+  }
   if (condition.stopped_by_data) return {};
   const stats::Family family = experiment::mode_family(report.confidence);
   const stats::Doubt doubt = experiment::is_foreseen(mode) ? family.of_foreseen() : family.of_unforeseen();

@@ -18,8 +18,14 @@ namespace rocking::analysis {
 struct ModeShare {
   std::uint64_t count = 0;
   double estimate = 0.0;
-  /// Simultaneous; with `until` the one that holds whenever the run stopped. Absent where a report has none.
-  std::optional<stats::Interval> interval;
+  stats::Interval interval;  ///< simultaneous; with `until` the one that holds whenever the run stopped
+};
+
+/// The same of a mode that a condition may not list.
+struct AnyShare {
+  std::uint64_t count = 0;
+  double estimate = 0.0;
+  std::optional<stats::Interval> interval;  ///< absent where a report cannot have one
 };
 
 struct Parting {
@@ -57,8 +63,8 @@ struct RunReport {
 
 /// What a condition says of a mode. Of one that it does not list, since it never occurred there, the interval is the one that
 /// the report of such a mode would have.
-[[nodiscard]] ModeShare share_of(const RunReport& report, const ConditionReport& condition,
-                                 const section::ResponseMode& mode);
+[[nodiscard]] AnyShare share_of(const RunReport& report, const ConditionReport& condition,
+                                const section::ResponseMode& mode);
 
 /// Reads the text of a report.json. Throws base::InputError where it is none.
 [[nodiscard]] RunReport read_run_report(std::string_view text);

@@ -26,9 +26,7 @@ std::string csv_field(const std::string& text) {
 
 std::string csv_number(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 
-std::string end_of(const ModeShare& share, double stats::Interval::*end) {
-  return number_text(share.interval.value().*end);
-}
+std::string end_of(const ModeShare& share, double stats::Interval::*end) { return number_text(share.interval.*end); }
 
 std::string csv_head(const RunReport& report) {
   std::string text;
@@ -104,7 +102,7 @@ std::string latex_row(const RunReport& report, const ConditionReport& condition,
       continue;
     }
     rest -= found->second.count;
-    const auto [low, high] = found->second.interval.value();
+    const auto [low, high] = found->second.interval;
     text += per_cent(found->second.estimate) + " [" + per_cent(low) + ", " + per_cent(high) + ']';
   }
   if (with_others) {

@@ -1,6 +1,5 @@
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -9,10 +8,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"
 #include "commands.hpp"
+#include "drawing.hpp"
 #include "output.hpp"
 #include "page.hpp"
 #include "rocking/report/files.hpp"
@@ -47,23 +46,11 @@ analysis::RunReport load_report(const RunFolder& folder) {
   }
 }
 
-/// Writes the figures; returns the files.
-std::vector<std::string> draw(const analysis::RunReport& report, const RunFolder& run, const fs::path& folder) {
-  report::ensure_writable(folder);
-  std::optional<experiment::Store> store;
-  if (run.has_store()) store = run.open_store(experiment::sqlite::Access::read);
-  std::vector<std::string> written;
-  std::set<std::string> reasons;
-  for (const analysis::Figure& figure : analysis::run_figures(report, store ? &*store : nullptr)) {
-    const analysis::Drawing drawing = analysis::write_figure(figure, folder);
-    if (!drawing.drawn) reasons.insert(drawing.reason);
-    const std::string stem = (folder / figure.name).string();
-    for (const char* ending : {".tsv", ".gp"}) written.push_back(stem + ending);
-    if (!drawing.drawn) continue;
-    for (const std::string& format : analysis::picture_formats()) written.push_back(stem + '.' + format);
-  }
-  for (const std::string& reason : reasons) print_notice(reason);
-  return written;
+/// The figures of a run, with its realisations where they are there.
+std::vector<analysis::Figure> figures_of(const analysis::RunReport& report, const RunFolder& run) {
+  if (!run.has_store()) return analysis::run_figures(report);
+  const experiment::Store store = run.open_store(experiment::sqlite::Access::read);
+  return analysis::run_figures(report, &store);
 }
 
 ExitCode report_again(const ReportRequest& request) {
@@ -77,7 +64,7 @@ ExitCode report_again(const ReportRequest& request) {
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    for (std::string& file : draw(report, folder, fs::path(request.folder) / "figures")) {
+    for (std::string& file : write_figures(figures_of(report, folder), fs::path(request.folder) / "figures")) {
       written.push_back(std::move(file));
     }
   }
@@ -106,7 +93,8 @@ void add_report(CLI::App& app, Action& action) {
       "Example: rocking report out --format html,gnuplot\n"
       "html: out/report.html, a page that needs nothing beside it. gnuplot: the figures of out/report.json in "
       "out/figures,\n"
-      "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf). csv and latex: tables in\n"
+      "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf). csv and latex: tables "
+      "in\n"
       "out/tables.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--format", request->formats, "What to make; default: all")

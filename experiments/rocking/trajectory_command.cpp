@@ -17,6 +17,7 @@ struct TrajectoryRequest {
   std::string file;
   experiment::RealisationKey key;
   std::optional<std::int64_t> periods;
+  int samples = 0;
   report::Overrides overrides;
   Loudness loudness;
 };
@@ -31,7 +32,8 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
   const experiment::Condition& condition = experiment.conditions[request.key.condition];
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
   const auto trajectory =
-      trajectory_of(condition, experiment.seed, request.key.realisation, request.periods.value_or(horizon));
+      trajectory_of(condition, experiment.seed, request.key.realisation,
+                    experiment::TrajectoryExtent(request.periods.value_or(horizon), request.samples));
   print_result(report::trajectory_text(request.key, trajectory));
   return ExitCode::done;
 }
@@ -55,6 +57,12 @@ void add_trajectory(CLI::App& app, Action& action) {
       ->type_name("K");
   command->add_option("--periods", request->periods, "Periods of the excitation; default: all of the horizon")
       ->check(CLI::Range(std::int64_t{0}, std::int64_t{100'000'000}))
+      ->type_name("N");
+  command
+      ->add_option("--samples", request->samples,
+                   "Adds a history: so many states of each period, evenly spaced; 0: none")
+      ->check(CLI::Range(0, 100'000))
+      ->capture_default_str()
       ->type_name("N");
   command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
       ->type_name("S");

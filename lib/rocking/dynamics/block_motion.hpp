@@ -117,6 +117,26 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     return length;
   }
 
+  /// The state x into the step that `expand` has prepared.
+  [[nodiscard]] State state_at(double x) const {
+    const double side = frame();
+    const auto value = [x, side](const auto& row, int degree) {
+      double sum = row[static_cast<std::size_t>(degree)];
+      for (int k = degree - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
+      return side * sum;
+    };
+    State state = state_;
+    if (rocks()) {
+      state.tilt = value(series_.tilt, order_ + 1);
+      state.tilt_rate = value(series_.tilt_rate, order_);
+    }
+    if (this->is_slipping()) {
+      state.slip_rate = value(series_.slip_rate, order_);
+      state.slip = value(series_.slip, order_ + 1);
+    }
+    return state;
+  }
+
   template <class Visitor>
   void for_each_guard(Visitor&& visit) const {
     visit_guards(guard_context(), series_, visit);
@@ -318,25 +338,6 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     series_.tilt_rate[0] = side * state_.tilt_rate;
     series_.sine[0] = sine;
     series_.cosine[0] = cosine;
-  }
-
-  [[nodiscard]] State state_at(double x) const {
-    const double side = frame();
-    const auto value = [x, side](const auto& row, int degree) {
-      double sum = row[static_cast<std::size_t>(degree)];
-      for (int k = degree - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
-      return side * sum;
-    };
-    State state = state_;
-    if (rocks()) {
-      state.tilt = value(series_.tilt, order_ + 1);
-      state.tilt_rate = value(series_.tilt_rate, order_);
-    }
-    if (this->is_slipping()) {
-      state.slip_rate = value(series_.slip_rate, order_);
-      state.slip = value(series_.slip, order_ + 1);
-    }
-    return state;
   }
 
   Schedule schedule_;

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "rocking/experiment/realisation.hpp"
+#include "rocking/experiment/sampled_motion.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -36,22 +37,51 @@ class Recorder final : public dynamics::Observer {
   double shape_angle_;
 };
 
+/// Runs the motion to its end; with samples of each period on the way.
+template <class Motion>
+void run(Motion& motion, const Beginning& beginning, int samples, std::vector<HistoryPoint>& history) {
+  if (samples == 0) {
+    integrate::advance(motion);
+    return;
+  }
+  SampledMotion<Motion> sampled(motion, samples, beginning.clock.period_length(), history);
+  integrate::advance(sampled);
+}
+
+std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& points, double shape_angle) {
+  std::vector<HistorySample> history;
+  history.reserve(points.size());
+  for (const auto& [tau, state] : points) {
+    history.push_back({.tau = tau,
+                       .tilt = state.tilt / shape_angle,
+                       .tilt_rate = state.tilt_rate / shape_angle,
+                       .slip = state.slip,
+                       .slip_rate = state.slip_rate,
+                       .contact = state.contact});
+  }
+  return history;
+}
+
 }  // namespace
 
 Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
-                         std::int64_t periods) {
+                         const TrajectoryExtent& extent) {
   const random::Draws draws(seed, realisation);
-  Recorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle);
+  const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
+  Recorder recorder(shape_angle);
+  std::vector<HistoryPoint> history;
   const Beginning beginning =
-      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, periods);
+      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, extent.periods);
   with_motion(condition.scene, beginning, recorder, [&](auto motion) {
-    integrate::advance(motion);
+    run(motion, beginning, extent.samples_per_period, history);
     Trajectory& trajectory = recorder.trajectory;
     trajectory.termination = motion.termination().value_or(Termination::stopped);
     trajectory.losses_of_contact = motion.losses_of_contact();
     if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
     trajectory.contradictions = motion.contradictions();
   });
+  recorder.trajectory.samples_per_period = extent.samples_per_period;
+  recorder.trajectory.history = in_units_of_files(history, shape_angle);
   return std::move(recorder.trajectory);
 }
 

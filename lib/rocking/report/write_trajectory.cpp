@@ -27,6 +27,17 @@ Json line_of(const experiment::TrajectoryEvent& event) {
   return line;
 }
 
+Json line_of(const experiment::HistorySample& sample) {
+  Json line = Json::object();
+  line["tau"] = sample.tau;
+  line["tilt"] = sample.tilt;
+  line["tilt_rate"] = sample.tilt_rate;
+  line["slip"] = sample.slip;
+  line["slip_rate"] = sample.slip_rate;
+  line["contact"] = to_string(sample.contact);
+  return line;
+}
+
 Json validity_of(const experiment::Trajectory& trajectory) {
   Json validity = Json::object();
   validity["losses_of_contact"] = trajectory.losses_of_contact;
@@ -55,6 +66,10 @@ std::string trajectory_text(const experiment::RealisationKey& key, const experim
   text += ",\n  \"realisation\": " + std::to_string(key.realisation);
   text += ",\n  \"strobe\": " + list_of(trajectory.strobe);
   text += ",\n  \"events\": " + list_of(trajectory.events);
+  if (!trajectory.history.empty()) {
+    text += ",\n  \"samples_per_period\": " + std::to_string(trajectory.samples_per_period);
+    text += ",\n  \"history\": " + list_of(trajectory.history);
+  }
   text += ",\n  \"validity\": " + validity_of(trajectory).dump();
   text += ",\n  \"termination\": " + Json(to_string(trajectory.termination)).dump();
   return text + "\n}\n";

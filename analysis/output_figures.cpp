@@ -1,0 +1,79 @@
+#include "analysis/output_figures.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "analysis/bifurcation_figure.hpp"
+#include "analysis/histogram_figure.hpp"
+#include "analysis/output_file.hpp"
+#include "analysis/trajectory_figures.hpp"
+#include "rocking/base/error.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+/// What was found in the files, by kind.
+struct Collection {
+  std::vector<TrajectoryFile> trajectories;
+  std::vector<Figure> figures;
+};
+
+void collect(const OutputFile& file, Collection& found) {
+  const report::Json output = parsed_output(file.text);
+  const std::string format = format_of(output);
+  if (format == "rocking.trajectory/1") {
+    found.trajectories.push_back(read_trajectory(output, std::filesystem::path(file.path).stem().string()));
+  } else if (format == "rocking.bifurcation/1") {
+    for (Figure& figure : bifurcation_figures(output)) found.figures.push_back(std::move(figure));
+  } else if (format == "rocking.check_normal/1") {
+    found.figures.push_back(normal_histogram(output));
+  } else {
+    throw base::InputError(
+        {.place = "/format",
+         .value = '"' + format + '"',
+         .reason = "has no figure here",
+         .remedy = "give a trajectory, a bifurcation or a check-normal; `rocking report DIR` draws a run"});
+  }
+}
+
+/// The same problems, with the file's path before their places.
+base::InputError with_path(const base::InputError& error, const std::string& path) {
+  std::vector<base::Problem> problems = error.problems();
+  for (base::Problem& problem : problems) problem.place = path + ": " + problem.place;
+  return base::InputError(std::move(problems));
+}
+
+void number_names(std::vector<Figure>& figures) {
+  std::map<std::string, int> seen;
+  for (Figure& figure : figures) {
+    if (const int number = ++seen[figure.name]; number > 1) figure.name += '_' + std::to_string(number);
+  }
+}
+
+}  // namespace
+
+std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const Window& window) {
+  Collection found;
+  for (const OutputFile& file : files) {
+    try {
+      collect(file, found);
+    } catch (const base::InputError& error) {
+      throw with_path(error, file.path);
+    }
+  }
+  std::vector<Figure> figures;
+  std::vector<TrajectoryFile> with_history;
+  for (const TrajectoryFile& file : found.trajectories) {
+    if (file.history.empty()) continue;
+    figures.push_back(time_history(file, window));
+    with_history.push_back(file);
+  }
+  if (with_history.size() > 1) figures.push_back(responses(with_history, window));
+  if (!found.trajectories.empty()) figures.push_back(poincare(found.trajectories, window));
+  for (Figure& figure : found.figures) figures.push_back(std::move(figure));
+  number_names(figures);
+  return figures;
+}
+
+}  // namespace rocking::analysis

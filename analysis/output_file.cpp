@@ -1,0 +1,36 @@
+#include "analysis/output_file.hpp"
+
+#include "rocking/base/error.hpp"
+#include "rocking/report/parse_json.hpp"
+
+namespace rocking::analysis {
+
+using report::Json;
+
+Json parsed_output(std::string_view text) {
+  std::vector<base::Problem> problems;
+  Json output = report::parse_json(text, problems);
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+  if (!output.is_object() || !output.contains("format") || !output["format"].is_string()) {
+    throw base::InputError({.place = "/format",
+                            .value = "",
+                            .reason = "is missing: this is not a file that rocking wrote",
+                            .remedy = "give what `rocking trajectory`, `bifurcation` or `check-normal --json` prints"});
+  }
+  return output;
+}
+
+std::string format_of(const Json& output) { return output.at("format").get<std::string>(); }
+
+void read_or_refuse(const Json& output, const std::function<void()>& read) {
+  try {
+    read();
+  } catch (const Json::exception& error) {
+    throw base::InputError({.place = "/",
+                            .value = "",
+                            .reason = "is not as " + format_of(output) + " demands: " + error.what(),
+                            .remedy = ""});
+  }
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,163 @@
+#include "analysis/trajectory_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "analysis/data_file.hpp"
+#include "analysis/palette.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+const Column time_column{"time", "time since the start [excitation periods]"};
+
+Axis time_axis(const Window& window, double end) {
+  return {.quantity = "time",
+          .symbol = "",
+          .unit = "excitation periods",
+          .low = window.from,
+          .high = std::max(std::min(window.to, end), window.from + 1e-9)};
+}
+
+std::string described(const TrajectoryFile& file) {
+  return file.name + ": condition " + std::to_string(file.condition) + ", realisation " +
+         std::to_string(file.realisation);
+}
+
+bool is_within(double time, const Window& window) { return window.from <= time && time <= window.to; }
+
+Table history_table(const TrajectoryFile& file, const Window& window) {
+  Table table{.name = described(file),
+              .columns = {time_column,
+                          {"tilt", "Θ = θ/ψ"},
+                          {"tilt_rate", "Θ′ = dΘ/dτ"},
+                          {"slip", "X, slip over the half diagonal R"}},
+              .rows = {}};
+  for (const HistoryRow& row : file.history) {
+    if (is_within(row.time, window)) table.rows.push_back({row.time, row.tilt, row.tilt_rate, row.slip});
+  }
+  return table;
+}
+
+Table span_table(const TrajectoryFile& file, std::string_view contact, const Window& window) {
+  Table table{.name = "stretches of " + std::string(contact),
+              .columns = {{"from", time_column.meaning}, {"to", time_column.meaning}},
+              .rows = {}};
+  for (const ContactSpan& span : file.contacts) {
+    if (span.contact != contact || span.to <= window.from || window.to <= span.from) continue;
+    table.rows.push_back({std::max(span.from, window.from), std::min(span.to, window.to)});
+  }
+  return table;
+}
+
+Table impact_table(const TrajectoryFile& file, std::string_view kind, const Window& window) {
+  Table table{.name = std::string(kind), .columns = {time_column, {"tilt", "Θ"}}, .rows = {}};
+  for (const EventRow& event : file.events) {
+    if (event.kind == kind && is_within(event.time, window)) table.rows.push_back({event.time, 0.0});
+  }
+  return table;
+}
+
+/// Adds a table and lays it into these panels, unless it has no rows.
+void add_unless_empty(Table table, Layer layer, const std::vector<std::size_t>& panels, Figure& figure) {
+  if (table.rows.empty()) return;
+  layer.table = figure.tables.size();
+  figure.tables.push_back(std::move(table));
+  for (const std::size_t panel : panels) figure.panels[panel].layers.push_back(layer);
+}
+
+void shade_contacts(const TrajectoryFile& file, const Window& window, Figure& figure) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> shades{
+      {{"rest", "at rest"}, {"slide", "sliding"}, {"rock_slide", "rocking and sliding"}, {"overturned", "overturned"}}};
+  for (const auto& [contact, words] : shades) {
+    add_unless_empty(
+        span_table(file, contact, window),
+        {.kind = LayerKind::spans, .columns = {0, 1}, .style = style_of_contact(contact), .legend = std::string(words)},
+        {0, 1}, figure);
+  }
+}
+
+void mark_impacts(const TrajectoryFile& file, const Window& window, Figure& figure) {
+  add_unless_empty(impact_table(file, "impact_stick", window),
+                   {.kind = LayerKind::points,
+                    .columns = {0, 1},
+                    .style = {.marker = 6, .width = 1.2, .size = 0.7},
+                    .legend = "impact that sticks"},
+                   {0}, figure);
+  add_unless_empty(impact_table(file, "impact_slip", window),
+                   {.kind = LayerKind::points,
+                    .columns = {0, 1},
+                    .style = {.colour = "#d55e00", .marker = 2, .width = 1.5, .size = 0.8},
+                    .legend = "impact that slips"},
+                   {0}, figure);
+}
+
+}  // namespace
+
+Figure time_history(const TrajectoryFile& file, const Window& window) {
+  Figure figure;
+  figure.name = "time_history";
+  figure.title = "Tilt and slip against time";
+  figure.subtitle = described(file);
+  figure.arrangement = Arrangement::stacked;
+  const Axis time = time_axis(window, file.history.back().time);
+  figure.panels.push_back({.title = "", .x = time, .y = {"tilt", "Θ", ""}, .layers = {}, .height = 1.2});
+  figure.panels.push_back({.title = "", .x = time, .y = {"slip", "X", ""}, .layers = {}});
+  figure.tables.push_back(history_table(file, window));
+  shade_contacts(file, window, figure);
+  const Style curve{.colour = "#000000", .marker = 0, .width = 1.6};
+  figure.panels[0].layers.push_back(
+      {.kind = LayerKind::line, .table = 0, .columns = {0, 1}, .style = curve, .legend = "response"});
+  figure.panels[1].layers.push_back({.kind = LayerKind::line, .table = 0, .columns = {0, 3}, .style = curve});
+  mark_impacts(file, window, figure);
+  figure.caption =
+      "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: the block does not rock alone; "
+      "white: it rocks without slipping. Impacts are marked at Θ = 0.";
+  return figure;
+}
+
+Figure responses(const std::vector<TrajectoryFile>& files, const Window& window) {
+  Figure figure;
+  figure.name = "responses";
+  figure.title = "Repeated responses over one another";
+  double end = 0.0;
+  for (const TrajectoryFile& file : files) end = std::max(end, file.history.back().time);
+  Panel panel{.title = "", .x = time_axis(window, end), .y = {"tilt", "Θ", ""}, .layers = {}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    figure.tables.push_back(history_table(files[i], window));
+    Style style = style_of_curve(i);
+    style.marker = 0;
+    panel.layers.push_back(
+        {.kind = LayerKind::line, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
+  }
+  figure.panels.push_back(std::move(panel));
+  figure.caption = "Tilt Θ = θ/ψ of " + std::to_string(files.size()) + " realisations against time.";
+  return figure;
+}
+
+Figure poincare(const std::vector<TrajectoryFile>& files, const Window& window) {
+  Figure figure;
+  figure.name = "poincare";
+  figure.title = "Poincaré section";
+  Panel panel{.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    Table table{.name = described(files[i]),
+                .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}, {"period", "at the end of which period"}},
+                .rows = {}};
+    for (const StrobeRow& row : files[i].strobe) {
+      if (is_within(row.period, window)) table.rows.push_back({row.tilt, row.tilt_rate, row.period});
+    }
+    figure.tables.push_back(std::move(table));
+    Style style = style_of_curve(i);
+    style.size = files[i].strobe.size() > 2000 ? 0.2 : 0.5;
+    panel.layers.push_back(
+        {.kind = LayerKind::points, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
+  }
+  figure.panels.push_back(std::move(panel));
+  figure.caption = "States (Θ, Θ′) once an excitation period" +
+                   (window.from > 0.0 ? ", from period " + number_text(window.from) + " on." : std::string("."));
+  return figure;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,74 @@
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/output_figures.hpp"
+#include "commands.hpp"
+#include "drawing.hpp"
+#include "output.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/write_facts.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct FigureRequest {
+  std::vector<std::string> files;
+  std::string folder;
+  analysis::Window window;
+  Loudness loudness;
+};
+
+std::vector<analysis::OutputFile> read_all(const std::vector<std::string>& paths) {
+  std::vector<analysis::OutputFile> files;
+  for (const std::string& path : paths) {
+    try {
+      files.push_back({.path = path, .text = report::read_file(path)});
+    } catch (const std::system_error& error) {
+      throw MissingInput(error.what());
+    }
+  }
+  return files;
+}
+
+ExitCode draw(const FigureRequest& request) {
+  if (!(request.window.from < request.window.to)) {
+    throw UsageError(fmt::format("--from {:g}: must lie before --to {:g}", request.window.from, request.window.to));
+  }
+  const auto figures = analysis::output_figures(read_all(request.files), request.window);
+  const std::vector<std::string> written = write_figures(figures, request.folder);
+  print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
+                                     : fmt::format("{}\n", fmt::join(written, "\n")));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_figure(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<FigureRequest>();
+  CLI::App* command = app.add_subcommand("figure", "Draw what trajectory, bifurcation and check-normal print");
+  command->footer(
+      "Example: rocking figure first.json second.json -o out --from 100\n"
+      "draws two files that `rocking trajectory --samples 100` printed: each against time, both over one another, and\n"
+      "their Poincare section. Also draws out/bifurcation.json and what `rocking check-normal --json` prints.");
+  command->add_option("FILE", request->files, "JSON files that rocking printed")->required();
+  command->add_option("-o,--output", request->folder, "Folder for the figures; made if need be")
+      ->required()
+      ->type_name("DIR");
+  command->add_option("--from", request->window.from, "First excitation period to show of trajectories")
+      ->check(CLI::Range(0.0, 1e9))
+      ->capture_default_str()
+      ->type_name("P");
+  command->add_option("--to", request->window.to, "Last excitation period to show of trajectories; default: the last")
+      ->check(CLI::Range(0.0, 1e9))
+      ->type_name("P");
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return draw(*request); }; });
+}
+
+}  // namespace rocking::program

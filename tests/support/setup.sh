@@ -20,6 +20,7 @@ full_packages=(
   clang libbenchmark-dev
   valgrind  # for a profile
   libsundials-dev  # for one test and a benchmark; brings MPI, PETSc and a Fortran compiler
+  python3-pandas r-base-core octave  # to load results as lib/docs/loading.md says
   g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with another processor's
 )
 

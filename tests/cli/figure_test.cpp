@@ -1,0 +1,154 @@
+// `rocking report`, `rocking figure` and `rocking trajectory --samples`: pictures that show something, from files alone.
+
+#include <map>
+#include <regex>
+#include <sstream>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::objections;
+using rocking::support::Outcome;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Figures : public rocking::support::ProgramTest {
+ protected:
+  Figures() { write("quick.json", quick_experiment().dump()); }
+
+  bool has_gnuplot() const { return shell("command -v gnuplot").exit_code == 0; }
+
+  /// Pixels of a PNG by colour, every fourth of every fourth line, as gnuplot reads them.
+  std::map<std::string, int> colours(const std::string& png) const {
+    const Outcome outcome = shell("gnuplot -d -e \"set table 'pixels'; plot '" + png +
+                                  "' binary filetype=png every 4:4 using 1:2:3 with rgbimage\" && cut -c1-60 pixels");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    std::map<std::string, int> found;
+    std::istringstream lines(outcome.output);
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream fields(line);
+      std::string x, y, red, green, blue;
+      if (line.starts_with('#') || !(fields >> x >> y >> red >> green >> blue)) continue;
+      ++found[red + ' ' + green + ' ' + blue];
+    }
+    return found;
+  }
+
+  /// Every PNG that a command wrote shows something on white.
+  void expect_pictures(const std::string& written) const {
+    std::istringstream lines(written);
+    int pictures = 0;
+    for (std::string line; std::getline(lines, line);) {
+      EXPECT_TRUE(exists(line)) << line;
+      if (!line.ends_with(".png")) continue;
+      ++pictures;
+      const auto found = colours(line);
+      int all = 0;
+      for (const auto& [colour, count] : found) all += count;
+      EXPECT_GT(found.size(), 3U) << line;
+      ASSERT_TRUE(found.contains("255 255 255")) << line;
+      const int white = found.at("255 255 255");
+      EXPECT_LT(white, 0.985 * all) << line;
+      EXPECT_GT(white, 0.05 * all) << line;
+    }
+    EXPECT_GT(pictures, 0);
+  }
+};
+
+TEST_F(Figures, OfARunShowSomethingAndAreDrawnWithoutRunning) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
+  ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
+  const std::string report = read("out/report.json");
+  const Outcome outcome = rocking("report out --format gnuplot,csv,latex");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  expect_pictures(outcome.output);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("out/figures/parting_times.svg"), HasSubstr("out/figures/scene.pdf"),
+                                    HasSubstr("out/tables/modes.tex"), HasSubstr("out/tables/non_recurrence.csv")));
+  EXPECT_EQ(read("out/report.json"), report);
+  const std::string bands = read("out/figures/mode_bands.pdf");
+  ASSERT_EQ(shell("rm out/realisations.sqlite").exit_code, 0);
+  const Outcome again = rocking("report out --format gnuplot");
+  EXPECT_EQ(again.exit_code, 0) << again.errors;
+  EXPECT_EQ(read("out/figures/mode_bands.pdf"), bands);
+}
+
+TEST_F(Figures, AreWrittenAsDataWithoutGnuplot) {
+  ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
+  const Outcome outcome = shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' report out --format gnuplot");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_THAT(outcome.errors, HasSubstr("gnuplot-nox"));
+  EXPECT_TRUE(exists("out/figures/mode_bands.tsv"));
+  EXPECT_FALSE(exists("out/figures/mode_bands.svg"));
+}
+
+TEST_F(Figures, NeedAFinishedRun) {
+  EXPECT_EQ(rocking("report nowhere").exit_code, 66);
+  EXPECT_EQ(rocking("run quick.json -o part --shard 1/2 -q").exit_code, 0);
+  const Outcome unfinished = rocking("report part");
+  EXPECT_EQ(unfinished.exit_code, 66);
+  EXPECT_THAT(unfinished.errors, HasSubstr("rocking resume part"));
+  ASSERT_EQ(shell("mkdir torn; echo '{' >torn/report.json").exit_code, 0);
+  EXPECT_EQ(rocking("report torn").exit_code, 65);
+}
+
+TEST_F(Figures, OfOtherOutputsShowSomething) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
+  write("one.json", rocking("trajectory quick.json --periods 6 --samples 50").output);
+  write("two.json", rocking("trajectory quick.json --realisation 1 --periods 6 --samples 50").output);
+  write("normal.json", rocking("check-normal --json").output);
+  ASSERT_EQ(rocking("bifurcation quick.json -o out -q").exit_code, 0);
+  const Outcome outcome = rocking("figure one.json two.json normal.json out/bifurcation.json -o drawn");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.errors, "");
+  expect_pictures(outcome.output);
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("drawn/responses.png"), HasSubstr("drawn/time_history_2.svg")));
+}
+
+TEST_F(Figures, RefuseWhatTheyCannotDraw) {
+  EXPECT_EQ(rocking("figure nowhere.json -o drawn").exit_code, 66);
+  const Outcome other = rocking("figure quick.json -o drawn");
+  EXPECT_EQ(other.exit_code, 65);
+  EXPECT_THAT(other.errors, HasSubstr("quick.json"));
+  write("one.json", rocking("trajectory quick.json --periods 2").output);
+  EXPECT_EQ(rocking("figure one.json -o drawn --from 5 --to 3").exit_code, 64);
+  EXPECT_FALSE(exists("drawn"));
+}
+
+TEST_F(Figures, HaveAHistoryThatChangesNothingElse) {
+  for (const char* condition : {"0", "1", "2"}) {
+    const std::string asked = std::string("trajectory quick.json --periods 7 --condition ") + condition;
+    const Json plain = Json::parse(rocking(asked).output);
+    const std::string text = rocking(asked + " --samples 20").output;
+    EXPECT_EQ(objections("trajectory", text), "");
+    Json sampled = Json::parse(text);
+    const Json history = sampled["history"];
+    ASSERT_EQ(history.size(), 7U * 20U + 1U);
+    for (std::size_t k = 0; k < 7; ++k) {
+      const Json& strobe = plain["strobe"][k];
+      const Json& sample = history[20 * (k + 1)];
+      for (const char* key : {"tilt", "tilt_rate", "slip", "slip_rate", "contact"}) EXPECT_EQ(sample[key], strobe[key]);
+    }
+    sampled.erase("history");
+    sampled.erase("samples_per_period");
+    EXPECT_EQ(sampled, plain);
+  }
+}
+
+TEST_F(Figures, HaveAHistoryAsFineAsTheCoarserOneAtItsInstants) {
+  const Json coarse = Json::parse(rocking("trajectory quick.json --periods 4 --samples 10").output)["history"];
+  const Json fine = Json::parse(rocking("trajectory quick.json --periods 4 --samples 30").output)["history"];
+  for (std::size_t i = 0; i < coarse.size(); ++i) {
+    EXPECT_NEAR(coarse[i]["tau"].get<double>(), fine[3 * i]["tau"].get<double>(), 1e-12);
+    EXPECT_NEAR(coarse[i]["tilt"].get<double>(), fine[3 * i]["tilt"].get<double>(), 1e-12);
+    EXPECT_NEAR(coarse[i]["slip"].get<double>(), fine[3 * i]["slip"].get<double>(), 1e-12);
+  }
+}
+
+}  // namespace

@@ -39,6 +39,12 @@ std::string markers_of(const Style& style) {
   return " pt " + std::to_string(style.marker) + " ps " + number_text(style.size);
 }
 
+/// Whether a colour such as `#0072b2` would be dark in a grey print: by its luma, ITU-R BT.601.
+bool is_dark(const std::string& colour) {
+  const auto part = [&colour](std::size_t place) { return std::stoi(colour.substr(place, 2), nullptr, 16); };
+  return 0.299 * part(1) + 0.587 * part(3) + 0.114 * part(5) < 150.0;
+}
+
 std::vector<std::string> filled(const std::string& what, const Style& style) {
   std::vector<std::string> elements{what + ' ' + fill_of(style)};
   if (style.hatch != 0) elements.push_back(what + ' ' + hatch_over(style));
@@ -63,7 +69,8 @@ std::string fill_of(const Style& style) {
 }
 
 std::string hatch_over(const Style& style) {
-  return "fc rgb '#404040' fs transparent pattern " + std::to_string(style.hatch) + " noborder";
+  const char* ink = is_dark(style.colour) ? "#ffffff" : "#404040";  // in grey a hatch must show by itself
+  return std::string("fc rgb '") + ink + "' fs transparent pattern " + std::to_string(style.hatch) + " noborder";
 }
 
 std::string stroke_of(const Style& style) {

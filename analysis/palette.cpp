@@ -22,7 +22,7 @@ constexpr Look fourth{"#56b4e9", 5, 11, 1};
 constexpr Look fifth{"#e69f00", 3, 13, 6};
 constexpr Look chaotic{"#cc79a7", 3, 2, 2};
 constexpr Look overturned{"#000000", 1, 10, 0};
-constexpr Look rest{"#c8c8c8", 5, 4, 0};
+constexpr Look rest{"#b4b4b4", 5, 4, 0};
 constexpr Look unresolved{"#f0f0f0", 3, 1, 5};
 constexpr Look others{"#8c8c8c", 4, 12, 1};
 constexpr std::array<Look, 5> more{

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "analysis/bifurcation_figure.hpp"
+#include "analysis/cost_figures.hpp"
 #include "analysis/histogram_figure.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
@@ -26,6 +27,8 @@ void collect(const OutputFile& file, Collection& found) {
     found.trajectories.push_back(read_trajectory(output, std::filesystem::path(file.path).stem().string()));
   } else if (format == "rocking.bifurcation/1") {
     for (Figure& figure : bifurcation_figures(output)) found.figures.push_back(std::move(figure));
+  } else if (format == "rocking.cost/1") {
+    for (Figure& figure : cost_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.check_normal/1") {
     found.figures.push_back(normal_histogram(output));
   } else {
@@ -33,7 +36,7 @@ void collect(const OutputFile& file, Collection& found) {
         {.place = "/format",
          .value = '"' + format + '"',
          .reason = "has no figure here",
-         .remedy = "give a trajectory, a bifurcation or a check-normal; `rocking report DIR` draws a run"});
+         .remedy = "give a trajectory, a bifurcation, a cost or a check-normal; `rocking report DIR` draws a run"});
   }
 }
 

@@ -51,11 +51,11 @@ ExitCode draw(const FigureRequest& request) {
 
 void add_figure(CLI::App& app, Action& action) {
   const auto request = std::make_shared<FigureRequest>();
-  CLI::App* command = app.add_subcommand("figure", "Draw what trajectory, bifurcation and check-normal print");
+  CLI::App* command = app.add_subcommand("figure", "Draw what trajectory, bifurcation, cost and check-normal print");
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
       "draws two files that `rocking trajectory --samples 100` printed: each against time, both over one another, and\n"
-      "their Poincare section. Also draws out/bifurcation.json and what `rocking check-normal --json` prints.");
+      "their Poincare section. Also draws bifurcation.json, cost.json and what `rocking check-normal --json` prints.");
   command->add_option("FILE", request->files, "JSON files that rocking printed")->required();
   command->add_option("-o,--output", request->folder, "Folder for the figures; made if need be")
       ->required()

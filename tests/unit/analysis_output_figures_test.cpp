@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 
 #include "analysis/bifurcation_figure.hpp"
+#include "analysis/cost_figures.hpp"
 #include "analysis/histogram_figure.hpp"
 #include "analysis/output_figures.hpp"
 #include "analysis/tables.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 using rocking::analysis::bifurcation_figures;
 using rocking::analysis::Cell;
+using rocking::analysis::cost_figures;
 using rocking::analysis::Figure;
 using rocking::analysis::LayerKind;
 using rocking::analysis::normal_histogram;
@@ -149,6 +151,47 @@ TEST(NormalHistogram, HasTheCountsAndACurveOfTheSameArea) {
             (std::get<double>(curve[i][0]) - std::get<double>(curve[i - 1][0])) / 0.2;
   }
   EXPECT_NEAR(area, 1000.0 * std::erf(4.0 / std::sqrt(2.0)), 0.1);
+}
+
+Json sample_cost() {
+  return Json::parse(R"({ "format": "rocking.cost/1",
+    "input": { "experiment": { "title": "t", "accuracy": { "tolerance": 1e-8 } } },
+    "result": { "sample": { "realisations": 50, "conditions": 3, "is_everything": false }, "error_periods": 10,
+      "tolerances": [
+        { "tolerance": 1e-4, "departure": { "error": { "median": 0.25, "largest": 0.5 },
+                                            "flips": { "count": 5, "of": 50, "interval": [0.0625, 0.25] } } },
+        { "tolerance": 1e-8, "departure": { "error": { "median": 0.0, "largest": null },
+                                            "flips": { "count": 0, "of": 50, "interval": [0.0, 0.125] } } },
+        { "tolerance": 1e-12, "departure": null } ],
+      "realisations": [ { "factor": 4, "periods": 1000, "half_width_mean": 0.25, "half_width_widest": 0.5,
+                          "wilson_widest": 0.375 } ] },
+    "system": { "processor_s_per_period": [1e-6, 0.5, 4e-6] } })");
+}
+
+TEST(Cost, DrawsTheNumbersOfTheFileAndLeavesOutWhatALogarithmCannotShow) {
+  const auto figures = cost_figures(sample_cost());
+  ASSERT_EQ(figures.size(), 3U);
+  const auto& rows = figures[0].tables[0].rows;
+  EXPECT_THAT(rows[0], ElementsAre(Cell(1e-4), Cell(0.25), Cell(0.5), Cell(10.0), Cell(6.25), Cell(25.0), Cell(1.0),
+                                   Cell(std::string("0.0001"))));
+  EXPECT_THAT(rows[1], ElementsAre(Cell(1e-8), Cell(), Cell(), Cell(0.0), Cell(0.0), Cell(12.5), Cell(500'000.0),
+                                   Cell(std::string("1e-08"))));
+  EXPECT_THAT(rows[2],
+              ElementsAre(Cell(1e-12), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(4.0), Cell(std::string("1e-12"))));
+  EXPECT_THAT(figures[2].tables[0].rows[0],
+              ElementsAre(Cell(4.0), Cell(1000.0), Cell(500.0), Cell(25.0), Cell(50.0), Cell(37.5)));
+}
+
+TEST(Cost, OfADeterministicExperimentHasNoHalfWidths) {
+  Json still = sample_cost();
+  still["result"]["realisations"] = Json::array();
+  still["result"]["sample"]["is_everything"] = true;
+  const auto figures = cost_figures(still);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].tables[0].rows[0][3], Cell(10.0));
+  EXPECT_EQ(figures[0].tables[0].rows[0][4], Cell()) << "a share of all that there are needs no interval";
+  still["result"].erase("tolerances");
+  EXPECT_THROW(static_cast<void>(cost_figures(still)), rocking::base::InputError);
 }
 
 TEST(OutputFigures, AreOfEachFileAndOfAllTogether) {

@@ -1,0 +1,19 @@
+// `rocking` as it runs when mpirun started it: the same commands; `run` and `resume` share their work between the processes.
+
+#include "coordinator.hpp"
+#include "helper.hpp"
+#include "interrupt.hpp"
+#include "program.hpp"
+
+int main(int argc, char** argv) {
+  using namespace rocking::program;
+  const mpi::Session session(argc, argv);
+  if (session.rank() != 0) {
+    static_cast<void>(stop_on_interrupt());
+    mpi::help(session);
+    return 0;
+  }
+  const ExitCode code = carry_out_command_line(argc, argv, mpi::crew_of(session));
+  session.send_to_others(mpi::Tag::quit, {});
+  return static_cast<int>(code);
+}

@@ -1,0 +1,112 @@
+// One run by several processes: the same bytes on any number of ranks, and what happens when one dies.
+
+#include <chrono>
+#include <filesystem>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Ranks : public rocking::support::ProgramTest {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(ROCKING_PROGRAM "-mpi")) {
+      GTEST_SKIP() << "rocking-mpi was not built: MPI was not found (Debian: libopenmpi-dev openmpi-bin)";
+    }
+    if (shell("command -v mpirun").exit_code != 0) GTEST_SKIP() << "there is no mpirun (Debian: openmpi-bin)";
+    auto question = quick_experiment();
+    question["realisations"] = 61;
+    write("question.json", question.dump());
+    question["horizon"]["transient_periods"] = 300;
+    write("long.json", question.dump());
+  }
+
+  /// The library of MPI leaks a little at its end, which is none of our business.
+  static std::string ranks(int number, const std::string& arguments) {
+    return "ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) + " '" +
+           ROCKING_PROGRAM "' " + arguments;
+  }
+
+  std::string lasting_part(const std::string& report) const {
+    Json json = Json::parse(read(report));
+    json.erase("system");
+    return json.dump();
+  }
+};
+
+TEST_F(Ranks, GiveTheSameBytesWhateverTheirNumber) {
+  ASSERT_EQ(rocking("run question.json -q -o whole").exit_code, 0);
+  for (const int number : {1, 2, 4, 8}) {
+    const std::string folder = "of" + std::to_string(number);
+    const auto outcome = shell(ranks(number, "run question.json -q -o " + folder));
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_EQ(lasting_part(folder + "/report.json"), lasting_part("whole/report.json"));
+    const Json report = Json::parse(read(folder + "/report.json"));
+    EXPECT_GE(report["system"]["threads"], number);
+  }
+}
+
+TEST_F(Ranks, StopAtTheSameNumberWhereIntervalsSayWhen) {
+  auto question = quick_experiment();
+  question["realisations"] = Json::parse(R"({ "until": { "half_width": 0.2, "at_most": 300 } })");
+  write("until.json", question.dump());
+  ASSERT_EQ(rocking("run until.json -q -o whole").exit_code, 0);
+  const auto outcome = shell(ranks(3, "run until.json -q -j 2 -o together"));
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(lasting_part("together/report.json"), lasting_part("whole/report.json"));
+}
+
+TEST_F(Ranks, LoseAtMostTheirOpenBlocksWhenOneDies) {
+  const auto start = std::chrono::steady_clock::now();
+  ASSERT_EQ(shell(ranks(3, "run long.json -q -o whole")).exit_code, 0);
+  const double duration_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const auto outcome = shell(ranks(3, "run long.json -q -o out") + " & job=$!; sleep " + std::to_string(0.6 * duration_s) +
+                             "; set -- $(cat /proc/$job/task/$job/children); shift 2; kill -9 $1; wait $job");
+  if (outcome.exit_code != 0) {
+    EXPECT_FALSE(exists("out/report.json"));
+    EXPECT_THAT(outcome.errors + outcome.output, HasSubstr("signal 9"));
+  }
+  const auto resumed = shell(ranks(2, "resume out -q"));
+  ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
+TEST_F(Ranks, StopCleanlyWhenTheirTimeIsUpOrTheyAreAskedTo) {
+  ASSERT_EQ(shell(ranks(3, "run long.json -q -o whole")).exit_code, 0);
+  const auto timed = shell(ranks(3, "run long.json -q -o out --max-time 0.01s"));
+  EXPECT_EQ(timed.exit_code, 75) << timed.errors;
+  EXPECT_THAT(timed.errors, HasSubstr("`rocking resume out` goes on"));
+  const auto asked = shell(ranks(3, "resume out -q") + " & job=$!; until test -e out/progress.json || "
+                           "test -e out/report.json; do sleep 0.01; done; kill -USR1 $job; wait $job");
+  EXPECT_TRUE(asked.exit_code == 130 || exists("out/report.json")) << asked.exit_code << asked.errors;
+  const auto resumed = rocking("resume out -q");
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.errors << asked.exit_code << asked.errors;
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
+TEST_F(Ranks, TellABadFileOnce) {
+  write("bad.json", "{}");
+  const auto outcome = shell(ranks(3, "run bad.json -o out"));
+  EXPECT_EQ(outcome.exit_code, 65) << outcome.errors;
+  const auto first = outcome.errors.find("the experiment cannot be used");
+  ASSERT_NE(first, std::string::npos);
+  EXPECT_EQ(outcome.errors.find("the experiment cannot be used", first + 1), std::string::npos);
+}
+
+TEST_F(Ranks, AreAskedForWhereThisProgramHasNone) {
+  ASSERT_EQ(shell("mkdir alone; cp '" ROCKING_PROGRAM "' alone/rocking").exit_code, 0);
+  const auto outcome = shell("OMPI_COMM_WORLD_SIZE=4 alone/rocking run question.json -o out");
+  EXPECT_EQ(outcome.exit_code, 64);
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("4 processes"), HasSubstr("libopenmpi-dev"), HasSubstr("--shard")));
+  EXPECT_FALSE(exists("out"));
+}
+
+}  // namespace

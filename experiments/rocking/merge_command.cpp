@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ struct MergeRequest {
   std::string folder;
   std::vector<std::string> shards;
   Loudness loudness;
+  bool overwrite = false;
 };
 
 struct Source {
@@ -55,14 +57,32 @@ ExitCode explain_conflicts(const Source& source, const std::vector<experiment::D
   return ExitCode::check_failed;
 }
 
+// The whole takes at most as much room as its parts.
+void make_room(const RunFolder& folder, const MergeRequest& request) {
+  if (request.overwrite) folder.clear();
+  if (folder.has_store() || folder.has_report()) {
+    throw InTheWay(request.folder + ": holds a run already; choose another folder for the whole, or add --overwrite");
+  }
+  std::uintmax_t need = 0;
+  for (const std::string& shard : request.shards) need += std::filesystem::file_size(RunFolder(shard).store_path());
+  folder.expect_room(need);
+}
+
+void expect_shards_elsewhere(const MergeRequest& request) {
+  for (const std::string& shard : request.shards) {
+    if (std::filesystem::exists(request.folder) && std::filesystem::equivalent(shard, request.folder)) {
+      throw UsageError(shard + ": cannot be a shard and the folder for the whole at once");
+    }
+  }
+}
+
 ExitCode merge(const MergeRequest& request) {
   const std::vector<Source> sources = open_sources(request);
   for (const Source& source : sources) expect_kin(sources.front(), source);
+  expect_shards_elsewhere(request);
   RunFolder folder(request.folder);
   folder.claim();
-  if (folder.has_store() || folder.has_report()) {
-    throw InTheWay(request.folder + ": holds a run already; choose another folder for the whole");
-  }
+  make_room(folder, request);
   const report::SystemFacts system = system_facts(1);
   experiment::Identity identity = sources.front().store.identity();
   identity.shard.reset();
@@ -98,6 +118,7 @@ void add_merge(CLI::App& app, Action& action) {
       "order does not matter; shards may overlap where they agree.");
   command->add_option("DIR", request->folder, "Folder for the whole; made if need be")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
+  command->add_flag("--overwrite", request->overwrite, "Replace what an earlier merge left in the folder");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return merge(*request); }; });
 }

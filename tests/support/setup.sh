@@ -21,6 +21,8 @@ full_packages=(
   valgrind  # for a profile
   libsundials-dev  # for one test and a benchmark; brings MPI, PETSc and a Fortran compiler
   python3-pandas r-base-core octave  # to load results as lib/docs/loading.md says
+  libopenmpi-dev openmpi-bin iproute2  # for rocking-mpi, and its test between two hosts
+  slurm-wlm munge  # for a cluster of one machine
   g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with another processor's
 )
 

@@ -211,6 +211,11 @@ TEST(SisonGlaz, TakesTheBoxThatHoldsTheConfidence) {
   }
 }
 
+// Each c that is tried costs as much as c is large: without an end to it this would take days.
+TEST(SisonGlaz, HasNoIntervalForAVeryLargeSampleOfOneCategoryAndSaysSo) {
+  EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{300'000, 0, 0, 0}, 0.95).has_value());
+}
+
 TEST(SisonGlaz, HasNoAnswerWhereOneCategoryTookAllButAFew) {
   EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{200, 0, 0, 0}, 0.95).has_value());
   EXPECT_FALSE(sison_glaz(std::vector<std::uint64_t>{0, 1}, 0.95).has_value());

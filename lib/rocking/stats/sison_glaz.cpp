@@ -29,18 +29,23 @@ struct TruncatedPoisson {
 /// factorial moments, as the authors use them, would cancel to nothing.
 TruncatedPoisson truncated_poisson(double k, double first, double last) {
   std::array<double, 5> sum{};
+  // Whether it made a difference. Beyond the hump of the fourth moment, what makes none is followed by what makes none.
   const auto add = [&](double j, double probability) {
+    const std::array<double, 5> before = sum;
     for (double& moment : sum) {
       moment += probability;
       probability *= j - k;
     }
+    return sum != before;
   };
   const double middle = poisson_at_its_mean(k);
   add(k, middle);
   double probability = middle;
-  for (double j = k + 1.0; j <= last; j += 1.0) add(j, probability *= k / j);
+  for (double j = k + 1.0; j <= last && add(j, probability *= k / j); j += 1.0) {
+  }
   probability = middle;
-  for (double j = k - 1.0; j >= first; j -= 1.0) add(j, probability *= (j + 1.0) / k);
+  for (double j = k - 1.0; j >= first && add(j, probability *= (j + 1.0) / k); j -= 1.0) {
+  }
   const double m = sum[1] / sum[0];
   const double second = sum[2] / sum[0];
   const double third = sum[3] / sum[0];
@@ -94,6 +99,7 @@ std::optional<std::vector<Interval>> sison_glaz(std::span<const std::uint64_t> c
   ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
   const auto n = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
   if (n == 0.0) return std::vector<Interval>(counts.size(), {0.0, 1.0});
+  const double far = 2.0 * std::sqrt(n) + 50.0;  // beyond every hump: a probability that stands still stays
   double within = probability_of_the_same(counts, n);
   for (double c = 0.0; c <= n; c += 1.0) {
     const double within_next = probability_within(counts, n, c + 1.0);
@@ -106,6 +112,7 @@ std::optional<std::vector<Interval>> sison_glaz(std::span<const std::uint64_t> c
       }
       return intervals;
     }
+    if (within_next == within && c > far) return std::nullopt;
     within = within_next;
   }
   return std::nullopt;

@@ -20,8 +20,8 @@ namespace rocking::stats {
 /// than promised: all of three, at 95 % and n = 30, with 89 % on the average. Absent where no c will do: if one
 /// category took all trials, nu(0) = 1; if it took all but a few, the expansion stays below a high confidence for every
 /// c.
-/// Source: Sison & Glaz (1995), J. Am. Stat. Assoc. 90, 366-369. Cost: about n Poisson terms for each category,
-/// for c is about sqrt(n).
+/// Source: Sison & Glaz (1995), J. Am. Stat. Assoc. 90, 366-369. Cost: about n Poisson terms for each category that occurs,
+/// for c is about sqrt(n); some hundred times that where no c will do.
 [[nodiscard]] std::optional<std::vector<Interval>> sison_glaz(std::span<const std::uint64_t> counts, double confidence);
 
 }  // namespace rocking::stats

@@ -39,6 +39,7 @@ var charts = (function () {
     if (names.length === 1) names.push('nothing');
     function axis(description) {
       var options = { axisLabelFormatter: function (number) { return shapes.brief(number); } };
+      if (description.logarithmic) options.logscale = true;
       if (description.ticks.length) {
         options.ticker = function (low, high) {
           return description.ticks.filter(function (tick) { return tick[0] >= low && tick[0] <= high; })

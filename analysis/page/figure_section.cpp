@@ -35,7 +35,7 @@ bool can_be_charted(const Panel& panel) {
   constexpr std::array known{LayerKind::boxes,      LayerKind::line,  LayerKind::ribbon, LayerKind::points,
                              LayerKind::error_bars, LayerKind::steps, LayerKind::spans};
   const auto is_known = [&](const Layer& layer) { return std::ranges::find(known, layer.kind) != known.end(); };
-  return !panel.to_scale && !panel.x.logarithmic && !panel.y.logarithmic && std::ranges::all_of(panel.layers, is_known);
+  return !panel.to_scale && !panel.x.logarithmic && std::ranges::all_of(panel.layers, is_known);
 }
 
 Json cell_json(const Cell& cell) {
@@ -53,7 +53,8 @@ Json axis_json(const Axis& axis) {
           {"unit", axis.unit},
           {"low", number_or_null(axis.low)},
           {"high", number_or_null(axis.high)},
-          {"ticks", std::move(ticks)}};
+          {"ticks", std::move(ticks)},
+          {"logarithmic", axis.logarithmic}};
 }
 
 bool is_curve(const Layer& layer) {
@@ -64,14 +65,20 @@ const Column& column_of(const Figure& figure, const Layer& layer, std::size_t pl
   return figure.tables[layer.table].columns[layer.columns[place]];
 }
 
-/// The place of the curve that a ribbon or error bars belong to: that of `mode_low` is `mode`. Any other layer is its own.
+/// Whether a ribbon or error bars are the interval of a curve: its lower end is called `mode_low` where the curve's column is
+/// called `mode`, or stands behind that column.
+bool is_interval_of(const Figure& figure, const Layer& layer, const Layer& curve) {
+  const std::size_t place = layer.columns.size() - 2;
+  if (column_of(figure, curve, 1).name + "_low" == column_of(figure, layer, place).name) return true;
+  return curve.table == layer.table && curve.columns[1] + 1 == layer.columns[place];
+}
+
+/// The place of the curve that a layer is the interval of; its own otherwise.
 std::size_t group_of(const Figure& figure, const Panel& panel, std::size_t place) {
   const Layer& layer = panel.layers[place];
   if (layer.kind != LayerKind::ribbon && layer.kind != LayerKind::error_bars) return place;
-  const std::string& low = column_of(figure, layer, layer.columns.size() - 2).name;
   for (std::size_t i = 0; i < panel.layers.size(); ++i) {
-    const Layer& curve = panel.layers[i];
-    if (is_curve(curve) && column_of(figure, curve, 1).name + "_low" == low) return i;
+    if (is_curve(panel.layers[i]) && is_interval_of(figure, layer, panel.layers[i])) return i;
   }
   return place;
 }

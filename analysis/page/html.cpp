@@ -56,10 +56,10 @@ std::string policy_hash(std::string_view text) {
   return "'sha256-" + base64({reinterpret_cast<const char*>(digest.data()), digest.size()}) + '\'';
 }
 
-std::string symbol_html(std::string_view symbol) {
+std::string lowered(std::string_view text) {
   std::string html;
   bool low = false;
-  for (const char c : symbol) {
+  for (const char c : text) {
     const bool goes_on = std::isalnum(static_cast<unsigned char>(c)) != 0;
     if (c == '_') {
       html += "<sub>";
@@ -72,7 +72,9 @@ std::string symbol_html(std::string_view symbol) {
       html += escaped({&c, 1});
     }
   }
-  return "<i>" + html + (low ? "</sub>" : "") + "</i>";
+  return html + (low ? "</sub>" : "");
 }
+
+std::string symbol_html(std::string_view symbol) { return "<i>" + lowered(symbol) + "</i>"; }
 
 }  // namespace rocking::analysis

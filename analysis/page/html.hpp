@@ -20,7 +20,10 @@ namespace rocking::analysis {
 /// What a content-security policy calls a script or style of this text: `'sha256-...'`.
 [[nodiscard]] std::string policy_hash(std::string_view text);
 
-/// A symbol as HTML, with letters and digits behind a `_` set low: `A_h`, `mu_s/mu_k`.
+/// Text as HTML, with letters and digits behind a `_` set low: `base amplitude A_h`.
+[[nodiscard]] std::string lowered(std::string_view text);
+
+/// The same of a symbol: `A_h`, `mu_s/mu_k`.
 [[nodiscard]] std::string symbol_html(std::string_view symbol);
 
 }  // namespace rocking::analysis

@@ -1,6 +1,7 @@
 #include "analysis/page/page.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -23,6 +24,7 @@ struct Part {
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{{"responses", "Which responses, and how likely?", {"mode_"}},
                                      {"recurrence", "Does it repeat?", {"non_recurrence", "parting"}},
+                                     {"question", "What was asked?", {"scene"}},
                                      {"more", "More figures", {""}}};
   return all;
 }
@@ -46,11 +48,13 @@ std::string head(const std::string& title) {
       policy_hash(style), scripts, escaped(title), style);
 }
 
-std::string card(const char* id, const char* heading, const std::string& content, const char* link) {
-  return fmt::format(
-      "<article class=\"card\" aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}<p class=\"more\"><a "
-      "href=\"{3}\">More on &ldquo;{1}&rdquo;</a></p>\n</article>\n",
-      id, heading, content, link);
+/// `link`: where there is more on it; empty where there is none.
+std::string card(const char* id, const char* heading, const std::string& content, const std::string& link) {
+  const std::string more =
+      link.empty() ? ""
+                   : fmt::format("<p class=\"more\"><a href=\"#{}\">More on &ldquo;{}&rdquo;</a></p>\n", link, heading);
+  return fmt::format("<article class=\"card\" aria-labelledby=\"{0}\">\n<h2 id=\"{0}\">{1}</h2>\n{2}{3}</article>\n",
+                     id, heading, content, more);
 }
 
 std::string section(const char* id, const char* heading, const std::string& content) {
@@ -59,20 +63,14 @@ std::string section(const char* id, const char* heading, const std::string& cont
       heading, content);
 }
 
-/// Each figure goes to the first part that takes it.
-std::string figure_parts(const RunReport& report, const std::vector<DrawnFigure>& figures) {
-  std::string text;
-  std::vector<bool> placed(figures.size(), false);
-  for (const Part& part : parts()) {
-    std::string content;
-    for (std::size_t i = 0; i < figures.size(); ++i) {
-      if (placed[i] || !belongs(part, figures[i].figure)) continue;
-      placed[i] = true;
-      content += figure_html(report, figures[i]);
-    }
-    if (!content.empty()) text += section(part.id, part.heading, content);
+/// Figures by the part that they go to: the first that takes them.
+std::map<std::string, std::string> figures_by_part(const RunReport& report, const std::vector<DrawnFigure>& figures) {
+  std::map<std::string, std::string> content;
+  for (const DrawnFigure& drawn : figures) {
+    const auto part = std::ranges::find_if(parts(), [&](const Part& each) { return belongs(each, drawn.figure); });
+    content[part->id] += figure_html(report, drawn);
   }
-  return text;
+  return content;
 }
 
 constexpr std::string_view dygraphs_licence =
@@ -120,13 +118,20 @@ std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& f
       "<body>\n<a class=\"skip\" href=\"#main\">To the answers</a>\n<header>\n<h1>{}</h1>\n</header>\n<main "
       "id=\"main\">\n<div class=\"cards\">\n",
       escaped(title));
-  text += card("asked", "What was asked?", question_in_brief(report), "#question");
-  text += card("likely", "Which responses, and how likely?", responses_in_brief(report), "#responses");
-  text += card("repeats", "Does it repeat?", recurrence_in_brief(report), "#recurrence");
-  text += card("believe", "May I believe it?", trust_in_brief(checks), "#trust");
-  text += "</div>\n" + figure_parts(report, figures);
+  auto content = figures_by_part(report, figures);
+  const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
+  text += card("asked", "What was asked?", question_in_brief(report), "question");
+  text += card("likely", "Which responses, and how likely?", responses_in_brief(report), link("responses"));
+  text += card("repeats", "Does it repeat?", recurrence_in_brief(report), link("recurrence"));
+  text += card("believe", "May I believe it?", trust_in_brief(checks), "trust");
+  text += "</div>\n";
+  for (const Part& part : parts()) {
+    if (part.id != std::string_view("question") && content.contains(part.id)) {
+      text += section(part.id, part.heading, content[part.id]);
+    }
+  }
   text += section("trust", "May I believe it?", trust_in_full(checks));
-  text += section("question", "What was asked?", question_in_full(report));
+  text += section("question", "What was asked?", content["question"] + question_in_full(report));
   text += section("again", "Where does it come from?", provenance(report));
   return text + "</main>\n" + footer() + scripts() + "</body>\n</html>\n";
 }

@@ -16,6 +16,7 @@ var series = (function () {
     if (low > high) { low = 0; high = 1; }
     if (axis.low !== null) low = axis.low;
     if (axis.high !== null) high = axis.high;
+    if (axis.logarithmic) return [low / 1.15, high * 1.15];
     var margin = low === high ? 1 : 0.02 * (high - low);
     return [low - margin, high + margin];
   }

@@ -100,8 +100,8 @@ std::string mode_table_html(const RunReport& report, ModeCells cells) {
 
 std::string data_table_html(const Table& table, const std::string& title) {
   PageTable shown;
-  shown.caption = escaped(title) + (table.name.empty() ? "" : ": " + escaped(table.name));
-  for (const Column& column : table.columns) shown.head.push_back(escaped(column.meaning));
+  shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
+  for (const Column& column : table.columns) shown.head.push_back(lowered(column.meaning));
   shown.all_rows = table.rows.size();
   for (std::size_t i = 0; i < std::min(most_rows, table.rows.size()); ++i) {
     std::vector<std::string> row;

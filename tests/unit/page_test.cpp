@@ -140,6 +140,18 @@ TEST(Page, HoldsNumbersForItsChartsThatEndNoScript) {
   EXPECT_THAT(between(page_of(report), "<script type=\"application/json\"", "</script>"), Not(IsEmpty()));
 }
 
+TEST(Page, LeadsNowhereThatItHasNot) {
+  Json lone = quick_experiment();
+  lone.erase("fluctuation");
+  for (const Json& report : {quick_report(), report_of(lone)}) {
+    const std::string markup = markup_of(page_of(report));
+    const auto places = matches(markup, "id=\"([^\"]+)\"");
+    for (const std::string& target : matches(markup, "href=\"#([^\"]+)\""))
+      EXPECT_THAT(places, ::testing::Contains(target));
+    EXPECT_EQ(std::set<std::string>(places.begin(), places.end()).size(), places.size()) << "a name stands twice";
+  }
+}
+
 TEST(Page, IsTheSameForTheSameReport) { EXPECT_EQ(page_of(quick_report()), page_of(quick_report())); }
 
 TEST(Page, SaysWhatTheReportSays) {

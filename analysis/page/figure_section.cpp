@@ -153,7 +153,7 @@ std::string figure_html(const RunReport& report, const DrawnFigure& drawn) {
                                  name, escaped(figure.title));
   if (charted) text += charts_html(figure);
   text += picture_html(drawn, charted);
-  text += fmt::format("<figcaption>{}</figcaption>\n", escaped(figure.caption));
+  text += fmt::format("<figcaption>{}</figcaption>\n", lowered(figure.caption));
   if (!figure.description.empty()) {
     text += fmt::format("<p class=\"description\">{}</p>\n", escaped(figure.description));
   }

@@ -29,6 +29,13 @@ var shapes = (function () {
     return [safe(axis.quantity), symbol, axis.unit ? '[' + safe(axis.unit) + ']' : ''].filter(Boolean).join(' ');
   }
 
+  // As bright as a colour is in a grey print: ITU-R BT.601.
+  function luma(colour) {
+    var parts = [1, 3, 5].map(function (at) { return parseInt(colour.slice(at, at + 2), 16); });
+    return 0.299 * parts[0] + 0.587 * parts[1] + 0.114 * parts[2];
+  }
+
+  // In grey a hatch must show by itself: white on what is dark.
   function hatched(context, layer) {
     var lines = { 1: [1, -1], 2: [1, -1], 4: [1], 5: [-1], 6: [2], 7: [-2] }[layer.hatch] || [];
     if (lines.length === 0) return null;
@@ -37,7 +44,7 @@ var shapes = (function () {
     tile.width = size;
     tile.height = size * 2;
     var pen = tile.getContext('2d');
-    pen.strokeStyle = 'rgba(0, 0, 0, 0.55)';
+    pen.strokeStyle = luma(layer.colour) < 128 ? 'rgba(255, 255, 255, 0.75)' : 'rgba(0, 0, 0, 0.55)';
     pen.lineWidth = 1;
     lines.forEach(function (slope) {
       var rise = size * slope;
@@ -102,8 +109,7 @@ var shapes = (function () {
 
   // A pale colour that fills an area well is lost as a line.
   function darkened(colour) {
-    var parts = [1, 3, 5].map(function (at) { return parseInt(colour.slice(at, at + 2), 16); });
-    return 0.3 * parts[0] + 0.6 * parts[1] + 0.1 * parts[2] > 180 ? '#767676' : colour;
+    return luma(colour) > 175 ? '#767676' : colour;
   }
 
   function sample(layer) {

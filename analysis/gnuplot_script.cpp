@@ -2,10 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_layers.hpp"
 #include "analysis/layout.hpp"
+#include "rocking/report/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -89,20 +93,21 @@ std::string range_of(const Axis& axis) {
   return '[' + end(axis.low) + ':' + end(axis.high) + "] noextend";
 }
 
-std::string ticks_of(const Axis& axis) {
-  if (axis.ticks.empty()) return "autofreq format '%g'";
+/// Ticks with their words, or without any where the axis shares those of a panel below.
+std::string ticks_of(const Axis& axis, bool labelled) {
+  if (axis.ticks.empty()) return labelled ? "autofreq format '%g'" : "autofreq format ''";
   std::string text;
   for (const Tick& tick : axis.ticks)
-    text += (text.empty() ? "(" : ", ") + in_quotes(tick.text) + ' ' + number_text(tick.place);
+    text += (text.empty() ? "(" : ", ") + in_quotes(labelled ? tick.text : "") + ' ' + number_text(tick.place);
   return text + ')';
 }
 
 std::string axis_text(const Axis& axis, const std::string& letter, bool labelled) {
-  const std::string ticks = "  set " + letter + "tics " + ticks_of(axis) + " nomirror out\n";
-  return "  set " + letter + "range " + range_of(axis) + '\n' + ticks +
-         (labelled ? "  set " + letter + "label " + in_quotes(label_of(axis)) + '\n'
-                   : "  set " + letter + "label\n  set " + letter + "tics format ''\n") +
-         (axis.logarithmic ? "  set logscale " : "  unset logscale ") + letter + '\n';
+  std::string text = (axis.logarithmic ? "  set logscale " : "  unset logscale ") + letter + '\n';
+  text += "  set " + letter + "range " + range_of(axis) + '\n';
+  text += "  set " + letter + "tics " + ticks_of(axis, labelled) + " nomirror out\n";
+  if (labelled) return text + "  set " + letter + "label " + in_quotes(label_of(axis)) + '\n';
+  return text + "  set " + letter + "label\n";
 }
 
 /// Widens the ranges of a panel to scale until both axes have the same one.
@@ -117,6 +122,51 @@ Panel fitted(Panel panel, const Place& place) {
   widen(panel.x, scale * (place.right - place.left) - width);
   widen(panel.y, scale * (place.top - place.bottom) - height);
   return panel;
+}
+
+/// The least and the largest positive number that the layers of a panel show along an axis; first > second: none.
+std::pair<double, double> span_of(const Figure& figure, const Panel& panel, bool along_x) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const Layer& layer : panel.layers) {
+    for (std::size_t place = along_x ? 0 : 1; place < (along_x ? 1 : layer.columns.size()); ++place) {
+      for (const auto& row : figure.tables[layer.table].rows) {
+        const double* number = std::get_if<double>(&row[layer.columns[place]]);
+        if (number == nullptr || !(*number > 0.0)) continue;
+        least = std::min(least, *number);
+        most = std::max(most, *number);
+      }
+    }
+  }
+  return {least, most};
+}
+
+/// Ticks of a logarithmic axis from `least` to `most`: along a few decades also 2 and 5, along many some of them.
+std::vector<Tick> logarithmic_ticks(double least, double most) {
+  const bool few = most <= 1e4 * least;
+  const int first = static_cast<int>(std::floor(std::log10(least)));
+  const int last = static_cast<int>(std::floor(std::log10(most)));
+  const int stride = few ? 1 : (last - first) / 6 + 1;
+  std::vector<Tick> ticks;
+  for (int decade = first; decade <= last; ++decade) {
+    if (decade % stride != 0) continue;
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double place = digit * std::pow(10.0, decade);
+      if (place < 0.8 * least || 1.25 * most < place || (!few && digit > 1.0)) continue;
+      ticks.push_back({place, few ? report::significant(place, 6) : "10^{" + std::to_string(decade) + '}'});
+    }
+  }
+  return ticks;
+}
+
+void name_decades(const Figure& figure, Panel& panel) {
+  for (Axis* axis : {&panel.x, &panel.y}) {
+    if (!axis->logarithmic || !axis->ticks.empty()) continue;
+    auto [least, most] = span_of(figure, panel, axis == &panel.x);
+    least = axis->low.value_or(least);
+    most = axis->high.value_or(most);
+    if (least < most) axis->ticks = logarithmic_ticks(least, most);
+  }
 }
 
 std::string margins(const Layout& layout, const Place& place) {
@@ -148,7 +198,8 @@ std::string plot_text(const Figure& figure, const Panel& panel) {
 std::string panel_text(const Figure& figure, const Layout& layout, std::size_t number) {
   const Place& place = layout.panels[number];
   const Panel& as_given = figure.panels[number];
-  const Panel panel = as_given.to_scale ? fitted(as_given, place) : as_given;
+  Panel panel = as_given.to_scale ? fitted(as_given, place) : as_given;
+  name_decades(figure, panel);
   const bool with_x = figure.arrangement == Arrangement::grid || number + 1 == figure.panels.size();
   return margins(layout, place) + axes_text(panel, with_x) + "  set title " + in_quotes(panel.title) +
          " noenhanced offset 0,-0.6\n" + plot_text(figure, panel) + "  unset label\n  unset object\n  unset arrow\n";

@@ -61,8 +61,8 @@ struct RunReport {
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
 };
 
-/// What a condition says of a mode. Of one that it does not list, since it never occurred there, the interval is the one that
-/// the report of such a mode would have.
+/// What a condition says of a mode. Of one that it does not list, since it never occurred there, the interval is the one
+/// that the report of such a mode would have.
 [[nodiscard]] AnyShare share_of(const RunReport& report, const ConditionReport& condition,
                                 const section::ResponseMode& mode);
 

@@ -24,7 +24,8 @@ struct SweepView {
   bool is_line = false;       ///< the parameter takes several numbers, so that there is a way between two
 };
 
-/// Shows the entry of the sweep that takes the most numbers, of several the last; where none takes numbers, the last by place.
+/// Shows the entry of the sweep that takes the most numbers, of several the last; where none takes numbers, the last by
+/// place.
 [[nodiscard]] SweepView view_of(const RunReport& report);
 
 /// What a swept parameter is called: `base amplitude`, `A_h`.

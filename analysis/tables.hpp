@@ -15,8 +15,8 @@ namespace rocking::analysis {
 /// `lower_quartile`, `median`, `upper_quartile` [periods]. Empty fields where there is no value.
 [[nodiscard]] std::string non_recurrence_csv(const RunReport& report);
 
-/// A LaTeX table (booktabs): a line for each condition, a column for each of the five most frequent modes: per cent, with its
-/// interval; n before them.
+/// A LaTeX table (booktabs): a line for each condition, a column for each of the five most frequent modes: per cent, with
+/// its interval; n before them.
 [[nodiscard]] std::string modes_latex(const RunReport& report);
 
 }  // namespace rocking::analysis

@@ -138,6 +138,48 @@ TEST_F(RunFolder, OfShardsGivesTheBytesOfOneRun) {
   EXPECT_EQ(lasting_part("two/report.json"), lasting_part("whole/report.json"));
 }
 
+TEST_F(RunFolder, OfShardsThatOverlapOrHoldNothingGivesTheBytesOfOneRun) {
+  ASSERT_EQ(rocking("run quick.json -q -o whole").exit_code, 0);
+  for (const char* shard : {"1/2", "2/2", "2/3", "40/50"}) {
+    std::string folder = shard;
+    folder[folder.find('/')] = '-';
+    ASSERT_EQ(rocking("run quick.json -q -o " + folder + " --shard " + shard).exit_code, 0) << shard;
+  }
+  ASSERT_EQ(rocking("merge out 2-3 40-50 2-2 1-2").exit_code, 0);
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
+TEST_F(RunFolder, OfShardsThatDisagreeIsNotMade) {
+  ASSERT_EQ(rocking("run quick.json -q -o a").exit_code, 0);
+  ASSERT_EQ(shell("cp -r a b").exit_code, 0);
+  {
+    namespace experiment = rocking::experiment;
+    auto store = experiment::Store::open(folder_ / "b/realisations.sqlite", experiment::sqlite::Access::write);
+    auto changed = store.find({1, 2}).value();
+    ++changed.effort.steps;
+    store.add({1, 2}, changed);
+    store.close_up();
+  }
+  const auto refused = rocking("merge out a b");
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("b: 1 realisation is not what"), HasSubstr("condition 1, realisation 2 (steps)")));
+  EXPECT_FALSE(exists("out/report.json"));
+  EXPECT_FALSE(exists("out/realisations.sqlite"));
+}
+
+TEST_F(RunFolder, IsMergedAnewWhereThatIsAskedFor) {
+  ASSERT_EQ(rocking("run quick.json -q -o whole").exit_code, 0);
+  ASSERT_EQ(rocking("run quick.json -q -o a --shard 1/2").exit_code, 0);
+  EXPECT_EQ(rocking("merge out a").exit_code, 75) << "as if it had been killed";
+  const auto refused = rocking("merge out a whole");
+  EXPECT_EQ(refused.exit_code, 74);
+  EXPECT_THAT(refused.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(rocking("merge out out --overwrite").exit_code, 64) << "it would remove its own source";
+  EXPECT_EQ(rocking("merge out a whole --overwrite").exit_code, 0);
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+}
+
 TEST_F(RunFolder, OfAnotherExperimentIsNotMerged) {
   ASSERT_EQ(rocking("run quick.json -q -o a --shard 1/2").exit_code, 0);
   ASSERT_EQ(rocking("run quick.json -q -o b --shard 2/2 --seed 7").exit_code, 0);

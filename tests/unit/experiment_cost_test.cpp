@@ -315,7 +315,8 @@ std::vector<MeasuredRealisation> two_conditions() {
 
 TEST(HalfWidthForecast, IsWhatTheIntervalsWillBeIfModesKeepTheirShares) {
   const auto measured = two_conditions();
-  const HalfWidthForecast forecast(experiment_of({true, false, true}), measured);
+  const Experiment experiment = experiment_of({true, false, true});
+  const HalfWidthForecast forecast(experiment, measured);
   const auto half = [](std::uint64_t k, std::uint64_t n) {
     const auto interval = stats::exact_interval({k, n}, mode_family(0.95).of_foreseen());
     return 0.5 * (interval.high - interval.low);
@@ -338,7 +339,8 @@ TEST(HalfWidthForecast, AimsAtTheHalfWidthThatTheExperimentNames) {
 
 TEST(HalfWidthForecast, KnowsHowManyRealisationsAreNeeded) {
   const auto measured = two_conditions();
-  const HalfWidthForecast forecast(experiment_of({true, false, true}), measured);
+  const Experiment experiment = experiment_of({true, false, true});
+  const HalfWidthForecast forecast(experiment, measured);
   for (const double half_width : {0.05, 0.01}) {
     const RealisationsNeeded needed = forecast.needed(half_width);
     const auto reached = [&](std::uint64_t n) {
@@ -354,7 +356,8 @@ TEST(HalfWidthForecast, KnowsHowManyRealisationsAreNeeded) {
 
 TEST(HalfWidthForecast, IsEmptyWhereNothingIsDrawn) {
   const std::vector<MeasuredRealisation> measured{realisation({one, one, one})};
-  const HalfWidthForecast forecast(experiment_of({false}), measured);
+  const Experiment experiment = experiment_of({false});
+  const HalfWidthForecast forecast(experiment, measured);
   EXPECT_TRUE(forecast.is_empty());
   EXPECT_FALSE(forecast.aim().has_value());
 }

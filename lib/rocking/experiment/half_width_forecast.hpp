@@ -28,7 +28,9 @@ struct RealisationsNeeded {
 /// Conditions in which nothing is drawn have no say, nor have those that the sample did not reach.
 class HalfWidthForecast {
  public:
+  /// The experiment has to outlive it.
   HalfWidthForecast(const Experiment& experiment, std::span<const MeasuredRealisation> measured);
+  HalfWidthForecast(Experiment&&, std::span<const MeasuredRealisation>) = delete;
 
   /// Whether there is anything to forecast.
   [[nodiscard]] bool is_empty() const { return tallies_.empty(); }

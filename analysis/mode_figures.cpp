@@ -178,8 +178,6 @@ Panel bar_panel(const RunReport& report, std::size_t table, const std::string& t
     panel.x.ticks.push_back({.place = static_cast<double>(m), .text = to_string(modes[m])});
   }
   panel.layers.push_back(
-      {.kind = LayerKind::boxes, .table = table, .columns = {1, 2, 3, 4}, .style = {.colour = "#9fc5e8"}});
-  panel.layers.push_back(
       {.kind = LayerKind::error_bars, .table = table, .columns = {0, 4, 5, 6}, .style = {.size = 0.5}});
   return panel;
 }
@@ -241,6 +239,25 @@ Figure mode_bands(const RunReport& report) {
 
 namespace {
 
+/// Lays a bar for each row of the table that was added last, in the look of its mode, below what its panel shows.
+void add_bars(const std::vector<ResponseMode>& modes, Figure& figure) {
+  const Table rows = figure.tables.back();
+  std::vector<Layer> bars;
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const auto& row = rows.rows[m];
+    bars.push_back({.kind = LayerKind::boxes,
+                    .table = figure.tables.size(),
+                    .columns = {0, 1, 2, 3},
+                    .style = style_of(modes[m])});
+    figure.tables.push_back({.name = "bar of " + to_string(modes[m]) + ": " + rows.name,
+                             .columns = {rows.columns.begin() + 1, rows.columns.begin() + 5},
+                             .rows = {{row[1], row[2], row[3], row[4]}},
+                             .only_drawn = true});
+  }
+  auto& layers = figure.panels.back().layers;
+  layers.insert(layers.begin(), bars.begin(), bars.end());
+}
+
 /// A panel for each condition, a bar for each mode.
 Figure mode_bars(const RunReport& report, const SweepView& view) {
   Figure figure;
@@ -252,6 +269,7 @@ Figure mode_bars(const RunReport& report, const SweepView& view) {
       const std::string name = name_of_condition(report, report.conditions[i]);
       figure.tables.push_back(bar_table(report, report.conditions[i], name.empty() ? "the only condition" : name));
       figure.panels.push_back(bar_panel(report, figure.tables.size() - 1, name));
+      add_bars(shown_modes(report), figure);
     }
   }
   figure.caption = "Estimated probability of each response mode with its " + number_text(100.0 * report.confidence) +

@@ -1,5 +1,7 @@
 #include "analysis/run_figures.hpp"
 
+#include <algorithm>
+
 #include "analysis/mode_figures.hpp"
 #include "analysis/non_recurrence_figures.hpp"
 #include "analysis/parting_figure.hpp"
@@ -8,7 +10,10 @@
 namespace rocking::analysis {
 
 std::vector<Figure> run_figures(const RunReport& report, const experiment::Store* store) {
-  std::vector<Figure> figures{mode_bands(report), mode_probabilities(report)};
+  std::vector<Figure> figures{mode_bands(report)};
+  const bool several = std::any_of(report.conditions.begin(), report.conditions.end(),
+                                   [](const ConditionReport& condition) { return condition.realisations > 1; });
+  if (several) figures.push_back(mode_probabilities(report));
   const auto add = [&figures](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };

@@ -129,6 +129,7 @@ SweepView view_of(const RunReport& report) {
     if (is_new) view.slices.push_back({.name = name, .conditions = {}});
     view.slices[found->second].conditions.push_back(i);
   }
+  if (view.slices.size() > most_slices) view.slices.resize(most_slices);
   for (Slice& slice : view.slices) {
     std::stable_sort(slice.conditions.begin(), slice.conditions.end(),
                      [&view](std::size_t a, std::size_t b) { return view.x[a] < view.x[b]; });

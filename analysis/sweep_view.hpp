@@ -16,11 +16,14 @@ struct Slice {
   std::vector<std::size_t> conditions;  ///< of the report, by growing `x`
 };
 
+/// Slices that figures show at most, the first ones; tables have all conditions.
+inline constexpr std::size_t most_slices = 48;
+
 struct SweepView {
   Axis axis;                  ///< of the shown parameter
   Column column;              ///< the same, for a table
   std::vector<double> x;      ///< of each condition
-  std::vector<Slice> slices;  ///< in the order of the report
+  std::vector<Slice> slices;  ///< in the order of the report, at most most_slices
   bool is_line = false;       ///< the parameter takes several numbers, so that there is a way between two
 };
 

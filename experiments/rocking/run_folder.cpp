@@ -112,7 +112,9 @@ RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experi
   }
   { const experiment::Store closed = std::move(damaged); }
   mending.damaged_file = first_free_name(path_);
-  std::filesystem::create_hard_link(store_path(), mending.damaged_file);
+  std::error_code no_links;
+  std::filesystem::create_hard_link(store_path(), mending.damaged_file, no_links);
+  if (no_links) std::filesystem::copy_file(store_path(), mending.damaged_file);
   // A log of the damaged file would be taken for the new one's.
   for (const char* suffix : {"-wal", "-shm", "-journal"}) {
     const std::filesystem::path log = store_path().string() + suffix;

@@ -156,6 +156,38 @@ TEST_F(DamagedStore, IsRefusedWhereItsIdentityWasChanged) {
   }
 }
 
+// What a kill leaves is a file and its log. Each commit in the log has a checksum of SQLite's own.
+TEST_F(DamagedStore, LosesOnlyLaterCommitsWhereABitOfTheLogTurns) {
+  fs::remove(path_);
+  std::string log;
+  {
+    Store store = Store::create(path_, identity);
+    for (std::uint64_t number = 0; number < realisations; ++number) {
+      store.add({0, number}, summary_of({0, number}));
+      if (number % 50 == 49) store.commit();
+    }
+    std::ifstream file(path_.string() + "-wal", std::ios::binary);
+    log = {std::istreambuf_iterator<char>(file), {}};
+    fs::copy_file(path_, folder_ / "killed");
+  }
+  for (int tenth = 1; tenth < 10; ++tenth) {
+    fs::copy_file(folder_ / "killed", path_, fs::copy_options::overwrite_existing);
+    std::string changed = log;
+    char& byte = changed[log.size() * static_cast<std::size_t>(tenth) / 10];
+    byte = static_cast<char>(byte ^ 4);
+    std::ofstream(path_.string() + "-wal", std::ios::binary) << changed;
+    const Store store = Store::open(path_, Access::write);
+    EXPECT_EQ(store.damage(), std::nullopt);
+    std::uint64_t left = 0;
+    store.for_each([&left](const RealisationKey& key, const Summary& summary) {
+      EXPECT_EQ(key.realisation, left++);
+      EXPECT_TRUE(differing_fields(summary, summary_of(key)).empty());
+    });
+    EXPECT_EQ(left % 50, 0U);
+    EXPECT_LT(left, realisations);
+  }
+}
+
 /// SQLite's usual way to the system, but for the shared memory: as on a file system that has none.
 class NoSharedMemory {
  public:

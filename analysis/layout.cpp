@@ -12,7 +12,7 @@ constexpr double letter = 7.4;   // mean width of a letter, somewhat more than t
 constexpr double sample = 42.0;  // of a legend's entry, with the gap before its words
 constexpr double left_margin = 84.0;
 constexpr double right_margin = 18.0;
-constexpr double below_axes = 56.0;
+constexpr double below_axes = 68.0;
 constexpr double above_axes = 26.0;
 
 /// Letters of UTF-8 text.

@@ -7,6 +7,7 @@
 
 #include <gmock/gmock.h>
 
+#include "analysis/draw.hpp"
 #include "analysis/page/answer.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/page.hpp"
@@ -184,6 +185,18 @@ TEST(Page, SaysWhatItLeavesOut) {
 TEST(Page, SaysThatItHasNoPictures) {
   EXPECT_THAT(page_of(quick_report(), ""), HasSubstr("No picture"));
   EXPECT_THAT(page_of(quick_report()), AllOf(Not(HasSubstr("No picture")), HasSubstr("data:image/svg+xml;base64,")));
+}
+
+TEST(Page, HasPicturesThatCutNoWordOff) {
+  for (const Figure& figure : run_figures(read_run_report(quick_report().dump()))) {
+    Drawing drawing;
+    const std::string svg = svg_of(figure, drawing);
+    if (!drawing.drawn) GTEST_SKIP() << "skipped: " << drawing.reason;
+    const double height = std::stod(matches(svg, "viewBox=\"0 0 [0-9.]+ ([0-9.]+)\"").at(0));
+    const auto baselines = matches(svg, R"re(transform="translate\([0-9.]+,([0-9.]+)\)[^"]*"[^>]*font-family)re");
+    EXPECT_GT(baselines.size(), 2U) << figure.name;
+    for (const std::string& baseline : baselines) EXPECT_LT(std::stod(baseline) + 6.0, height) << figure.name;
+  }
 }
 
 TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {

@@ -264,8 +264,8 @@ struct Noting {
   [[nodiscard]] double time_to_strobe() const { return motion.time_to_strobe(); }
   [[nodiscard]] double expand(double reach) { return motion.expand(reach); }
   template <class Visitor>
-  void for_each_guard(Visitor&& visit) const {
-    motion.for_each_guard(visit);
+  void for_each_guard(const integrate::FiredGuards& wanted, Visitor&& visit) const {
+    motion.for_each_guard(wanted, visit);
   }
   void strobe(double x) { motion.strobe(x); }
   void move(double x) { motion.move(x); }

@@ -95,8 +95,8 @@ struct Limited {
     return motion.expand(reach);
   }
   template <class Visitor>
-  void for_each_guard(Visitor&& visit) const {
-    motion.for_each_guard(visit);
+  void for_each_guard(const integrate::FiredGuards& wanted, Visitor&& visit) const {
+    motion.for_each_guard(wanted, visit);
   }
   void strobe(double x) { motion.strobe(x); }
   void move(double x) { motion.move(x); }

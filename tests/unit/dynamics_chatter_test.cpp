@@ -85,7 +85,7 @@ TEST(Chatter, UnderASteadyPushHasTheDocumentedTimeError) {
   for (int step = 0; step < 10'000 && find(run.log, EventKind::to_rest) == nullptr; ++step) {
     integrate::LoopCounts counts;
     const double length = run.motion.expand(run.motion.time_to_breakpoint());
-    const auto [time, fired] = integrate::first_loss(run.motion, length, run.motion.time_resolution(), counts);
+    const auto [time, fired] = integrate::first_loss(run.motion, length, integrate::guards_in_doubt(run.motion, length), counts);
     run.motion.move(time);
     run.motion.reset(fired, false);
   }

@@ -56,7 +56,7 @@ TEST(PastBalance, IsNotOverturning) {
   for (int step = 0; step < 1'000 && run.log.count(EventKind::impact_stick) == 0; ++step) {
     integrate::LoopCounts counts;
     const double length = run.motion.expand(run.motion.time_to_breakpoint());
-    const auto [time, fired] = integrate::first_loss(run.motion, length, run.motion.time_resolution(), counts);
+    const auto [time, fired] = integrate::first_loss(run.motion, length, integrate::guards_in_doubt(run.motion, length), counts);
     run.motion.move(time);
     run.motion.reset(fired, false);
   }

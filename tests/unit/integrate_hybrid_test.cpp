@@ -41,10 +41,10 @@ struct Timetable {
   double expand(double reach) { return std::min(reach, step); }
 
   template <class Visitor>
-  void for_each_guard(Visitor&& visit) const {
+  void for_each_guard(const FiredGuards& wanted, Visitor&& visit) const {
     for (std::size_t i = 0; i < instants.size(); ++i) {
       const double line[2] = {instants[i] - now, -1.0};
-      if (std::isfinite(instants[i])) visit(i, std::span<const double>(line));
+      if (wanted[i] && std::isfinite(instants[i])) visit(i, std::span<const double>(line));
     }
   }
 
@@ -170,8 +170,9 @@ struct Ball {
   [[nodiscard]] double time_to_strobe() const { return 0.5 * static_cast<double>(strobes.size() + 1) - now; }
   [[nodiscard]] static double expand(double) { return 0.75; }
   template <class Visitor>
-  void for_each_guard(Visitor&& visit) const {
+  void for_each_guard(const FiredGuards& wanted, Visitor&& visit) const {
     const double c[3] = {height, speed, -0.5};
+    if (!wanted[3]) return;
     visit(3, height == 0.0 ? std::span<const double>(c + 1, 2) : std::span<const double>(c));
   }
   [[nodiscard]] double height_at(double x) const { return height + x * (speed - 0.5 * x); }

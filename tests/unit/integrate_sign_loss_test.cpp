@@ -177,7 +177,7 @@ Offences judge(const Polynomial& p) {
   if (lowest(p, loss.value_or(1.0)) < -tolerance && loss != 0.0) ++found.missed;
   if (!loss || (*loss == 0.0 && p[0] < 0.0)) return found;
   if (std::abs(evaluate(std::span<const double>(p), *loss)) > tolerance) ++found.not_a_root;
-  const double slope = evaluate_derivative(std::span<const double>(p), *loss);
+  const double slope = jet_at(p, *loss).first;
   if (slope > 0.0 && evaluate(std::span<const double>(p), std::min(1.0, *loss + 1e-3)) > tolerance &&
       slope * 1e-3 > 1e3 * tolerance) {
     ++found.gains_instead;
@@ -202,6 +202,24 @@ TEST(SignLoss, IsNeverMissedAndNeverMadeUpInAMillionPolynomials) {
   EXPECT_EQ(total.missed, 0);
   EXPECT_EQ(total.not_a_root, 0);
   EXPECT_EQ(total.gains_instead, 0);
+}
+
+// Far from the root the lower derivatives know nothing of a high power, and would take a straight line for the polynomial.
+TEST(SignLoss, IsFoundWhereOneHighPowerMakesIt) {
+  for (std::size_t power = 4; power <= 16; ++power) {
+    for (const double slope : {0.0, 1e-6, 1e-3, 0.3, 0.99}) {
+      for (int exponent = -3; exponent <= 60; ++exponent) {
+        Polynomial p(power + 1, 0.0);
+        p[0] = 1.0;
+        p[1] = -slope;
+        p[power] = -std::exp2(exponent);
+        const auto loss = first_sign_loss(p);
+        if (!loss) continue;
+        EXPECT_LE(std::abs(evaluate(std::span<const double>(p), *loss)), 1e-14 * static_cast<double>(power))
+            << "1 - " << slope << " t - 2^" << exponent << " t^" << power << " at " << *loss;
+      }
+    }
+  }
 }
 
 TEST(CheapBound, NeverClaimsTooMuch) {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <bit>
 #include <cmath>
 #include <concepts>
+#include <cstdint>
 
 namespace rocking::base {
 
@@ -10,6 +12,20 @@ namespace rocking::base {
 
 [[nodiscard]] inline double select(bool condition, double if_true, double if_false) {
   return condition ? if_true : if_false;
+}
+
+/// a where a < b, else b.
+[[nodiscard]] inline double smaller(double a, double b) { return a < b ? a : b; }
+
+/// The upper half of the bits of y >= 0, as a number below 2^31: exponent and the first 20 bits of the mantissa.
+[[nodiscard]] inline double upper_word(double y) {
+  return static_cast<double>(std::bit_cast<std::uint64_t>(y) >> 32U);
+}
+
+/// The number of which the upper half of the bits is `word`, rounded to an integer, and the lower half 0.
+/// Adding 2^52 rounds, and leaves the integer in the lower half of the sum's bits.
+[[nodiscard]] inline double from_upper_word(double word) {
+  return std::bit_cast<double>(std::bit_cast<std::uint64_t>(word + 0x1p52) << 32U);
 }
 
 /// What a number must offer to be advanced by the stepping kernel: IEEE arithmetic, a fused multiply-add and a selection
@@ -24,6 +40,8 @@ concept Lane = requires(Real a, Real b, Real c) {
   { -a } -> std::convertible_to<Real>;
   { fused(a, b, c) } -> std::convertible_to<Real>;
   { select(a < b, a, b) } -> std::convertible_to<Real>;
+  { smaller(a, b) } -> std::convertible_to<Real>;
+  { from_upper_word(upper_word(a)) } -> std::convertible_to<Real>;
 };
 
 }  // namespace rocking::base

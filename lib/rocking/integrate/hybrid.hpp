@@ -16,6 +16,9 @@ namespace rocking::integrate {
 inline constexpr std::size_t max_guards = 16;
 using FiredGuards = std::bitset<max_guards>;
 
+/// All guards.
+inline constexpr FiredGuards every_guard{(1U << max_guards) - 1U};
+
 /// Takes a guard's number and its polynomial over the coming step, zeros at the start that are known exactly divided out.
 struct IgnoreGuard {
   void operator()(std::size_t, std::span<const double>) const {}
@@ -29,7 +32,7 @@ concept HybridSystem = requires(System system, const System constant, double x, 
   { constant.time_to_breakpoint() } -> std::convertible_to<double>; // until which the equations hold
   { constant.time_to_strobe() } -> std::convertible_to<double>;
   { system.expand(x) } -> std::convertible_to<double>;              // series of the motion; length of the step, <= x
-  constant.for_each_guard(visitor);
+  constant.for_each_guard(fired, visitor);                          // of those in the set
   system.strobe(x);                                                 // records the state x into the step
   system.move(x);                                                   // to the end of the step
   system.reset(fired, true);                                        // events and, if true, the breakpoint, in their order
@@ -46,50 +49,72 @@ struct FirstLoss {
   FiredGuards fired;
 };
 
-/// Finds the earliest loss of sign within a step; losses within `resolution` of it count as simultaneous.
+/// The guards that the cheap bound does not clear over the coming step.
 template <HybridSystem System>
-[[nodiscard]] FirstLoss first_loss(const System& system, double length, double resolution, LoopCounts& counts) {
-  std::array<double, max_guards> instants{};
-  FiredGuards candidates;
-  double earliest = length;
-  system.for_each_guard([&](std::size_t guard, std::span<const double> coefficients) {
-    if (is_clearly_positive(coefficients, length)) return;
+[[nodiscard]] FiredGuards guards_in_doubt(const System& system, double length) {
+  FiredGuards in_doubt;
+  system.for_each_guard(every_guard, [&](std::size_t guard, std::span<const double> coefficients) {
+    in_doubt[guard] = !is_clearly_positive(coefficients, length);
+  });
+  return in_doubt;
+}
+
+/// Finds the earliest loss of sign within a step, among the guards `in_doubt`; losses within the system's resolution of it
+/// count as simultaneous.
+template <HybridSystem System>
+[[nodiscard]] FirstLoss first_loss(const System& system, double length, const FiredGuards& in_doubt, LoopCounts& counts) {
+  FirstLoss first{length, {}};
+  if (in_doubt.none()) return first;
+  std::array<double, max_guards> instants;
+  system.for_each_guard(in_doubt, [&](std::size_t guard, std::span<const double> coefficients) {
     ++counts.root_isolations;
     std::array<double, max_coefficients> storage;
     const auto loss = first_sign_loss(scale_to_unit(coefficients, length, storage));
     if (!loss) return;
     instants[guard] = *loss * length;
-    candidates.set(guard);
-    if (instants[guard] < earliest) earliest = instants[guard];
+    first.fired.set(guard);
+    if (instants[guard] < first.time) first.time = instants[guard];
   });
+  if (first.fired.count() < 2) return first;
+  const double resolution = system.time_resolution();
   for (std::size_t guard = 0; guard < max_guards; ++guard) {
-    if (candidates[guard] && instants[guard] > earliest + resolution) candidates.reset(guard);
+    if (first.fired[guard] && instants[guard] > first.time + resolution) first.fired.reset(guard);
   }
-  return {earliest, candidates};
+  return first;
 }
 
-/// Advances a system until it has ended.
+/// The end of a step whose series are there: its events and strobe points. `in_doubt`: guards that may fire within it.
 ///
 /// A strobe sample shows the state after the events of its instant: one that falls within the time resolution of a step's
 /// end waits for the next step.
 template <HybridSystem System>
+void finish_step(System& system, double length, const FiredGuards& in_doubt, LoopCounts& counts) {
+  ++counts.steps;
+  if (system.ended()) return;
+  const double resolution = system.time_resolution();
+  const double reach = system.time_to_breakpoint();
+  const auto [time, fired] = first_loss(system, length, in_doubt, counts);
+  while (!system.ended() && system.time_to_strobe() < time - resolution) {
+    const double instant = system.time_to_strobe();
+    system.strobe(instant > resolution ? instant : 0.0);
+  }
+  if (system.ended()) return;
+  system.move(time);
+  system.reset(fired, time >= reach - resolution);
+}
+
+/// Does one step.
+template <HybridSystem System>
+void step(System& system, LoopCounts& counts) {
+  const double length = system.expand(system.time_to_breakpoint());
+  finish_step(system, length, guards_in_doubt(system, length), counts);
+}
+
+/// Advances a system until it has ended.
+template <HybridSystem System>
 LoopCounts advance(System& system) {
   LoopCounts counts;
-  const double resolution = system.time_resolution();
-  while (!system.ended()) {
-    const double reach = system.time_to_breakpoint();
-    const double length = system.expand(reach);
-    ++counts.steps;
-    if (system.ended()) break;
-    const auto [time, fired] = first_loss(system, length, resolution, counts);
-    while (!system.ended() && system.time_to_strobe() < time - resolution) {
-      const double instant = system.time_to_strobe();
-      system.strobe(instant > resolution ? instant : 0.0);
-    }
-    if (system.ended()) break;
-    system.move(time);
-    system.reset(fired, time >= reach - resolution);
-  }
+  while (!system.ended()) step(system, counts);
   return counts;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 
@@ -20,13 +21,24 @@ template <base::Lane Real>
   return value;
 }
 
-/// d/dx of the above.
-template <base::Lane Real>
-[[nodiscard]] Real evaluate_derivative(std::span<const Real> c, Real x) {
-  using base::fused;
-  Real value(0.0);
-  for (std::size_t k = c.size() - 1; k >= 1; --k) value = fused(value, x, Real(static_cast<double>(k)) * c[k]);
-  return value;
+/// The Taylor coefficients p(x), p'(x), p''(x)/2, p'''(x)/6.
+struct Jet {
+  double value;
+  double first;
+  double second;
+  double third;
+};
+
+/// By Horner's rule, the four side by side.
+[[nodiscard]] inline Jet jet_at(std::span<const double> c, double x) {
+  Jet jet{c.back(), 0.0, 0.0, 0.0};
+  for (std::size_t k = c.size() - 1; k-- > 0;) {
+    jet.third = std::fma(jet.third, x, jet.second);
+    jet.second = std::fma(jet.second, x, jet.first);
+    jet.first = std::fma(jet.first, x, jet.value);
+    jet.value = std::fma(jet.value, x, c[k]);
+  }
+  return jet;
 }
 
 /// The same polynomial in t = x/length: coefficients c[k] length^k, so that the step is t in [0, 1].

@@ -1,18 +1,25 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>
 
+#include "rocking/base/lane.hpp"
+
 namespace rocking::integrate {
 
-/// Whether a cheap bound shows that p(x) = sum c[k] x^k stays positive on [0, length]. False means "not shown".
-///
-/// There c0 + x q(x) is at least c0 + length min(0, min q); applied from the last coefficient to the first.
+/// One step of a lower bound of p(x) = sum c[k] x^k on [0, length]: there c0 + x q(x) is at least c0 + length min(0, min q).
+template <base::Lane Real>
+[[nodiscard]] inline Real bound_below(Real bound_of_rest, Real coefficient, Real length) {
+  using base::fused, base::smaller;
+  return fused(smaller(bound_of_rest, Real(0.0)), length, coefficient);
+}
+
+/// Whether that bound, from the last coefficient to the first, shows that p stays positive on [0, length]. False means "not
+/// shown".
 [[nodiscard]] inline bool is_clearly_positive(std::span<const double> c, double length) {
   double bound = 0.0;
-  for (std::size_t k = c.size(); k-- > 0;) bound = std::fma(bound < 0.0 ? bound : 0.0, length, c[k]);
+  for (std::size_t k = c.size(); k-- > 0;) bound = bound_below(bound, c[k], length);
   return bound > 0.0;
 }
 

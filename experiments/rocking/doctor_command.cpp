@@ -2,6 +2,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "commands.hpp"
@@ -10,6 +11,7 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/digest.hpp"
 #include "rocking/base/elementary.hpp"
+#include "rocking/lanes/kernels.hpp"
 #include "rocking/report/write_facts.hpp"
 
 namespace rocking::program {
@@ -51,11 +53,18 @@ std::string elementary_digest() {
 constexpr std::string_view expected_elementary_digest =
     "2a846a212407852e70922205ec897b9328975dfad54ef39934e185e96718351c";
 
+// How many realisations a thread advances side by side, and with which instructions.
+std::string lanes_description() {
+  const lanes::Kernels best = lanes::available_kernels().back();
+  return std::to_string(best.lanes) + ", " + std::string(best.name);
+}
+
 std::vector<Fact> build_facts() {
   const base::BuildInfo build = base::build_info();
   return {{"version", std::string(build.version)},       {"revision", std::string(build.revision)},
           {"compiler", std::string(build.compiler)},     {"flags", std::string(build.flags)},
-          {"build_type", std::string(build.build_type)}, {"machine", machine_description()}};
+          {"build_type", std::string(build.build_type)}, {"machine", machine_description()},
+          {"lanes", lanes_description()}};
 }
 
 std::vector<Fact> check_facts() {

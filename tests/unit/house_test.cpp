@@ -30,13 +30,14 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"stats", {"base"}},
     {"dynamics", {"base"}},
     {"integrate", {"base"}},
+    {"lanes", {"base", "dynamics", "integrate"}},
     {"section", {"base", "integrate"}},
-    {"experiment", {"base", "random", "stats", "dynamics", "integrate", "section"}},
+    {"experiment", {"base", "random", "stats", "dynamics", "integrate", "lanes", "section"}},
     {"report", {"base", "stats", "dynamics", "section", "experiment"}},  // for their value types
 };
 
 /// Modules whose results reach a realisation's record bit for bit.
-const std::set<std::string> portable_modules = {"random", "dynamics", "integrate", "section"};
+const std::set<std::string> portable_modules = {"random", "dynamics", "integrate", "lanes", "section"};
 
 Offences matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);

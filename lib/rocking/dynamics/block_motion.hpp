@@ -8,10 +8,12 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "rocking/dynamics/automaton.hpp"
 #include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/motion_series.hpp"
+#include "rocking/dynamics/smooth_step.hpp"
 
 namespace rocking::dynamics {
 
@@ -62,6 +64,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   [[nodiscard]] std::uint64_t slip_steps() const { return slip_steps_; }
   [[nodiscard]] std::uint64_t losses_of_contact() const { return losses_of_contact_; }
   [[nodiscard]] double first_loss_of_contact() const { return first_loss_of_contact_; }  ///< tau; of use after a loss
+  [[nodiscard]] bool is_off_ground() const { return off_ground_; }  ///< N <= 0
   [[nodiscard]] bool was_past_balance() const { return Base::was_past_balance_; }
 
   /// After the last strobe point: goes on for `more` of them, as if the run had been that long from the start.
@@ -107,14 +110,72 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     return done;
   }
 
+  /// Whether the coming step is an ordinary one of rocking: nothing known about it but the state, and no guard armed but the
+  /// ordinary ones. Then it may be done elsewhere, in company (module lanes), from what smooth_step() tells.
+  [[nodiscard]] bool has_ordinary_step() const {
+    if constexpr (!std::is_same_v<Excitation, HarmonicExcitation>) return false;
+    const bool knows_more = Base::sticks_beyond_friction_ || normal_starts_at_zero_ || Base::lift_starts_flat_ ||
+                            Base::slip_starts_flat_ || Base::limit_sign_ != 0.0 ||
+                            (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
+    return rocks() && !ended() && !knows_more && !Base::was_past_balance_ && !off_ground_ &&
+           !(this->is_slipping() && determinant_may_vanish());
+  }
+
+  [[nodiscard]] bool slips() const { return this->is_slipping(); }
+  [[nodiscard]] bool tests_friction() const { return coefficients_.has_friction(); }
+  /// Whether the coming step must end soon.
+  [[nodiscard]] bool is_brief() const { return time_to_breakpoint() <= brief_step * clock_.period_length(); }
+
+  [[nodiscard]] SmoothStep smooth_step() {
+    const double side = state_.side;
+    return {.setting = &setting_,
+            .clock = &clock_,
+            .state = {.tilt = side * state_.tilt,
+                      .tilt_rate = side * state_.tilt_rate,
+                      .slip = side * state_.slip,
+                      .slip_rate = side * state_.slip_rate},
+            .amplitude = side * this->base_amplitude(),
+            .static_friction = coefficients_.static_friction(),
+            .drag = side * state_.slip_direction * kinetic_friction_,
+            .slip_sign = side * state_.slip_direction,
+            .next_strobe = next_strobe_,
+            .strobes_left = schedule_.strobes - strobes_done_,
+            .steps_since_strobe = steps_since_strobe_,
+            .breakpoint = breakpoint_ ? *breakpoint_ : never};
+  }
+
+  /// A strobe point that was passed within a step done elsewhere; not the last one.
+  void pass_strobe(const SmoothState& sample) { tell_strobe(from_frame(sample)); }
+
+  /// The breakpoint was reached by the last of `steps` done elsewhere, and nothing but that happened. If the coming step is no
+  /// ordinary one, catch_up is next, with the time that the clock has now.
+  void pass_breakpoint(std::uint64_t steps) {
+    count_steps_elsewhere(steps);
+    clock_.set(*breakpoint_);
+    settle();
+  }
+
+  /// Takes over from where steps done elsewhere have come to.
+  void catch_up(const SmoothProgress& progress) {
+    state_ = from_frame(progress.state);
+    clock_.set(progress.now);
+    steps_since_strobe_ = progress.steps_since_strobe;
+    if (progress.steps > 0) count_steps_elsewhere(progress.steps);
+  }
+
+  /// A step whose series fill(series) takes from elsewhere, with `length` as `expand` would return it.
+  template <class Fill>
+  [[nodiscard]] double take_up_step(int order, double length, Fill&& fill) {
+    count_step();
+    order_ = order;
+    fill(series_);
+    return begin_step(length, time_to_breakpoint());
+  }
+
   /// The series of the coming step; returns its length.
   [[nodiscard]] double expand(double reach) {
-    if (++steps_since_strobe_ > step_budget) this->end(Termination::stopped);
-    if (this->is_slipping()) ++slip_steps_;
-    const double length = length_of_series(reach);
-    if (after_reset_) look_at_validity();
-    if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
-    return length;
+    count_step();
+    return begin_step(length_of_series(reach), reach);
   }
 
   /// The state x into the step that `expand` has prepared.
@@ -137,18 +198,18 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     return state;
   }
 
-  template <class Visitor>
-  void for_each_guard(Visitor&& visit) const {
-    visit_guards(guard_context(), series_, visit);
+  /// Calls visit(number, coefficients) for each guard that is armed and in the set.
+  template <class Guards, class Visitor>
+  void for_each_guard(const Guards& wanted, Visitor&& visit) const {
+    visit_guards(guard_context(), series_, [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
   }
 
   void strobe(double x) {
     const State sample = state_at(x);
     if (!is_finite(sample)) return end_without_step();
-    this->observer().strobe(sample);
-    ++next_strobe_.period;
+    tell_strobe(sample);
     steps_since_strobe_ = 0;
-    if (++strobes_done_ == schedule_.strobes) this->end(Termination::reached_horizon);
+    if (strobes_done_ == schedule_.strobes) this->end(Termination::reached_horizon);
   }
 
   void move(double x) {
@@ -203,11 +264,43 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
  private:
-  static constexpr int short_order = 9;
-  static constexpr double short_step = 1.0 / 64.0;  ///< of a period
-  static constexpr double least_step = 0x1p-20;               ///< of the clock's resolution
-  static constexpr std::int64_t step_budget = 1'000'000;      ///< in a period
   static constexpr std::int64_t most_events_at_once = 1'000;  ///< without time going on
+
+  void count_step() {
+    if (++steps_since_strobe_ > step_budget) this->end(Termination::stopped);
+    if (this->is_slipping()) ++slip_steps_;
+  }
+
+  void count_steps_elsewhere(std::uint64_t steps) {
+    if (this->is_slipping()) slip_steps_ += steps;
+    time_went_on_ = true;
+    events_at_once_ = 0;
+    after_reset_ = false;
+  }
+
+  /// The series are there.
+  [[nodiscard]] double begin_step(double length, double reach) {
+    if (after_reset_) look_at_validity();
+    if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
+    return length;
+  }
+
+  void tell_strobe(const State& sample) {
+    this->observer().strobe(sample);
+    ++next_strobe_.period;
+    ++strobes_done_;
+  }
+
+  [[nodiscard]] State from_frame(const SmoothState& smooth) const {
+    State state = state_;
+    state.tilt = state_.side * smooth.tilt;
+    state.tilt_rate = state_.side * smooth.tilt_rate;
+    if (this->is_slipping()) {
+      state.slip = state_.side * smooth.slip;
+      state.slip_rate = state_.side * smooth.slip_rate;
+    }
+    return state;
+  }
 
   /// In full contact the frame of the series is the fixed one.
   [[nodiscard]] double frame() const { return state_.contact == ContactState::slide ? 1.0 : state_.side; }
@@ -230,8 +323,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
 
   /// Fills the series as far as the coming step needs it; returns the step's length.
   [[nodiscard]] double length_of_series(double reach) {
-    // A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
-    if (reach <= short_step * clock_.period_length() && expand_to<short_order>() >= reach) return reach;
+    if (reach <= brief_step * clock_.period_length() && expand_to<brief_order>() >= reach) return reach;
     return std::min({expand_to<full_order>(), reach, clock_.period_length()});
   }
 

@@ -20,16 +20,4 @@ void Clock::advance(double duration) {
   wrap();
 }
 
-void Clock::set(const Instant& instant) {
-  now_ = instant;
-  wrap();
-}
-
-void Clock::wrap() {
-  while (now_.time >= length_) {  // exact while the time is below two periods
-    now_.time -= length_;
-    ++now_.period;
-  }
-}
-
 }  // namespace rocking::dynamics

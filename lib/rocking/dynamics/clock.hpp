@@ -38,10 +38,18 @@ class Clock {
   void advance(double duration);
 
   /// Puts the clock on an instant that it has reached to rounding.
-  void set(const Instant& instant);
+  void set(const Instant& instant) {
+    now_ = instant;
+    wrap();
+  }
 
  private:
-  void wrap();
+  void wrap() {
+    while (now_.time >= length_) {  // exact while the time is below two periods
+      now_.time -= length_;
+      ++now_.period;
+    }
+  }
 
   double frequency_;
   double length_;

@@ -25,6 +25,8 @@ enum class Guard : std::size_t {
   normal,            ///< N on the ground, -N off it
 };
 
+inline constexpr std::size_t guard_count = 10;
+
 /// What the guards depend on besides the series.
 struct GuardContext {
   ContactState contact;
@@ -45,14 +47,15 @@ struct GuardContext {
   bool vertical;  ///< the base moves vertically
 };
 
-/// Calls visit(number, coefficients) for each guard that is armed, its known zeros at the start divided out: a tolerance
-/// there would find false events or miss true ones.
-template <class Visitor>
-void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Visitor&& visit) {
+/// Calls visit(number, coefficients) for each guard that is armed and wanted(number), its known zeros at the start divided
+/// out: a tolerance there would find false events or miss true ones.
+template <class Wanted, class Visitor>
+void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Wanted&& wanted, Visitor&& visit) {
   constexpr double half_pi = 0x1.921fb54442d18p+0;
   std::array<double, full_order + 2> guard{};
   const auto order = static_cast<std::size_t>(context.order);
   const auto visit_row = [&](Guard name, std::size_t count, std::size_t zeros, auto&& coefficient) {
+    if (!wanted(static_cast<std::size_t>(name))) return;
     for (std::size_t k = zeros; k < count; ++k) guard[k] = coefficient(k);
     visit(static_cast<std::size_t>(name), std::span<const double>(guard.data() + zeros, count - zeros));
   };

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <type_traits>
 #include <utility>
 
@@ -31,6 +32,13 @@
 namespace rocking::dynamics {
 
 inline constexpr int full_order = 14;
+
+/// A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
+inline constexpr int brief_order = 9;
+inline constexpr double brief_step = 1.0 / 64.0;  ///< of a period
+
+inline constexpr double least_step = 0x1p-20;            ///< of the clock's resolution
+inline constexpr std::int64_t step_budget = 1'000'000;   ///< in a period
 
 /// Coefficients of x^k; all in the side frame.
 template <base::Lane Real>
@@ -85,7 +93,8 @@ template <int k, base::Lane Real>
 /// (a b)_k.
 template <int k, base::Lane Real>
 [[nodiscard]] inline Real product(const Real* a, const Real* b) {
-  return base::fused(a[k], b[0], product_but_newest<k>(a, b));
+  using base::fused;
+  return fused(a[k], b[0], product_but_newest<k>(a, b));
 }
 
 template <int k>
@@ -181,12 +190,13 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
 /// Slide in full contact: from base, weight, slip_rate[0], slip[0] to the slip's series, to `order`. N = (4/3) g.
 template <int order, bool vertical, base::Lane Real>
 inline void expand_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
+  using base::fused;
   using namespace kernel;
   repeat<order>([&](auto index) {
     constexpr int k = index;
     Real push = m.base[k];
     if constexpr (vertical) {
-      push = base::fused(slip.drag, m.weight[k], push);
+      push = fused(slip.drag, m.weight[k], push);
     } else if constexpr (k == 0) {
       push = push + slip.drag;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <type_traits>
 #include <vector>
@@ -22,12 +23,6 @@ inline void add(Effort& effort, const integrate::LoopCounts& counts) {
 
 /// A strobe point is about as accurate as the step times a few hundred of them; better than 1e-9 is never needed.
 inline double resolution_of(double tolerance) { return std::max(1e-9, 1e3 * tolerance); }
-
-/// The strobe points for which a motion must be scheduled before run_to_horizon. A run has at least one of them before the
-/// copy for a companion is made.
-[[nodiscard]] inline std::int64_t strobes_before_copy(const Condition& condition) {
-  return std::max<std::int64_t>(condition.horizon.transient_periods, 1);
-}
 
 /// What a finished motion leaves behind, but for the verdict.
 template <class Motion>
@@ -56,38 +51,85 @@ void collect(Record& record, const Motion& motion, const StrobeRecorder& recorde
           .margin = section::largest_margin};
 }
 
-/// Runs `motion`, scheduled for strobes_before_copy, over the horizon and names its response. A copy is kept from the end of the transient, for a companion.
-template <class Motion>
-void run_to_horizon(Record& record, Motion& motion, const StrobeRecorder& recorder, const Condition& condition) {
-  const std::int64_t sampled = condition.horizon.sampled_periods;
-  const std::int64_t more = condition.horizon.transient_periods + sampled - strobes_before_copy(condition);
-  add(record.effort, integrate::advance(motion));
-  const Motion after_transient = motion;
-  if (more > 0) {
-    motion.extend(more);
-    add(record.effort, integrate::advance(motion));
+/// The strobe points for which a motion must be scheduled before a HorizonRun. A run has at least one of them before the copy
+/// for a companion is made.
+[[nodiscard]] inline std::int64_t strobes_before_copy(const Condition& condition) {
+  return std::max<std::int64_t>(condition.horizon.transient_periods, 1);
+}
+
+/// One realisation on its way to the horizon, and its name at the end. It stays where it is, since its motion tells its
+/// recorder. A copy of the motion is kept from the end of the transient, for a companion.
+template <class Excitation>
+class HorizonRun {
+ public:
+  /// make_motion(observer) returns the motion, scheduled for strobes_before_copy.
+  template <class MakeMotion>
+  HorizonRun(const Condition& condition, MakeMotion&& make_motion)
+      : condition_(&condition),
+        recorder_(dynamics::geometry_of(condition.scene.block).shape_angle,
+                  condition.horizon.transient_periods + condition.horizon.sampled_periods),
+        motion_(make_motion(recorder_)) {}
+  HorizonRun(const HorizonRun&) = delete;
+  HorizonRun& operator=(const HorizonRun&) = delete;
+
+  [[nodiscard]] Motion<Excitation>& motion() { return motion_; }
+  [[nodiscard]] integrate::LoopCounts& counts() { return counts_; }
+
+  /// Once the motion has ended: true if that was only the end of the transient, and it goes on.
+  [[nodiscard]] bool go_on() {
+    if (after_transient_) return false;
+    after_transient_ = motion_;
+    const Horizon& horizon = condition_->horizon;
+    const std::int64_t more = horizon.transient_periods + horizon.sampled_periods - strobes_before_copy(*condition_);
+    if (more > 0) motion_.extend(more);
+    return !motion_.ended();
   }
-  collect(record, motion, recorder);
+
+  /// What came of it, once it does not go on.
+  [[nodiscard]] Record finish();
+
+ private:
+  const Condition* condition_;
+  StrobeRecorder recorder_;
+  integrate::LoopCounts counts_;
+  Motion<Excitation> motion_;
+  std::optional<Motion<Excitation>> after_transient_;
+};
+
+template <class Excitation>
+Record HorizonRun<Excitation>::finish() {
+  const std::int64_t sampled = condition_->horizon.sampled_periods;
+  Record record;
+  add(record.effort, counts_);
+  collect(record, motion_, recorder_);
   if (record.termination == dynamics::Termination::overturned) {
     record.verdict.mode = {.kind = section::ResponseKind::overturned};
-    return;
+    return record;
   }
-  if (record.termination != dynamics::Termination::reached_horizon) return;
-  if constexpr (std::is_same_v<Motion, experiment::Motion<dynamics::HarmonicExcitation>>) {
+  if (record.termination != dynamics::Termination::reached_horizon) return record;
+  if constexpr (std::is_same_v<Excitation, dynamics::HarmonicExcitation>) {
     const auto exponent = [&]() -> std::optional<section::ExponentEstimate> {
-      const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
-      const CompanionRun run = companion_exponent(after_transient, shape_angle, sampled);
+      const double shape_angle = dynamics::geometry_of(condition_->scene.block).shape_angle;
+      const CompanionRun run = companion_exponent(*after_transient_, shape_angle, sampled);
       record.effort.companion_periods += run.periods;
       return run.exponent;
     };
     record.verdict =
-        section::classify({.periods = std::span(recorder.periods()).last(static_cast<std::size_t>(sampled)),
-                           .random = is_random(condition.scene),
-                           .resolution = resolution_of(condition.tolerance)},
+        section::classify({.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
+                           .random = is_random(condition_->scene),
+                           .resolution = resolution_of(condition_->tolerance)},
                           exponent);
   } else {
-    record.verdict = verdict_after_record(recorder.periods());
+    record.verdict = verdict_after_record(recorder_.periods());
   }
+  return record;
+}
+
+/// Runs it on one lane.
+template <class Excitation>
+[[nodiscard]] Record run_alone(HorizonRun<Excitation>& run) {
+  while (!run.motion().ended() || run.go_on()) integrate::step(run.motion(), run.counts());
+  return run.finish();
 }
 
 }  // namespace rocking::experiment

@@ -50,19 +50,29 @@ struct Beginning {
 [[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
                                           Strobe strobe, std::int64_t periods);
 
-/// Calls use(motion) with the motion that the scene's excitation asks for, ready to be advanced.
+/// Calls use(excitation) with the base motion that the scene asks for.
 template <class Use>
-decltype(auto) with_motion(const Scene& scene, const Beginning& beginning, dynamics::Observer& observer, Use&& use) {
-  const auto run = [&]<class Excitation>(const Excitation& excitation) -> decltype(auto) {
-    return use(Motion<Excitation>(beginning.setting, beginning.clock, beginning.coefficients, beginning.state,
-                                  beginning.schedule, observer, excitation));
-  };
-  if (scene.excitation.record == nullptr) return run(dynamics::HarmonicExcitation{});
+decltype(auto) with_excitation(const Scene& scene, const Beginning& beginning, Use&& use) {
+  if (scene.excitation.record == nullptr) return use(dynamics::HarmonicExcitation{});
   const auto motion = std::make_shared<const dynamics::RecordedMotion>(
       scene.excitation.record->samples, beginning.setting.block.frequency_parameter, beginning.clock);
   const double scale = scene.excitation.amplitude;
-  if (scene.excitation.record->has_vertical) return run(dynamics::RecordedExcitation<true>(motion, scale));
-  return run(dynamics::RecordedExcitation<false>(motion, scale));
+  if (scene.excitation.record->has_vertical) return use(dynamics::RecordedExcitation<true>(motion, scale));
+  return use(dynamics::RecordedExcitation<false>(motion, scale));
+}
+
+template <class Excitation>
+[[nodiscard]] Motion<Excitation> motion_of(const Beginning& beginning, dynamics::Observer& observer,
+                                           const Excitation& excitation) {
+  return {beginning.setting, beginning.clock, beginning.coefficients, beginning.state, beginning.schedule, observer, excitation};
+}
+
+/// Calls use(motion) with the motion that the scene's excitation asks for, ready to be advanced.
+template <class Use>
+decltype(auto) with_motion(const Scene& scene, const Beginning& beginning, dynamics::Observer& observer, Use&& use) {
+  return with_excitation(scene, beginning, [&](const auto& excitation) -> decltype(auto) {
+    return use(motion_of(beginning, observer, excitation));
+  });
 }
 
 }  // namespace rocking::experiment

@@ -4,22 +4,21 @@
 
 #include "rocking/experiment/horizon_run.hpp"
 #include "rocking/experiment/realisation.hpp"
-#include "rocking/experiment/strobe_recorder.hpp"
 
 namespace rocking::experiment {
 
 Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation) {
   const random::Draws draws(seed, realisation);
   const Start start = start_of(condition.scene, draws);
-  Record record;
-  record.effort.initial_draws = start.draws;
-  StrobeRecorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle,
-                          condition.horizon.transient_periods + condition.horizon.sampled_periods);
   const Beginning beginning =
       begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
-  with_motion(condition.scene, beginning, recorder,
-              [&](auto motion) { run_to_horizon(record, motion, recorder, condition); });
-  return record;
+  return with_excitation(condition.scene, beginning, [&]<class Excitation>(const Excitation& excitation) {
+    HorizonRun<Excitation> run(
+        condition, [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
+    Record record = run_alone(run);
+    record.effort.initial_draws = start.draws;
+    return record;
+  });
 }
 
 std::optional<std::int64_t> parting_period(const Record& a, const Record& b) {

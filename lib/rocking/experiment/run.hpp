@@ -10,6 +10,7 @@
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
 #include "rocking/experiment/store.hpp"
+#include "rocking/lanes/kernels.hpp"
 
 namespace rocking::experiment {
 
@@ -24,7 +25,7 @@ struct RunOptions {
   unsigned threads = 1;
   /// Called now and then, from one thread at a time, with the realisations done so far of all.
   std::function<void(std::uint64_t done, std::uint64_t all)> on_progress;
-  /// Set from outside (a signal handler, a clock) to stop between realisations.
+  /// Set from outside (a signal handler, a clock) to stop; realisations under way are left unfinished.
   const std::atomic<bool>* stop_requested = nullptr;
   /// Called before `on_progress`, with what was just put into the store.
   std::function<void(std::size_t condition, const std::vector<Summary>& summaries)> on_realisations = nullptr;
@@ -32,6 +33,8 @@ struct RunOptions {
   /// of strobe periods.
   std::function<bool()> commit_is_due = {};
   Workforce workforce = {};  ///< empty: `threads` threads of this process
+  /// How many realisations each thread advances side by side, and with which instructions.
+  lanes::Kernels lanes = lanes::available_kernels().back();
 };
 
 enum class RunEnd : std::uint8_t { complete, stopped };

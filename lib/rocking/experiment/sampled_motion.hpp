@@ -31,9 +31,9 @@ class SampledMotion {
   [[nodiscard]] double time_to_strobe() const { return motion_->time_to_strobe(); }
   [[nodiscard]] double expand(double reach) { return motion_->expand(reach); }
 
-  template <class Visitor>
-  void for_each_guard(Visitor&& visit) const {
-    motion_->for_each_guard(visit);
+  template <class Guards, class Visitor>
+  void for_each_guard(const Guards& wanted, Visitor&& visit) const {
+    motion_->for_each_guard(wanted, visit);
   }
 
   void strobe(double x) {

@@ -78,13 +78,17 @@ double SceneCoefficients::kinetic_friction(const Clock& clock) {
 double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
   const std::int64_t interval = grid_index(clock);
   if (interval != interval_) {
-    const auto index = static_cast<std::uint64_t>(interval);
-    const bool same_pair = interval_ >= 0 && interval / 2 == interval_ / 2;
-    if (!same_pair) kinetic_pair_ = draws_.standard_normal_pair(Source::kinetic_friction, index / 2);
+    if (interval_ < 0 || interval / intervals_at_once != interval_ / intervals_at_once) {
+      const std::int64_t first = interval - interval % intervals_at_once;
+      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(first), deviations_);
+    }
+    interval_begin_ = interval == interval_ + 1 && interval_ >= 0 ? interval_end_ : grid_instant(clock, interval);
+    interval_end_ = grid_instant(clock, interval + 1);
     interval_ = interval;
     held_at_static_ = false;
     ++kinetic_draws_;
-    kinetic_friction_ = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * kinetic_pair_[index];
+    const double deviation = deviations_[static_cast<std::size_t>(interval % intervals_at_once)];
+    kinetic_friction_ = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * deviation;
     if (kinetic_friction_ < 0.0) {
       kinetic_friction_ = 0.0;
       ++clamps_.kinetic_at_zero;
@@ -130,17 +134,20 @@ Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t index) 
 /// The interval that now lies in; now counts as after a boundary that it has reached to within the clock's resolution.
 /// Most often that is the one last seen or the next.
 std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
-  const auto is_reached = [&](std::int64_t index) {
-    return clock.until(grid_instant(clock, index)) <= clock.resolution();
-  };
-  std::int64_t index = interval_;
-  if (index < 0 || !is_reached(index) || is_reached(index + 2)) {
-    const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
-    const double local = (clock.now().time - clock.start()) / clock.period_length() * count;
-    index = clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
-    index = std::max<std::int64_t>(index - 1, 0);  // floor may be one too high, by rounding
+  const auto is_reached = [&](const Instant& instant) { return clock.until(instant) <= clock.resolution(); };
+  if (interval_ >= 0 && is_reached(interval_begin_)) {
+    if (!is_reached(interval_end_)) return interval_;
+    if (!is_reached(grid_instant(clock, interval_ + 2))) return interval_ + 1;
   }
-  while (is_reached(index + 1)) ++index;
+  return searched_grid_index(clock);
+}
+
+std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
+  const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
+  const double local = (clock.now().time - clock.start()) / clock.period_length() * count;
+  std::int64_t index = clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
+  index = std::max<std::int64_t>(index - 1, 0);  // floor may be one too high, by rounding
+  while (clock.until(grid_instant(clock, index + 1)) <= clock.resolution()) ++index;
   return index;
 }
 
@@ -148,7 +155,8 @@ std::optional<Instant> SceneCoefficients::next_change(const Clock& clock, bool s
   std::optional<Instant> next;
   if (fluctuation_.amplitude > 0.0) next = Instant{.period = clock.now().period + 1, .time = 0.0};
   if (slipping && fluctuation_.kinetic_friction > 0.0) {
-    const Instant refresh = grid_instant(clock, grid_index(clock) + 1);
+    const std::int64_t index = grid_index(clock);
+    const Instant refresh = index == interval_ ? interval_end_ : grid_instant(clock, index + 1);
     if (!next || clock.until(refresh) < clock.until(*next)) next = refresh;
   }
   return next;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -46,6 +47,7 @@ class SceneCoefficients {
 
   [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t index) const;
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
+  [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
   void draw_static_friction();
   void look_up_static_friction();
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
@@ -60,8 +62,13 @@ class SceneCoefficients {
   Count stops_;
   Count static_count_;  ///< of stops, when the static friction in force was drawn
   Count impacts_;
+  /// Deviations of the kinetic friction are drawn for as many intervals in a row.
+  static constexpr std::int64_t intervals_at_once = 16;
+
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
-  random::NormalPair kinetic_pair_{};
+  dynamics::Instant interval_begin_;
+  dynamics::Instant interval_end_;
+  std::array<double, intervals_at_once> deviations_{};  ///< in units of sigma
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted
   std::int64_t amplitude_period_ = -1;

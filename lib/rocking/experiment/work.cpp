@@ -3,54 +3,12 @@
 #include <algorithm>
 
 #include "rocking/base/error.hpp"
-#include "rocking/experiment/record.hpp"
 
 namespace rocking::experiment {
-namespace {
-
-/// Realisations are alike but for their draws, so every so manieth is as good as one drawn at random.
-bool is_repeated(const Condition& condition, std::uint64_t number) {
-  return is_random(condition.scene) && condition.repeat_every > 0 && number % condition.repeat_every == 0;
-}
-
-bool is_checked(const Condition& condition, std::uint64_t number) {
-  return is_random(condition.scene) && condition.label_check && number % condition.label_check->every == 0;
-}
-
-/// The mode by a run that is sampled for longer, after the same transient, with the same draws.
-section::ResponseMode mode_in_the_long_run(Condition condition, std::uint64_t seed, std::uint64_t number) {
-  condition.horizon.sampled_periods *= static_cast<int>(condition.label_check->times_longer);
-  return realise(condition, seed, number).verdict.mode;
-}
-
-}  // namespace
-
 double repeat_tolerance(double tolerance) { return std::max(1e-16, tolerance / 100.0); }
 
 std::uint64_t effective_realisations(const Condition& condition) {
   return is_random(condition.scene) ? condition.realisations : 1;
-}
-
-std::vector<Summary> run_pair(const Experiment& experiment, const Pair& pair, std::uint64_t count) {
-  const Condition& condition = experiment.conditions[pair.condition];
-  Condition tighter = condition;
-  tighter.tolerance = repeat_tolerance(condition.tolerance);
-  std::vector<Record> records;
-  std::vector<Summary> summaries;
-  for (std::uint64_t number = pair.first; number < std::min(pair.first + 2, count); ++number) {
-    records.push_back(realise(condition, experiment.seed, number));
-    summaries.push_back(summarise(records.back(), number));
-    if (is_repeated(condition, number)) {
-      const Record repeat = realise(tighter, experiment.seed, number);
-      summaries.back().repeat_mode = repeat.verdict.mode;
-      summaries.back().repeat_parted = parting_period(records.back(), repeat);
-    }
-    if (is_checked(condition, number)) {
-      summaries.back().long_mode = mode_in_the_long_run(condition, experiment.seed, number);
-    }
-  }
-  if (records.size() == 2) summaries[0].parted_from_next = parting_period(records[0], records[1]);
-  return summaries;
 }
 
 WorkList::WorkList(const Experiment& experiment, const std::optional<Shard>& shard) : shard_(shard) {

@@ -19,10 +19,6 @@ struct Pair {
   std::uint64_t first = 0;
 };
 
-/// Runs the realisations of a pair of a condition that has `count` in all: two summaries, or one where the pair has no
-/// second. A pure function of its arguments.
-[[nodiscard]] std::vector<Summary> run_pair(const Experiment& experiment, const Pair& pair, std::uint64_t count);
-
 /// The tolerance at which some of the realisations are repeated, with the same draws, to tell what arithmetic does from
 /// what friction does: a hundred times tighter, but not below 1e-16.
 [[nodiscard]] double repeat_tolerance(double tolerance);

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+#include "rocking/dynamics/automaton.hpp"
+#include "rocking/dynamics/clock.hpp"
+
+/// What of a motion its smooth steps need and change, as plain numbers in the frame of the block's side (S times each).
+namespace rocking::dynamics {
+
+struct SmoothState {
+  double tilt;       ///< S theta [rad]
+  double tilt_rate;  ///< S w
+  double slip;       ///< S X
+  double slip_rate;  ///< S V
+};
+
+/// The coming step.
+struct SmoothStep {
+  const Setting* setting;
+  const Clock* clock;
+  SmoothState state;
+  double amplitude;        ///< of S alpha
+  double static_friction;  ///< mu_s in force
+  double drag;             ///< nu = S s mu_k
+  double slip_sign;        ///< S s
+  Instant next_strobe;
+  std::int64_t strobes_left;
+  std::int64_t steps_since_strobe;
+  Instant breakpoint;  ///< until which the equations hold
+};
+
+inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
+
+/// What steps done elsewhere have come to.
+struct SmoothProgress {
+  SmoothState state;
+  Instant now;
+  std::uint64_t steps;  ///< since the last event or breakpoint
+  std::int64_t steps_since_strobe;
+};
+
+}  // namespace rocking::dynamics

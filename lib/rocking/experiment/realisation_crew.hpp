@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "rocking/experiment/record.hpp"
+#include "rocking/lanes/kernels.hpp"
+
+namespace rocking::experiment {
+
+/// Runs realisations side by side, on one thread. What comes of one is what realise() returns for it, to the bit, whoever
+/// is beside it and however many lanes there are.
+class RealisationCrew {
+ public:
+  explicit RealisationCrew(const lanes::Kernels& kernels);
+  ~RealisationCrew();
+
+  /// Whether another realisation would be done beside those that are here.
+  [[nodiscard]] bool wants_more() const;
+  [[nodiscard]] bool is_idle() const;
+
+  /// `condition` must last until the record is there.
+  void start(const Condition& condition, std::uint64_t seed, std::uint64_t realisation, std::size_t ticket);
+
+  struct Finished {
+    std::size_t ticket;
+    Record record;
+  };
+  /// Goes on until something is finished, or for about a millisecond; returns what is finished.
+  [[nodiscard]] std::vector<Finished> work();
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace rocking::experiment

@@ -1,0 +1,23 @@
+#include "rocking/lanes/units.hpp"
+
+#if defined(__AVX2__) && defined(__FMA__)
+
+#include "rocking/lanes/kernel.hpp"
+
+namespace rocking::lanes {
+
+std::span<const Kernels> avx2_kernels() {
+  static constexpr Kernels kernels[] = {kernels_of<Pack<2, 1>>("AVX2, half registers"), kernels_of<Pack<4, 2>>("AVX2, pairs"),
+                                        kernels_of<Pack<4, 1>>("AVX2")};
+  return kernels;
+}
+
+}  // namespace rocking::lanes
+
+#else
+
+namespace rocking::lanes {
+std::span<const Kernels> avx2_kernels() { return {}; }
+}  // namespace rocking::lanes
+
+#endif

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+
+#include "rocking/dynamics/motion_series.hpp"
+#include "rocking/dynamics/smooth_step.hpp"
+#include "rocking/integrate/hybrid.hpp"
+#include "rocking/lanes/block.hpp"
+#include "rocking/lanes/kernels.hpp"
+
+/// Between the lanes of a block and the motions that are in them.
+namespace rocking::lanes {
+
+/// Goes on in a lane after a breakpoint, which left the state as it was.
+inline void load_change(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+  block.time[lane] = step.clock->now().time;
+  block.period[lane] = static_cast<double>(step.clock->now().period);
+  block.amplitude[lane] = step.amplitude;
+  block.drag[lane] = step.drag;
+  block.break_period[lane] = static_cast<double>(step.breakpoint.period);
+  block.break_time[lane] = step.breakpoint.time;
+}
+
+/// Goes on in a lane after an event.
+inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+  load_change(block, lane, step);
+  block.tilt[lane] = step.state.tilt;
+  block.tilt_rate[lane] = step.state.tilt_rate;
+  block.slip[lane] = step.state.slip;
+  block.slip_rate[lane] = step.state.slip_rate;
+  block.strobe_period[lane] = static_cast<double>(step.next_strobe.period);
+  block.strobes_left[lane] = static_cast<double>(step.strobes_left);
+  block.steps[lane] = 0.0;
+  block.steps_since_strobe[lane] = static_cast<double>(step.steps_since_strobe);
+  block.static_friction[lane] = step.static_friction;
+  block.slip_sign[lane] = step.slip_sign;
+}
+
+/// Puts the coming step of a motion into a lane in which another was.
+inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+  load_step(block, lane, step);
+  const dynamics::Clock& clock = *step.clock;
+  const dynamics::Geometry& geometry = step.setting->block;
+  block.strobe_time[lane] = step.next_strobe.time;
+  block.frequency[lane] = clock.frequency();
+  block.period_length[lane] = clock.period_length();
+  block.resolution[lane] = clock.resolution();
+  block.shape_angle[lane] = geometry.shape_angle;
+  block.sine[lane] = geometry.sine;
+  block.cosine[lane] = geometry.cosine;
+  block.largest[lane] = step.setting->tolerance * geometry.shape_angle;
+  block.inertia[lane] = step.setting->inertia;
+}
+
+/// How far the steps done in a lane have come.
+[[nodiscard]] inline dynamics::SmoothProgress progress(const Block& block, std::size_t lane) {
+  return {.state = {.tilt = block.tilt[lane],
+                    .tilt_rate = block.tilt_rate[lane],
+                    .slip = block.slip[lane],
+                    .slip_rate = block.slip_rate[lane]},
+          .now = {.period = static_cast<std::int64_t>(block.period[lane]), .time = block.time[lane]},
+          .steps = static_cast<std::uint64_t>(block.steps[lane]),
+          .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane])};
+}
+
+/// Takes a lane's series, as far as events, strobe points and the end of a step need them.
+void take_series(const Block& block, std::size_t lane, const Kernels& kernels, Kind kind,
+                 dynamics::MotionSeries<double>& series);
+
+/// The guards that the cheap bound did not clear in a lane.
+[[nodiscard]] integrate::FiredGuards in_doubt(const Block& block, std::size_t lane);
+
+}  // namespace rocking::lanes

@@ -1,0 +1,211 @@
+// Whoever is beside a realisation, on how many lanes and with which instructions: it gets the bits that it gets alone.
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <new>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "golden/experiment.hpp"
+#include "rocking/experiment/horizon_run.hpp"
+#include "rocking/experiment/realisation_crew.hpp"
+#include "rocking/experiment/run.hpp"
+#include "rocking/lanes/crew.hpp"
+
+namespace {
+std::uint64_t allocations = 0;
+}
+
+[[gnu::noinline]] void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* memory = std::malloc(size)) return memory;
+  throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+
+namespace rocking::experiment {
+namespace {
+
+Condition shaken(double amplitude, std::optional<Friction> friction = std::nullopt) {
+  Condition condition;
+  condition.scene.excitation.amplitude = amplitude;
+  condition.scene.excitation.frequency_ratio = 10.0;
+  condition.scene.friction = friction;
+  condition.scene.initial.tilt = Uniform{.low = -0.4, .high = 0.4};
+  condition.horizon = {.transient_periods = 30, .sampled_periods = 30};
+  condition.realisations = 12;
+  return condition;
+}
+
+/// Everything that a lane can meet: rocking with and without friction, slip, grids coarse and fine, amplitudes that jump,
+/// chatter and rest, an overturning, a slip that ends the model, other blocks and tolerances, in one crowd.
+std::vector<Condition> crowd() {
+  std::vector<Condition> conditions = golden::golden_experiment().conditions;
+  const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+  conditions.push_back(shaken(4.5));
+  conditions.push_back(shaken(9.0));
+  conditions.push_back(shaken(7.0, rough));
+  conditions.push_back(shaken(1.0, rough));
+  conditions.push_back(shaken(6.0, Friction{.static_coefficient = 0.25, .kinetic_coefficient = 0.22}));
+  for (const int refreshes : {3, 70, 200}) {
+    conditions.push_back(shaken(6.6, rough));
+    conditions.back().scene.fluctuation.kinetic_friction = 0.05;
+    conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
+    conditions.back().scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+  }
+  conditions.push_back(shaken(5.0));
+  conditions.back().scene.fluctuation.amplitude = 0.5;
+  conditions.push_back(shaken(30.0));
+  conditions.back().scene.excitation.frequency_ratio = 1.0;
+  conditions.push_back(shaken(7.0, Friction{.static_coefficient = 1.6, .kinetic_coefficient = 1.5}));
+  conditions.back().scene.block = {.width = 1.0, .height = 0.9, .gravity = 9.81};
+  conditions.push_back(shaken(4.5));
+  conditions.back().tolerance = 1e-5;
+  return conditions;
+}
+
+struct Task {
+  const Condition* condition;
+  std::uint64_t realisation;
+};
+
+/// All of the crowd, those of one condition far apart.
+std::vector<Task> mixed(const std::vector<Condition>& conditions) {
+  std::vector<Task> tasks;
+  for (std::uint64_t realisation = 0; realisation < 12; ++realisation) {
+    for (const Condition& condition : conditions) {
+      if (realisation < condition.realisations) tasks.push_back({&condition, realisation});
+    }
+  }
+  return tasks;
+}
+
+constexpr std::uint64_t seed = 0x2012;
+
+/// What a record is made of, the counts of work too.
+std::string spelled(const Record& record) {
+  const Effort& effort = record.effort;
+  return base::to_hex(digest_of(record, 0)) + " " + std::to_string(effort.steps) + " steps, " +
+         std::to_string(effort.slip_steps) + " with slip, " + std::to_string(effort.root_isolations) + " isolations, " +
+         std::to_string(effort.kinetic_friction_draws) + " draws, " + std::to_string(record.losses_of_contact) + " losses, " +
+         std::to_string(record.contradictions) + " contradictions, margin " + std::to_string(record.verdict.margin);
+}
+
+std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<Task>& tasks) {
+  std::vector<std::string> spellings(tasks.size());
+  RealisationCrew crew(kernels);
+  for (std::size_t next = 0; next < tasks.size() || !crew.is_idle();) {
+    for (; next < tasks.size() && crew.wants_more(); ++next) {
+      crew.start(*tasks[next].condition, seed, tasks[next].realisation, next);
+    }
+    for (const auto& [ticket, record] : crew.work()) spellings[ticket] = spelled(record);
+  }
+  return spellings;
+}
+
+TEST(Lanes, GiveEachRealisationTheBitsThatItGetsAlone) {
+  const std::vector<Condition> conditions = crowd();
+  const std::vector<Task> tasks = mixed(conditions);
+  std::vector<std::string> alone;
+  for (const Task& task : tasks) alone.push_back(spelled(realise(*task.condition, seed, task.realisation)));
+  for (const lanes::Kernels& kernels : lanes::available_kernels()) {
+    const auto together = side_by_side(kernels, tasks);
+    for (std::size_t i = 0; i < tasks.size(); ++i) {
+      ASSERT_EQ(together[i], alone[i]) << kernels.name << ": condition " << tasks[i].condition - conditions.data()
+                                       << ", realisation " << tasks[i].realisation;
+    }
+  }
+}
+
+TEST(Lanes, OfEveryWidthGiveTheSameRun) {
+  Experiment experiment = golden::golden_experiment();
+  std::map<std::string, std::string> digests;
+  for (const lanes::Kernels& kernels : lanes::available_kernels()) {
+    RunOptions options;
+    options.threads = 2;
+    options.lanes = kernels;
+    digests[base::to_hex(run(experiment, options)->digest)] += std::string(kernels.name) + "; ";
+  }
+  EXPECT_THAT(digests, testing::SizeIs(1));
+}
+
+TEST(Lanes, ComeInTheWidthsOfTheInstructionSets) {
+  std::vector<int> widths;
+  for (const lanes::Kernels& kernels : lanes::available_kernels()) widths.push_back(kernels.lanes);
+  EXPECT_EQ(widths.front(), 1);
+#if defined(__AVX2__)
+  EXPECT_THAT(widths, testing::IsSupersetOf({1, 2, 4, 8}));
+#endif
+}
+
+TEST(Lanes, AllocateNothingInTheInnerLoop) {
+  Condition condition = shaken(4.5, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
+  condition.scene.fluctuation.kinetic_friction = 0.03;
+  condition.scene.fluctuation.static_friction = 0.03;
+  condition.horizon.transient_periods = 20'000;
+  using Run = HorizonRun<dynamics::HarmonicExcitation>;
+  lanes::Crew<Run> crew(lanes::available_kernels().back());
+  std::vector<std::unique_ptr<Run>> runs;
+  for (std::uint64_t number = 0; number < crew.wanted_size(); ++number) {
+    const random::Draws draws(seed, number);
+    const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
+                                                  strobes_before_copy(condition));
+    runs.push_back(std::make_unique<Run>(condition, [&](dynamics::Observer& observer) {
+      return motion_of(beginning, observer, dynamics::HarmonicExcitation{});
+    }));
+    crew.add(*runs.back());
+  }
+  const auto steps = [&crew](int count) {
+    for (int i = 0; i < count; ++i) crew.step();
+  };
+  steps(20'000);  // buffers grow to what they need
+  const std::uint64_t before = allocations;
+  steps(20'000);
+  EXPECT_EQ(allocations - before, 0U);
+  EXPECT_THAT(crew.take_finished(), testing::IsEmpty()) << "a run that ends allocates, and is not what is tested here";
+}
+
+/// The lines that a command prints.
+std::vector<std::string> output_of(const std::string& command) {
+  std::vector<std::string> lines;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return lines;
+  char* line = nullptr;
+  for (std::size_t size = 0; getline(&line, &size, pipe) > 0;) lines.emplace_back(line, std::strcspn(line, "\n"));
+  std::free(line);
+  pclose(pipe);
+  return lines;
+}
+
+// An inline function of a standard container that was compiled for AVX-512 could be linked into the whole program and crash
+// an older processor: such units share nothing with others.
+TEST(Lanes, ShareNothingThatWasCompiledForANewerProcessor) {
+#if ROCKING_CONTRACTS
+  GTEST_SKIP() << "sanitizers and contracts add symbols of their own";
+#endif
+  const auto library = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "lib/rocking/lanes/librocking_lanes.a";
+  std::string unit;
+  int kernels = 0;
+  for (const std::string& line : output_of("nm -C '" + library.string() + "'")) {
+    if (line.ends_with(".o:")) unit = line;
+    if (unit.find("_avx") == std::string::npos && unit.find("_neon") == std::string::npos) continue;
+    ++kernels;
+    const bool is_shared = line.find(" W ") != std::string::npos || line.find(" V ") != std::string::npos ||
+                           line.find(" u ") != std::string::npos;
+    EXPECT_FALSE(is_shared) << unit << " " << line;
+  }
+  EXPECT_GT(kernels, 0);
+}
+
+}  // namespace
+}  // namespace rocking::experiment

@@ -4,13 +4,16 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 #include "benchmarks/arkode_flow.hpp"
 #include "benchmarks/odeint_flow.hpp"
 #include "differential/peer/block.hpp"
 #include "rocking/experiment/realisation.hpp"
+#include "rocking/lanes/crew.hpp"
 
 namespace rocking::benchmarks {
 
@@ -57,6 +60,30 @@ Calibration errors_at(const Case& c, const Follow& follow, double tolerance) {
   return {tolerance, errors[starts / 2], errors.back()};
 }
 
+/// A realisation in a crew.
+class LaneRun {
+ public:
+  LaneRun(const experiment::Condition& condition, const Question& question)
+      : motion_(experiment::motion_of(beginning_of(condition, question), observer_, dynamics::HarmonicExcitation{})) {}
+  LaneRun(const LaneRun&) = delete;
+  LaneRun& operator=(const LaneRun&) = delete;
+
+  [[nodiscard]] auto& motion() { return motion_; }
+  [[nodiscard]] integrate::LoopCounts& counts() { return counts_; }
+  [[nodiscard]] static bool go_on() { return false; }
+
+ private:
+  static experiment::Beginning beginning_of(const experiment::Condition& condition, const Question& question) {
+    const random::Draws draws(question.seed, question.realisation);
+    return experiment::begin_realisation(condition, draws, experiment::start_of(condition.scene, draws),
+                                         experiment::Strobe::poincare, question.periods);
+  }
+
+  LastStrobe observer_;
+  experiment::Motion<dynamics::HarmonicExcitation> motion_;
+  integrate::LoopCounts counts_;
+};
+
 }  // namespace
 
 Question question_of(const Case& c, int start) {
@@ -86,6 +113,30 @@ EndState follow_by_ours(const Question& question, double tolerance) {
     return EndState{last.tilt / psi, last.tilt_rate / psi, last.slip_rate,
                     motion.termination() == dynamics::Termination::reached_horizon};
   });
+}
+
+int follow_side_by_side(const Case& c, double tolerance, int copies) {
+  lanes::Crew<LaneRun> crew(lanes::available_kernels().back());
+  std::vector<std::unique_ptr<LaneRun>> runs;
+  int reached = 0;
+  const auto advance_until = [&](std::size_t size) {
+    while (crew.size() > size) crew.step();
+    for (LaneRun* run : crew.take_finished()) {
+      reached += run->motion().termination() == dynamics::Termination::reached_horizon ? 1 : 0;
+    }
+  };
+  for (int copy = 0; copy < copies; ++copy) {
+    for (int start = 0; start < starts; ++start) {
+      Question question = question_of(c, start);
+      question.realisation += static_cast<std::uint64_t>(starts * copy);
+      question.condition.tolerance = tolerance;
+      runs.push_back(std::make_unique<LaneRun>(question.condition, question));
+      crew.add(*runs.back());
+      advance_until(crew.wanted_size() - 1);
+    }
+  }
+  advance_until(0);
+  return reached;
 }
 
 EndState follow_by_odeint(const Question& question, double tolerance) {

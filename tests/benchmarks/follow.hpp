@@ -34,6 +34,10 @@ using Follow = std::function<EndState(const differential::Question&, double)>;
 [[nodiscard]] EndState follow_by_odeint(const differential::Question& question, double tolerance);
 [[nodiscard]] EndState follow_by_arkode(const differential::Question& question, double tolerance);
 
+/// Follows `copies` realisations of each start to their ends, side by side in the lanes that the machine has. Returns how many
+/// reached them.
+[[nodiscard]] int follow_side_by_side(const Case& c, double tolerance, int copies);
+
 /// A tolerance, and the errors in Theta, Theta', V that it leaves over all starts.
 struct Calibration {
   double tolerance;

@@ -1,8 +1,8 @@
-// What a period of motion costs at a given end-state error, on one thread: ours beside Boost.odeint and SUNDIALS' ARKODE,
-// which follow the mechanics of tests/differential/peer. Every integrator takes the coarsest tolerance of a ladder at which
-// the median error of its end states, against ours at 1e-15, is at most `wanted_error`. The pipeline is what a run does
-// with a realisation, over the usual 620 periods: motion, name, digest, row of the store. The last lines give times, errors
-// and ratios.
+// What a period of motion costs at a given end-state error, on one thread: ours, alone and side by side in lanes (the same
+// bits), beside Boost.odeint and SUNDIALS' ARKODE, which follow the mechanics of tests/differential/peer. Every integrator
+// takes the coarsest tolerance of a ladder at which the median error of its end states, against ours at 1e-15, is at most
+// `wanted_error`. The pipeline is what a run does with realisations of the usual 620 periods: motion in lanes, name, digest,
+// row of the store. The last lines give times, errors and ratios.
 
 #include <algorithm>
 #include <array>
@@ -15,6 +15,7 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/follow.hpp"
+#include "rocking/experiment/realisation_crew.hpp"
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/store.hpp"
 #include "support/temporary_folder.hpp"
@@ -40,18 +41,33 @@ void follow_all(benchmark::State& state, const Case& c, const Follow& follow, co
   state.SetItemsProcessed(state.iterations() * starts * periods);
 }
 
+void follow_all_in_lanes(benchmark::State& state, const Case& c, const Calibration& calibration) {
+  constexpr int copies = 8;
+  for (auto _ : state) benchmark::DoNotOptimize(follow_side_by_side(c, calibration.tolerance, copies));
+  state.SetItemsProcessed(state.iterations() * copies * starts * periods);
+}
+
 void run_pipeline(benchmark::State& state, const Case& c, const Calibration& calibration) {
+  constexpr std::size_t at_a_time = 128;
   const support::TemporaryFolder folder;
   auto store = experiment::Store::create(folder / "benchmark.sqlite", {});
+  std::vector<experiment::Condition> conditions;
+  for (int start = 0; start < starts; ++start) {
+    conditions.push_back(question_of(c, start).condition);
+    conditions.back().tolerance = calibration.tolerance;
+  }
+  experiment::RealisationCrew crew(lanes::available_kernels().back());
+  std::size_t ticket = 0;
   std::int64_t done = 0;
-  std::uint64_t realisation = 0;
-  for (auto _ : state) {
-    experiment::Condition condition = question_of(c, static_cast<int>(realisation % starts)).condition;
-    condition.tolerance = calibration.tolerance;
-    const experiment::Record record = experiment::realise(condition, 0x2012, realisation);
-    store.add({.condition = 0, .realisation = realisation}, experiment::summarise(record, realisation));
-    ++realisation;
-    done += static_cast<std::int64_t>(record.strobe.size());
+  for (auto _ : state) {  // the crew stays full from one to the next
+    for (std::size_t finished = 0; finished < at_a_time;) {
+      for (; crew.wants_more(); ++ticket) crew.start(conditions[ticket % starts], 0x2012, ticket, ticket);
+      for (const auto& [number, record] : crew.work()) {
+        store.add({.condition = 0, .realisation = number}, experiment::summarise(record, number));
+        done += static_cast<std::int64_t>(record.strobe.size());
+        ++finished;
+      }
+    }
   }
   store.commit();
   state.SetItemsProcessed(done);
@@ -99,7 +115,7 @@ class Table : public benchmark::ConsoleReporter {
 
 void register_all(Table& table) {
   const std::array<Integrator, 3> integrators{
-      {{"ours", follow_by_ours}, {"odeint", follow_by_odeint}, {"ARKODE", follow_by_arkode}}};
+      {{"ours alone", follow_by_ours}, {"odeint", follow_by_odeint}, {"ARKODE", follow_by_arkode}}};
   for (const Case& c : {Case{"no sliding", 4.5, false, 0.0}, Case{"sliding", 7.0, true, 0.0},
                         Case{"fluctuating friction", 7.0, true, 0.03}}) {
     const auto enlist = [&](const std::string& name, const Calibration& calibration, auto run) {
@@ -111,7 +127,8 @@ void register_all(Table& table) {
       enlist(integrator.name, calibration, [c, integrator, calibration](benchmark::State& state) {
         follow_all(state, c, integrator.follow, calibration);
       });
-      if (integrator.name != "ours") continue;
+      if (integrator.name != "ours alone") continue;
+      enlist("ours in lanes", calibration, [c, calibration](benchmark::State& state) { follow_all_in_lanes(state, c, calibration); });
       enlist("our pipeline", calibration,
              [c, calibration](benchmark::State& state) { run_pipeline(state, c, calibration); });
     }

@@ -5,12 +5,15 @@
 #include <cstdio>
 #include <cstring>
 
-#include "rocking/experiment/record.hpp"
+#include "rocking/experiment/realisation_crew.hpp"
 #include "rocking/experiment/store.hpp"
 
 namespace {
 
 using namespace rocking;
+using experiment::RealisationCrew;
+
+constexpr std::uint64_t realisations = 40;
 
 /// The scenes of integrators_benchmark.cpp, from rest.
 experiment::Condition condition_of(const char* name) {
@@ -33,10 +36,13 @@ int main(int count, char** arguments) {
   const experiment::Condition condition = condition_of(arguments[1]);
   auto store = experiment::Store::in_memory({});
   std::size_t periods = 0;
-  for (std::uint64_t realisation = 0; realisation < 10; ++realisation) {
-    const experiment::Record record = experiment::realise(condition, 0x2012, realisation);
-    store.add({.condition = 0, .realisation = realisation}, experiment::summarise(record, realisation));
-    periods += record.strobe.size();
+  RealisationCrew crew(lanes::available_kernels().back());
+  for (std::uint64_t next = 0; next < realisations || !crew.is_idle();) {
+    for (; next < realisations && crew.wants_more(); ++next) crew.start(condition, 0x2012, next, next);
+    for (const auto& [number, record] : crew.work()) {
+      store.add({.condition = 0, .realisation = number}, experiment::summarise(record, number));
+      periods += record.strobe.size();
+    }
   }
   store.commit();
   std::printf("%zu\n", periods);

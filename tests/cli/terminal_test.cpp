@@ -71,8 +71,12 @@ class Terminal : public rocking::support::ProgramTest {
 };
 
 TEST_F(Terminal, ShowsABarTheRestTheConditionAndItsEstimateOnOneLine) {
-  const std::string shown = seen(120, "run quick.json -o out");
-  EXPECT_THAT(shown, ContainsRegex("\r\\[.*\x1b\\[32m[=>].* *.*\\] [0-9]+/12.*; amplitude 3: [a-z(].* % "
+  auto longer = quick_experiment();
+  longer["realisations"] = 400;
+  longer["horizon"]["transient_periods"] = 300;
+  write("longer.json", longer.dump());
+  const std::string shown = seen(120, "run longer.json -o out");
+  EXPECT_THAT(shown, ContainsRegex("\r\\[.*\x1b\\[32m[=>].* *.*\\] [0-9]+/[0-9]+.*; amplitude 3: [a-z(].* % "
                                    "\\[[0-9]+, [0-9]+\\] of [0-9]+\x1b\\[K"));
   EXPECT_THAT(shown, HasSubstr("\r\x1b[Krocking: ")) << "the line is left as it was found";
 }

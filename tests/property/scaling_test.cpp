@@ -95,7 +95,7 @@ TEST(Scaling, OfSizeAndGravityByPowersOfFourLeavesEveryBit) {
 }
 
 // Other scales round the shape angle and the times of the record, each relatively by some 2^-53. How much that may change
-// is measured by changing the width by 1e-10, both ways. Scenes in which already that changes the events, or the lengths
+// is measured by changing the width, and gravity, by 1e-10, both ways. Scenes in which already that changes the events, or the lengths
 // of their chatters, say nothing and are left out.
 TEST(Scaling, ByAnyNumberChangesNoMoreThanRounding) {
   int compared = 0;
@@ -104,9 +104,11 @@ TEST(Scaling, ByAnyNumberChangesNoMoreThanRounding) {
     const Trajectory trajectory = trajectory_of(condition, 1, number, 3);
     double growth = 1.0;
     for (const double change : {1e-10, -1e-10}) {
-      Condition other = condition;
-      other.scene.block.width *= 1.0 + change;
-      growth = std::max(growth, distance(trajectory, trajectory_of(other, 1, number, 3)) / 1e-10);
+      for (double dynamics::Block::* quantity : {&dynamics::Block::width, &dynamics::Block::gravity}) {
+        Condition other = condition;
+        other.scene.block.*quantity *= 1.0 + change;
+        growth = std::max(growth, distance(trajectory, trajectory_of(other, 1, number, 3)) / 1e-10);
+      }
     }
     if (growth > 1e6) continue;
     ++compared;

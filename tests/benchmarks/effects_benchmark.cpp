@@ -106,7 +106,8 @@ double periods_of(const Condition& condition) {
 }
 
 void print_effects() {
-  std::printf("%-26s %9s %7s %7s %7s %7s %7s %9s\n", "a period:", "us", "steps", "slip", "roots", "events", "draws", "segments");
+  std::printf("%-26s %9s %7s %7s %7s %7s %7s %9s\n", "a period:", "us", "steps", "slip", "roots", "events", "draws",
+              "segments");
   for (const auto& [name, condition] : scenes()) {
     double least = 1e300;
     Effort effort;
@@ -121,8 +122,8 @@ void print_effects() {
     const auto draws = effort.static_friction_draws + effort.kinetic_friction_draws + effort.restitution_draws +
                        effort.amplitude_draws;
     std::printf("%-26s %9.3f %7.2f %7.2f %7.2f %7.2f %7.2f %9.1f\n", name.c_str(), 1e6 * least / periods,
-                share(effort.steps), share(effort.slip_steps), share(effort.root_isolations), share(events), share(draws),
-                share(effort.record_segments));
+                share(effort.steps), share(effort.slip_steps), share(effort.root_isolations), share(events),
+                share(draws), share(effort.record_segments));
   }
 }
 

@@ -128,7 +128,8 @@ void register_all(Table& table) {
         follow_all(state, c, integrator.follow, calibration);
       });
       if (integrator.name != "ours alone") continue;
-      enlist("ours in lanes", calibration, [c, calibration](benchmark::State& state) { follow_all_in_lanes(state, c, calibration); });
+      enlist("ours in lanes", calibration,
+             [c, calibration](benchmark::State& state) { follow_all_in_lanes(state, c, calibration); });
       enlist("our pipeline", calibration,
              [c, calibration](benchmark::State& state) { run_pipeline(state, c, calibration); });
     }

@@ -43,7 +43,8 @@ bool have_same_bits(const Record& a, const Record& b) {
 }
 
 /// Whether realisations side by side in lanes have other bits than alone.
-bool differ_in_lanes(const rocking::lanes::Kernels& kernels, const Experiment& experiment, const std::vector<Record>& alone) {
+bool differ_in_lanes(const rocking::lanes::Kernels& kernels, const Experiment& experiment,
+                     const std::vector<Record>& alone) {
   RealisationCrew crew(kernels);
   std::size_t tickets = 0;
   for (const Condition& condition : experiment.conditions) {

@@ -19,8 +19,8 @@ namespace rocking::dynamics {
 
 /// When a run is sampled and how long it is.
 struct Schedule {
-  Instant first_strobe;       ///< the following ones come a period apart
-  std::int64_t strobes = 0;   ///< after the last the run ends
+  Instant first_strobe;      ///< the following ones come a period apart
+  std::int64_t strobes = 0;  ///< after the last the run ends
 };
 
 /// A small change of state: Theta, Theta', V.
@@ -64,7 +64,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   [[nodiscard]] std::uint64_t slip_steps() const { return slip_steps_; }
   [[nodiscard]] std::uint64_t losses_of_contact() const { return losses_of_contact_; }
   [[nodiscard]] double first_loss_of_contact() const { return first_loss_of_contact_; }  ///< tau; of use after a loss
-  [[nodiscard]] bool is_off_ground() const { return off_ground_; }  ///< N <= 0
+  [[nodiscard]] bool is_off_ground() const { return off_ground_; }                       ///< N <= 0
   [[nodiscard]] bool was_past_balance() const { return Base::was_past_balance_; }
 
   /// After the last strobe point: goes on for `more` of them, as if the run had been that long from the start.
@@ -201,7 +201,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// Calls visit(number, coefficients) for each guard that is armed and in the set.
   template <class Guards, class Visitor>
   void for_each_guard(const Guards& wanted, Visitor&& visit) const {
-    visit_guards(guard_context(), series_, [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
+    visit_guards(
+        guard_context(), series_, [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
   }
 
   void strobe(double x) {
@@ -253,7 +254,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       this->start_slipping(state_.side, at_threshold);
     } else if (has_fired(Guard::leave_right) || has_fired(Guard::leave_left)) {
       this->leave_full_contact(has_fired(Guard::leave_right) ? 1.0 : -1.0, at_threshold);
-      if (has_fired(Guard::normal) && !at_breakpoint) cross_normal();  // nothing pushes: N of the new state is 0 here too
+      if (has_fired(Guard::normal) && !at_breakpoint)
+        cross_normal();  // nothing pushes: N of the new state is 0 here too
     } else if (at_breakpoint) {
       this->check_contact();
     } else if (has_fired(Guard::normal)) {  // after anything else the force jumps and is looked at anew
@@ -363,9 +365,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     off_ground_ = off;
   }
 
-  [[nodiscard]] double determinant() const {
-    return setting_.inertia + series_.sine[0] * series_.arm[0];
-  }
+  [[nodiscard]] double determinant() const { return setting_.inertia + series_.sine[0] * series_.arm[0]; }
 
   /// min over phi of D = J + 1/2 - sqrt(1 + mu_k^2)/2.
   [[nodiscard]] bool determinant_may_vanish() const {
@@ -381,8 +381,13 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .static_friction = coefficients_.static_friction(),
             .inertia = setting_.inertia,
             .slip_sign = frame() * state_.slip_direction,
-            .tilt_zeros = state_.tilt != 0.0 ? 0U : state_.tilt_rate != 0.0 ? 1U : Base::lift_starts_flat_ ? 3U : 2U,
-            .slip_zeros = state_.slip_rate != 0.0 ? 0U : Base::slip_starts_flat_ ? 2U : 1U,
+            .tilt_zeros = state_.tilt != 0.0        ? 0U
+                          : state_.tilt_rate != 0.0 ? 1U
+                          : Base::lift_starts_flat_ ? 3U
+                                                    : 2U,
+            .slip_zeros = state_.slip_rate != 0.0   ? 0U
+                          : Base::slip_starts_flat_ ? 2U
+                                                    : 1U,
             .limit_sign = Base::limit_sign_,
             .normal_zeros = normal_starts_at_zero_ ? 1U : 0U,
             .was_past_balance = Base::was_past_balance_,
@@ -403,9 +408,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     const SlipParameters<double> slip{.inertia = setting_.inertia,
                                       .drag = side * state_.slip_direction * kinetic_friction_,
                                       .first_rate_gate = Base::slip_starts_flat_ ? 0.0 : 1.0};
-    const auto length = [this, largest](const auto& row) {
-      return steps_(row[order - 1], row[order], order, largest);
-    };
+    const auto length = [this, largest](const auto& row) { return steps_(row[order - 1], row[order], order, largest); };
     series_.slip_rate[0] = side * state_.slip_rate;
     series_.slip[0] = side * state_.slip;
     switch (state_.contact) {

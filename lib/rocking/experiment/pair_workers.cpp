@@ -18,7 +18,8 @@ namespace {
 /// The pairs that a thread is at.
 class ThreadsShare {
  public:
-  ThreadsShare(const Experiment& experiment, const lanes::Kernels& kernels) : experiment_(&experiment), crew_(kernels) {}
+  ThreadsShare(const Experiment& experiment, const lanes::Kernels& kernels)
+      : experiment_(&experiment), crew_(kernels) {}
 
   [[nodiscard]] bool wants_more() const { return crew_.wants_more(); }
   [[nodiscard]] bool is_idle() const { return jobs_.empty(); }

@@ -64,7 +64,8 @@ decltype(auto) with_excitation(const Scene& scene, const Beginning& beginning, U
 template <class Excitation>
 [[nodiscard]] Motion<Excitation> motion_of(const Beginning& beginning, dynamics::Observer& observer,
                                            const Excitation& excitation) {
-  return {beginning.setting, beginning.clock, beginning.coefficients, beginning.state, beginning.schedule, observer, excitation};
+  return {beginning.setting, beginning.clock, beginning.coefficients, beginning.state, beginning.schedule,
+          observer,          excitation};
 }
 
 /// Calls use(motion) with the motion that the scene's excitation asks for, ready to be advanced.

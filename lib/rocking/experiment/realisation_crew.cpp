@@ -40,9 +40,9 @@ class RealisationCrew::Implementation {
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
-    runs_.push_back(std::make_unique<TicketedRun>(
-        condition, ticket, start.draws,
-        [&](dynamics::Observer& observer) { return motion_of(beginning, observer, HarmonicExcitation{}); }));
+    runs_.push_back(std::make_unique<TicketedRun>(condition, ticket, start.draws, [&](dynamics::Observer& observer) {
+      return motion_of(beginning, observer, HarmonicExcitation{});
+    }));
     crew_.add(*runs_.back());
   }
 
@@ -69,7 +69,8 @@ RealisationCrew::RealisationCrew(const lanes::Kernels& kernels)
 RealisationCrew::~RealisationCrew() = default;
 bool RealisationCrew::wants_more() const { return implementation_->wants_more(); }
 bool RealisationCrew::is_idle() const { return implementation_->is_idle(); }
-void RealisationCrew::start(const Condition& condition, std::uint64_t seed, std::uint64_t realisation, std::size_t ticket) {
+void RealisationCrew::start(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                            std::size_t ticket) {
   implementation_->start(condition, seed, realisation, ticket);
 }
 std::vector<RealisationCrew::Finished> RealisationCrew::work() { return implementation_->work(); }

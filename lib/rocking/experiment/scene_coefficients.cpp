@@ -145,7 +145,8 @@ std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
 std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
   const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
   const double local = (clock.now().time - clock.start()) / clock.period_length() * count;
-  std::int64_t index = clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
+  std::int64_t index =
+      clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
   index = std::max<std::int64_t>(index - 1, 0);  // floor may be one too high, by rounding
   while (clock.until(grid_instant(clock, index + 1)) <= clock.resolution()) ++index;
   return index;

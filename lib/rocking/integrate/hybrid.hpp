@@ -26,16 +26,17 @@ struct IgnoreGuard {
 
 /// What a system offers to be advanced. Time is measured from the start of the coming step.
 template <class System>
-concept HybridSystem = requires(System system, const System constant, double x, FiredGuards fired, IgnoreGuard visitor) {
+concept HybridSystem = requires(System system, const System constant, double x, FiredGuards fired,
+                                IgnoreGuard visitor) {
   { constant.ended() } -> std::same_as<bool>;
-  { constant.time_resolution() } -> std::convertible_to<double>;    // instants closer than this are one
-  { constant.time_to_breakpoint() } -> std::convertible_to<double>; // until which the equations hold
+  { constant.time_resolution() } -> std::convertible_to<double>;     // instants closer than this are one
+  { constant.time_to_breakpoint() } -> std::convertible_to<double>;  // until which the equations hold
   { constant.time_to_strobe() } -> std::convertible_to<double>;
-  { system.expand(x) } -> std::convertible_to<double>;              // series of the motion; length of the step, <= x
-  constant.for_each_guard(fired, visitor);                          // of those in the set
-  system.strobe(x);                                                 // records the state x into the step
-  system.move(x);                                                   // to the end of the step
-  system.reset(fired, true);                                        // events and, if true, the breakpoint, in their order
+  { system.expand(x) } -> std::convertible_to<double>;  // series of the motion; length of the step, <= x
+  constant.for_each_guard(fired, visitor);              // of those in the set
+  system.strobe(x);                                     // records the state x into the step
+  system.move(x);                                       // to the end of the step
+  system.reset(fired, true);                            // events and, if true, the breakpoint, in their order
 };
 
 struct LoopCounts {
@@ -62,7 +63,8 @@ template <HybridSystem System>
 /// Finds the earliest loss of sign within a step, among the guards `in_doubt`; losses within the system's resolution of it
 /// count as simultaneous.
 template <HybridSystem System>
-[[nodiscard]] FirstLoss first_loss(const System& system, double length, const FiredGuards& in_doubt, LoopCounts& counts) {
+[[nodiscard]] FirstLoss first_loss(const System& system, double length, const FiredGuards& in_doubt,
+                                   LoopCounts& counts) {
   FirstLoss first{length, {}};
   if (in_doubt.none()) return first;
   std::array<double, max_guards> instants;

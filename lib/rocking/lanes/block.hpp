@@ -18,37 +18,37 @@ using LaneRow = std::array<double, most_lanes>;
 /// same for every instruction set. All in the frame of each block's side, as the series are (dynamics/motion_series.hpp).
 struct alignas(64) Block {
   // The state, moved on by the kernel in the lanes where nothing happens.
-  LaneRow tilt;        ///< S theta [rad]
-  LaneRow tilt_rate;   ///< S w
-  LaneRow slip;        ///< S X
-  LaneRow slip_rate;   ///< S V
-  LaneRow time;        ///< since the current excitation period began
-  LaneRow period;      ///< count of excitation periods
+  LaneRow tilt;           ///< S theta [rad]
+  LaneRow tilt_rate;      ///< S w
+  LaneRow slip;           ///< S X
+  LaneRow slip_rate;      ///< S V
+  LaneRow time;           ///< since the current excitation period began
+  LaneRow period;         ///< count of excitation periods
   LaneRow strobe_period;  ///< of the next strobe point
   LaneRow strobes_left;   ///< before the run stands at its last one
   LaneRow steps;          ///< done in this lane
   LaneRow steps_since_strobe;
 
   // What stays as it is while nothing happens.
-  LaneRow strobe_time;    ///< within its period
-  LaneRow break_period;   ///< of the instant until which the equations hold
-  LaneRow break_time;     ///< within that; infinite if there is none
-  LaneRow amplitude;      ///< S times that of the base acceleration over g
-  LaneRow frequency;      ///< Omega_h
-  LaneRow period_length;  ///< 2 pi/Omega_h
-  LaneRow resolution;     ///< instants closer than this are one
-  LaneRow shape_angle;    ///< psi
-  LaneRow sine;           ///< of psi
-  LaneRow cosine;         ///< of psi
-  LaneRow largest;        ///< of the last terms of a series: tolerance times psi
+  LaneRow strobe_time;      ///< within its period
+  LaneRow break_period;     ///< of the instant until which the equations hold
+  LaneRow break_time;       ///< within that; infinite if there is none
+  LaneRow amplitude;        ///< S times that of the base acceleration over g
+  LaneRow frequency;        ///< Omega_h
+  LaneRow period_length;    ///< 2 pi/Omega_h
+  LaneRow resolution;       ///< instants closer than this are one
+  LaneRow shape_angle;      ///< psi
+  LaneRow sine;             ///< of psi
+  LaneRow cosine;           ///< of psi
+  LaneRow largest;          ///< of the last terms of a series: tolerance times psi
   LaneRow static_friction;  ///< mu_s
   LaneRow inertia;          ///< J
   LaneRow drag;             ///< nu = S s mu_k
   LaneRow slip_sign;        ///< S s
 
   // What the last step was like.
-  LaneRow length;          ///< of the step
-  LaneRow strobe_tilt;     ///< the state at the strobe instant, in the lanes that passed one
+  LaneRow length;       ///< of the step
+  LaneRow strobe_tilt;  ///< the state at the strobe instant, in the lanes that passed one
   LaneRow strobe_tilt_rate;
   LaneRow strobe_slip;
   LaneRow strobe_slip_rate;
@@ -56,7 +56,8 @@ struct alignas(64) Block {
   std::uint32_t strobed;  ///< of them, those that passed a strobe point
   std::uint32_t arrived;  ///< of them, those that are at their breakpoint (brief steps only)
   std::uint32_t misfits;  ///< lanes that need a series of another order
-  std::array<std::uint32_t, dynamics::guard_count> unclear;  ///< by dynamics::Guard: lanes where a cheap bound does not clear it
+  std::array<std::uint32_t, dynamics::guard_count>
+      unclear;  ///< by dynamics::Guard: lanes where a cheap bound does not clear it
 
   /// The series of the step: MotionSeries of as many lanes as the kernel has.
   alignas(64) std::array<double, sizeof(dynamics::MotionSeries<double>) / sizeof(double) * most_lanes> series;

@@ -62,7 +62,9 @@ class Crew {
     std::uint32_t occupied = 0;
     std::vector<Run*> waiting;
 
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size(); }
+    [[nodiscard]] std::size_t size() const {
+      return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size();
+    }
   };
 
   template <class Use>
@@ -128,9 +130,8 @@ class Crew {
     if ((block.misfits >> lane & 1U) != 0) {
       integrate::step(motion, run.counts());
     } else {
-      const double length = motion.take_up_step(order_of(kind), block.length[lane], [&](auto& series) {
-        take_series(block, lane, kernels_, kind, series);
-      });
+      const double length = motion.take_up_step(
+          order_of(kind), block.length[lane], [&](auto& series) { take_series(block, lane, kernels_, kind, series); });
       // Off the ground the guards are others than the kernel has looked at.
       const auto guards = motion.is_off_ground() ? integrate::guards_in_doubt(motion, length) : in_doubt(block, lane);
       integrate::finish_step(motion, length, guards, run.counts());

@@ -90,19 +90,23 @@ class Step {
     clear_ = length_ == length_;
     const Real shape_angle = load(b_.shape_angle);
     keep_clear(Guard::tilt, bound_but_zero<order + 2>(starts_flat_, [&](std::size_t k) { return m_.tilt[k]; }));
-    keep_clear(Guard::past_balance, bound<0, order + 2>([&](std::size_t k) { return (k == 0 ? shape_angle : zero) - m_.tilt[k]; }));
+    keep_clear(Guard::past_balance,
+               bound<0, order + 2>([&](std::size_t k) { return (k == 0 ? shape_angle : zero) - m_.tilt[k]; }));
     keep_clear(Guard::normal, bound<0, order>([&](std::size_t k) { return m_.normal[k]; }));
     if constexpr (slips) {
       const Real sign = load(b_.slip_sign);
-      keep_clear(Guard::slip, bound_but_zero<order + 1>(m_.slip_rate[0] == zero, [&](std::size_t k) { return sign * m_.slip_rate[k]; }));
+      keep_clear(Guard::slip, bound_but_zero<order + 1>(m_.slip_rate[0] == zero,
+                                                        [&](std::size_t k) { return sign * m_.slip_rate[k]; }));
     }
     if constexpr (kind == Kind::rock_with_friction) {
       const Real mu_s = load(b_.static_friction);
       const auto friction = [&](std::size_t k) {
         return Real(4.0 / 3.0) * m_.base[k] - Real(static_cast<double>(k + 1)) * m_.rate_cosine[k + 1];
       };
-      keep_clear(Guard::friction_inward, bound<0, order>([&](std::size_t k) { return mu_s * m_.normal[k] - friction(k); }));
-      keep_clear(Guard::friction_outward, bound<0, order>([&](std::size_t k) { return mu_s * m_.normal[k] + friction(k); }));
+      keep_clear(Guard::friction_inward,
+                 bound<0, order>([&](std::size_t k) { return mu_s * m_.normal[k] - friction(k); }));
+      keep_clear(Guard::friction_outward,
+                 bound<0, order>([&](std::size_t k) { return mu_s * m_.normal[k] + friction(k); }));
     }
   }
 
@@ -181,8 +185,9 @@ class Step {
     const auto strobes = instant < end;
     const Real strobes_left = load(b_.strobes_left);
 
-    auto quiet = clear_ && fits_ && is_finite(next) && Real(dynamics::least_step) * resolution < length_ && time_ < later &&
-                 time < period_length_ && steps_since < Real(static_cast<double>(dynamics::step_budget) + 0.5) &&
+    auto quiet = clear_ && fits_ && is_finite(next) && Real(dynamics::least_step) * resolution < length_ &&
+                 time_ < later && time < period_length_ &&
+                 steps_since < Real(static_cast<double>(dynamics::step_budget) + 0.5) &&
                  !(strobes && (strobes_left < Real(1.5) || until(strobe_period + one, strobe_time) < end));
     const auto arrives = !(length_ < reach_ - resolution);
     if constexpr (kind != Kind::rock_slide_briefly) quiet = quiet && !arrives;

@@ -11,16 +11,17 @@ using SeriesRow = MotionSeries<double>::Row;
 constexpr std::size_t row_length = std::tuple_size_v<SeriesRow>;
 
 /// Where a row is in the table of series, in rows.
-std::size_t row_number(const MotionSeries<double>& series, SeriesRow MotionSeries<double>::* row) {
+std::size_t row_number(const MotionSeries<double>& series, SeriesRow MotionSeries<double>::*row) {
   return static_cast<std::size_t>(&(series.*row) - &series.base);
 }
 
 }  // namespace
 
-void take_series(const Block& block, std::size_t lane, const Kernels& kernels, Kind kind, MotionSeries<double>& series) {
+void take_series(const Block& block, std::size_t lane, const Kernels& kernels, Kind kind,
+                 MotionSeries<double>& series) {
   const auto lanes = static_cast<std::size_t>(kernels.lanes);
   const auto order = static_cast<std::size_t>(order_of(kind));
-  const auto take = [&](SeriesRow MotionSeries<double>::* row, std::size_t count) {
+  const auto take = [&](SeriesRow MotionSeries<double>::*row, std::size_t count) {
     const std::size_t number = row_number(series, row);
     const double* from = block.series.data() + number * row_length * lanes + lane;
     for (std::size_t k = 0; k < count; ++k) (series.*row)[k] = from[k * lanes];
@@ -43,7 +44,8 @@ void take_series(const Block& block, std::size_t lane, const Kernels& kernels, K
 
 integrate::FiredGuards in_doubt(const Block& block, std::size_t lane) {
   integrate::FiredGuards guards;
-  for (std::size_t guard = 0; guard < block.unclear.size(); ++guard) guards[guard] = (block.unclear[guard] >> lane & 1U) != 0;
+  for (std::size_t guard = 0; guard < block.unclear.size(); ++guard)
+    guards[guard] = (block.unclear[guard] >> lane & 1U) != 0;
   return guards;
 }
 

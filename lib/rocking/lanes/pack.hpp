@@ -195,7 +195,9 @@ inline std::uint32_t bits_of(const Truth<w, r>& truth) {
       continue;
     }
 #endif
-    for (int k = 0; k < w; ++k) bits |= (truth.part[i][k] != 0 ? 1U : 0U) << (w * i + k);
+    std::int64_t truths[w];
+    __builtin_memcpy(truths, &truth.part[i], sizeof(truths));
+    for (int k = 0; k < w; ++k) bits |= (truths[k] != 0 ? 1U : 0U) << (w * i + k);
   }
   return bits;
 }

@@ -70,6 +70,22 @@ TEST_P(ReferenceTrajectory, AgreesAtTheCycleEndsToTheAttainableDigits) {
   }
 }
 
+// Work is a sum over the whole run, and errors of the motion reach it many times over.
+TEST_P(ReferenceTrajectory, TellsWhereItsEnergyCameFromAndWent) {
+  const json& expected = reference_["energy_over_mR2p2"];
+  const experiment::EnergyAccount& energy = trajectory_.energy;
+  const double tolerance = 10.0 * event_tolerance();
+  EXPECT_NEAR(energy.at_start, number(expected["E0"]), tolerance);
+  EXPECT_NEAR(energy.base_work, number(expected["W_base"]), tolerance);
+  EXPECT_NEAR(energy.friction_work, number(expected["W_friction"]), tolerance);
+  EXPECT_NEAR(energy.gained_in_impacts - energy.lost_in_impacts, number(expected["W_impacts"]), tolerance);
+  if (reference_["params"]["inertia"] == "centroidal_gamma_3") {
+    EXPECT_NEAR(energy.unaccounted(), 0.0, tolerance);
+  } else if (reference_["params"]["sliding"].get<bool>()) {
+    EXPECT_GT(std::abs(energy.unaccounted()), 1e-4) << "with the inertia about the edge energy does not balance";
+  }
+}
+
 TEST_P(ReferenceTrajectory, HasTheSameEventsInTheSameOrder) {
   // In case 17 the chatter's last impacts are closer together than doubles resolve: there the list goes on with to_slide.
   const bool chatter_while_sliding = GetParam().starts_with("17");

@@ -23,6 +23,12 @@ struct Schedule {
   std::int64_t strobes = 0;  ///< after the last the run ends
 };
 
+/// Base accelerations over g.
+struct BaseMotion {
+  double horizontal;  ///< alpha
+  double weight;      ///< 1 + alpha_v
+};
+
 /// A small change of state: Theta, Theta', V.
 struct Displacement {
   double tilt = 0.0;
@@ -197,6 +203,20 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     }
     return state;
   }
+
+  /// The base's motion x into the step that `expand` has prepared.
+  [[nodiscard]] BaseMotion base_at(double x) const {
+    const auto value = [x, this](const auto& row) {
+      double sum = row[static_cast<std::size_t>(order_)];
+      for (int k = order_ - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
+      return sum;
+    };
+    return {.horizontal = frame() * value(series_.base),
+            .weight = Excitation::has_vertical ? value(series_.weight) : 1.0};
+  }
+
+  /// mu_k in force over the coming step while the block slips; else 0.
+  [[nodiscard]] double kinetic_friction() const { return kinetic_friction_; }
 
   /// Calls visit(number, coefficients) for each guard that is armed and in the set.
   template <class Guards, class Visitor>

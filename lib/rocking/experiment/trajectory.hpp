@@ -6,6 +6,7 @@
 
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/termination.hpp"
+#include "rocking/experiment/energy_account.hpp"
 #include "rocking/experiment/experiment.hpp"
 
 namespace rocking::experiment {
@@ -50,6 +51,7 @@ struct Trajectory {
   std::uint64_t losses_of_contact = 0;          ///< downward crossings of N = 0
   std::optional<double> first_loss_of_contact;  ///< tau
   std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
+  EnergyAccount energy;
   Termination termination = Termination::reached_horizon;
 };
 

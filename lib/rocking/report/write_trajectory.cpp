@@ -47,6 +47,18 @@ Json validity_of(const experiment::Trajectory& trajectory) {
   return validity;
 }
 
+Json account_of(const experiment::EnergyAccount& energy) {
+  Json account = Json::object();
+  account["at_start"] = energy.at_start;
+  account["at_end"] = energy.at_end;
+  account["base_work"] = energy.base_work;
+  account["friction_work"] = energy.friction_work;
+  account["lost_in_impacts"] = energy.lost_in_impacts;
+  account["gained_in_impacts"] = energy.gained_in_impacts;
+  account["unaccounted"] = energy.unaccounted();
+  return account;
+}
+
 // A JSON list with a line for each entry: thousands of them stay readable, and tools that work by lines can cope.
 template <class Entries>
 std::string list_of(const Entries& entries) {
@@ -71,6 +83,7 @@ std::string trajectory_text(const experiment::RealisationKey& key, const experim
     text += ",\n  \"history\": " + list_of(trajectory.history);
   }
   text += ",\n  \"validity\": " + validity_of(trajectory).dump();
+  text += ",\n  \"energy\": " + account_of(trajectory.energy).dump();
   text += ",\n  \"termination\": " + Json(to_string(trajectory.termination)).dump();
   return text + "\n}\n";
 }

@@ -12,6 +12,7 @@ build_packages=(
   nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev
   libgtest-dev libgmock-dev
   gnuplot-nox  # draws the figures
+  python3  # writes reports/jeong_yang_2012 from its results
   libjs-dygraphs  # charts of report.html
 )
 boost_package=libboost1.81-dev

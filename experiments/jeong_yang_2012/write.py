@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""write.py PUBLISHED [--check]: README.md of the published results, from the template and the results.
+
+With --check it writes nothing, and fails where README.md is not what would be written."""
+
+import argparse
+import string
+import sys
+from pathlib import Path
+
+import tables
+from intervals import beyond_half, share
+from measures import STRETCH, VISIBLE
+from published import FRICTIONS, READINGS, Published
+from tables import table, verdict
+
+
+def runs_table(data):
+    rows = []
+    for name, report in data.reports.items():
+        conditions = report["result"]["conditions"]
+        total = sum(condition["realisations"] for condition in conditions)
+        rows.append((f"`{name}.json`", report["input"]["experiment"]["title"], len(conditions), total,
+                     f"`{report['result']['digest'][:12]}`"))
+    return "\n\n" + table(("experiment", "title", "conditions", "realisations", "digest begins"), rows)
+
+
+def skewness_words(check):
+    found = check["skewness"]
+    near = found["nearness"][0]
+    by_chance = 0.05 < near["probability"] < 0.95
+    sure = "so this is left to chance and says nothing of a sampler" if by_chance else "so this is telling"
+    held = "holds" if abs(found["value"]) < near["distance"] else "fails"
+    return (f"Ours: {found['value']:+.4f}, standard error {found['standard_error']:.4f}: {held} for this sample. A true "
+            f"normal sample of this size is that near to 0 with probability {near['probability']:.2f}, {sure}.")
+
+
+def answers(data, findings):
+    verdicts = [verdict(found) for _, found in findings]
+
+    def numbers(first):
+        return [str(i) for i, words in enumerate(verdicts, 1) if words.startswith(first)]
+    lines = [f"Of {len(findings)} claims {len(numbers('holds'))} hold wherever they can be judged "
+             f"({', '.join(numbers('holds')) or 'none'}), {len(numbers('fails'))} nowhere "
+             f"({', '.join(numbers('fails')) or 'none'}); "
+             f"{len(numbers('depends'))} depend on the reading or the start ({', '.join(numbers('depends')) or 'none'}); "
+             f"{len(numbers('open'))} cannot be judged.", tables.nearest(findings), chaos_words(data), energy_words(data),
+             recurrence_words(data)]
+    return "\n".join("- " + line for line in lines)
+
+
+def chaos_words(data):
+    """What the chaos at the paper's amplitudes rests on. Starts are the independent trials; the readings share them."""
+    right, edge = (tables.attractor_chaos(data, inertia) for inertia in ("centroidal", "edge"))
+    more = sum(b > a for a, b in zip(right, edge))
+    less = sum(b < a for a, b in zip(right, edge))
+    never = sum(count == 0 for count in right)
+    rests = beyond_half(more, more + less) and beyond_half(never, len(right))
+    opening = ("The chaos at A_h = 6.6, 8 and 9 rests on the inertia about the edge, with which energy does not balance"
+               if rests else "Whether the chaos at A_h = 6.6, 8 and 9 rests on the inertia about the edge is open")
+    cells = 2 * len(READINGS) // 2 * len(tables.ATTRACTORS)
+    elsewhere = "; ".join(f"{tables.chaos_somewhere(data.series('consistent', 'any', pair))} with {pair}"
+                          for pair in FRICTIONS)
+    return (f"{opening}: from any start, {sum(edge)} of {cells * len(edge)} realisations are chaotic with it, {sum(right)} "
+            f"of {cells * len(right)} with the right inertia, whatever the other two options; {share(more, more + less)} of "
+            f"the starts that make a difference have more chaos with it, {share(never, len(right))} of the starts have "
+            f"none at all with the right one. Right mechanics has chaos elsewhere: of the starts, under `consistent`, "
+            f"{elsewhere} are chaotic at one of the amplitudes or more.")
+
+
+def energy_words(data):
+    good = [reading for reading in READINGS if tables.balances(data, reading)]
+    bad = [reading for reading in READINGS if reading not in good]
+    return (f"Energy balances under {', '.join(f'`{name}`' for name in good)}; it does not under "
+            f"{', '.join(f'`{name}`' for name in bad)} (section 6).")
+
+
+def recurrence_words(data):
+    parts = []
+    for reading in ("consistent", "as-plotted"):
+        for pair in FRICTIONS:
+            friction, start, flipped = tables.recurrence_means(data, reading, pair, 0.03)
+            parts.append(f"`{reading}`, {pair}: {friction} % by friction, {start} % by the initial state, {flipped} names "
+                         f"changed by arithmetic")
+    return ("Two runs under equal conditions with sigma 0.03 differ in response, on the average over the amplitudes, with a "
+            "probability of " + "; ".join(parts) + " (section 7).")
+
+
+def step_of(data, name):
+    """Between the amplitudes of a run."""
+    entries = data.reports[name]["input"]["experiment"]["sweep"]
+    return next(entry["step"] for entry in entries if entry["parameter"] == "/excitation/amplitude")
+
+
+def values(data):
+    findings = tables.all_findings(data)
+    horizon = data.reports["rest_fixed_friction"]["input"]["experiment"]["horizon"]
+    reports = data.reports.values()
+    recurring = data.reports["non_recurrence"]["result"]["conditions"][0]["realisations"]
+    few = min(c["realisations"] for name in ("rest_fluctuating_friction", "any_start_fluctuating_friction")
+              for c in data.reports[name]["result"]["conditions"])
+    starts = data.reports["any_start_fixed_friction"]["result"]["conditions"][0]["realisations"]
+    amplitudes, shaken = (sorted(data.series("consistent", "any", FRICTIONS[0], sigma)) for sigma in (0.0, 0.03))
+    return {
+        "answers": answers(data, findings),
+        "jy25": "1 - 1.5 sin^2(psi) = 0.912",
+        "runs_table": runs_table(data),
+        "amplitudes": ", ".join(f"{a:g}" for a in amplitudes),
+        "shaken_amplitudes": ", ".join(f"{a:g}" for a in shaken),
+        "claims_table": tables.claims_table(findings),
+        "skewness": skewness_words(data.measures["normal"]),
+        "claim_sections": tables.claim_sections(findings),
+        "claim_count": len(findings),
+        "tally_table": tables.tally_table(findings),
+        "nearest": tables.nearest(findings),
+        "energy_table": tables.energy_table(data),
+        "chaos_table": tables.chaos_table(data),
+        "chaos_at_three": tables.chaos_at_three(data),
+        "chaos_by_option": tables.chaos_by_option(data),
+        "chaos_words": chaos_words(data),
+        "recurrence_n": recurring,
+        "start_n": starts,
+        "recurrence_summary": tables.recurrence_summary(data),
+        "recurrence_consistent": tables.recurrence_by_amplitude(data, "consistent"),
+        "recurrence_plotted": tables.recurrence_by_amplitude(data, "as-plotted"),
+        "diagrams_by_mode": tables.diagrams_by_mode(data),
+        "diagram_table": tables.diagram_table(data),
+        "visible": VISIBLE,
+        "between_table": tables.between_table(data),
+        "few": few,
+        "rare": f"{1 - 0.05 ** (1 / few):.2f}",
+        "shaken_count": len(shaken),
+        "steady_count": len(amplitudes),
+        "dropped": horizon["transient_periods"],
+        "sampled": horizon["sampled_periods"],
+        **{f"step_of_{name}": step_of(data, name)
+           for name in ("rest_no_sliding", "rest_fixed_friction", "figure_09", "figure_10")},
+        "stretch": STRETCH,
+        "attractor_points": 4 * STRETCH,
+        "repeats": data.reports["figure_10"]["result"]["conditions"][0]["realisations"],
+        "chaos_windows": tables.chaos_windows(data, "consistent"),
+        "minutes": f"{sum(report['system']['duration_s'] for report in reports) / 60:.0f} minutes",
+        "threads": max(report["system"]["threads"] for report in reports),
+    }
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("published", type=Path)
+    parser.add_argument("--check", action="store_true")
+    arguments = parser.parse_args()
+    template = (Path(__file__).parent / "report.template").read_text(encoding="utf-8")
+    text = string.Template(template).substitute(values(Published(arguments.published)))
+    readme = arguments.published / "README.md"
+    if not arguments.check:
+        readme.write_text(text, encoding="utf-8")
+    elif not readme.exists() or readme.read_text(encoding="utf-8") != text:
+        sys.exit(f"{readme}: is not what write.py makes of the results beside it")
+
+
+if __name__ == "__main__":
+    main()

@@ -11,6 +11,7 @@ constexpr double line_height = 21.0;
 constexpr double letter = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
 constexpr double sample = 42.0;  // of a legend's entry, with the gap before its words
 constexpr double left_margin = 84.0;
+constexpr double wide_left_margin = 100.0;  // room for the ticks of a slip that hardly changes: -0.00486
 constexpr double right_margin = 18.0;
 constexpr double below_axes = 68.0;
 constexpr double above_axes = 26.0;
@@ -53,6 +54,10 @@ double set_in_rows(std::vector<LegendEntry>& entries, double top) {
   return top - begin;
 }
 
+double left_margin_of(const Figure& figure) {
+  return figure.arrangement == Arrangement::stacked ? wide_left_margin : left_margin;
+}
+
 double columns_for(const Figure& figure) {
   const std::size_t panels = figure.panels.size();
   if (figure.arrangement == Arrangement::stacked || panels < 2) return 1.0;
@@ -67,10 +72,11 @@ double height_of_axes(const Figure& figure, double columns) {
 /// Panels in rows below `top`; returns where the last ends, both counted from the top of the figure.
 double place_panels(const Figure& figure, double top, std::vector<Place>& places) {
   const double columns = columns_for(figure);
-  const double axes_width = (full_width - columns * (left_margin + right_margin)) / columns;
+  const double before_axes = left_margin_of(figure);
+  const double axes_width = (full_width - columns * (before_axes + right_margin)) / columns;
   const double axes_height = height_of_axes(figure, columns);
   const bool joined = figure.arrangement == Arrangement::stacked;
-  double left = left_margin;
+  double left = before_axes;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const Panel& panel = figure.panels[i];
     const bool last = i + 1 == figure.panels.size();
@@ -78,9 +84,9 @@ double place_panels(const Figure& figure, double top, std::vector<Place>& places
     const double begin = top + (panel.title.empty() ? 8.0 : above_axes);
     const double end = begin + axes_height * panel.height;
     places.push_back({.left = left, .right = left + axes_width, .bottom = end, .top = begin});
-    left += axes_width + left_margin + right_margin;
+    left += axes_width + before_axes + right_margin;
     if (!row_ends) continue;
-    left = left_margin;
+    left = before_axes;
     top = end + (joined && !last ? 6.0 : below_axes);
   }
   return top;

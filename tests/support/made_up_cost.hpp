@@ -1,0 +1,73 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "rocking/experiment/cost.hpp"
+
+/// What a measurement of cost could have found, made up.
+namespace rocking::support {
+
+using experiment::Condition;
+using experiment::Departure;
+using experiment::Experiment;
+using experiment::MeasuredRealisation;
+using experiment::ToleranceCost;
+using section::ResponseMode;
+
+inline constexpr ResponseMode one = section::periodic(1, 1);
+inline constexpr ResponseMode three = section::periodic(1, 3);
+
+inline Condition condition_of(bool random) {
+  Condition condition;
+  condition.tolerance = 1e-10;
+  condition.realisations = 200;
+  if (random) condition.scene.initial.tilt = experiment::Normal{.mean = 0.0, .sigma = 1.0};
+  return condition;
+}
+
+/// As many conditions, random where `random` says so.
+inline Experiment experiment_of(const std::vector<bool>& random) {
+  Experiment experiment;
+  experiment.canonical_text = "{}";
+  for (const bool is_random : random) experiment.conditions.push_back(condition_of(is_random));
+  return experiment;
+}
+
+/// One realisation whose modes at the tolerances are these, and whose errors.
+inline MeasuredRealisation realisation(const std::vector<ResponseMode>& modes, double error = 0.0,
+                                       std::uint64_t condition = 0) {
+  MeasuredRealisation measured{.key = {.condition = condition, .realisation = 0}, .runs = {}};
+  for (const ResponseMode& mode : modes) {
+    measured.runs.push_back(
+        {.mode = mode, .periods = 20, .steps = 100, .seconds = 0.5, .error = error, .parted = false});
+  }
+  measured.runs.back().error.reset();
+  return measured;
+}
+
+/// A curve made by hand: flips of `trials` and steps, by falling tolerance; the floor's flips are among those of all others.
+inline std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& flips, std::uint64_t trials,
+                                           const std::vector<std::uint64_t>& steps = {}) {
+  std::vector<ToleranceCost> curve(flips.size() + 1);
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    curve[i].tolerance = std::vector{1e-6, 1e-8, 1e-10, 1e-12, 1e-14}[i];
+    curve[i].periods = 1000;
+    curve[i].steps = steps.empty() ? std::uint64_t{1000} << i : steps[i];
+    curve[i].seconds = static_cast<double>(curve[i].steps) * 1e-6;
+    if (i == flips.size()) break;
+    Departure& departure = curve[i].departure.emplace();
+    departure.median_error = 1e-7;
+    departure.flips = {.successes = flips[i], .trials = trials};
+    departure.flips_interval = stats::clopper_pearson(departure.flips, 0.95);
+    if (i + 1 == flips.size()) continue;
+    const std::uint64_t floor = std::min(flips[i], flips.back());
+    departure.beside_floor = stats::PairedCounts{
+        .both = floor, .first_only = flips[i] - floor, .second_only = 0, .neither = trials - flips[i]};
+    departure.beyond_floor = stats::paired_difference_exact(*departure.beside_floor, 0.95);
+  }
+  return curve;
+}
+
+}  // namespace rocking::support

@@ -18,6 +18,7 @@
 #include "rocking/report/mode_table.hpp"
 #include "rocking/report/write_report.hpp"
 #include "running_estimate.hpp"
+#include "terminal.hpp"
 
 namespace rocking::program {
 namespace {
@@ -73,10 +74,12 @@ std::string summary_of(const experiment::Experiment& experiment, const experimen
   std::uint64_t realisations = 0;
   for (const auto& condition : result.conditions) realisations += condition.realisations;
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  text += report::mode_table(experiment, result);
-  text += fmt::format("\nper cent of n realisations [simultaneous {:g} % interval]; {}, {}, of which {} unresolved\n",
-                      100.0 * experiment.conditions.front().confidence, counted(result.conditions.size(), "condition"),
-                      counted(realisations, "realisation"), unresolved_realisations(result));
+  text += report::mode_table(experiment, result, table_look());
+  text += fmt::format("\nper cent of n realisations [simultaneous {:g} % interval{}]; {}, {}, of which {} unresolved\n",
+                      100.0 * experiment.conditions.front().confidence,
+                      experiment.conditions.front().until ? ", whenever the run stopped" : "",
+                      counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
+                      unresolved_realisations(result));
   text += late_settling_of(result);
   return text + noise_line(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
 }

@@ -1,14 +1,13 @@
 #include "progress.hpp"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include "output.hpp"
+#include "terminal.hpp"
 
 namespace rocking::program {
 namespace {
@@ -20,17 +19,8 @@ constexpr std::chrono::milliseconds interval_of(ProgressStyle style) {
   return style == ProgressStyle::rewritten_line ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
 }
 
-std::string environment(const char* name) {
-  const char* value = std::getenv(name);
-  return value == nullptr ? "" : value;
-}
-
 /// Of standard error, if that is a terminal; 80 where it does not tell.
-std::size_t columns() {
-  winsize size{};
-  const bool told = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return told ? size.ws_col : 80;
-}
+std::size_t columns() { return terminal_columns(STDERR_FILENO).value_or(80); }
 
 /// no-color.org: any value but an empty one turns colour off.
 bool wants_colour() { return environment("NO_COLOR").empty(); }

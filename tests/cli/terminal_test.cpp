@@ -47,6 +47,14 @@ class Terminal : public rocking::support::ProgramTest {
     return read("shown");
   }
 
+  /// What it gets to see of the program's standard output.
+  std::string printed(int columns, const std::string& arguments, const std::string& environment) const {
+    const Outcome outcome = shell("TERM=xterm script -qec \"stty cols " + std::to_string(columns) + "; " + environment +
+                                  " '" + ROCKING_PROGRAM + "' " + arguments + " 2>notices\" typescript >shown");
+    EXPECT_EQ(outcome.exit_code, 0) << read("notices");
+    return read("shown");
+  }
+
   /// The commands that `rocking --help` lists.
   std::set<std::string> commands() const {
     const std::string help = rocking("--help").output;
@@ -102,6 +110,23 @@ TEST_F(Terminal, IsLeftAloneWhereItCannotRewriteOrIsAskedNotTo) {
   EXPECT_THAT(seen(80, "run quick.json -o b --no-progress"), Not(HasSubstr("\x1b")));
   EXPECT_EQ(seen(80, "run quick.json -o c -q"), "");
   EXPECT_THAT(rocking("run quick.json -o d").errors, Not(AnyOf(HasSubstr("\x1b"), HasSubstr(" of 12 "))));
+}
+
+TEST_F(Terminal, SeesBarsInTheTableInTheLettersOfItsLocale) {
+  const std::string unicode = printed(120, "run quick.json -o a", "LC_ALL=C.UTF-8");
+  EXPECT_THAT(unicode, AllOf(ContainsRegex("█ \\([0-9]+,[0-9]+\\)"), HasSubstr("shares"), HasSubstr("██████")));
+  const std::string ascii = printed(120, "run quick.json -o b", "LC_ALL=C");
+  EXPECT_THAT(ascii, AllOf(ContainsRegex("# \\([0-9]+,[0-9]+\\)"), HasSubstr("######"), Not(HasSubstr("█"))));
+  EXPECT_THAT(printed(120, "run quick.json -o c", "LC_ALL=no_SUCH.UTF-8"), HasSubstr("######"));
+  EXPECT_THAT(rocking("run quick.json -o d").output, AllOf(HasSubstr("(1,"), Not(HasSubstr("shares"))));
+}
+
+TEST_F(Terminal, SeesATableNoWiderThanItself) {
+  for (const int columns : {40, 60, 80}) {
+    std::istringstream lines(printed(columns, "run quick.json --overwrite -o out", "LC_ALL=C"));
+    for (std::string line; std::getline(lines, line) && !line.starts_with("per cent");)
+      EXPECT_LE(line.size(), static_cast<std::size_t>(columns) + 1) << line << "and a carriage return";
+  }
 }
 
 TEST_F(Terminal, SeesABifurcationInSteps) { EXPECT_THAT(seen(80, "bifurcation quick.json -o out"), HasSubstr("/9")); }

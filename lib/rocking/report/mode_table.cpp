@@ -16,8 +16,13 @@ using experiment::Experiment;
 using experiment::ExperimentResult;
 using section::ResponseMode;
 
-constexpr std::size_t widest = 120;
 constexpr std::size_t gap = 2;
+constexpr std::size_t cell_width = std::string_view("100.0 [100.0, 100.0]").size() + gap;
+constexpr std::size_t rest_width = std::string_view("others").size() + gap;
+constexpr std::size_t mark_width = 2;
+constexpr std::size_t shortest_bar = 12;
+constexpr std::size_t longest_bar = 24;
+constexpr std::size_t modes_beside_a_bar = 3;
 
 std::string per_cent(double probability) { return fixed_point(100.0 * probability, 1); }
 
@@ -49,19 +54,37 @@ std::vector<ResponseMode> chosen_modes(const std::map<ResponseMode, std::uint64_
 std::string cell(const ConditionResult& condition, const ResponseMode& mode) {
   for (const auto& [found, probability] : condition.modes) {
     if (found != mode || probability.counts.successes == 0) continue;
-    const auto [low, high] = probability.simultaneous;
+    const auto [low, high] = probability.anytime.value_or(probability.simultaneous);
     return per_cent(probability.estimate) + " [" + per_cent(low) + ", " + per_cent(high) + ']';
   }
   return ".";
 }
 
-std::string rest_of(const ConditionResult& condition, const std::vector<ResponseMode>& shown) {
-  std::uint64_t count = 0;
-  for (const auto& [mode, probability] : condition.modes) {
-    if (std::find(shown.begin(), shown.end(), mode) == shown.end()) count += probability.counts.successes;
+std::uint64_t count_of(const ConditionResult& condition, const ResponseMode& mode) {
+  for (const auto& [found, probability] : condition.modes) {
+    if (found == mode) return probability.counts.successes;
   }
+  return 0;
+}
+
+std::uint64_t others_in(const ConditionResult& condition, const std::vector<ResponseMode>& shown) {
+  std::uint64_t others = condition.realisations;
+  for (const ResponseMode& mode : shown) others -= count_of(condition, mode);
+  return others;
+}
+
+std::string rest_of(const ConditionResult& condition, const std::vector<ResponseMode>& shown) {
+  const std::uint64_t count = others_in(condition, shown);
   if (count == 0) return ".";
   return per_cent(static_cast<double>(count) / static_cast<double>(condition.realisations));
+}
+
+std::string bar_of(const ConditionResult& condition, const std::vector<ResponseMode>& shown, const BarLook& look) {
+  std::vector<std::uint64_t> counts;
+  for (const ResponseMode& mode : shown) counts.push_back(count_of(condition, mode));
+  counts.resize(most_marks, 0);
+  counts.back() = others_in(condition, shown);
+  return share_bar(counts, look);
 }
 
 TextRow leading_cells(const experiment::Condition& condition, const ConditionResult& result) {
@@ -85,7 +108,25 @@ std::vector<TextRow> leading_columns(const Experiment& experiment, const Experim
 
 std::size_t width_of(const std::vector<TextRow>& rows) {
   const std::string text = aligned(rows);
-  return text.find('\n');
+  return letters_in(text.substr(0, text.find('\n')));
+}
+
+// What there is room for: columns of modes, and letters of a bar, 0 for none.
+struct Layout {
+  std::size_t modes = 1;
+  std::size_t bar = 0;
+};
+
+Layout layout_of(std::size_t used, std::size_t occurring, const TableLook& look) {
+  const auto room_beside = [&](std::size_t taken) {
+    return taken < look.width ? std::max<std::size_t>(1, (look.width - taken) / cell_width) : 1;
+  };
+  const std::size_t with_bar = used + mark_width + gap + shortest_bar;
+  const std::size_t modes = std::min({room_beside(with_bar), occurring, most_marks - 1});
+  const bool drawn = look.bars && occurring > 1 && modes >= std::min(occurring, modes_beside_a_bar);
+  if (!drawn) return {.modes = room_beside(used), .bar = 0};
+  const std::size_t left = look.width - std::min(look.width, with_bar + modes * cell_width);
+  return {.modes = modes, .bar = std::min(longest_bar, shortest_bar + left)};
 }
 
 }  // namespace
@@ -103,22 +144,22 @@ std::string short_value(const experiment::Parameter& parameter) {
   return text;
 }
 
-std::string mode_table(const Experiment& experiment, const ExperimentResult& result) {
+std::string mode_table(const Experiment& experiment, const ExperimentResult& result, const TableLook& look) {
   if (result.conditions.empty()) return {};
   std::vector<TextRow> rows = leading_columns(experiment, result);
-  constexpr std::size_t cell_width = std::string_view("100.0 [100.0, 100.0]").size() + gap;
-  constexpr std::size_t rest_width = std::string_view("others").size() + gap;
-  const std::size_t used = width_of(rows) + rest_width;
-  const std::size_t room = used < widest ? std::max<std::size_t>(1, (widest - used) / cell_width) : 1;
-
   const auto occurring = occurring_modes(result);
-  const std::vector<ResponseMode> shown = chosen_modes(occurring, room);
+  const Layout layout = layout_of(width_of(rows) + rest_width, occurring.size(), look);
+  const std::vector<ResponseMode> shown = chosen_modes(occurring, layout.modes);
   const bool with_others = shown.size() < occurring.size();
-  for (const ResponseMode& mode : shown) rows[0].push_back(to_string(mode));
-  if (with_others) rows[0].emplace_back("others");
+  const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
+  for (std::size_t i = 0; i < shown.size(); ++i) rows[0].push_back(mark(i) + to_string(shown[i]));
+  if (with_others) rows[0].push_back(mark(most_marks - 1) + "others");
+  if (layout.bar > 0) rows[0].emplace_back("shares");
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    for (const ResponseMode& mode : shown) rows[i + 1].push_back(cell(result.conditions[i], mode));
-    if (with_others) rows[i + 1].push_back(rest_of(result.conditions[i], shown));
+    const ConditionResult& condition = result.conditions[i];
+    for (const ResponseMode& mode : shown) rows[i + 1].push_back(cell(condition, mode));
+    if (with_others) rows[i + 1].push_back(rest_of(condition, shown));
+    if (layout.bar > 0) rows[i + 1].push_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
   }
   return aligned(rows);
 }

@@ -18,6 +18,11 @@ std::string in_format(double number, std::chars_format format, int precision) {
 
 }  // namespace
 
+std::size_t letters_in(std::string_view text) {
+  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins));
+}
+
 std::string significant(double number, int digits) { return in_format(number, std::chars_format::general, digits); }
 
 std::string fixed_point(double number, int decimals) { return in_format(number, std::chars_format::fixed, decimals); }
@@ -27,12 +32,12 @@ std::string aligned(const std::vector<TextRow>& rows) {
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const TextRow& row : rows) {
     ROCKING_EXPECT(row.size() == widths.size());
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], letters_in(row[i]));
   }
   std::string text;
   for (const TextRow& row : rows) {
     for (std::size_t i = 0; i < row.size(); ++i) {
-      text.append(widths[i] - row[i].size() + (i == 0 ? 0 : 2), ' ');
+      text.append(widths[i] - letters_in(row[i]) + (i == 0 ? 0 : 2), ' ');
       text += row[i];
     }
     text += '\n';

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rocking::report {
@@ -11,6 +12,9 @@ namespace rocking::report {
 
 /// `number` with `decimals` digits after the point.
 [[nodiscard]] std::string fixed_point(double number, int decimals);
+
+/// How many letters a text in UTF-8 has.
+[[nodiscard]] std::size_t letters_in(std::string_view text);
 
 using TextRow = std::vector<std::string>;
 

@@ -93,7 +93,7 @@ void add_bifurcation(CLI::App& app, Action& action) {
       ->required()
       ->type_name("DIR");
   command->add_option("--realisation", request->realisation, "Whose draws are used, if something is random")
-      ->check(CLI::Range(std::uint64_t{0}, random::realisation_limit - 1))
+      ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("K");
   add_threads(*command, request->labour);

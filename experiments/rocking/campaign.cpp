@@ -149,7 +149,7 @@ ExitCode explain_shard(const RunFolder& folder, const experiment::Shard& shard) 
 
 void add_threads(CLI::App& command, Labour& labour) {
   command.add_option("-j,--threads", labour.threads, "Threads; changes the time, never the result")
-      ->check(CLI::Range(1U, 4096U))
+      ->check(whole_number(1, 4096))
       ->capture_default_str()
       ->type_name("N");
 }

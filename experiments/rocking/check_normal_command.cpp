@@ -1,4 +1,3 @@
-#include <cmath>
 #include <cstdint>
 #include <memory>
 
@@ -41,7 +40,6 @@ ExitCode check_normal(const CheckNormalRequest& request) {
   if (!seed)
     throw UsageError("--seed " + request.seed +
                      ": must be a whole number of at most 64 bits; give a value such as 0x2012 or 8210");
-  if (!std::isfinite(request.law.mean)) throw UsageError("--mean: must be a number; give a value such as 0.4");
   if (!(request.law.sigma > 0.0)) throw UsageError("--sigma: must be positive; give a value such as 0.03");
   const report::SamplerCheck check{request.sampler, *seed, check_sample(request, *seed)};
   print_result(request.loudness.json ? check_normal_text(check) : check_normal_summary(check));
@@ -59,15 +57,15 @@ void add_check_normal(CLI::App& app, Action& action) {
       "Example: rocking check-normal --n 20000 --mean 0.4 --sigma 0.03\n"
       "draws 20000 friction coefficients as a simulation does and compares them with the normal law.");
   command->add_option("--n", request->n, "How many numbers")
-      ->check(CLI::Range(std::uint64_t{20}, std::uint64_t{100'000'000}))
+      ->check(whole_number(20, 100'000'000))
       ->capture_default_str()
       ->type_name("N");
   command->add_option("--mean", request->law.mean, "Mean of the law")
-      ->check(CLI::Range(-1e6, 1e6))
+      ->check(number(-1e6, 1e6))
       ->capture_default_str()
       ->type_name("M");
   command->add_option("--sigma", request->law.sigma, "Standard deviation of the law")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number(0.0, 1e6))
       ->capture_default_str()
       ->type_name("S");
   command->add_option("--seed", request->seed, "Seed, as 0x2012 or 8210")->capture_default_str()->type_name("S");

@@ -80,7 +80,6 @@ void expect_room(const CostRequest& request) {
 }
 
 ExitCode cost(const CostRequest& request) {
-  if (request.time <= 0.0) throw UsageError("--time: must be longer than nothing; give a time such as 60s or 5min");
   const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
   const std::vector<double> tolerances = tolerances_of(request, experiment);
   std::optional<RunFolder> folder;
@@ -118,14 +117,14 @@ void add_budget(CLI::App& command, CostRequest& request) {
                                    "Measure as many realisations as this takes, as 20s, 5min; at least one")
                           ->capture_default_str();
   command.add_option("--sample", request.sample, "Measure so many instead: the same numbers again, but for times")
-      ->check(CLI::Range(std::uint64_t{1}, largest_sample))
+      ->check(whole_number(1, largest_sample))
       ->excludes(time)
       ->type_name("N");
   command
       .add_option("--tolerances", request.tolerances,
                   "Tolerances in place of 1e-4, 1e-5, ... 1e-14; the experiment's own is added")
       ->delimiter(',')
-      ->check(CLI::Range(1e-16, 1e-2))
+      ->check(number(1e-16, 1e-2))
       ->type_name("T,T,T");
 }
 

@@ -61,11 +61,11 @@ void add_figure(CLI::App& app, Action& action) {
       ->required()
       ->type_name("DIR");
   command->add_option("--from", request->window.from, "First excitation period to show of trajectories")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(number(0.0, 1e9))
       ->capture_default_str()
       ->type_name("P");
   command->add_option("--to", request->window.to, "Last excitation period to show of trajectories; default: the last")
-      ->check(CLI::Range(0.0, 1e9))
+      ->check(number(0.0, 1e9))
       ->type_name("P");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return draw(*request); }; });

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <string>
 #include <string_view>
 
 #include <CLI/CLI.hpp>
 
+#include "arguments.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/report/read_experiment.hpp"
 
@@ -27,10 +27,7 @@ void add_loudness(CLI::App& command, Loudness& loudness);
 template <class Seconds>
 CLI::Option* add_duration(CLI::App& command, const std::string& name, Seconds& seconds,
                           const std::string& description) {
-  const std::map<std::string, double> units{{"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
-  return command.add_option(name, seconds, description)
-      ->transform(CLI::AsNumberWithUnit(units, CLI::AsNumberWithUnit::Options::CASE_INSENSITIVE, "TIME"))
-      ->type_name("T");
+  return command.add_option(name, seconds, description)->transform(duration())->type_name("T");
 }
 
 /// Writes to standard output and makes sure that it got there. Throws std::system_error.

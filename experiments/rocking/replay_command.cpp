@@ -7,6 +7,7 @@
 #include "output.hpp"
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "rocking/random/draws.hpp"
 #include "rocking/report/write_trajectory.hpp"
 #include "run_folder.hpp"
 
@@ -52,8 +53,14 @@ void add_replay(CLI::App& app, Action& action) {
       "prints what `rocking trajectory` does, from a run's folder alone. Exit code 1 if the bits differ from the "
       "run's.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  command->add_option("--condition", request->key.condition, "Which point of the sweep")->required()->type_name("I");
-  command->add_option("--realisation", request->key.realisation, "Which realisation of it")->required()->type_name("K");
+  command->add_option("--condition", request->key.condition, "Which point of the sweep")
+      ->required()
+      ->check(whole_number(0, random::realisation_limit - 1))
+      ->type_name("I");
+  command->add_option("--realisation", request->key.realisation, "Which realisation of it")
+      ->required()
+      ->check(whole_number(0, random::realisation_limit - 1))
+      ->type_name("K");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return replay(*request); }; });
 }

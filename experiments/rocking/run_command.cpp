@@ -17,7 +17,7 @@ namespace {
 struct RunRequest {
   std::string file;
   std::string folder;
-  std::string shard;
+  std::optional<std::string> shard;
   report::Overrides overrides;
   Labour labour;
   bool dry_run = false;
@@ -45,8 +45,7 @@ void make_room(const RunFolder& folder, bool overwrite) {
 }
 
 /// `2/5` as a shard.
-std::optional<experiment::Shard> shard_from(const std::string& text) {
-  if (text.empty()) return std::nullopt;
+experiment::Shard shard_from(const std::string& text) {
   experiment::Shard shard;
   const std::size_t slash = text.find('/');
   const auto whole = [&text](std::size_t from, std::size_t length) -> std::uint64_t {
@@ -76,7 +75,7 @@ std::string folder_of(const std::string& file) {
 }
 
 ExitCode run(const RunRequest& request) {
-  const auto shard = shard_from(request.shard);
+  const auto shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt;
   const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
   if (request.dry_run) return show_plan(request, experiment);
   if (shard) expect_fixed_numbers(experiment);

@@ -49,19 +49,20 @@ void add_trajectory(CLI::App& app, Action& action) {
       "prints the fourth realisation of the thirteenth condition over 20 periods. Counting starts at 0.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
   command->add_option("--condition", request->key.condition, "Which point of the sweep")
+      ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("I");
   command->add_option("--realisation", request->key.realisation, "Which realisation of it")
-      ->check(CLI::Range(std::uint64_t{0}, random::realisation_limit - 1))
+      ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("K");
   command->add_option("--periods", request->periods, "Periods of the excitation; default: all of the horizon")
-      ->check(CLI::Range(std::int64_t{0}, std::int64_t{100'000'000}))
+      ->check(whole_number(1, 100'000'000))
       ->type_name("N");
   command
       ->add_option("--samples", request->samples,
                    "Adds a history: so many states of each period, evenly spaced; 0: none")
-      ->check(CLI::Range(0, 100'000))
+      ->check(whole_number(0, 100'000))
       ->capture_default_str()
       ->type_name("N");
   command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")

@@ -14,6 +14,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/experiment/verification.hpp"
+#include "rocking/random/draws.hpp"
 #include "rocking/report/files.hpp"
 #include "rocking/report/read_report.hpp"
 #include "rocking/report/write_facts.hpp"
@@ -167,7 +168,7 @@ void add_verify(CLI::App& app, Action& action) {
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
       ->add_option("--sample", request->sample, "Run about this many realisations again, evenly spread; default: all")
-      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1} << 56U))
+      ->check(whole_number(1, random::realisation_limit))
       ->type_name("N");
   add_threads(*command, request->labour);
   add_loudness(*command, request->labour.loudness);

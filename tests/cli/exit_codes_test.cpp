@@ -50,6 +50,54 @@ TEST_F(ExitCode, Is64ForACommandLineThatCannotBeFollowed) {
   EXPECT_FALSE(exists("out"));
 }
 
+TEST_F(ExitCode, Is64ForATimeThatIsNone) {
+  for (const char* written : {"-3s", "0s", "0", "nan", "inf", "nans", "1e400s", "1e3s", "s", "", "3x", "3 s s", "3,5s",
+                              "0x10s", "3s-", "1..5s"}) {
+    for (const std::string flag : {"run quick.json -o out --max-time", "cost quick.json --time"}) {
+      const auto outcome = rocking(flag + " '" + written + "'");
+      EXPECT_EQ(outcome.exit_code, 64) << flag << written;
+      EXPECT_THAT(outcome.errors, AllOf(HasSubstr("time: \"" + std::string(written) + "\" is no time"),
+                                        HasSubstr("give one such as 90s")));
+    }
+  }
+  EXPECT_FALSE(exists("out"));
+  for (const std::string written : {"90s", "90", "1.5 min", " 2H ", "1d", ".5h"})
+    EXPECT_EQ(rocking("run quick.json --dry-run --max-time '" + written + "'").exit_code, 0) << written;
+}
+
+TEST_F(ExitCode, Is64ForANumberOutOfItsRangeAndNamesFlagValueAndRange) {
+  for (const std::string arguments :
+       {"run quick.json -o out --threads|0|1 to 4096", "resume out --threads|-1|1 to 4096",
+        "verify out --threads|1.5|1 to 4096", "verify out --sample|0|1 to ", "trajectory quick.json --periods|0|1 to ",
+        "trajectory quick.json --condition|-1|0 to ", "trajectory quick.json --realisation|1e3|0 to ",
+        "replay out --realisation 0 --condition|-1|0 to ", "replay out --condition 0 --realisation|x|0 to ",
+        "trajectory quick.json --samples|-1|0 to ", "bifurcation quick.json -o out --realisation|-1|0 to ",
+        "check-normal --n|99999999999999999999|20 to ", "check-normal --mean|nan|-1e+06 to ",
+        "check-normal --sigma|inf|0 to ", "cost quick.json --tolerances|nan|1e-16 to 0.01",
+        "cost quick.json --sample|0|1 to ", "figure x.json -o out --from|nan|0 to ",
+        "figure x.json -o out --to|-1|0 to "}) {
+    const std::size_t value = arguments.find('|');
+    const std::size_t range = arguments.rfind('|');
+    const std::string written = arguments.substr(value + 1, range - value - 1);
+    const auto outcome = rocking(arguments.substr(0, value) + ' ' + written);
+    EXPECT_EQ(outcome.exit_code, 64) << arguments << outcome.errors;
+    const std::string flag = arguments.substr(arguments.rfind(' ', value) + 1, value - arguments.rfind(' ', value) - 1);
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr(flag + ": \"" + written + '"'), HasSubstr(arguments.substr(range + 1))));
+  }
+  EXPECT_FALSE(exists("out"));
+}
+
+TEST_F(ExitCode, Is64ForAPartOfNoWhole) {
+  for (const std::string part :
+       {"0/3", "4/3", "1/0", "-1/3", "1", "1/", "/3", "1/2/3", "a/b", "1.5/3", "''", "1/9999999999"}) {
+    const auto outcome = rocking("run quick.json -o out --shard " + part);
+    EXPECT_EQ(outcome.exit_code, 64) << part;
+    EXPECT_THAT(outcome.errors, HasSubstr("give i/n with 1 <= i <= n"));
+  }
+  EXPECT_FALSE(exists("out"));
+}
+
 TEST_F(ExitCode, Is65ForABadFileOfWhichEveryProblemIsTold) {
   auto bad = quick_experiment();
   bad["block"]["width_m"] = -1;
@@ -139,7 +187,8 @@ TEST_F(ExitCode, Is130WhereItIsInterruptedAndWhatIsDoneIsKept) {
     const auto outcome = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o " + folder +
                                " & child=$!; sleep 1; kill -" + signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` goes on")));
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` goes on")));
     EXPECT_TRUE(exists(folder + "/realisations.sqlite"));
     EXPECT_FALSE(exists(folder + "/report.json"));
   }

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "rocking/base/error.hpp"
 #include "rocking/experiment/accounted_motion.hpp"
 #include "rocking/experiment/realisation.hpp"
 #include "rocking/experiment/sampled_motion.hpp"
@@ -67,6 +68,7 @@ std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& po
 
 Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
                          const TrajectoryExtent& extent) {
+  ROCKING_EXPECT(extent.periods > 0);
   const random::Draws draws(seed, realisation);
   const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
   Recorder recorder(shape_angle);

@@ -60,7 +60,7 @@ struct TrajectoryExtent {
   TrajectoryExtent(std::int64_t all_periods, int history_samples = 0)
       : periods(all_periods), samples_per_period(history_samples) {}
 
-  std::int64_t periods;    ///< of the excitation, exactly so many from the initial state
+  std::int64_t periods;    ///< of the excitation, exactly so many from the initial state; at least 1
   int samples_per_period;  ///< of the history; 0: no history
 };
 

@@ -1,0 +1,83 @@
+#include "arguments.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace rocking::program {
+namespace {
+
+/// What the whole of a text says; absent where it says something else, or more.
+template <class Number>
+std::optional<Number> read_whole(std::string_view text) {
+  Number value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(' ');
+  return first == std::string_view::npos ? "" : text.substr(first, text.find_last_not_of(' ') + 1 - first);
+}
+
+std::optional<double> seconds_of_unit(const std::string& unit) {
+  constexpr std::array<std::pair<std::string_view, double>, 5> units{
+      {{"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}}};
+  for (const auto& [name, seconds] : units) {
+    if (name == unit) return seconds;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
+  const auto check = [low, high](const std::string& written) -> std::string {
+    const auto value = read_whole<std::uint64_t>(written);
+    if (value && low <= *value && *value <= high) return "";
+    return fmt::format("\"{}\" is no whole number from {} to {}; give a value such as {}", written, low, high, low);
+  };
+  return {check, "", "whole number"};
+}
+
+CLI::Validator number(double low, double high) {
+  const auto check = [low, high](const std::string& written) -> std::string {
+    const auto value = read_whole<double>(written);
+    if (value && low <= *value && *value <= high) return "";
+    return fmt::format("\"{}\" is no number from {:g} to {:g}", written, low, high);
+  };
+  return {check, "", "number"};
+}
+
+CLI::Validator duration() {
+  const auto transform = [](std::string& written) -> std::string {
+    const auto seconds = seconds_in(written);
+    if (!seconds) {
+      return fmt::format("\"{}\" is no time longer than nothing; give one such as 90s, 15min, 2h or 1d", written);
+    }
+    written = fmt::format("{}", *seconds);
+    return "";
+  };
+  CLI::Validator validator;
+  validator.name("duration").operation(transform);
+  return validator;
+}
+
+std::optional<double> seconds_in(std::string_view text) {
+  const std::string_view all = trimmed(text);
+  const std::size_t digits = std::min(all.find_first_not_of("0123456789."), all.size());
+  const auto number = read_whole<double>(all.substr(0, digits));
+  const auto unit = seconds_of_unit(CLI::detail::to_lower(std::string(trimmed(all.substr(digits)))));
+  if (!number || !unit) return std::nullopt;
+  const double seconds = *number * *unit;
+  return seconds > 0.0 && std::isfinite(seconds) ? std::optional<double>(seconds) : std::nullopt;
+}
+
+}  // namespace rocking::program

@@ -1,6 +1,7 @@
 #include "analysis/parting_figure.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
@@ -14,7 +15,7 @@ constexpr std::size_t most_curves = 7;
 struct Pairs {
   std::size_t condition = 0;
   std::uint64_t count = 0;
-  std::vector<std::int64_t> parted;  ///< when, in periods, in the order of the pairs
+  std::map<std::int64_t, std::uint64_t> parted;  ///< how many in each period in which any did
 };
 
 std::vector<Pairs> pairs_of(const RunReport& report, const experiment::Store& store) {
@@ -26,7 +27,7 @@ std::vector<Pairs> pairs_of(const RunReport& report, const experiment::Store& st
     Pairs& pairs = all[key.condition];
     pairs.condition = key.condition;
     ++pairs.count;
-    if (summary.parted_from_next) pairs.parted.push_back(*summary.parted_from_next);
+    if (summary.parted_from_next) ++pairs.parted[*summary.parted_from_next];
   });
   std::erase_if(all, [](const Pairs& pairs) { return pairs.count == 0; });
   const auto differ = [&report](const Pairs& pairs) {
@@ -36,7 +37,6 @@ std::vector<Pairs> pairs_of(const RunReport& report, const experiment::Store& st
   std::stable_sort(all.begin(), all.end(), [&](const Pairs& a, const Pairs& b) { return differ(a) > differ(b); });
   if (all.size() > most_curves) all.resize(most_curves);
   std::stable_sort(all.begin(), all.end(), [](const Pairs& a, const Pairs& b) { return a.condition < b.condition; });
-  for (Pairs& pairs : all) std::sort(pairs.parted.begin(), pairs.parted.end());
   return all;
 }
 
@@ -54,15 +54,14 @@ Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
                           {"pairs", "of so many"}},
               .rows = {}};
   const auto count = static_cast<double>(pairs.count);
-  const auto add = [&table, count](double period, double parted) {
-    table.rows.push_back({period, parted / count, parted, count});
-  };
-  if (pairs.parted.empty() || pairs.parted.front() > 1) add(1.0, 0.0);
-  for (std::size_t i = 0; i < pairs.parted.size(); ++i) {
-    const bool last_of_period = i + 1 == pairs.parted.size() || pairs.parted[i + 1] != pairs.parted[i];
-    if (last_of_period) add(static_cast<double>(pairs.parted[i]), static_cast<double>(i + 1));
+  double parted = 0.0;
+  const auto add = [&](double period) { table.rows.push_back({period, parted / count, parted, count}); };
+  if (pairs.parted.empty() || pairs.parted.begin()->first > 1) add(1.0);
+  for (const auto& [period, number] : pairs.parted) {
+    parted += static_cast<double>(number);
+    add(static_cast<double>(period));
   }
-  add(horizon, static_cast<double>(pairs.parted.size()));
+  add(horizon);
   return table;
 }
 

@@ -102,17 +102,22 @@ var charts = (function () {
     this.graph.updateOptions({ dateWindow: this.home.dateWindow.slice(), valueRange: this.home.valueRange.slice() });
   };
 
+  // Zooms and moves are the same lengths on the screen wherever they begin: on a logarithmic axis they are ratios.
+  Chart.prototype.onScreen = function (x) { return this.panel.x.logarithmic ? Math.log(x) : x; };
+  Chart.prototype.fromScreen = function (x) { return this.panel.x.logarithmic ? Math.exp(x) : x; };
+
   Chart.prototype.zoom = function (factor) {
-    var range = this.graph.xAxisRange(), middle = this.at === undefined ? (range[0] + range[1]) / 2 : this.at;
+    var range = this.graph.xAxisRange().map(this.onScreen, this);
+    var middle = this.at === undefined ? (range[0] + range[1]) / 2 : this.onScreen(this.at);
     if (middle < range[0] || middle > range[1]) middle = (range[0] + range[1]) / 2;
-    var window = [middle - (middle - range[0]) * factor, middle + (range[1] - middle) * factor];
+    var window = [middle - (middle - range[0]) * factor, middle + (range[1] - middle) * factor].map(this.fromScreen, this);
     if (window[0] <= this.home.dateWindow[0] && window[1] >= this.home.dateWindow[1]) this.reset();
     else this.graph.updateOptions({ dateWindow: window });
   };
 
   Chart.prototype.pan = function (share) {
-    var range = this.graph.xAxisRange(), step = share * (range[1] - range[0]);
-    this.graph.updateOptions({ dateWindow: [range[0] + step, range[1] + step] });
+    var range = this.graph.xAxisRange().map(this.onScreen, this), step = share * (range[1] - range[0]);
+    this.graph.updateOptions({ dateWindow: [range[0] + step, range[1] + step].map(this.fromScreen, this) });
   };
 
   Chart.prototype.addTools = function (holder) {

@@ -35,7 +35,7 @@ bool can_be_charted(const Panel& panel) {
   constexpr std::array known{LayerKind::boxes,      LayerKind::line,  LayerKind::ribbon, LayerKind::points,
                              LayerKind::error_bars, LayerKind::steps, LayerKind::spans};
   const auto is_known = [&](const Layer& layer) { return std::ranges::find(known, layer.kind) != known.end(); };
-  return !panel.to_scale && !panel.x.logarithmic && std::ranges::all_of(panel.layers, is_known);
+  return !panel.to_scale && std::ranges::all_of(panel.layers, is_known);
 }
 
 Json cell_json(const Cell& cell) {
@@ -133,6 +133,7 @@ std::string picture_html(const DrawnFigure& drawn, bool charted) {
 std::string tables_html(const RunReport& report, const Figure& figure) {
   if (figure.name == "mode_bands") return mode_table_html(report, ModeCells::estimates);
   if (figure.name == "mode_probabilities") return mode_table_html(report, ModeCells::with_intervals);
+  if (figure.name == "parting_times") return data_table_html(side_by_side(figure.tables), figure.title);
   std::string text;
   for (std::size_t i = 0; i < std::min(most_charts, figure.tables.size()); ++i) {
     const Table& table = figure.tables[i];

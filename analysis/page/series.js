@@ -40,6 +40,16 @@ var series = (function () {
     return at;
   }
 
+  // Steps are level between their own places: at those of other curves too, from their first to their last.
+  function hold(curve, place, rows) {
+    var level = null, last = Math.max.apply(null, curve.columns[0]);
+    Array.from(rows.keys()).sort(function (a, b) { return a - b; }).forEach(function (x) {
+      var cell = rows.get(x)[place];
+      if (cell[1] !== null) level = cell;
+      else if (level !== null && x < last) rows.get(x)[place] = level;
+    });
+  }
+
   // Curves with their intervals as dygraphs takes them: rows of x and [low, y, high], where an end that is not known stands
   // at the curve. `ends` are the intervals as they are.
   function seriesOf(panel) {
@@ -62,6 +72,7 @@ var series = (function () {
         rows.get(x)[place] = [known[0] === null ? y : known[0], y, known[1] === null ? y : known[1]];
       });
     });
+    curves.forEach(function (curve, place) { if (curve.kind === 'steps') hold(curve, place, rows); });
     var xs = Array.from(rows.keys()).sort(function (a, b) { return a - b; });
     return { curves: curves, xs: xs, ends: ends, rows: xs.map(function (x) { return [x].concat(rows.get(x)); }) };
   }

@@ -126,7 +126,7 @@ var shapes = (function () {
       context.lineTo(30, 7);
       context.stroke();
       context.setLineDash([]);
-      mark(context, 15, 7, darkened(layer.colour), 4, layer.marker);
+      if (layer.kind !== 'steps') mark(context, 15, 7, darkened(layer.colour), 4, layer.marker);
     }
     return canvas;
   }

@@ -1,6 +1,8 @@
 #include "analysis/page/tables.hpp"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -96,6 +98,29 @@ std::string mode_table_html(const RunReport& report, ModeCells cells) {
     table.rows.push_back(std::move(row));
   }
   return html_of(table);
+}
+
+Table side_by_side(const std::vector<Table>& tables) {
+  Table joined{.name = "", .columns = {tables.front().columns.front()}, .rows = {}};
+  std::map<double, std::vector<Cell>> levels;
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    joined.columns.push_back({.name = tables[i].name, .meaning = tables[i].name});
+    for (const auto& row : tables[i].rows) {
+      std::vector<Cell>& cells = levels[std::get<double>(row[0])];
+      cells.resize(tables.size());
+      cells[i] = row[1];
+    }
+  }
+  std::vector<Cell> held(tables.size());
+  for (const auto& [place, cells] : levels) {
+    std::vector<Cell> row{place};
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      if (!std::holds_alternative<std::monostate>(cells[i])) held[i] = cells[i];
+      row.push_back(held[i]);
+    }
+    joined.rows.push_back(std::move(row));
+  }
+  return joined;
 }
 
 std::string data_table_html(const Table& table, const std::string& title) {

@@ -3,10 +3,17 @@
 #include <set>
 
 #include "analysis/draw.hpp"
+#include "analysis/run_figures.hpp"
 #include "output.hpp"
 #include "rocking/report/files.hpp"
 
 namespace rocking::program {
+
+std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report) {
+  if (!folder.has_store()) return analysis::run_figures(report);
+  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
+  return analysis::run_figures(report, &store);
+}
 
 std::vector<std::string> write_figures(const std::vector<analysis::Figure>& figures,
                                        const std::filesystem::path& folder) {

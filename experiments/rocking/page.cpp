@@ -7,7 +7,7 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/page/page.hpp"
-#include "analysis/run_figures.hpp"
+#include "drawing.hpp"
 #include "rocking/report/files.hpp"
 
 namespace rocking::program {
@@ -15,7 +15,7 @@ namespace rocking::program {
 void write_page(const RunFolder& folder, const analysis::RunReport& report, const Loudness& loudness) {
   std::vector<analysis::DrawnFigure> figures;
   std::set<std::string> reasons;
-  for (analysis::Figure& figure : analysis::run_figures(report)) {
+  for (analysis::Figure& figure : figures_of(folder, report)) {
     analysis::Drawing drawing;
     std::string svg = analysis::svg_of(figure, drawing);
     if (!drawing.drawn) reasons.insert(drawing.reason);

@@ -8,15 +8,16 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/run_figures.hpp"
 #include "analysis/tables.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
 #include "page.hpp"
 #include "rocking/report/files.hpp"
+#include "rocking/report/mode_table.hpp"
 #include "rocking/report/write_facts.hpp"
 #include "run_folder.hpp"
+#include "terminal.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -24,11 +25,12 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex"};
+const std::vector<std::string> file_formats{"html", "csv", "gnuplot", "latex"};
+const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex", "text"};
 
 struct ReportRequest {
   std::string folder;
-  std::vector<std::string> formats = all_formats;
+  std::vector<std::string> formats = file_formats;
   Loudness loudness;
 };
 
@@ -46,11 +48,25 @@ analysis::RunReport load_report(const RunFolder& folder) {
   }
 }
 
-/// The figures of a run, with its realisations where they are there.
-std::vector<analysis::Figure> figures_of(const analysis::RunReport& report, const RunFolder& run) {
-  if (!run.has_store()) return analysis::run_figures(report);
-  const experiment::Store store = run.open_store(experiment::sqlite::Access::read);
-  return analysis::run_figures(report, &store);
+/// The table that the run printed.
+std::string table_again(const analysis::RunReport& report) {
+  experiment::Experiment experiment;
+  experiment::ExperimentResult result;
+  for (const analysis::ConditionReport& condition : report.conditions) {
+    auto& parameters = experiment.conditions.emplace_back().parameters;
+    for (std::size_t i = 0; i < report.swept.size(); ++i) {
+      parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
+    }
+    experiment::ConditionResult& shown = result.conditions.emplace_back();
+    shown.realisations = condition.realisations;
+    for (const auto& [mode, share] : condition.modes) {
+      experiment::Estimate& probability = shown.modes.emplace_back(experiment::ModeEstimate{mode, {}}).probability;
+      probability.counts = {.successes = share.count, .trials = condition.realisations};
+      probability.estimate = share.estimate;
+      probability.simultaneous = share.interval;
+    }
+  }
+  return report::mode_table(experiment, result, table_look());
 }
 
 ExitCode report_again(const ReportRequest& request) {
@@ -64,7 +80,7 @@ ExitCode report_again(const ReportRequest& request) {
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    for (std::string& file : write_figures(figures_of(report, folder), fs::path(request.folder) / "figures")) {
+    for (std::string& file : write_figures(figures_of(folder, report), fs::path(request.folder) / "figures")) {
       written.push_back(std::move(file));
     }
   }
@@ -79,8 +95,10 @@ ExitCode report_again(const ReportRequest& request) {
     write("non_recurrence.csv", non_recurrence_csv(report));
   }
   if (formats.contains("latex")) write("modes.tex", modes_latex(report));
-  print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
-                                     : fmt::format("{}\n", fmt::join(written, "\n")));
+  const std::string table = formats.contains("text") ? table_again(report) : "";
+  print_result(request.loudness.json
+                   ? report::facts_text(std::vector<report::Fact>{{"written", written}})
+                   : fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n"));
   return ExitCode::done;
 }
 
@@ -95,9 +113,9 @@ void add_report(CLI::App& app, Action& action) {
       "out/figures,\n"
       "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf). csv and latex: tables "
       "in\n"
-      "out/tables.");
+      "out/tables. text: the table of response modes, here.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  command->add_option("--format", request->formats, "What to make; default: all")
+  command->add_option("--format", request->formats, "What to make; default: all files")
       ->delimiter(',')
       ->check(one_of(all_formats))
       ->type_name("LIST");

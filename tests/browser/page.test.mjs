@@ -208,9 +208,10 @@ describe('the page', () => {
     await close();
   });
 
-  it('is found accessible', async () => {
-    for (const viewport of [desktop, { width: 375, height: 700 }]) {
-      const { page, close } = await open({ viewport });
+  it('is found accessible, light and dark', async () => {
+    const small = { width: 375, height: 700 };
+    for (const look of [{ viewport: desktop }, { viewport: small }, { viewport: desktop, colorScheme: 'dark' }]) {
+      const { page, close } = await open(look);
       await page.evaluate(axe);
       const { violations, passes } = await page.evaluate(() => window.axe.run(document, { preload: false }));
       assert.ok(passes.length > 20);
@@ -218,6 +219,44 @@ describe('the page', () => {
         violations.map((found) => `${found.id}: ${found.nodes.map((node) => node.html).join(' | ')}`), []);
       await close();
     }
+  });
+
+  it('is dark where its reader wants it, but for its charts and on paper', async () => {
+    const { page, close } = await open({ colorScheme: 'dark' });
+    const behind = (selector) => page.locator(selector).first().evaluate((element) => getComputedStyle(element).backgroundColor);
+    assert.equal(await behind('html'), 'rgb(21, 24, 28)');
+    assert.equal(await behind('.frame'), 'rgb(255, 255, 255)');
+    await assertDrawn(page.locator('.plot').first(), 'a chart on a dark page', within);
+    await page.emulateMedia({ media: 'print' });
+    assert.equal(await behind('html'), 'rgb(255, 255, 255)');
+    await close();
+  });
+
+  it('shows by when equal runs have parted, on a logarithmic axis that zooms and moves', async () => {
+    const { page, close } = await open();
+    const figure = page.locator('#parting_times');
+    const panel = figure.locator('.panel');
+    await assertDrawn(panel.locator('.plot'), 'parting times', within);
+    const frame = panel.locator('.frame');
+    await frame.focus();
+    await page.keyboard.press('End');
+    const table = figure.locator('table');
+    const last = (await table.locator('tbody tr').last().locator('th, td').allTextContents()).map(Number);
+    assert.match(await panel.locator('.readout').textContent(), new RegExp(`= ${last[0]}.*: ${last[1]}`));
+    const heads = await table.locator('thead th').allTextContents();
+    for (const name of await figure.locator('.legend button').allTextContents()) assert.ok(heads.includes(name), name);
+    for (let at = 1; at < last.length; ++at) {
+      const levels = (await column(table, at)).map(Number);
+      assert.ok(levels.every((level, i) => i === 0 || level >= levels[i - 1]), `${levels}`);
+    }
+    const home = await axisLabels(panel);
+    for (const name of ['Zoom in', 'Right', 'Left']) {
+      await panel.getByRole('button', { name }).click();
+      assert.notDeepEqual(await axisLabels(panel), home, name);
+    }
+    await panel.getByRole('button', { name: 'Zoom out' }).click();
+    assert.deepEqual(await axisLabels(panel), home);
+    await close();
   });
 
   it('fits a narrow screen', async () => {

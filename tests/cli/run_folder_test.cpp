@@ -221,6 +221,26 @@ TEST_F(RunFolder, HoldsAPageThatIsWrittenAgainWithTheSameBytes) {
   EXPECT_FALSE(exists("out/report.html")) << "it is of the run that was replaced";
 }
 
+TEST_F(RunFolder, HoldsAPageThatShowsPartingTimesWhereTheStoreIsThere) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  EXPECT_THAT(read("out/report.html"), HasSubstr("<figure id=\"parting_times\""));
+  std::filesystem::remove(folder_ / "out/realisations.sqlite");
+  ASSERT_EQ(rocking("report out --format html").exit_code, 0);
+  EXPECT_THAT(read("out/report.html"), AllOf(HasSubstr("</html>"), Not(HasSubstr("id=\"parting_times\""))));
+}
+
+TEST_F(RunFolder, HasATableThatIsPrintedAgain) {
+  Json enough = quick_experiment();
+  enough["realisations"] = Json::parse(R"({ "until": { "half_width": 0.3, "at_most": 300 } })");
+  write("enough.json", enough.dump());
+  for (const std::string name : {"quick", "enough"}) {
+    const std::string printed = rocking("run " + name + ".json --no-progress -o " + name).output;
+    const std::string table = rocking("report " + name + " --format text").output;
+    EXPECT_THAT(table, HasSubstr("amplitude"));
+    EXPECT_THAT(printed, HasSubstr('\n' + table + "\nper cent")) << table;
+  }
+}
+
 TEST_F(RunFolder, HoldsAPageWithoutPicturesWhereGnuplotIsMissing) {
   ASSERT_EQ(shell("mkdir nothing").exit_code, 0);
   const std::string without = std::string("PATH=$PWD/nothing '") + ROCKING_PROGRAM + "' ";

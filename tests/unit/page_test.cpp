@@ -253,6 +253,17 @@ TEST(Page, SpeaksOfResponsesInWords) {
   EXPECT_EQ(meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
 }
 
+TEST(Page, SetsLevelsSideBySideThatHoldUntilTheNext) {
+  const Table first{.name = "a", .columns = {{"period", "when"}, {"share", ""}}, .rows = {{1.0, 0.0}, {4.0, 0.5}}};
+  const Table second{.name = "b", .columns = first.columns, .rows = {{2.0, 0.25}, {4.0, 1.0}, {9.0, 1.0}}};
+  const Table joined = side_by_side({first, second});
+  ASSERT_THAT(joined.columns, SizeIs(3));
+  EXPECT_EQ(joined.columns[0].meaning + joined.columns[1].meaning + joined.columns[2].meaning, "whenab");
+  const std::vector<std::vector<Cell>> rows{
+      {1.0, 0.0, std::monostate()}, {2.0, 0.0, 0.25}, {4.0, 0.5, 1.0}, {9.0, 0.5, 1.0}};
+  EXPECT_EQ(joined.rows, rows);
+}
+
 TEST(Page, SetsSymbolsLow) {
   EXPECT_EQ(symbol_html("A_h"), "<i>A<sub>h</sub></i>");
   EXPECT_EQ(symbol_html("a_s/b_k<"), "<i>a<sub>s</sub>/b<sub>k</sub>&lt;</i>");

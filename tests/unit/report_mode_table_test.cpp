@@ -101,18 +101,18 @@ Made of_three_modes() {
 
 TEST(ModeTable, DrawsItsSharesWhereBarsAreWanted) {
   EXPECT_THAT(
-      of_three_modes().lines({.width = 97, .bars = report::Letters::ascii}),
-      ::testing::ElementsAre("amplitude    n              # (1,1)            - (1,3)      % overturned        shares",
-                             "        3  200  100.0 [50.0, 100.0]                  .                 .  ############",
-                             "      4.5  200    50.0 [25.0, 50.0]  49.5 [24.8, 49.5]    0.5 [0.2, 0.5]  ######-----%"));
-  const auto lines = of_three_modes().lines({.width = 100, .bars = report::Letters::unicode});
+      of_three_modes().lines({.width = 104, .bars = report::Letters::ascii}),
+      ::testing::ElementsAre("amplitude    n              # (1,1)            - (1,3)    % overturned        shares",
+                             "        3  200  100.0 [50.0, 100.0]                  .               .  ############",
+                             "      4.5  200    50.0 [25.0, 50.0]  49.5 [24.8, 49.5]  0.5 [0.2, 0.5]  ######-----%"));
+  const auto lines = of_three_modes().lines({.width = 107, .bars = report::Letters::unicode});
   EXPECT_THAT(lines[0], ::testing::HasSubstr("█ (1,1)"));
   EXPECT_THAT(lines[2], ::testing::EndsWith("  ███████░░░░░░░▓")) << "a longer bar, as there is room";
 }
 
 TEST(ModeTable, DrawsNoBarsWithoutRoomOrNeed) {
   const auto bars = report::Letters::ascii;
-  EXPECT_EQ(of_three_modes().lines({.width = 96, .bars = bars}), of_three_modes().lines({.width = 96, .bars = {}}));
+  EXPECT_EQ(of_three_modes().lines({.width = 103, .bars = bars}), of_three_modes().lines({.width = 103, .bars = {}}));
   EXPECT_EQ(of_three_modes().lines({.width = 1, .bars = bars}), of_three_modes().lines({.width = 1, .bars = {}}));
   Made alone;
   alone.add({}, {{section::periodic(1, 1), 7}, {section::periodic(1, 3), 0}});
@@ -130,7 +130,8 @@ TEST(ModeTable, KeepsToTheWidthThatThereIs) {
         EXPECT_LE(report::letters_in(line), width) << line;
     }
   }
-  EXPECT_THAT(made.lines({.width = 300, .bars = report::Letters::ascii})[1], ::testing::EndsWith("..............."));
+  EXPECT_THAT(made.lines({.width = 300, .bars = report::Letters::ascii})[1],
+              ::testing::EndsWith("  ##--%%==oo.............."));
 }
 
 TEST(ShareBar, HasALetterForWhatIsThereAtAllAndIsNoLongerForIt) {

@@ -182,7 +182,7 @@ var charts = (function () {
 
   Chart.prototype.step = function (by) {
     var places = this.places(), at = places.indexOf(this.at);
-    var next = at < 0 ? 0 : Math.min(places.length - 1, Math.max(0, at + by));
+    var next = at < 0 && by < Infinity ? 0 : Math.min(places.length - 1, Math.max(0, at + by));
     this.tell(places[next]);
   };
 

@@ -42,7 +42,7 @@ def main(runs, published):
     write_compressed(published / "realisations.json.xz", json.dumps(stores))
     attractors = read(here / "figure_06.json")
     energies = [read(path)["energy"] for path in sorted((runs / "energy").glob("*.json"))]
-    diagrams = [read(runs / f"figure_09_{k}" / "bifurcation.json") for k in range(6)]
+    diagrams = [read(runs / f"figure_09_{k}" / "bifurcation.json") for k in range(10)]
     measures = {
         "normal": read(runs / "figure_02.json"),
         "energy": energy_rows(conditions_of(attractors), energies),

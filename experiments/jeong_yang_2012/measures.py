@@ -4,6 +4,7 @@ import itertools
 import random
 import statistics
 
+from intervals import clopper_pearson
 from published import FRICTIONS, place_of
 
 STRETCH = 120  # strobe points
@@ -50,9 +51,11 @@ def attractor_rows(fixed, fluctuating):
             own = stretches(step["points"])
             scales = [statistics.pstdev(column) for column in zip(*step["points"])]
             row["shift_within"] = max(shift(a, b, scales) for a, b in itertools.combinations(own, 2))
-            row["shift_small"] = statistics.median(
-                shift(a, b, scales) for a, b in itertools.product(own, stretches(small["points"])))
+            between = [shift(a, b, scales) for a, b in itertools.product(own, stretches(small["points"]))]
+            row["shift_small"] = statistics.median(between)
+            row["shift_small_least"] = min(between)
             ratios = [area(b) / area(a) for a, b in itertools.product(own, stretches(large["points"]))]
+            row["stays_chaotic"] = large["mode"] == "chaotic"
             row["growth"] = area(large["points"]) / area(step["points"])
             row["growth_range"] = [min(ratios), max(ratios)]
         else:
@@ -67,6 +70,11 @@ def bootstrap(numbers, resamples=2000, seed=2012):
     n = len(numbers)
     means = sorted(sum(numbers[int(n * source.random())] for _ in range(n)) / n for _ in range(resamples))
     return [means[int(0.025 * resamples)], means[int(0.975 * resamples) - 1]]
+
+
+def interval_of_mean(shares):
+    """Of numbers from 0 to 1, independent of one another. Where all are 0 it is the exact interval of how many are not."""
+    return bootstrap(shares) if any(shares) else list(clopper_pearson(0, len(shares)))
 
 
 def diagram_rows(diagrams):
@@ -85,7 +93,7 @@ def diagram_rows(diagrams):
         shares = [sum(d is None or d > VISIBLE for d in row) / len(row) for row in distances]
         told = [d for row in distances for d in row if d is not None]
         rows.append({"reading": reading, "pairs": len(shares), "amplitudes": len(clouds),
-                     "differ": statistics.fmean(shares), "differ_interval": bootstrap(shares),
+                     "differ": statistics.fmean(shares), "differ_interval": interval_of_mean(shares),
                      "least": min(shares), "most": max(shares),
                      "median_distance": statistics.median(told), "largest_distance": max(told)})
     return rows

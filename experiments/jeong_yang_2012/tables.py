@@ -4,8 +4,8 @@ import itertools
 import statistics
 
 from claims import ATTRACTORS, CLAIMS, transposed
-from intervals import beyond_half, clopper_pearson, share
-from measures import bootstrap
+from intervals import beyond_half, share
+from measures import interval_of_mean
 from published import FRICTIONS, READINGS, SIGMAS, STARTS
 
 OPTIONS = ("slide_inertia `edge`", "restitution `jy25`", "impact_slip_rule `signed`")
@@ -34,7 +34,8 @@ def verdict(findings):
     if not judged:
         return "open"
     if len(set(judged.values())) == 1:
-        return MARKS[next(iter(judged.values()))] + rest
+        mark = MARKS[next(iter(judged.values()))]
+        return f"{mark} in {len(judged)} of {len(findings)} cells, open in the rest" if open_cells else mark
 
     def differ(fixed, names):
         return any(len({judged[cell] for cell in judged if cell[fixed] == name}) > 1 for name in names)
@@ -132,7 +133,7 @@ def energy_table(data):
         balanced = balances(data, reading)
         rows.append((reading, "yes" if balanced else "no",
                      "below 1e-9" if balanced else f"{100 * min(shares):+.1f} to {100 * max(shares):+.1f} %",
-                     f"{100 * max(gains):.2g} %"))
+                     f"{100 * max(gains):.2g} %" if max(gains) > 1e-9 else "none"))
     return table(("reading", "balances", "made (+) or lost (-) by the equations, least to most",
                   "made in impacts, at most"), rows)
 
@@ -228,7 +229,7 @@ def mean_difference(series):
     amplitude it is the exact one of how many pairs do."""
     rows = transposed(series)
     shares = [statistics.fmean(a != b for a, b in zip(*pair)) for pair in zip(rows[::2], rows[1::2])]
-    low, high = bootstrap(shares) if any(shares) else clopper_pearson(0, len(shares))
+    low, high = interval_of_mean(shares)
     return f"{100 * statistics.fmean(shares):.1f} [{100 * low:.1f}, {100 * high:.1f}]"
 
 

@@ -4,8 +4,11 @@
 With --check it writes nothing, and fails where README.md is not what would be written."""
 
 import argparse
+import math
+import re
 import string
 import sys
+import textwrap
 from pathlib import Path
 
 import tables
@@ -22,7 +25,7 @@ def runs_table(data):
         total = sum(condition["realisations"] for condition in conditions)
         rows.append((f"`{name}.json`", report["input"]["experiment"]["title"], len(conditions), total,
                      f"`{report['result']['digest'][:12]}`"))
-    return "\n\n" + table(("experiment", "title", "conditions", "realisations", "digest begins"), rows)
+    return table(("experiment", "title", "conditions", "realisations", "digest begins"), rows)
 
 
 def skewness_words(check):
@@ -95,6 +98,7 @@ def step_of(data, name):
 def values(data):
     findings = tables.all_findings(data)
     horizon = data.reports["rest_fixed_friction"]["input"]["experiment"]["horizon"]
+    block = data.reports["rest_fixed_friction"]["input"]["experiment"]["block"]
     reports = data.reports.values()
     recurring = data.reports["non_recurrence"]["result"]["conditions"][0]["realisations"]
     few = min(c["realisations"] for name in ("rest_fluctuating_friction", "any_start_fluctuating_friction")
@@ -103,7 +107,7 @@ def values(data):
     amplitudes, shaken = (sorted(data.series("consistent", "any", FRICTIONS[0], sigma)) for sigma in (0.0, 0.03))
     return {
         "answers": answers(data, findings),
-        "jy25": "1 - 1.5 sin^2(psi) = 0.912",
+        "jy25": f"{1.0 - 1.5 * math.sin(math.atan2(block['width_m'], block['height_m'])) ** 2:.3f}",
         "runs_table": runs_table(data),
         "amplitudes": ", ".join(f"{a:g}" for a in amplitudes),
         "shaken_amplitudes": ", ".join(f"{a:g}" for a in shaken),
@@ -144,13 +148,29 @@ def values(data):
     }
 
 
+def wrapped(text):
+    """The text with its prose in lines of 120; tables, titles, pictures and code as they are."""
+    blocks = []
+    for block in text.split("\n\n"):
+        if block.startswith(("|", "#", "!", "    ")):
+            blocks.append(block)
+            continue
+        items = re.split(r"\n(?=- )", block)
+        wrap = textwrap.TextWrapper(120, break_long_words=False, break_on_hyphens=False)
+        for i, item in enumerate(items):
+            wrap.subsequent_indent = "  " if item.startswith("- ") else ""
+            items[i] = wrap.fill(" ".join(item.split()))
+        blocks.append("\n".join(items))
+    return "\n\n".join(blocks).rstrip() + "\n"
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("published", type=Path)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
     template = (Path(__file__).parent / "report.template").read_text(encoding="utf-8")
-    text = string.Template(template).substitute(values(Published(arguments.published)))
+    text = wrapped(string.Template(template).substitute(values(Published(arguments.published))))
     readme = arguments.published / "README.md"
     if not arguments.check:
         readme.write_text(text, encoding="utf-8")

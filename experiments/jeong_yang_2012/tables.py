@@ -117,6 +117,17 @@ def nearest(all_findings):
     return first + ": " + ". ".join(lines) + "."
 
 
+def under(all_findings, reading):
+    """Which claims hold and fail under a reading, start by start."""
+    parts = []
+    for start in STARTS:
+        lists = [[str(i) for i, (_, findings) in enumerate(all_findings, 1) if findings[reading, start].holds is holds]
+                 for holds in (True, False)]
+        held, failed = (", ".join(numbers) or "none" for numbers in lists)
+        parts.append(f"start {start}: {held} hold, {failed} fail")
+    return f"Under `{reading}`: " + "; ".join(parts) + "; the others are open."
+
+
 def energy_of(data, reading, what):
     return [row[what] for row in data.measures["energy"] if row["reading"] == reading]
 

@@ -47,7 +47,8 @@ def answers(data, findings):
              f"({', '.join(numbers('holds')) or 'none'}), {len(numbers('fails'))} nowhere "
              f"({', '.join(numbers('fails')) or 'none'}); "
              f"{len(numbers('depends'))} depend on the reading or the start ({', '.join(numbers('depends')) or 'none'}); "
-             f"{len(numbers('open'))} cannot be judged.", tables.nearest(findings), chaos_words(data), energy_words(data),
+             f"{len(numbers('open'))} cannot be judged.", tables.nearest(findings),
+             tables.under(findings, "consistent"), chaos_words(data), energy_words(data),
              recurrence_words(data)]
     return "\n".join("- " + line for line in lines)
 
@@ -64,11 +65,15 @@ def chaos_words(data):
     cells = 2 * len(READINGS) // 2 * len(tables.ATTRACTORS)
     elsewhere = "; ".join(f"{tables.chaos_somewhere(data.series('consistent', 'any', pair))} with {pair}"
                           for pair in FRICTIONS)
+    alone = []
+    for pair in FRICTIONS:
+        series = data.series("edge", "any", pair)
+        alone.append(f"{tables.chaos_somewhere({a: series[a] for a in tables.ATTRACTORS})} with {pair}")
     return (f"{opening}: from any start, {sum(edge)} of {cells * len(edge)} realisations are chaotic with it, {sum(right)} "
             f"of {cells * len(right)} with the right inertia, whatever the other two options; {share(more, more + less)} of "
             f"the starts that make a difference have more chaos with it, {share(never, len(right))} of the starts have "
-            f"none at all with the right one. Right mechanics has chaos elsewhere: of the starts, under `consistent`, "
-            f"{elsewhere} are chaotic at one of the amplitudes or more.")
+            f"none at all with the right one. With that inertia alone (`edge`), of the starts {'; '.join(alone)} are chaotic at "
+            f"one of the three or more; with right mechanics (`consistent`), {elsewhere} at one of all amplitudes or more.")
 
 
 def energy_words(data):

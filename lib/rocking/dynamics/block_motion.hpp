@@ -169,19 +169,31 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     if (progress.steps > 0) count_steps_elsewhere(progress.steps);
   }
 
-  /// A step whose series fill(series) takes from elsewhere, with `length` as `expand` would return it.
-  template <class Fill>
-  [[nodiscard]] double take_up_step(int order, double length, Fill&& fill) {
+  /// A step done elsewhere in which something may have happened. `fired` is indexed by Guard.
+  template <class Fired>
+  void finish_step(const SmoothEnd& end, const Fired& fired) {
     count_step();
-    order_ = order;
-    fill(series_);
-    return begin_step(length, time_to_breakpoint());
+    after_reset_ = false;
+    const bool at_breakpoint = end.duration >= time_to_breakpoint() - clock_.resolution();
+    if (end.strobe) {
+      tell_strobe(from_frame(*end.strobe));
+      steps_since_strobe_ = 0;
+    }
+    if (end.duration > 0.0) {
+      move_to(end.duration, from_frame(end.state));
+    } else {
+      stand_still();
+    }
+    reset(fired, at_breakpoint);
   }
 
   /// The series of the coming step; returns its length.
   [[nodiscard]] double expand(double reach) {
     count_step();
-    return begin_step(length_of_series(reach), reach);
+    const double length = length_of_series(reach);
+    if (after_reset_) look_at_validity();
+    if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
+    return length;
   }
 
   /// The state x into the step that `expand` has prepared.
@@ -234,19 +246,10 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   void move(double x) {
-    time_went_on_ = x > 0.0;
-    if (!time_went_on_) {
-      if (++events_at_once_ > most_events_at_once) this->end(Termination::stopped);
-      return;
-    }
+    if (!(x > 0.0)) return stand_still();
     const State next = state_at(x);
     if (!is_finite(next)) return end_without_step();
-    state_ = next;
-    clock_.advance(x);
-    events_at_once_ = 0;
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    move_to(x, next);
   }
 
   /// `fired` is indexed by Guard.
@@ -300,11 +303,19 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     after_reset_ = false;
   }
 
-  /// The series are there.
-  [[nodiscard]] double begin_step(double length, double reach) {
-    if (after_reset_) look_at_validity();
-    if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
-    return length;
+  void stand_still() {
+    time_went_on_ = false;
+    if (++events_at_once_ > most_events_at_once) this->end(Termination::stopped);
+  }
+
+  void move_to(double x, const State& next) {
+    time_went_on_ = true;
+    state_ = next;
+    clock_.advance(x);
+    events_at_once_ = 0;
+    Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
+    Base::limit_sign_ = 0.0;
+    normal_starts_at_zero_ = false;
   }
 
   void tell_strobe(const State& sample) {

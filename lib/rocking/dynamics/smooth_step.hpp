@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "rocking/dynamics/automaton.hpp"
 #include "rocking/dynamics/clock.hpp"
@@ -32,6 +33,13 @@ struct SmoothStep {
 };
 
 inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
+
+/// How a step ends in which something may happen.
+struct SmoothEnd {
+  double duration;    ///< until the first event, or the end of the step
+  SmoothState state;  ///< then
+  std::optional<SmoothState> strobe;  ///< at the strobe instant, if there is one before
+};
 
 /// What steps done elsewhere have come to.
 struct SmoothProgress {

@@ -60,42 +60,54 @@ template <HybridSystem System>
   return in_doubt;
 }
 
-/// Finds the earliest loss of sign within a step, among the guards `in_doubt`; losses within the system's resolution of it
-/// count as simultaneous.
+/// Losses of sign within a step, and when.
+struct Losses {
+  std::array<double, max_guards> instants;  ///< of the guards below
+  FiredGuards guards;
+};
+
+/// The earliest of them; losses within `resolution` of it count as simultaneous.
+[[nodiscard]] inline FirstLoss earliest(const Losses& losses, double length, double resolution) {
+  FirstLoss first{length, losses.guards};
+  if (losses.guards.none()) return first;
+  for (std::size_t guard = 0; guard < max_guards; ++guard) {
+    if (losses.guards[guard] && losses.instants[guard] < first.time) first.time = losses.instants[guard];
+  }
+  for (std::size_t guard = 0; guard < max_guards; ++guard) {
+    if (first.fired[guard] && losses.instants[guard] > first.time + resolution) first.fired.reset(guard);
+  }
+  return first;
+}
+
+/// Finds the earliest loss of sign within a step, among the guards `in_doubt`.
 template <HybridSystem System>
 [[nodiscard]] FirstLoss first_loss(const System& system, double length, const FiredGuards& in_doubt,
                                    LoopCounts& counts) {
-  FirstLoss first{length, {}};
-  if (in_doubt.none()) return first;
-  std::array<double, max_guards> instants;
+  Losses losses;
+  if (in_doubt.none()) return {length, {}};
   system.for_each_guard(in_doubt, [&](std::size_t guard, std::span<const double> coefficients) {
     ++counts.root_isolations;
     std::array<double, max_coefficients> storage;
     const auto loss = first_sign_loss(scale_to_unit(coefficients, length, storage));
     if (!loss) return;
-    instants[guard] = *loss * length;
-    first.fired.set(guard);
-    if (instants[guard] < first.time) first.time = instants[guard];
+    losses.instants[guard] = *loss * length;
+    losses.guards.set(guard);
   });
-  if (first.fired.count() < 2) return first;
-  const double resolution = system.time_resolution();
-  for (std::size_t guard = 0; guard < max_guards; ++guard) {
-    if (first.fired[guard] && instants[guard] > first.time + resolution) first.fired.reset(guard);
-  }
-  return first;
+  return earliest(losses, length, system.time_resolution());
 }
 
-/// The end of a step whose series are there: its events and strobe points. `in_doubt`: guards that may fire within it.
+/// Does one step: its series, its events, its strobe points.
 ///
 /// A strobe sample shows the state after the events of its instant: one that falls within the time resolution of a step's
 /// end waits for the next step.
 template <HybridSystem System>
-void finish_step(System& system, double length, const FiredGuards& in_doubt, LoopCounts& counts) {
+void step(System& system, LoopCounts& counts) {
+  const double reach = system.time_to_breakpoint();
+  const double length = system.expand(reach);
   ++counts.steps;
   if (system.ended()) return;
   const double resolution = system.time_resolution();
-  const double reach = system.time_to_breakpoint();
-  const auto [time, fired] = first_loss(system, length, in_doubt, counts);
+  const auto [time, fired] = first_loss(system, length, guards_in_doubt(system, length), counts);
   while (!system.ended() && system.time_to_strobe() < time - resolution) {
     const double instant = system.time_to_strobe();
     system.strobe(instant > resolution ? instant : 0.0);
@@ -103,13 +115,6 @@ void finish_step(System& system, double length, const FiredGuards& in_doubt, Loo
   if (system.ended()) return;
   system.move(time);
   system.reset(fired, time >= reach - resolution);
-}
-
-/// Does one step.
-template <HybridSystem System>
-void step(System& system, LoopCounts& counts) {
-  const double length = system.expand(system.time_to_breakpoint());
-  finish_step(system, length, guards_in_doubt(system, length), counts);
 }
 
 /// Advances a system until it has ended.

@@ -6,8 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/integrate/bernstein.hpp"
 #include "rocking/integrate/polynomial.hpp"
 
 namespace rocking::integrate {
@@ -26,25 +28,26 @@ struct Piece {
 
 enum class Shape { nonnegative, starts_below, one_loss, unclear };
 
-/// C(i,k)/C(n,k), by n, k, i: 0 where i < k.
-constexpr auto bernstein_weights = [] {
-  std::array<std::array<std::array<double, max_coefficients>, max_coefficients>, max_coefficients> table{};
-  const auto binomial = [](std::size_t n, std::size_t k) {
-    double value = 1.0;  // an integer below 2^53
-    for (std::size_t m = 0; m < k; ++m) value = value * static_cast<double>(n - m) / static_cast<double>(m + 1);
-    return value;
-  };
-  for (std::size_t n = 0; n < max_coefficients; ++n) {
-    for (std::size_t k = 0; k <= n; ++k) {
-      for (std::size_t i = k; i <= n; ++i) table[n][k][i] = binomial(i, k) / binomial(n, k);
-    }
+using WeightRows = std::array<std::array<double, max_coefficients>, max_coefficients>;
+
+template <std::size_t n>
+consteval WeightRows weight_rows() {
+  constexpr auto weights = bernstein_weights<n>();
+  WeightRows rows{};
+  for (std::size_t k = 0; k <= n; ++k) {
+    for (std::size_t i = 0; i <= n; ++i) rows[k][i] = weights.of[k][i];
   }
-  return table;
-}();
+  return rows;
+}
+
+/// By degree, then as BernsteinWeights.
+constexpr auto weights_of_degree = []<std::size_t... n>(std::index_sequence<n...>) {
+  return std::array{weight_rows<n>()...};
+}(std::make_index_sequence<max_coefficients>{});
 
 /// b[i] = sum_{k <= i} C(i,k)/C(n,k) c[k]; all i at once, since that is done several numbers at a time.
 void to_bernstein(std::span<const double> c, std::array<double, max_coefficients>& b) {
-  const auto& weights = bernstein_weights[c.size() - 1];
+  const WeightRows& weights = weights_of_degree[c.size() - 1];
   std::array<double, max_coefficients> sums{};
   for (std::size_t k = 0; k < c.size(); ++k) {
     for (std::size_t i = 0; i < max_coefficients; ++i) sums[i] = std::fma(weights[k][i], c[k], sums[i]);

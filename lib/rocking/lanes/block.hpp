@@ -47,17 +47,27 @@ struct alignas(64) Block {
   LaneRow slip_sign;        ///< S s
 
   // What the last step was like.
-  LaneRow length;       ///< of the step
   LaneRow strobe_tilt;  ///< the state at the strobe instant, in the lanes that passed one
   LaneRow strobe_tilt_rate;
   LaneRow strobe_slip;
   LaneRow strobe_slip_rate;
+  std::uint32_t strobed;  ///< lanes that passed a strobe point
+
+  // And besides, where it was one in which nothing had to happen.
   std::uint32_t quiet;    ///< lanes that were moved on
-  std::uint32_t strobed;  ///< of them, those that passed a strobe point
   std::uint32_t arrived;  ///< of them, those that are at their breakpoint (brief steps only)
-  std::uint32_t misfits;  ///< lanes that need a series of another order
-  std::array<std::uint32_t, dynamics::guard_count>
-      unclear;  ///< by dynamics::Guard: lanes where a cheap bound does not clear it
+
+  // And besides, where it was one in which something may have happened; the state is left as it was.
+  LaneRow length;    ///< of the step that was looked at
+  LaneRow duration;  ///< until the first event, or the end of the step
+  LaneRow end_tilt;  ///< the state then
+  LaneRow end_tilt_rate;
+  LaneRow end_slip;
+  LaneRow end_slip_rate;
+  std::array<LaneRow, dynamics::guard_count> instants;         ///< by dynamics::Guard: when it lost its sign
+  std::array<std::uint32_t, dynamics::guard_count> lost;       ///< lanes where it did
+  std::array<std::uint32_t, dynamics::guard_count> in_doubt;   ///< lanes where a cheap bound does not clear it
+  std::uint32_t alone;                                         ///< lanes whose step is no ordinary one after all
 
   /// The series of the step: MotionSeries of as many lanes as the kernel has.
   alignas(64) std::array<double, sizeof(dynamics::MotionSeries<double>) / sizeof(double) * most_lanes> series;

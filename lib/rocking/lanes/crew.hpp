@@ -28,27 +28,27 @@ namespace rocking::lanes {
 template <class Run>
 class Crew {
  public:
-  explicit Crew(const Kernels& kernels) : kernels_(kernels) {
-    for (Group& group : groups_) group.block = std::make_unique<Block>();
-  }
+  explicit Crew(const Kernels& kernels) : kernels_(kernels) {}
 
   /// Runs that are neither finished nor taken away.
   [[nodiscard]] std::size_t size() const { return size_; }
   /// With as many runs there is work for every lane, whatever they do.
-  [[nodiscard]] std::size_t wanted_size() const { return 3 * static_cast<std::size_t>(kernels_.lanes); }
+  [[nodiscard]] std::size_t wanted_size() const { return 6 * static_cast<std::size_t>(kernels_.lanes); }
 
   void add(Run& run) {
     ++size_;
     place(run);
   }
 
-  /// One step in the lanes of the kind that has most to do.
+  /// One step where there is most to do.
   void step() {
-    const auto fullest = std::ranges::max_element(groups_, {}, [](const Group& group) { return group.size(); });
-    const auto kind = static_cast<std::size_t>(fullest - groups_.begin());
-    fill(*fullest);
-    kernels_.step[kind](*fullest->block);
-    look_after(*fullest, static_cast<Kind>(kind));
+    const auto mover = std::ranges::max_element(groups_, {}, [](const Group& group) { return group.to_move(); });
+    const auto ender = std::ranges::max_element(groups_, {}, [](const Group& group) { return group.ending.size(); });
+    if (mover->to_move() < ender->ending.size()) {
+      end(*ender);
+    } else {
+      move(*mover);
+    }
   }
 
   [[nodiscard]] bool has_finished() const { return !finished_.empty(); }
@@ -56,15 +56,22 @@ class Crew {
   [[nodiscard]] std::vector<Run*> take_finished() { return std::exchange(finished_, {}); }
 
  private:
-  struct Group {
-    std::unique_ptr<Block> block;
+  /// Lanes, and who is in them.
+  struct Lanes {
+    std::unique_ptr<Block> block = std::make_unique<Block>();
     std::array<Run*, most_lanes> runs{};
     std::uint32_t occupied = 0;
+
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(occupied)); }
+  };
+
+  /// Runs of a kind.
+  struct Group {
+    Lanes moving;
+    Lanes ending;  ///< whose coming step is one in which something may happen
     std::vector<Run*> waiting;
 
-    [[nodiscard]] std::size_t size() const {
-      return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size();
-    }
+    [[nodiscard]] std::size_t to_move() const { return moving.size() + waiting.size(); }
   };
 
   template <class Use>
@@ -98,65 +105,69 @@ class Crew {
 
   void wait(Run& run, Kind kind) { groups_[static_cast<std::size_t>(kind)].waiting.push_back(&run); }
 
+  [[nodiscard]] Kind kind_of(const Group& group) const { return static_cast<Kind>(&group - groups_.data()); }
+
   void fill(Group& group) {
-    const std::uint32_t all = (1U << static_cast<unsigned>(kernels_.lanes)) - 1U;
-    for_each_lane(all & ~group.occupied, [&](std::size_t lane) {
+    auto& [block, runs, occupied] = group.moving;
+    for_each_lane(all_lanes() & ~occupied, [&](std::size_t lane) {
       if (group.waiting.empty()) return;
-      group.runs[lane] = group.waiting.back();
+      runs[lane] = group.waiting.back();
       group.waiting.pop_back();
-      group.occupied |= 1U << lane;
-      load(*group.block, lane, group.runs[lane]->motion().smooth_step());
+      occupied |= 1U << lane;
+      load(*block, lane, runs[lane]->motion().smooth_step());
     });
   }
 
-  void look_after(Group& group, Kind kind) {
-    Block& block = *group.block;
-    for_each_lane(block.strobed & group.occupied, [&](std::size_t lane) {
-      group.runs[lane]->motion().pass_strobe({.tilt = block.strobe_tilt[lane],
-                                              .tilt_rate = block.strobe_tilt_rate[lane],
-                                              .slip = block.strobe_slip[lane],
-                                              .slip_rate = block.strobe_slip_rate[lane]});
-    });
-    for_each_lane(block.arrived & group.occupied, [&](std::size_t lane) { pass_breakpoint(group, lane, kind); });
-    for_each_lane(~block.quiet & group.occupied, [&](std::size_t lane) { step_alone(group, lane, kind); });
+  void move(Group& group) {
+    fill(group);
+    auto& [block, runs, occupied] = group.moving;
+    kernels_.move[static_cast<std::size_t>(kind_of(group))](*block);
+    for_each_lane(block->strobed & occupied,
+                  [&](std::size_t lane) { runs[lane]->motion().pass_strobe(strobe_point(*block, lane)); });
+    for_each_lane(block->arrived & occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
+    for_each_lane(~block->quiet & occupied, [&](std::size_t lane) { await_end(group, lane); });
   }
 
-  /// The lane's run does the step that is under way, and is put where it belongs after it.
-  void step_alone(Group& group, std::size_t lane, Kind kind) {
-    Block& block = *group.block;
-    Run& run = *group.runs[lane];
-    auto& motion = run.motion();
+  void await_end(Group& group, std::size_t lane) {
+    if (group.ending.occupied == all_lanes()) end(group);
+    auto& [block, runs, occupied] = group.ending;
+    const auto its_lane = static_cast<std::size_t>(std::countr_one(occupied));
+    copy_lane(*group.moving.block, lane, *block, its_lane);
+    runs[its_lane] = group.moving.runs[lane];
+    occupied |= 1U << its_lane;
+    group.moving.occupied &= ~(1U << lane);
+  }
+
+  void end(Group& group) {
+    auto& [block, runs, occupied] = group.ending;
+    kernels_.end[static_cast<std::size_t>(kind_of(group))](*block);
+    for_each_lane(std::exchange(occupied, 0U), [&](std::size_t lane) { finish_step(*block, lane, *runs[lane]); });
+  }
+
+  /// The lane's run takes what was found out of its step, and is put where it belongs after it.
+  void finish_step(Block& block, std::size_t lane, Run& run) {
     catch_up(block, lane, run);
-    if ((block.misfits >> lane & 1U) != 0) {
-      integrate::step(motion, run.counts());
+    if ((block.alone >> lane & 1U) != 0) {
+      integrate::step(run.motion(), run.counts());
     } else {
-      const double length = motion.take_up_step(
-          order_of(kind), block.length[lane], [&](auto& series) { take_series(block, lane, kernels_, kind, series); });
-      // Off the ground the guards are others than the kernel has looked at.
-      const auto guards = motion.is_off_ground() ? integrate::guards_in_doubt(motion, length) : in_doubt(block, lane);
-      integrate::finish_step(motion, length, guards, run.counts());
+      ++run.counts().steps;
+      run.counts().root_isolations += doubts(block, lane);
+      const auto first = integrate::earliest(losses(block, lane), block.length[lane], block.resolution[lane]);
+      run.motion().finish_step(end_of_step(block, lane), first.fired);
     }
-    leave_or_stay(group, lane, kind);
+    place(run);
   }
 
-  void pass_breakpoint(Group& group, std::size_t lane, Kind kind) {
-    Block& block = *group.block;
-    Run& run = *group.runs[lane];
+  void pass_breakpoint(Group& group, std::size_t lane) {
+    Block& block = *group.moving.block;
+    Run& run = *group.moving.runs[lane];
     Motion& motion = run.motion();
     motion.pass_breakpoint(take_steps(block, lane, run));
-    if (kind_of(motion) == kind) return load_change(block, lane, motion.smooth_step());
+    if (kind_of(motion) == kind_of(group)) return load_change(block, lane, motion.smooth_step());
     dynamics::SmoothProgress here = progress(block, lane);
     here.now = motion.clock().now();
     motion.catch_up(here);
-    leave_or_stay(group, lane, kind);
-  }
-
-  void leave_or_stay(Group& group, std::size_t lane, Kind kind) {
-    Run& run = *group.runs[lane];
-    const auto next = kind_of(run.motion());
-    if (next == kind) return load_step(*group.block, lane, run.motion().smooth_step());
-    group.occupied &= ~(1U << lane);
-    if (next) return wait(run, *next);
+    group.moving.occupied &= ~(1U << lane);
     place(run);
   }
 
@@ -171,6 +182,8 @@ class Crew {
     run.counts().steps += steps;
     return steps;
   }
+
+  [[nodiscard]] std::uint32_t all_lanes() const { return (1U << static_cast<unsigned>(kernels_.lanes)) - 1U; }
 
   const Kernels& kernels_;
   std::array<Group, kind_count> groups_;

@@ -24,14 +24,15 @@ inline constexpr std::size_t kind_count = 4;
   return kind == Kind::rock_slide_briefly ? dynamics::brief_order : dynamics::full_order;
 }
 
-/// One step in every lane of a block.
+/// Something done in every lane of a block.
 using Kernel = void (*)(Block&);
 
 /// The kernels of one width, compiled for one instruction set.
 struct Kernels {
   std::string_view name;  ///< of the instruction set, as `rocking doctor` prints it
   int lanes;
-  std::array<Kernel, kind_count> step;  ///< by Kind
+  std::array<Kernel, kind_count> move;  ///< by Kind: moves on the lanes where nothing can happen
+  std::array<Kernel, kind_count> end;   ///< by Kind: finds out what happens first, and when
 };
 
 /// Those that this machine can run, the one lane of plain doubles first, the best last. Their results have the same bits.

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 
-#include "rocking/dynamics/motion_series.hpp"
 #include "rocking/dynamics/smooth_step.hpp"
 #include "rocking/integrate/hybrid.hpp"
 #include "rocking/lanes/block.hpp"
-#include "rocking/lanes/kernels.hpp"
 
 /// Between the lanes of a block and the motions that are in them.
 namespace rocking::lanes {
@@ -52,6 +52,14 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
   block.inertia[lane] = step.setting->inertia;
 }
 
+/// The state at the strobe instant that was passed in a lane.
+[[nodiscard]] inline dynamics::SmoothState strobe_point(const Block& block, std::size_t lane) {
+  return {.tilt = block.strobe_tilt[lane],
+          .tilt_rate = block.strobe_tilt_rate[lane],
+          .slip = block.strobe_slip[lane],
+          .slip_rate = block.strobe_slip_rate[lane]};
+}
+
 /// How far the steps done in a lane have come.
 [[nodiscard]] inline dynamics::SmoothProgress progress(const Block& block, std::size_t lane) {
   return {.state = {.tilt = block.tilt[lane],
@@ -63,11 +71,45 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
           .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane])};
 }
 
-/// Takes a lane's series, as far as events, strobe points and the end of a step need them.
-void take_series(const Block& block, std::size_t lane, const Kernels& kernels, Kind kind,
-                 dynamics::MotionSeries<double>& series);
+/// Puts what is in a lane into one of another block.
+inline void copy_lane(const Block& from, std::size_t lane, Block& to, std::size_t its_lane) {
+  static constexpr std::array carried{
+      &Block::tilt,          &Block::tilt_rate,       &Block::slip,          &Block::slip_rate,    &Block::time,
+      &Block::period,        &Block::strobe_period,   &Block::strobes_left,  &Block::steps,        &Block::steps_since_strobe,
+      &Block::strobe_time,   &Block::break_period,    &Block::break_time,    &Block::amplitude,    &Block::frequency,
+      &Block::period_length, &Block::resolution,      &Block::shape_angle,   &Block::sine,         &Block::cosine,
+      &Block::largest,       &Block::static_friction, &Block::inertia,       &Block::drag,         &Block::slip_sign};
+  for (LaneRow Block::*row : carried) (to.*row)[its_lane] = (from.*row)[lane];
+}
 
-/// The guards that the cheap bound did not clear in a lane.
-[[nodiscard]] integrate::FiredGuards in_doubt(const Block& block, std::size_t lane);
+/// How the step ends that has been looked at in a lane.
+[[nodiscard]] inline dynamics::SmoothEnd end_of_step(const Block& block, std::size_t lane) {
+  dynamics::SmoothEnd end{.duration = block.duration[lane],
+                          .state = {.tilt = block.end_tilt[lane],
+                                    .tilt_rate = block.end_tilt_rate[lane],
+                                    .slip = block.end_slip[lane],
+                                    .slip_rate = block.end_slip_rate[lane]},
+                          .strobe = {}};
+  if ((block.strobed >> lane & 1U) != 0) end.strobe = strobe_point(block, lane);
+  return end;
+}
+
+/// The guards that lost their sign in it, and when.
+[[nodiscard]] inline integrate::Losses losses(const Block& block, std::size_t lane) {
+  integrate::Losses losses;
+  for (std::size_t guard = 0; guard < dynamics::guard_count; ++guard) {
+    if ((block.lost[guard] >> lane & 1U) == 0) continue;
+    losses.guards.set(guard);
+    losses.instants[guard] = block.instants[guard][lane];
+  }
+  return losses;
+}
+
+/// The number of guards that a cheap bound did not clear in it.
+[[nodiscard]] inline std::uint64_t doubts(const Block& block, std::size_t lane) {
+  std::uint64_t count = 0;
+  for (const std::uint32_t lanes : block.in_doubt) count += lanes >> lane & 1U;
+  return count;
+}
 
 }  // namespace rocking::lanes

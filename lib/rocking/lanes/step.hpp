@@ -1,0 +1,213 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <type_traits>
+#include <utility>
+
+#include "rocking/base/elementary.hpp"
+#include "rocking/dynamics/guards.hpp"
+#include "rocking/dynamics/motion_series.hpp"
+#include "rocking/integrate/sign_loss.hpp"
+#include "rocking/integrate/step_length.hpp"
+#include "rocking/lanes/block.hpp"
+#include "rocking/lanes/kernels.hpp"
+#include "rocking/lanes/pack.hpp"
+
+/// The coming step of all lanes of a block: its series, length and guards. Only for the units that are compiled for an
+/// instruction set: what is here and in pack.hpp is each unit's own.
+///
+/// The expressions are those of dynamics::BlockMotion and integrate::step, in their order, so that a lane gets the bits of a
+/// realisation that is advanced alone.
+namespace rocking::lanes {
+namespace {
+
+using dynamics::Guard;
+using dynamics::MotionSeries;
+
+template <class Real>
+using TruthOf = decltype(std::declval<Real>() < std::declval<Real>());
+
+template <std::size_t count>
+using Count = std::integral_constant<std::size_t, count>;
+
+/// In place of the lanes where a first coefficient is known to be 0.
+struct NeverZero {};
+
+template <Kind kind, class Real>
+class Step {
+ public:
+  explicit Step(Block& block) : b_(block), m_(*new (block.series.data()) MotionSeries<Real>) {}
+
+ protected:
+  static constexpr bool slips = kind == Kind::rock_slide || kind == Kind::rock_slide_briefly;
+  static constexpr std::size_t order = order_of(kind);
+
+  static Real load(const LaneRow& row) { return Row<Real>::load(row.data()); }
+  static void store(LaneRow& row, const Real& value) { Row<Real>::store(value, row.data()); }
+
+  void expand() {
+    using base::select, base::smaller;
+    time_ = load(b_.time);
+    period_ = load(b_.period);
+    period_length_ = load(b_.period_length);
+    const Real frequency = load(b_.frequency);
+    dynamics::expand_harmonic<order_of(kind)>(m_.base, load(b_.amplitude), frequency, base::sin_cos(frequency * time_));
+    m_.tilt[0] = load(b_.tilt);
+    m_.tilt_rate[0] = load(b_.tilt_rate);
+    const auto angle = base::sin_cos(load(b_.shape_angle) - m_.tilt[0]);
+    const auto starts_flat = m_.tilt[0] == Real(0.0);
+    m_.sine[0] = select(starts_flat, load(b_.sine), angle.sine);
+    m_.cosine[0] = select(starts_flat, load(b_.cosine), angle.cosine);
+    if constexpr (slips) {
+      m_.slip_rate[0] = load(b_.slip_rate);
+      m_.slip[0] = load(b_.slip);
+      dynamics::expand_rock_slide<order_of(kind), false>(
+          m_, {.inertia = load(b_.inertia), .drag = load(b_.drag), .first_rate_gate = Real(1.0)});
+      length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
+    } else {
+      dynamics::expand_rock<order_of(kind), false>(m_, Real(1.0));
+      length_ = length_of(m_.tilt_rate);
+    }
+    reach_ = until(load(b_.break_period), load(b_.break_time));
+    if constexpr (kind == Kind::rock_slide_briefly) {
+      fits_ = reach_ < length_ || reach_ == length_;
+      length_ = reach_;
+    } else {
+      fits_ = Real(dynamics::brief_step) * period_length_ < reach_;
+      length_ = smaller(period_length_, smaller(reach_, length_));
+    }
+  }
+
+  [[nodiscard]] Real length_of(const typename MotionSeries<Real>::Row& row) const {
+    return integrate::step_length(row[order - 1], row[order], static_cast<int>(order), load(b_.largest));
+  }
+
+  [[nodiscard]] Real until(const Real& period, const Real& time) const {
+    return (period - period_) * period_length_ + (time - time_);
+  }
+
+  /// Calls visit(guard, number of coefficients, zero, coefficient) for each guard: where `zero` is true, coefficient(0) is known
+  /// to be 0 and is left out.
+  template <class Visitor>
+  void for_each_guard(Visitor&& visit) const {
+    const Real zero(0.0);
+    const Real shape_angle = load(b_.shape_angle);
+    const NeverZero never;
+    visit(Guard::tilt, Count<order + 2>{}, m_.tilt[0] == zero, [&](std::size_t k) { return m_.tilt[k]; });
+    visit(Guard::past_balance, Count<order + 2>{}, never,
+          [&](std::size_t k) { return (k == 0 ? shape_angle : zero) - m_.tilt[k]; });
+    visit(Guard::normal, Count<order>{}, never, [&](std::size_t k) { return m_.normal[k]; });
+    if constexpr (slips) {
+      const Real sign = load(b_.slip_sign);
+      visit(Guard::slip, Count<order + 1>{}, m_.slip_rate[0] == zero,
+            [&](std::size_t k) { return sign * m_.slip_rate[k]; });
+    }
+    if constexpr (kind == Kind::rock_with_friction) {
+      const Real mu_s = load(b_.static_friction);
+      const auto friction = [&](std::size_t k) {
+        return Real(4.0 / 3.0) * m_.base[k] - Real(static_cast<double>(k + 1)) * m_.rate_cosine[k + 1];
+      };
+      visit(Guard::friction_inward, Count<order>{}, never,
+            [&](std::size_t k) { return mu_s * m_.normal[k] - friction(k); });
+      visit(Guard::friction_outward, Count<order>{}, never,
+            [&](std::size_t k) { return mu_s * m_.normal[k] + friction(k); });
+    }
+  }
+
+  /// Below the guard's polynomial over the step; see integrate.
+  template <std::size_t count, class Zero, class Coefficient>
+  [[nodiscard]] Real bound(Count<count>, const Zero& starts_at_zero, Coefficient coefficient) const {
+    using base::select;
+    Real below(0.0);
+#pragma GCC unroll 20
+    for (std::size_t k = count; k > 1; --k) below = integrate::bound_below(below, coefficient(k - 1), length_);
+    const Real whole = integrate::bound_below(below, coefficient(0), length_);
+    if constexpr (std::is_same_v<Zero, NeverZero>) {
+      return whole;
+    } else {
+      return select(starts_at_zero, below, whole);
+    }
+  }
+
+  struct Point {
+    Real tilt;
+    Real tilt_rate;
+    Real slip;
+    Real slip_rate;
+  };
+
+  /// The state x into the step.
+  [[nodiscard]] Point point(const Real& x) const {
+    using base::fused;
+    Point p{m_.tilt[order + 1], m_.tilt_rate[order], m_.slip[order + 1], m_.slip_rate[order]};
+#pragma GCC unroll 20
+    for (std::size_t k = order; k > 0; --k) {
+      p.tilt = fused(p.tilt, x, m_.tilt[k]);
+      p.tilt_rate = fused(p.tilt_rate, x, m_.tilt_rate[k - 1]);
+      if constexpr (slips) {
+        p.slip = fused(p.slip, x, m_.slip[k]);
+        p.slip_rate = fused(p.slip_rate, x, m_.slip_rate[k - 1]);
+      }
+    }
+    p.tilt = fused(p.tilt, x, m_.tilt[0]);
+    if constexpr (slips) p.slip = fused(p.slip, x, m_.slip[0]);
+    return p;
+  }
+
+  [[nodiscard]] static auto is_finite(const Point& p) {
+    const auto rocks = p.tilt - p.tilt == Real(0.0) && p.tilt_rate - p.tilt_rate == Real(0.0);
+    if constexpr (slips) {
+      return rocks && p.slip - p.slip == Real(0.0) && p.slip_rate - p.slip_rate == Real(0.0);
+    } else {
+      return rocks;
+    }
+  }
+
+  /// Whether alone the motion would do this step too, from `length` on.
+  [[nodiscard]] TruthOf<Real> is_ordinary(const Real& resolution, const Real& steps_since) const {
+    return fits_ && Real(dynamics::least_step) * resolution < length_ && time_ < time_ + length_ &&
+           steps_since < Real(static_cast<double>(dynamics::step_budget) + 0.5);
+  }
+
+  /// The strobe point that the next `end` of time reach, if they do.
+  struct Strobing {
+    Real instant;
+    TruthOf<Real> strobes;
+    TruthOf<Real> is_simple;  ///< at most one, and not the last
+  };
+
+  [[nodiscard]] Strobing strobing(const Real& end) const {
+    const Real strobe_period = load(b_.strobe_period);
+    const Real strobe_time = load(b_.strobe_time);
+    const Real instant = until(strobe_period, strobe_time);
+    const auto strobes = instant < end;
+    const auto more = load(b_.strobes_left) < Real(1.5) || until(strobe_period + Real(1.0), strobe_time) < end;
+    return {instant, strobes, !(strobes && more)};
+  }
+
+  /// The state at the strobe instant, put into the block; true in the lanes where it is finite.
+  TruthOf<Real> store_strobe(const Strobing& strobing, const Real& resolution) {
+    using base::select;
+    const Point p = point(select(resolution < strobing.instant, strobing.instant, Real(0.0)));
+    store(b_.strobe_tilt, p.tilt);
+    store(b_.strobe_tilt_rate, p.tilt_rate);
+    if constexpr (slips) {
+      store(b_.strobe_slip, p.slip);
+      store(b_.strobe_slip_rate, p.slip_rate);
+    }
+    return is_finite(p);
+  }
+
+  Block& b_;
+  MotionSeries<Real>& m_;
+  Real time_;
+  Real period_;
+  Real period_length_;
+  Real reach_;   ///< time until the equations change
+  Real length_;
+  TruthOf<Real> fits_;  ///< whether the order does for the step
+};
+
+}  // namespace
+}  // namespace rocking::lanes

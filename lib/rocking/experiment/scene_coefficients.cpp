@@ -82,9 +82,7 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
       const std::int64_t first = interval - interval % intervals_at_once;
       draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(first), deviations_);
     }
-    interval_begin_ = interval == interval_ + 1 && interval_ >= 0 ? interval_end_ : grid_instant(clock, interval);
-    interval_end_ = grid_instant(clock, interval + 1);
-    interval_ = interval;
+    move_to_interval(clock, interval);
     held_at_static_ = false;
     ++kinetic_draws_;
     const double deviation = deviations_[static_cast<std::size_t>(interval % intervals_at_once)];
@@ -124,11 +122,30 @@ double SceneCoefficients::amplitude(const Clock& clock) {
   return amplitude_;
 }
 
+void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interval) {
+  if (interval == interval_ + 1 && interval_ >= 0) {
+    interval_begin_ = interval_end_;
+    interval_end_ = interval_after_;
+    if (++rest_after_ == fluctuation_.refreshes_per_period) rest_after_ = 0;
+    const std::int64_t period = rest_after_ == 0 ? interval_after_.period + 1 : interval_after_.period;
+    interval_after_ = grid_instant(clock, period, rest_after_);
+  } else {
+    interval_begin_ = grid_instant(clock, interval);
+    interval_end_ = grid_instant(clock, interval + 1);
+    interval_after_ = grid_instant(clock, interval + 2);
+    rest_after_ = (interval + 2) % fluctuation_.refreshes_per_period;
+  }
+  interval_ = interval;
+}
+
 Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t index) const {
   const std::int64_t count = fluctuation_.refreshes_per_period;
-  const std::int64_t rest = index % count;
-  return {.period = index / count,
-          .time = clock.start() + static_cast<double>(rest) * clock.period_length() / static_cast<double>(count)};
+  return grid_instant(clock, index / count, index % count);
+}
+
+Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t period, std::int64_t rest) const {
+  const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
+  return {.period = period, .time = clock.start() + static_cast<double>(rest) * clock.period_length() / count};
 }
 
 /// The interval that now lies in; now counts as after a boundary that it has reached to within the clock's resolution.
@@ -137,7 +154,7 @@ std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
   const auto is_reached = [&](const Instant& instant) { return clock.until(instant) <= clock.resolution(); };
   if (interval_ >= 0 && is_reached(interval_begin_)) {
     if (!is_reached(interval_end_)) return interval_;
-    if (!is_reached(grid_instant(clock, interval_ + 2))) return interval_ + 1;
+    if (!is_reached(interval_after_)) return interval_ + 1;
   }
   return searched_grid_index(clock);
 }

@@ -46,6 +46,9 @@ class SceneCoefficients {
   };
 
   [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t index) const;
+  [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t period,
+                                               std::int64_t rest) const;
+  void move_to_interval(const dynamics::Clock& clock, std::int64_t interval);
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
   void draw_static_friction();
@@ -68,6 +71,8 @@ class SceneCoefficients {
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   dynamics::Instant interval_begin_;
   dynamics::Instant interval_end_;
+  dynamics::Instant interval_after_;  ///< the end of the next one
+  std::int64_t rest_after_ = 0;       ///< boundaries of its period before that
   std::array<double, intervals_at_once> deviations_{};  ///< in units of sigma
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted

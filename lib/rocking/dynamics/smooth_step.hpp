@@ -36,8 +36,8 @@ inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>:
 
 /// How a step ends in which something may happen.
 struct SmoothEnd {
-  double duration;    ///< until the first event, or the end of the step
-  SmoothState state;  ///< then
+  double duration;                    ///< until the first event, or the end of the step
+  SmoothState state;                  ///< then
   std::optional<SmoothState> strobe;  ///< at the strobe instant, if there is one before
 };
 

@@ -71,8 +71,8 @@ class SceneCoefficients {
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   dynamics::Instant interval_begin_;
   dynamics::Instant interval_end_;
-  dynamics::Instant interval_after_;  ///< the end of the next one
-  std::int64_t rest_after_ = 0;       ///< boundaries of its period before that
+  dynamics::Instant interval_after_;                    ///< the end of the next one
+  std::int64_t rest_after_ = 0;                         ///< boundaries of its period before that
   std::array<double, intervals_at_once> deviations_{};  ///< in units of sigma
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted

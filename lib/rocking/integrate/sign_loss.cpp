@@ -43,7 +43,8 @@ consteval WeightRows weight_rows() {
 /// By degree, then as BernsteinWeights.
 constexpr auto weights_of_degree = []<std::size_t... n>(std::index_sequence<n...>) {
   return std::array{weight_rows<n>()...};
-}(std::make_index_sequence<max_coefficients>{});
+}
+(std::make_index_sequence<max_coefficients>{});
 
 /// b[i] = sum_{k <= i} C(i,k)/C(n,k) c[k]; all i at once, since that is done several numbers at a time.
 void to_bernstein(std::span<const double> c, std::array<double, max_coefficients>& b) {

@@ -64,10 +64,10 @@ struct alignas(64) Block {
   LaneRow end_tilt_rate;
   LaneRow end_slip;
   LaneRow end_slip_rate;
-  std::array<LaneRow, dynamics::guard_count> instants;         ///< by dynamics::Guard: when it lost its sign
-  std::array<std::uint32_t, dynamics::guard_count> lost;       ///< lanes where it did
-  std::array<std::uint32_t, dynamics::guard_count> in_doubt;   ///< lanes where a cheap bound does not clear it
-  std::uint32_t alone;                                         ///< lanes whose step is no ordinary one after all
+  std::array<LaneRow, dynamics::guard_count> instants;        ///< by dynamics::Guard: when it lost its sign
+  std::array<std::uint32_t, dynamics::guard_count> lost;      ///< lanes where it did
+  std::array<std::uint32_t, dynamics::guard_count> in_doubt;  ///< lanes where a cheap bound does not clear it
+  std::uint32_t alone;                                        ///< lanes whose step is no ordinary one after all
 
   /// The series of the step: MotionSeries of as many lanes as the kernel has.
   alignas(64) std::array<double, sizeof(dynamics::MotionSeries<double>) / sizeof(double) * most_lanes> series;

@@ -11,8 +11,8 @@ namespace {
 template <Kind kind, class Real>
 class End : Step<kind, Real> {
   using Base = Step<kind, Real>;
-  using typename Base::Point;
   using Base::b_, Base::load, Base::store, Base::length_, Base::m_, Base::slips, Base::time_;
+  using typename Base::Point;
 
  public:
   using Base::Base;

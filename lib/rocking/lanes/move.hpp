@@ -10,9 +10,9 @@ namespace {
 template <Kind kind, class Real>
 class Move : Step<kind, Real> {
   using Base = Step<kind, Real>;
-  using typename Base::Point;
   using Base::b_, Base::load, Base::store, Base::length_, Base::m_, Base::period_, Base::period_length_, Base::reach_,
       Base::slips, Base::time_;
+  using typename Base::Point;
 
  public:
   using Base::Base;

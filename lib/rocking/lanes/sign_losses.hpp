@@ -13,9 +13,9 @@ namespace {
 
 template <class Real>
 struct SignLosses {
-  Real instant;            ///< t in [0, 1], in the lanes that lost their sign
+  Real instant;  ///< t in [0, 1], in the lanes that lost their sign
   TruthOf<Real> lost;
-  TruthOf<Real> unclear;   ///< to be looked at alone
+  TruthOf<Real> unclear;  ///< to be looked at alone
 };
 
 template <class Real>

@@ -204,7 +204,7 @@ class Step {
   Real time_;
   Real period_;
   Real period_length_;
-  Real reach_;   ///< time until the equations change
+  Real reach_;  ///< time until the equations change
   Real length_;
   TruthOf<Real> fits_;  ///< whether the order does for the step
 };

@@ -73,12 +73,19 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
 
 /// Puts what is in a lane into one of another block.
 inline void copy_lane(const Block& from, std::size_t lane, Block& to, std::size_t its_lane) {
-  static constexpr std::array carried{
-      &Block::tilt,          &Block::tilt_rate,       &Block::slip,          &Block::slip_rate,    &Block::time,
-      &Block::period,        &Block::strobe_period,   &Block::strobes_left,  &Block::steps,        &Block::steps_since_strobe,
-      &Block::strobe_time,   &Block::break_period,    &Block::break_time,    &Block::amplitude,    &Block::frequency,
-      &Block::period_length, &Block::resolution,      &Block::shape_angle,   &Block::sine,         &Block::cosine,
-      &Block::largest,       &Block::static_friction, &Block::inertia,       &Block::drag,         &Block::slip_sign};
+  static constexpr std::array carried{&Block::tilt,          &Block::tilt_rate,
+                                      &Block::slip,          &Block::slip_rate,
+                                      &Block::time,          &Block::period,
+                                      &Block::strobe_period, &Block::strobes_left,
+                                      &Block::steps,         &Block::steps_since_strobe,
+                                      &Block::strobe_time,   &Block::break_period,
+                                      &Block::break_time,    &Block::amplitude,
+                                      &Block::frequency,     &Block::period_length,
+                                      &Block::resolution,    &Block::shape_angle,
+                                      &Block::sine,          &Block::cosine,
+                                      &Block::largest,       &Block::static_friction,
+                                      &Block::inertia,       &Block::drag,
+                                      &Block::slip_sign};
   for (LaneRow Block::*row : carried) (to.*row)[its_lane] = (from.*row)[lane];
 }
 

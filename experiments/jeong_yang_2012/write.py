@@ -72,8 +72,9 @@ def chaos_words(data):
     return (f"{opening}: from any start, {sum(edge)} of {cells * len(edge)} realisations are chaotic with it, {sum(right)} "
             f"of {cells * len(right)} with the right inertia, whatever the other two options; {share(more, more + less)} of "
             f"the starts that make a difference have more chaos with it, {share(never, len(right))} of the starts have "
-            f"none at all with the right one. With that inertia alone (`edge`), of the starts {'; '.join(alone)} are chaotic "
-            f"at one of the three or more; with right mechanics (`consistent`), {elsewhere} at one of all amplitudes or more.")
+            f"none at all with the right one. With that inertia alone (`edge`), of the starts {'; '.join(alone)} are "
+            f"chaotic at one of the three or more; with right mechanics (`consistent`), {elsewhere} at one of all "
+            f"amplitudes or more.")
 
 
 def energy_words(data):

@@ -6,6 +6,7 @@
 
 #include "analysis/bifurcation_figure.hpp"
 #include "analysis/cost_figures.hpp"
+#include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
@@ -29,6 +30,8 @@ void collect(const OutputFile& file, Collection& found) {
     for (Figure& figure : bifurcation_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.cost/1") {
     for (Figure& figure : cost_figures(output)) found.figures.push_back(std::move(figure));
+  } else if (format == "rocking.fragility/1") {
+    for (Figure& figure : fragility_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.check_normal/1") {
     found.figures.push_back(normal_histogram(output));
   } else {
@@ -36,7 +39,7 @@ void collect(const OutputFile& file, Collection& found) {
         {.place = "/format",
          .value = '"' + format + '"',
          .reason = "has no figure here",
-         .remedy = "give a trajectory, a bifurcation, a cost or a check-normal; `rocking report DIR` draws a run"});
+         .remedy = "give a trajectory, a bifurcation, a cost, a fragility or a check-normal; `rocking report DIR` draws a run"});
   }
 }
 

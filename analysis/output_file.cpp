@@ -15,7 +15,7 @@ Json parsed_output(std::string_view text) {
     throw base::InputError({.place = "/format",
                             .value = "",
                             .reason = "is missing: this is not a file that rocking wrote",
-                            .remedy = "give what `rocking trajectory`, `bifurcation`, `cost --json` or `check-normal --json` prints"});
+                            .remedy = "give what `rocking trajectory`, `bifurcation`, `cost --json`, `fragility --json` or `check-normal --json` prints"});
   }
   return output;
 }

@@ -35,6 +35,7 @@ void add_commands(CLI::App& app, Action& action, const Crew& crew) {
   add_compare(app, action);
   add_bifurcation(app, action);
   add_cost(app, action);
+  add_fragility(app, action);
   add_figure(app, action);
   add_report(app, action);
   add_trajectory(app, action);

@@ -17,7 +17,7 @@ void add_schema(CLI::App& app, Action& action) {
       "An editor that knows JSON Schema then completes and checks experiment files.");
   std::vector<std::string> names;
   for (const report::Schema& schema : report::schemas()) names.emplace_back(schema.name);
-  command->add_option("NAME", *name, "Which format")->required()->check(one_of(names));
+  command->add_option("NAME", *name, "Format")->required()->check(one_of(names));
   const auto loudness = std::make_shared<Loudness>();
   add_loudness(*command, *loudness);
   command->final_callback([&action, name, loudness] {

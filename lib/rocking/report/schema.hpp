@@ -8,7 +8,8 @@ namespace rocking::report {
 
 /// A JSON Schema (draft 07) of one of our formats, as in reports/schemas.
 struct Schema {
-  std::string_view name;  ///< `experiment`, `report`, `trajectory`, `check_normal`, `comparison`, `bifurcation`, `cost`
+  std::string_view name;  ///< `experiment`, `report`, `trajectory`, `check_normal`, `comparison`, `bifurcation`, `cost`,
+                          ///< `fragility`
   std::string_view text;
 };
 

@@ -1,0 +1,161 @@
+#include "analysis/fragility_figure.hpp"
+
+#include <string>
+#include <utility>
+
+#include "analysis/data_file.hpp"
+#include "analysis/output_file.hpp"
+#include "analysis/palette.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/report/text_table.hpp"
+#include "rocking/stats/fragility.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using report::Json;
+
+constexpr int points_of_a_law = 120;
+
+stats::LognormalFragility law_from(const Json& json) {
+  const Json& covariance = json.at("covariance");
+  return {.centre = json.at("centre"),
+          .intercept = json.at("intercept"),
+          .slope = json.at("slope"),
+          .covariance = {.aa = covariance.at(0), .ab = covariance.at(1), .bb = covariance.at(2)}};
+}
+
+std::string name_of(const Json& curve) {
+  std::string name;
+  for (const auto& [pointer, value] : curve.at("others").items()) {
+    name += (name.empty() ? "" : ", ") + axis_of_parameter(pointer).quantity + ' ' + short_value(pointer, value);
+  }
+  return name;
+}
+
+/// Columns: intensity, n, overturned, estimate, low, high.
+Table level_table(const Json& curve, const std::string& name) {
+  const std::string level = number_text(100.0 * curve.at("confidence").get<double>()) + " % interval";
+  Table table{.name = name,
+              .columns = {{"intensity", "of the shaking"},
+                          {"n", "realisations"},
+                          {"overturned", "of them, those that overturned"},
+                          {"estimate", "estimated probability of overturning"},
+                          {"low", "lower end of its exact " + level},
+                          {"high", "upper end of its exact " + level}},
+              .rows = {}};
+  for (const Json& found : curve.at("levels")) {
+    table.rows.push_back({found.at("intensity").get<double>(), found.at("realisations").get<double>(),
+                          found.at("overturned").get<double>(), found.at("estimate").get<double>(),
+                          found.at("exact").at(0).get<double>(), found.at("exact").at(1).get<double>()});
+  }
+  return table;
+}
+
+/// Columns: intensity, probability, low, high.
+Table law_table(const Json& curve, const std::string& name) {
+  Table table{.name = "law of " + name,
+              .columns = {{"intensity", "of the shaking"},
+                          {"law", "probability by the fitted lognormal law"},
+                          {"law_low", "lower edge of its band"},
+                          {"law_high", "upper edge of its band"}},
+              .rows = {}};
+  const stats::LognormalFragility law = law_from(curve.at("law"));
+  const double confidence = curve.at("confidence");
+  const double first = curve.at("levels").front().at("intensity");
+  const double last = curve.at("levels").back().at("intensity");
+  for (int i = 0; i <= points_of_a_law; ++i) {
+    const double intensity = first + (last - first) * i / points_of_a_law;
+    const stats::Interval band = law.band(intensity, confidence);
+    table.rows.push_back({intensity, law.probability(intensity), band.low, band.high});
+  }
+  return table;
+}
+
+void add_curve(const Json& curve, std::size_t number, Figure& figure) {
+  Panel& panel = figure.panels.back();
+  const std::string name = name_of(curve).empty() ? curve.at("title").get<std::string>() : name_of(curve);
+  Style style = style_of_curve(number);
+  if (!curve.at("law").is_null()) {
+    figure.tables.push_back(law_table(curve, name));
+    const std::size_t law = figure.tables.size() - 1;
+    Style ribbon = style;
+    ribbon.hatch = 0;
+    ribbon.opacity = 0.2;
+    Style line = style;
+    line.size = 0.0;
+    panel.layers.push_back({.kind = LayerKind::ribbon, .table = law, .columns = {0, 2, 3}, .style = ribbon});
+    panel.layers.push_back({.kind = LayerKind::line, .table = law, .columns = {0, 1}, .style = line});
+  }
+  figure.tables.push_back(level_table(curve, name));
+  panel.layers.push_back({.kind = LayerKind::error_bars,
+                          .table = figure.tables.size() - 1,
+                          .columns = {0, 3, 4, 5},
+                          .style = style,
+                          .legend = name_of(curve)});
+}
+
+Panel panel_for(const Json& curve) {
+  return {.title = curve.at("title"),
+          .x = axis_of_parameter(curve.at("parameter")),
+          .y = {.quantity = "probability of overturning", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
+          .layers = {}};
+}
+
+/// As much of a title as a panel has room for.
+std::string cut(const std::string& title) {
+  constexpr std::size_t room = 46;
+  if (title.size() <= room) return title;
+  std::size_t end = room;
+  while (end > 0 && (static_cast<unsigned char>(title[end]) & 0xc0U) == 0x80U) --end;  // not within a letter
+  return title.substr(0, end) + "…";
+}
+
+/// `2.31 [2.20, 2.43]`.
+std::string spoken(const Json& bounded) {
+  const Json& interval = bounded.at("interval");
+  return report::significant(bounded.at("value"), 3) + " [" + report::significant(interval.at(0), 3) + ", " +
+         report::significant(interval.at(1), 3) + ']';
+}
+
+std::string description_of(const Json& curve) {
+  std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve));
+  if (curve.at("law").is_null()) return text + ": no law (" + curve.at("outcome").get<std::string>() + ").";
+  return text + ": median " + spoken(curve.at("law").at("median")) + ", dispersion " +
+         spoken(curve.at("law").at("dispersion")) + '.';
+}
+
+Figure drawn(const Json& output) {
+  Figure figure;
+  figure.name = "fragility";
+  figure.title = "How likely does it overturn, the harder it is shaken?";
+  figure.caption =
+      "Markers: share of the realisations that overturned, with its exact interval. Lines and ribbons: the lognormal "
+      "law "
+      "of the largest likelihood, with its band.";
+  std::string run;
+  std::size_t number = 0;
+  for (const Json& curve : output.at("curves")) {
+    if (curve.at("levels").empty()) continue;
+    if (figure.panels.empty() || curve.at("sha256") != run) {
+      figure.panels.push_back(panel_for(curve));
+      run = curve.at("sha256");
+      number = 0;
+    }
+    add_curve(curve, number++, figure);
+    figure.description += (figure.description.empty() ? "" : " ") + description_of(curve);
+  }
+  if (figure.panels.size() == 1) figure.subtitle = std::exchange(figure.panels.front().title, "");
+  for (Panel& panel : figure.panels) panel.title = cut(panel.title);
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> fragility_figures(const Json& output) {
+  std::vector<Figure> figures;
+  read_or_refuse(output, [&] { figures = {drawn(output)}; });
+  return figures;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,88 @@
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "commands.hpp"
+#include "output.hpp"
+#include "rocking/experiment/fragility.hpp"
+#include "rocking/report/files.hpp"
+#include "rocking/report/write_fragility.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct FragilityRequest {
+  std::vector<std::string> folders;
+  std::string output;  ///< empty: nothing is written
+  bool overwrite = false;
+  Loudness loudness;
+};
+
+report::RunFragility fragility_of(const std::string& name) {
+  const RunFolder folder(name);
+  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
+  report::RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
+  if (experiment::intensity_of(run.experiment).empty()) {
+    throw UsageError(name +
+                     ": sweeps no intensity of the shaking; give a run whose sweep has /excitation/amplitude or "
+                     "/excitation/scale");
+  }
+  if (run.experiment.conditions.front().until) {
+    throw UsageError(name +
+                     ": took as many realisations as its intervals wanted, and its counts fit no fixed number; give a "
+                     "run with a number of realisations");
+  }
+  try {
+    run.curves = experiment::fragility(run.experiment, store);
+  } catch (const base::InputError& error) {
+    throw MissingInput(fmt::format("{}: {}", name, error.what()));
+  }
+  return run;
+}
+
+std::filesystem::path file_in(const std::string& folder) { return std::filesystem::path(folder) / "fragility.json"; }
+
+ExitCode fragility(const FragilityRequest& request) {
+  if (!request.output.empty() && !request.overwrite && std::filesystem::exists(file_in(request.output))) {
+    throw InTheWay(file_in(request.output).string() +
+                   ": is already there; choose another folder, or add --overwrite to replace it");
+  }
+  std::vector<report::RunFragility> runs;
+  for (const std::string& name : request.folders) runs.push_back(fragility_of(name));
+  const std::string text = report::fragility_text(runs);
+  std::string table = report::fragility_table(runs);
+  if (!request.output.empty()) {
+    report::ensure_writable(request.output);
+    report::write_atomically(file_in(request.output), text);
+    table += fmt::format("numbers: {}\n", file_in(request.output).string());
+  }
+  print_result(request.loudness.json ? text : table);
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_fragility(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<FragilityRequest>();
+  CLI::App* command =
+      app.add_subcommand("fragility", "How likely does it overturn, the harder it is shaken? With a lognormal law");
+  command->footer(
+      "Example: rocking fragility out -o out\n"
+      "counts for each amplitude (or scale of a record) the realisations that overturned, with exact intervals, and "
+      "fits a\n"
+      "lognormal law with its band. A grid gives a curve for each point of the other entries; several runs stand "
+      "together.\n"
+      "`-o` keeps the numbers in out/fragility.json, which `rocking figure` draws.");
+  command->add_option("DIR", request->folders, "Folders of finished runs")->required();
+  command->add_option("-o,--output", request->output, "Folder for fragility.json; made if need be")->type_name("DIR");
+  command->add_flag("--overwrite", request->overwrite, "Replace fragility.json in the folder");
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return fragility(*request); }; });
+}
+
+}  // namespace rocking::program

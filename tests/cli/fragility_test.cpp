@@ -1,0 +1,102 @@
+// `rocking fragility`: overturning against the intensity of the shaking.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::objections;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Fragility : public rocking::support::ProgramTest {
+ protected:
+  /// A slow harmonic motion from a random phase, which overturns some.
+  static Json shaken() {
+    return Json::parse(R"({
+      "format": "rocking.experiment/1", "title": "shaken", "block": { "width_m": 1.0, "height_m": 8.0 },
+      "excitation": { "amplitude": 2.0, "frequency_ratio": 4.0, "phase_rad": { "uniform": [0, 6.283185307179586] } },
+      "horizon": { "transient_periods": 0, "sampled_periods": 20 },
+      "sweep": [ { "parameter": "/restitution", "values": [0.0, 0.2] },
+                 { "parameter": "/excitation/amplitude", "values": [3.0, 1.5, 2.0, 0.0] } ],
+      "realisations": 40, "seed": "0x7" })");
+  }
+
+  Json fragility_of(const Json& experiment, const std::string& folder) {
+    write("e.json", experiment.dump());
+    EXPECT_EQ(rocking("run e.json -q -o " + folder).exit_code, 0);
+    const auto found = rocking("fragility " + folder + " --json");
+    EXPECT_EQ(found.exit_code, 0) << found.errors;
+    EXPECT_EQ(objections("fragility", found.output), "");
+    return Json::parse(found.output);
+  }
+};
+
+TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGrid) {
+  const Json curves = fragility_of(shaken(), "out")["curves"];
+  const Json report = Json::parse(read("out/report.json"));
+  ASSERT_EQ(curves.size(), 2U);
+  EXPECT_EQ(curves[1]["others"]["/restitution"], 0.2);
+  const std::vector<std::size_t> order{1, 2, 0};  // by amplitude, 0 left out
+  for (std::size_t curve = 0; curve < 2; ++curve) {
+    EXPECT_EQ(curves[curve]["outcome"], "fitted");
+    ASSERT_EQ(curves[curve]["levels"].size(), 3U);
+    for (std::size_t level = 0; level < 3; ++level) {
+      const Json& found = curves[curve]["levels"][level];
+      const Json& condition = report["result"]["conditions"][4 * curve + order[level]];
+      EXPECT_EQ(found["intensity"], condition["parameters"]["/excitation/amplitude"]);
+      EXPECT_EQ(found["overturned"], condition["counts"]["overturned"]);
+      EXPECT_EQ(found["exact"], condition["probabilities"]["overturned"]["clopper_pearson"]);
+    }
+  }
+}
+
+TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
+  static_cast<void>(fragility_of(shaken(), "out"));
+  const auto told = rocking("fragility out -o kept");
+  EXPECT_THAT(told.output, AllOf(HasSubstr("median"), HasSubstr("restitution 0.2"), HasSubstr("kept/fragility.json")));
+  EXPECT_EQ(read("kept/fragility.json"), rocking("fragility out --json").output);
+  EXPECT_EQ(rocking("fragility out -o kept").exit_code, 74);
+  EXPECT_EQ(rocking("fragility out out -o kept --overwrite").exit_code, 0);
+  EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
+  EXPECT_THAT(read("drawn/fragility.tsv"), AllOf(HasSubstr("law_low"), HasSubstr("\n1.5\t40\t")));
+}
+
+TEST_F(Fragility, IsDiagnosedWhereThereIsNoLaw) {
+  auto still = shaken();
+  still["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [0.1, 0.2]}])");
+  EXPECT_EQ(fragility_of(still, "still")["curves"][0]["outcome"], "never_happened");
+  EXPECT_THAT(rocking("fragility still").output, HasSubstr("it never overturned; shake harder"));
+  EXPECT_EQ(rocking("fragility still -o kept").exit_code, 0);
+  EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
+  auto certain = shaken();
+  certain["excitation"]["phase_rad"] = 0.0;
+  EXPECT_EQ(fragility_of(certain, "certain")["curves"][0]["outcome"], "too_little");
+}
+
+TEST_F(Fragility, RefusesRunsThatItCannotRead) {
+  auto other = shaken();
+  other["sweep"].erase(1);
+  other["sweep"][0]["values"] = {0.0, 0.1};
+  write("other.json", other.dump());
+  ASSERT_EQ(rocking("run other.json -q -o other").exit_code, 0);
+  const auto swept = rocking("fragility other");
+  EXPECT_EQ(swept.exit_code, 64);
+  EXPECT_THAT(swept.errors, HasSubstr("sweeps no intensity"));
+  other = shaken();
+  other["realisations"] = {{"until", {{"half_width", 0.2}, {"at_most", 60}}}};
+  write("until.json", other.dump());
+  ASSERT_EQ(rocking("run until.json -q -o until").exit_code, 0);
+  EXPECT_EQ(rocking("fragility until").exit_code, 64);
+  write("e.json", shaken().dump());
+  ASSERT_EQ(rocking("run e.json -q -o half --shard 1/2").exit_code, 0);
+  const auto half = rocking("fragility half");
+  EXPECT_EQ(half.exit_code, 66);
+  EXPECT_THAT(half.errors, HasSubstr("rocking resume"));
+  EXPECT_EQ(rocking("fragility absent").exit_code, 66);
+}
+
+}  // namespace

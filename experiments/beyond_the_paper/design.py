@@ -1,0 +1,92 @@
+"""The 2^3 design in published reports: what fluctuates in each run, and what that changes, with intervals."""
+
+import itertools
+import json
+import math
+from statistics import NormalDist
+
+SOURCES = ("friction", "restitution", "amplitude")
+COMBINATIONS = [tuple(s for s, on in zip(SOURCES, bits) if on) for bits in itertools.product((0, 1), repeat=3)]
+COMBINATIONS.sort(key=lambda names: (len(names), [SOURCES.index(n) for n in names]))
+EFFECTS = [names for names in COMBINATIONS if names]
+QUANTITIES = {"(1,1)": lambda mode: mode == "(1,1)", "(1,3)": lambda mode: mode == "(1,3)",
+              "irregular": lambda mode: mode in ("chaotic", "unresolved")}
+
+
+def path_of(folder, names):
+    """Where the report of a combination stands, below reports/beyond_the_paper."""
+    return f"{folder}/{'_'.join(names)}/report.json" if names else "none/report.json"
+
+
+def wilson(successes, trials, z):
+    centre = (successes + z * z / 2) / (trials + z * z)
+    reach = z / (trials + z * z) * math.sqrt(successes * (1 - successes / trials) + z * z / 4)
+    return max(0.0, centre - reach), min(1.0, centre + reach)
+
+
+def mover(terms):
+    """Sum of weight x estimate over (weight, estimate, low, high), and its interval from theirs, if they are independent.
+
+    Source: Zou & Donner (2008), Stat. Med. 27, 1693-1702; of two proportions it is Newcombe's (1998) tenth method.
+    """
+    total = sum(weight * estimate for weight, estimate, _, _ in terms)
+    below = above = 0.0
+    for weight, estimate, low, high in terms:
+        ends = sorted((weight * min(low, estimate), weight * max(high, estimate)))
+        below += (weight * estimate - ends[0]) ** 2
+        above += (ends[1] - weight * estimate) ** 2
+    return total, total - math.sqrt(below), total + math.sqrt(above)
+
+
+class Cell:
+    """One condition of one run: counts of its response modes, and how often two of its realisations differ."""
+
+    def __init__(self, condition):
+        self.n = condition["realisations"]
+        self.counts = condition["counts"]
+        self.probabilities = condition["probabilities"]
+        self.non_recurrence = condition["non_recurrence"]
+        self.reasons = condition["validity"]["unresolved"]
+
+    def count(self, quantity):
+        return sum(k for mode, k in self.counts.items() if QUANTITIES[quantity](mode))
+
+    def term(self, quantity, weight, z):
+        if quantity == "non-recurrence":
+            return (weight, self.non_recurrence["differ"], *self.non_recurrence["differ_interval"])
+        k = self.count(quantity)
+        return (weight, k / self.n, *wilson(k, self.n, z))
+
+
+class Design:
+    """The eight runs at one relative sigma, as cells by combination and amplitude."""
+
+    def __init__(self, published, folder):
+        self.reports = {names: json.loads((published / path_of(folder, names)).read_text()) for names in COMBINATIONS}
+        self.cells = {names: {c["parameters"]["/excitation/amplitude"]: Cell(c) for c in report["result"]["conditions"]}
+                      for names, report in self.reports.items()}
+        self.amplitudes = sorted(set.intersection(*(set(cells) for cells in self.cells.values())))
+        everything = self.reports[SOURCES]["input"]["experiment"]
+        self.confidence = everything["confidence"]
+        self.relative_sigma = everything["fluctuation"]["amplitude"]["relative_sigma"]
+
+    def tests(self):
+        return len(EFFECTS) * len(self.amplitudes)
+
+    def z(self, is_simultaneous):
+        doubt = (1 - self.confidence) / (self.tests() if is_simultaneous else 1)
+        return NormalDist().inv_cdf(1 - doubt / 2)
+
+    def effect(self, names, quantity, amplitude):
+        """Estimate, low, high. One source: how much more probable with it than without, mean over the others. Two: by how
+        much one changes the other's effect, mean over the third. Three: by how much the third changes that.
+
+        Simultaneous over all effects and amplitudes, but for non-recurrence, whose intervals each hold by themselves.
+        """
+        z = self.z(is_simultaneous=quantity != "non-recurrence")
+        mean_over = 2 ** (len(SOURCES) - len(names))
+        terms = []
+        for combination, cells in self.cells.items():
+            sign = math.prod(1 if name in combination else -1 for name in names)
+            terms.append(cells[amplitude].term(quantity, sign / mean_over, z))
+        return mover(terms)

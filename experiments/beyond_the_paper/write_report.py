@@ -1,0 +1,232 @@
+#!/usr/bin/env python3
+"""Writes README.md and pictures of reports/beyond_the_paper from the reports there.
+
+usage: write_report.py [--check]
+
+--check: writes nothing; exit code 1 where README.md is not what would be written.
+"""
+
+import json
+import math
+import pathlib
+import re
+import sys
+
+import figures
+from design import COMBINATIONS, EFFECTS, QUANTITIES, SOURCES, Design
+
+HERE = pathlib.Path(__file__).resolve().parent
+PUBLISHED = HERE.parents[1] / "reports" / "beyond_the_paper"
+SHOWN = (4.0, 5.0, 6.0, 8.0, 10.0)  # amplitudes of the tables of responses
+ALL = (*QUANTITIES, "non-recurrence")
+CURVES = ("harmonic_reference", "harmonic_slender", "recorded_reference", "recorded_slender")
+
+
+def per_cent(share, digits=0):
+    return f"{100 * share + 0.0:.{digits}f}"
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(map(str, row)) + " |" for row in (head, ["---"] * len(head), *rows)]
+    return "\n".join(lines)
+
+
+def name(names):
+    return figures.spoken(names)
+
+
+def cell_text(design, names, amplitude, quantity):
+    cell = design.cells[names][amplitude]
+    if quantity == "non-recurrence":
+        estimate, (low, high) = cell.non_recurrence["differ"], cell.non_recurrence["differ_interval"]
+    elif quantity in cell.probabilities:
+        found = cell.probabilities[quantity]
+        estimate, (low, high) = found["estimate"], found["simultaneous"]
+    else:
+        _, estimate, low, high = cell.term(quantity, 1, design.z(is_simultaneous=False))
+    return f"{per_cent(estimate)} [{per_cent(low)}, {per_cent(high)}]"
+
+
+def response_tables(design):
+    parts = []
+    for quantity in ALL:
+        rows = [[name(names)] + [cell_text(design, names, a, quantity) for a in SHOWN] for names in COMBINATIONS]
+        parts.append(f"**{quantity}**\n\n" + table(["fluctuates"] + [f"A_h = {a:g}" for a in SHOWN], rows))
+    return "\n\n".join(parts)
+
+
+def clear_effects(design, names, quantity):
+    """(amplitude, effect) where the interval leaves out 0, the largest first."""
+    found = [(a, design.effect(names, quantity, a)) for a in design.amplitudes]
+    return sorted(((a, e) for a, e in found if e[1] > 0 or e[2] < 0), key=lambda item: -abs(item[1][0]))
+
+
+def effect_table(design):
+    rows = []
+    for names in EFFECTS:
+        row = [" × ".join(names)]
+        for quantity in ALL:
+            clear = clear_effects(design, names, quantity)
+            if not clear:
+                row.append("0")
+                continue
+            amplitude, (value, low, high) = clear[0]
+            row.append(f"{len(clear)}; {per_cent(value):s} [{per_cent(low)}, {per_cent(high)}] at {amplitude:g}")
+        rows.append(row)
+    return table(["effect"] + list(ALL), rows)
+
+
+def ranking(design):
+    """Which source alone changes most, by the number of amplitudes with a clear main effect."""
+    clear = {s: sum(len(clear_effects(design, (s,), q)) for q in QUANTITIES) for s in SOURCES}
+    order = sorted(SOURCES, key=lambda s: -clear[s])
+    told = ", ".join(f"{s} {clear[s]}" for s in order)
+    of = len(design.amplitudes) * len(QUANTITIES)
+    first = (f"At {per_cent(design.relative_sigma)} %, of {of} main effects of each source (responses times amplitudes) so "
+             f"many are clear: {told}.")
+    if clear[order[0]] == 0:
+        return first + " None of the three is seen to decide."
+    if clear[order[0]] == clear[order[1]]:
+        return first + " No source stands out."
+    return first + f" Fluctuation of the {order[0]} changes most."
+
+
+def interaction(design):
+    clear = {names: sum(len(clear_effects(design, names, q)) for q in QUANTITIES) for names in EFFECTS if len(names) > 1}
+    if not any(clear.values()):
+        return f"At {per_cent(design.relative_sigma)} %, no interaction is clear."
+    told = ", ".join(f"{' × '.join(names)} {count}" for names, count in clear.items())
+    best = max(clear, key=lambda names: clear[names])
+    quantity = max(QUANTITIES, key=lambda q: max((abs(e[0]) for _, e in clear_effects(design, best, q)), default=0))
+    amplitude, (value, low, high) = clear_effects(design, best, quantity)[0]
+    text = (f"At {per_cent(design.relative_sigma)} %, clear interactions by number: {told}. The sources do not act one by "
+            f"one: at A_h = {amplitude:g} {' and '.join(best)} together make {quantity} {'more' if value > 0 else 'less'} "
+            f"probable than their effects one by one say, by {per_cent(abs(value))} ")
+    ends = sorted((abs(low), abs(high)))
+    text += f"[{per_cent(ends[0])}, {per_cent(ends[1])}] percentage points. Why no name was found there:\n\n"
+    rows = [[name(names), f"{design.cells[names][amplitude].count('irregular')} of {design.cells[names][amplitude].n}",
+             ", ".join(f"{reason} {k}" for reason, k in design.cells[names][amplitude].reasons.items()) or "-"]
+            for names in COMBINATIONS]
+    return text + table(["fluctuates", "irregular", "unresolved, by reason"], rows)
+
+
+def bounded(found, digits=3):
+    return f"{found['value']:.{digits}g} [{found['interval'][0]:.{digits}g}, {found['interval'][1]:.{digits}g}]"
+
+
+def who(curve):
+    """`Slender block, harmonic: does it overturn?` without the question."""
+    return curve["title"].split(":")[0]
+
+
+def fragility_rows(curves):
+    rows = []
+    for curve in curves:
+        law = curve["law"]
+        told = [curve["outcome"], "", ""]
+        if law:
+            missed = f"{curve['missed_levels']} of {len(curve['levels'])}"
+            told = [bounded(law["median"]), bounded(law["dispersion"]), missed]
+        rows.append([who(curve), curve["levels"][0]["realisations"], *told])
+    return rows
+
+
+def fragility_words(curves):
+    fitted = [c for c in curves if c["law"]]
+    missed = [c for c in fitted if c["missed_levels"]]
+    falls = []
+    for curve in curves:
+        levels = curve["levels"]
+        pairs = [(a, b) for i, a in enumerate(levels) for b in levels[i + 1:] if b["simultaneous"][1] < a["simultaneous"][0]]
+        if pairs:
+            a, b = max(pairs, key=lambda pair: pair[0]["estimate"] - pair[1]["estimate"])
+            falls.append(f"{who(curve)}: {per_cent(a['estimate'])} % at {a['intensity']:g}, "
+                         f"{per_cent(b['estimate'])} % at {b['intensity']:g}")
+    text = f"The lognormal law misses levels of {len(missed)} of the {len(fitted)} fitted curves."
+    if not falls:
+        return text + " No curve is seen to fall anywhere."
+    text += " Harder shaking is not always worse. The deepest falls, beyond simultaneous intervals:\n\n- "
+    return text + "\n- ".join(falls)
+
+
+def fragility_tables(curves):
+    parts = []
+    for curve in curves:
+        rows = []
+        for level in curve["levels"]:
+            row = [f"{level['intensity']:g}", f"{level['overturned']} of {level['realisations']}",
+                   "[" + ", ".join(per_cent(end, 1) for end in level["exact"]) + "]"]
+            if curve["law"]:
+                row += [per_cent(level["fitted"], 1), "[" + ", ".join(per_cent(end, 1) for end in level["band"]) + "]"]
+            rows.append(row)
+        head = [curve["parameter"].rsplit("/", 1)[1], "overturned", "exact, %"]
+        head += ["law, %", "band, %"] if curve["law"] else []
+        parts.append(f"<details><summary>{curve['title']}</summary>\n\n{table(head, rows)}\n\n</details>")
+    return "\n\n".join(parts)
+
+
+def spoken_time(seconds):
+    return f"{seconds:.0f} s" if seconds < 60 else f"{seconds // 60:.0f} min {seconds % 60:02.0f} s"
+
+
+def values():
+    five, one = Design(PUBLISHED, "five_per_cent"), Design(PUBLISHED, "one_per_cent")
+    curves = json.loads((PUBLISHED / "fragility.json").read_text())["curves"]
+    over = {c: json.loads((PUBLISHED / "overturning" / c / "report.json").read_text()) for c in CURVES}
+    in_design = {id(r): r for d in (five, one) for n, r in d.reports.items() if n}.values()
+    in_design = [five.reports[()], *in_design]
+    reports = [*in_design, *over.values()]
+    conditions = [c for r in in_design for c in r["result"]["conditions"]]
+    scene = five.reports[SOURCES]["input"]["experiment"]
+    harmonic, slender = (over[c]["input"]["experiment"] for c in CURVES[:2])
+    block, e = scene["block"], scene["restitution"]
+    squared_sine = block["width_m"] ** 2 / (block["width_m"] ** 2 + block["height_m"] ** 2)
+    return {
+        "width": f"{block['width_m']:g}", "height": f"{block['height_m']:g}",
+        "frequency_ratio": f"{scene['excitation']['frequency_ratio']:g}",
+        "friction": f"{scene['friction']['static']:g}/{scene['friction']['kinetic']:g}",
+        "first_amplitude": f"{five.amplitudes[0]:g}", "last_amplitude": f"{five.amplitudes[-1]:g}",
+        "sigma_five": f"{per_cent(five.relative_sigma)} %", "sigma_one": f"{per_cent(one.relative_sigma)} %",
+        "n": scene["realisations"], "transient": scene["horizon"]["transient_periods"],
+        "sampled": scene["horizon"]["sampled_periods"], "restitution": f"{e:g}",
+        "slenderness": f"{slender['block']['height_m'] / slender['block']['width_m']:g}",
+        "over_periods": harmonic["horizon"]["sampled_periods"],
+        "over_ratio": f"{harmonic['excitation']['frequency_ratio']:g}",
+        "over_sigma": f"{per_cent(harmonic['fluctuation']['amplitude']['relative_sigma'])} %",
+        "overturned_in_design": sum(c["counts"]["overturned"] for c in conditions) or "none",
+        "design_realisations": sum(c["realisations"] for c in conditions),
+        "realisations": sum(c["realisations"] for r in reports for c in r["result"]["conditions"]),
+        "duration": spoken_time(sum(r["system"]["duration_s"] for r in reports)), "machine": reports[0]["system"]["machine"],
+        "tests_five": five.tests(), "tests_one": one.tests(), "confidence": f"{per_cent(five.confidence)} %",
+        "tables_five": response_tables(five), "amplitudes_five": len(five.amplitudes), "amplitudes_one": len(one.amplitudes),
+        "effects_five": effect_table(five), "effects_one": effect_table(one), "ranking_five": ranking(five),
+        "ranking_one": ranking(one), "interaction_five": interaction(five), "interaction_one": interaction(one),
+        "impact_ratio": f"{1 - 1.5 * (1 + e) * squared_sine:.3f}",
+        "impact_scatter": f"{1.5 * e * five.relative_sigma * squared_sine:.1g}",
+        "smallest_main": per_cent(five.z(True) * math.sqrt(0.25 / (2 * scene["realisations"]))),
+        "fragility_summary": table(["curve", "realisations a level", "median", "dispersion", "levels missed"],
+                                   fragility_rows(curves)),
+        "fragility_words": fragility_words(curves), "fragility_tables": fragility_tables(curves)}, five
+
+
+def filled(template, found):
+    names = set(re.findall(r"\{\{(\w+)\}\}", template))
+    if names != set(found):
+        sys.exit(f"write_report.py: the template and its values differ in {sorted(names ^ set(found))}")
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: str(found[match.group(1)]), template)
+
+
+def main():
+    found, five = values()
+    text = filled((HERE / "README.template").read_text(), found)
+    if "--check" in sys.argv[1:]:
+        if (PUBLISHED / "README.md").read_text() != text:
+            sys.exit(f"{PUBLISHED / 'README.md'} is not what write_report.py makes of the reports beside it")
+        return
+    (PUBLISHED / "README.md").write_text(text)
+    figures.draw("modes", figures.bands(five), PUBLISHED)
+    figures.draw("effects", figures.effects(five), PUBLISHED)
+
+
+if __name__ == "__main__":
+    main()

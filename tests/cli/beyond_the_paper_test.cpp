@@ -1,0 +1,59 @@
+// experiments/beyond_the_paper and reports/beyond_the_paper: the files are good, and the report is what its script makes.
+
+#include <gtest/gtest.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using rocking::support::objections;
+
+const fs::path experiments = ROCKING_SOURCE_DIR "/experiments/beyond_the_paper";
+const fs::path reports = ROCKING_SOURCE_DIR "/reports/beyond_the_paper";
+
+class BeyondThePaper : public rocking::support::ProgramTest {
+ protected:
+  static std::string text_of(const fs::path& path) {
+    std::ostringstream content;
+    content << std::ifstream(path, std::ios::binary).rdbuf();
+    return content.str();
+  }
+
+  /// Experiment files, seen from their folder.
+  static std::vector<fs::path> files() {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(experiments)) {
+      if (entry.path().extension() == ".json") found.push_back(fs::relative(entry.path(), experiments));
+    }
+    return found;
+  }
+
+  bool has_python() const {
+    return shell("python3 -c 'import sys; sys.exit(sys.version_info < (3, 9))'").exit_code == 0;
+  }
+};
+
+TEST_F(BeyondThePaper, AsksQuestionsThatAreValidAndPublishesTheAnswersToThem) {
+  EXPECT_EQ(files().size(), 19U);
+  for (const fs::path& file : files()) {
+    const auto validated = rocking("validate '" + (experiments / file).string() + "' --json");
+    EXPECT_EQ(validated.exit_code, 0) << file << validated.errors;
+    fs::path report = reports / file;
+    const auto published = rocking::report::Json::parse(text_of(report.replace_extension() / "report.json"));
+    EXPECT_EQ(published["input"]["sha256"], rocking::report::Json::parse(validated.output)["sha256"]) << file;
+  }
+}
+
+TEST_F(BeyondThePaper, IsWrittenUpByTheScriptFromThePublishedReports) {
+  if (!has_python()) GTEST_SKIP() << "python3 (3.9 or later) is missing";
+  const auto checked = shell("python3 -B '" + (experiments / "write_report.py").string() + "' --check");
+  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+}
+
+TEST_F(BeyondThePaper, PublishesFragilityAsTheFormatSays) {
+  EXPECT_EQ(objections("fragility", text_of(reports / "fragility.json")), "");
+}
+
+}  // namespace

@@ -57,13 +57,13 @@ Table parting_table(const RunReport& report, const SweepView& view, const Slice&
                           {"upper", "upper quartile [periods]"},
                           {"upper_drawn", "the same, at the horizon where it lies beyond [periods]"}},
               .rows = {}};
-  const report::Json& horizon = report.experiment.at("horizon");
-  const double end = horizon.at("transient_periods").get<double>() + horizon.at("sampled_periods").get<double>();
+  const auto periods = report.periods();
+  const Cell end = periods ? Cell(static_cast<double>(*periods)) : Cell();
   for (const std::size_t i : slice.conditions) {
     if (!report.conditions[i].difference) continue;
     const Parting& parting = report.conditions[i].difference->by_friction;
     if (parting.pairs == 0) continue;
-    const Cell drawn = parting.lower_quartile ? Cell(parting.upper_quartile.value_or(end)) : Cell();
+    const Cell drawn = !parting.lower_quartile ? Cell() : parting.upper_quartile ? Cell(*parting.upper_quartile) : end;
     table.rows.push_back({view.x[i], static_cast<double>(parting.pairs), static_cast<double>(parting.parted),
                           cell_of(parting.median), cell_of(parting.lower_quartile), cell_of(parting.upper_quartile),
                           drawn});

@@ -40,9 +40,14 @@ std::vector<Pairs> pairs_of(const RunReport& report, const experiment::Store& st
   return all;
 }
 
-double horizon_of(const RunReport& report) {
-  const report::Json& horizon = report.experiment.at("horizon");
-  return horizon.at("transient_periods").get<double>() + horizon.at("sampled_periods").get<double>();
+/// The horizon; where each condition has its own, when the last pair parted.
+double last_period(const RunReport& report, const std::vector<Pairs>& all) {
+  if (const auto periods = report.periods()) return static_cast<double>(*periods);
+  std::int64_t last = 0;
+  for (const Pairs& pairs : all) {
+    if (!pairs.parted.empty()) last = std::max(last, pairs.parted.rbegin()->first);
+  }
+  return static_cast<double>(last);
 }
 
 /// A line for each period in which pairs parted, the start and the horizon. Before the first period nothing can be seen.
@@ -78,7 +83,7 @@ std::optional<Figure> parting_times(const RunReport& report, const experiment::S
               .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
               .y = {.quantity = "share of pairs that have parted", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
               .layers = {}};
-  panel.x.high = std::max(horizon_of(report), 2.0);
+  panel.x.high = std::max(last_period(report, all), 2.0);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const std::string name = name_of_condition(report, report.conditions[all[i].condition]);
     figure.tables.push_back(table_of(all[i], name.empty() ? "the only condition" : name, *panel.x.high));

@@ -66,6 +66,12 @@ RunReport run_report_from(Json json) {
 
 }  // namespace
 
+std::optional<std::uint64_t> RunReport::periods() const {
+  const Json& horizon = experiment.at("horizon");
+  if (!horizon.contains("transient_periods") || !horizon.contains("sampled_periods")) return std::nullopt;
+  return horizon.at("transient_periods").get<std::uint64_t>() + horizon.at("sampled_periods").get<std::uint64_t>();
+}
+
 std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
   std::map<section::ResponseMode, std::uint64_t> found;
   for (const ConditionReport& condition : conditions) {

@@ -57,6 +57,8 @@ struct RunReport {
   double confidence = 0.95;
   report::Json text;  ///< the whole report
 
+  /// Periods of a realisation, dropped and sampled; absent where a record and each condition's block decide.
+  [[nodiscard]] std::optional<std::uint64_t> periods() const;
   /// Response modes that occur anywhere, with how often.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
 };

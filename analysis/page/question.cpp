@@ -136,6 +136,14 @@ void add_settings(const RunReport& report, const std::string& pointer, const Jso
                            swept_mark(report, pointer));
 }
 
+std::string horizon_in_brief(const RunReport& report) {
+  if (!report.periods()) return "each as long as the record, and until the block has come to rest";
+  const Json& horizon = report.experiment.at("horizon");
+  return fmt::format("{} dropped, then {} sampled",
+                     counted(horizon.at("transient_periods").get<std::uint64_t>(), "period"),
+                     number(horizon.at("sampled_periods")));
+}
+
 }  // namespace
 
 std::string question_in_brief(const RunReport& report) {
@@ -144,12 +152,8 @@ std::string question_in_brief(const RunReport& report) {
                                  significant(shape.height, 6), shaking_in_brief(report), friction_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
-  const Json& horizon = report.experiment.at("horizon");
-  return text + fmt::format("<p>{}, {} in all; {} dropped, then {} sampled.</p>\n",
-                            counted(report.conditions.size(), "condition"),
-                            counted(realisations_of(report), "realisation"),
-                            counted(horizon.at("transient_periods").get<std::uint64_t>(), "period"),
-                            number(horizon.at("sampled_periods")));
+  return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
+                            counted(realisations_of(report), "realisation"), horizon_in_brief(report));
 }
 
 std::string question_in_full(const RunReport& report) {

@@ -19,10 +19,10 @@ class RunFolder : public rocking::support::ProgramTest {
  protected:
   RunFolder() { write("quick.json", quick_experiment().dump()); }
 
-  /// A run of a second or more, for which there is time to be stopped.
+  /// A run of some seconds, for which there is time to be stopped.
   void write_slow() const {
     auto slow = quick_experiment();
-    slow["horizon"]["transient_periods"] = 300;
+    slow["horizon"]["transient_periods"] = 2000;
     slow["realisations"] = 400;
     write("slow.json", slow.dump());
   }
@@ -314,6 +314,16 @@ TEST_F(RunFolder, IsNotVerifiedWhereAStoredRealisationWasEdited) {
   const auto outcome = rocking("verify out");
   EXPECT_EQ(outcome.exit_code, 65);
   EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 is not what was written"));
+}
+
+TEST_F(RunFolder, IsMadeUnderARecordWhereEachBlockHasAHorizonOfItsOwn) {
+  auto question = rocking::support::recorded_experiment();
+  question["sweep"][0] = {{"parameter", "/block/height_m"}, {"values", {4.0, 8.0}}};
+  write("record.json", question.dump());
+  write("pulse.txt", rocking::support::recorded_pulse());
+  const auto outcome = rocking("run record.json -q -o out");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the record"));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {

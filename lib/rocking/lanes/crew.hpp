@@ -63,6 +63,11 @@ class Crew {
     std::uint32_t occupied = 0;
 
     [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(occupied)); }
+    void put(std::size_t lane, Run& run) {
+      runs[lane] = &run;
+      occupied |= 1U << lane;
+    }
+    void vacate(std::size_t lane) { occupied &= ~(1U << lane); }
   };
 
   /// Runs of a kind.
@@ -108,40 +113,41 @@ class Crew {
   [[nodiscard]] Kind kind_of(const Group& group) const { return static_cast<Kind>(&group - groups_.data()); }
 
   void fill(Group& group) {
-    auto& [block, runs, occupied] = group.moving;
-    for_each_lane(all_lanes() & ~occupied, [&](std::size_t lane) {
+    Lanes& moving = group.moving;
+    for_each_lane(all_lanes() & ~moving.occupied, [&](std::size_t lane) {
       if (group.waiting.empty()) return;
-      runs[lane] = group.waiting.back();
+      Run& run = *group.waiting.back();
       group.waiting.pop_back();
-      occupied |= 1U << lane;
-      load(*block, lane, runs[lane]->motion().smooth_step());
+      moving.put(lane, run);
+      load(*moving.block, lane, run.motion().smooth_step());
     });
   }
 
   void move(Group& group) {
     fill(group);
-    auto& [block, runs, occupied] = group.moving;
-    kernels_.move[static_cast<std::size_t>(kind_of(group))](*block);
-    for_each_lane(block->strobed & occupied,
-                  [&](std::size_t lane) { runs[lane]->motion().pass_strobe(strobe_point(*block, lane)); });
-    for_each_lane(block->arrived & occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
-    for_each_lane(~block->quiet & occupied, [&](std::size_t lane) { await_end(group, lane); });
+    Lanes& moving = group.moving;
+    const Block& block = *moving.block;
+    kernels_.move[static_cast<std::size_t>(kind_of(group))](*moving.block);
+    for_each_lane(block.strobed & moving.occupied,
+                  [&](std::size_t lane) { moving.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
+    for_each_lane(block.arrived & moving.occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
+    for_each_lane(~block.quiet & moving.occupied, [&](std::size_t lane) { await_end(group, lane); });
   }
 
   void await_end(Group& group, std::size_t lane) {
-    if (group.ending.occupied == all_lanes()) end(group);
-    auto& [block, runs, occupied] = group.ending;
-    const auto its_lane = static_cast<std::size_t>(std::countr_one(occupied));
-    copy_lane(*group.moving.block, lane, *block, its_lane);
-    runs[its_lane] = group.moving.runs[lane];
-    occupied |= 1U << its_lane;
-    group.moving.occupied &= ~(1U << lane);
+    Lanes& ending = group.ending;
+    if (ending.occupied == all_lanes()) end(group);
+    const auto its_lane = static_cast<std::size_t>(std::countr_one(ending.occupied));
+    copy_lane(*group.moving.block, lane, *ending.block, its_lane);
+    ending.put(its_lane, *group.moving.runs[lane]);
+    group.moving.vacate(lane);
   }
 
   void end(Group& group) {
-    auto& [block, runs, occupied] = group.ending;
-    kernels_.end[static_cast<std::size_t>(kind_of(group))](*block);
-    for_each_lane(std::exchange(occupied, 0U), [&](std::size_t lane) { finish_step(*block, lane, *runs[lane]); });
+    Lanes& ending = group.ending;
+    kernels_.end[static_cast<std::size_t>(kind_of(group))](*ending.block);
+    for_each_lane(std::exchange(ending.occupied, 0U),
+                  [&](std::size_t lane) { finish_step(*ending.block, lane, *ending.runs[lane]); });
   }
 
   /// The lane's run takes what was found out of its step, and is put where it belongs after it.
@@ -167,7 +173,7 @@ class Crew {
     dynamics::SmoothProgress here = progress(block, lane);
     here.now = motion.clock().now();
     motion.catch_up(here);
-    group.moving.occupied &= ~(1U << lane);
+    group.moving.vacate(lane);
     place(run);
   }
 

@@ -22,7 +22,7 @@ class End : Step<kind, Real> {
     duration_ = length_;
     unclear_ = Real(0.0) < Real(0.0);
     this->for_each_guard([this](Guard guard, auto count, const auto& zero, auto coefficient) {
-      find_loss(static_cast<std::size_t>(guard), count, zero, coefficient);
+      this->find_loss(static_cast<std::size_t>(guard), count, zero, coefficient);
     });
     const Real resolution = load(b_.resolution);
     const Point end = this->point(duration_);

@@ -24,7 +24,7 @@ class Ranks : public rocking::support::ProgramTest {
     auto question = quick_experiment();
     question["realisations"] = 61;
     write("question.json", question.dump());
-    question["horizon"]["transient_periods"] = 3000;
+    question["horizon"]["transient_periods"] = 10000;
     write("long.json", question.dump());
   }
 

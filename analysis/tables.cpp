@@ -15,7 +15,7 @@ namespace {
 
 using section::ResponseMode;
 
-constexpr std::size_t most_columns = 5;
+constexpr std::size_t most_modes = 5;
 
 std::string csv_field(const std::string& text) {
   if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
@@ -73,14 +73,12 @@ std::string latex_symbol(const std::string& pointer) {
   return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
 }
 
-std::string per_cent(double probability) { return report::fixed_point(100.0 * probability, 1); }
-
 std::vector<ResponseMode> columns_of(const RunReport& report) {
   const auto occurring = report.occurring();
   std::vector<ResponseMode> modes = shown_modes(report);
   std::stable_sort(modes.begin(), modes.end(),
                    [&](const ResponseMode& a, const ResponseMode& b) { return occurring.at(a) > occurring.at(b); });
-  if (modes.size() > most_columns) modes.resize(most_columns);
+  if (modes.size() > most_modes) modes.resize(most_modes);
   std::sort(modes.begin(), modes.end());
   return modes;
 }
@@ -103,11 +101,12 @@ std::string latex_row(const RunReport& report, const ConditionReport& condition,
     }
     rest -= found->second.count;
     const auto [low, high] = found->second.interval;
-    text += per_cent(found->second.estimate) + " [" + per_cent(low) + ", " + per_cent(high) + ']';
+    text +=
+        report::per_cent(found->second.estimate) + " [" + report::per_cent(low) + ", " + report::per_cent(high) + ']';
   }
   if (with_others) {
     const double share = static_cast<double>(rest) / static_cast<double>(condition.realisations);
-    text += " & " + (rest == 0 ? "--" : per_cent(share));
+    text += " & " + (rest == 0 ? "--" : report::per_cent(share));
   }
   return text + " \\\\\n";
 }

@@ -12,13 +12,7 @@ using experiment::Cost;
 using experiment::Departure;
 using experiment::ToleranceCost;
 
-double share(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
-
-std::string per_cent(double probability) { return fixed_point(100.0 * probability, 2); }
-
-std::string per_cent(const stats::Interval& interval) {
-  return '[' + per_cent(interval.low) + ", " + per_cent(interval.high) + ']';
-}
+double ratio(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
 
 /// Processor time a period [s].
 double time_of(const ToleranceCost& cost) {
@@ -39,15 +33,16 @@ TextRow row_of(const ToleranceCost& tolerance, const Cost& cost) {
   const bool is_own = &tolerance == &cost.curve[cost.own];
   TextRow row{tolerance_name(tolerance) + (is_own ? " *" : "  ")};
   if (const auto& departure = tolerance.departure) {
-    row.insert(row.end(),
-               {error_cell(departure->median_error), error_cell(departure->largest_error),
-                per_cent(share(departure->parted, cost.sample)), std::to_string(departure->flips.successes),
-                cost.yardstick.is_everything ? "." : per_cent(departure->flips_interval),
-                departure->beyond_floor && !cost.yardstick.is_everything ? per_cent(*departure->beyond_floor) : "."});
+    row.insert(
+        row.end(),
+        {error_cell(departure->median_error), error_cell(departure->largest_error),
+         per_cent(ratio(departure->parted, cost.sample), 2), std::to_string(departure->flips.successes),
+         cost.yardstick.is_everything ? "." : per_cent(departure->flips_interval, 2),
+         departure->beyond_floor && !cost.yardstick.is_everything ? per_cent(*departure->beyond_floor, 2) : "."});
   } else {
     row.insert(row.end(), 6, ".");
   }
-  row.push_back(fixed_point(tolerance.periods == 0 ? 0.0 : share(tolerance.steps, tolerance.periods), 1));
+  row.push_back(fixed_point(tolerance.periods == 0 ? 0.0 : ratio(tolerance.steps, tolerance.periods), 1));
   row.push_back(significant(1e6 * time_of(tolerance), 3));
   row.push_back(fixed_point(speed_of(tolerance, cost), 2));
   return row;
@@ -68,8 +63,8 @@ std::string realisations_table(const MeasuredCost& measured) {
   const std::uint64_t asked_for = measured.experiment->conditions.front().realisations;
   std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
   for (const auto& [factor, widths, periods] : cost.planned) {
-    rows.push_back({std::to_string(factor * asked_for), per_cent(widths.mean), per_cent(widths.widest),
-                    per_cent(widths.widest_wilson), run_time(periods)});
+    rows.push_back({std::to_string(factor * asked_for), per_cent(widths.mean, 2), per_cent(widths.widest, 2),
+                    per_cent(widths.widest_wilson, 2), run_time(periods)});
   }
   std::string text = aligned(rows);
   for (const auto& [half_width, needed, periods] : cost.goals) {
@@ -85,7 +80,7 @@ std::string realisations_table(const MeasuredCost& measured) {
 std::string part_of_half_width(const Cost& cost) {
   const double width = *cost.yardstick.half_width;
   const double part = cost.recommendation.at_most / width;
-  const std::string of = "the half-width of the intervals, " + per_cent(width) + " %";
+  const std::string of = "the half-width of the intervals, " + per_cent(width, 2) + " %";
   return part < 0.95 ? "1/" + significant(std::round(1.0 / part), 4) + " of " + of
                      : significant(part, 2) + " times " + of;
 }
@@ -122,17 +117,17 @@ std::string advice(const MeasuredCost& measured) {
   const experiment::Recommendation& found = cost.recommendation;
   if (found.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
   if (!cost.yardstick.half_width) return " Give more --time, so that every condition is measured.";
-  const std::string bearable = per_cent(found.bearable) + " %";
+  const std::string bearable = per_cent(found.bearable, 2) + " %";
   if (!found.sample_needed) return " While so many change, no sample shows that it is less than " + bearable + '.';
-  const double seconds = measured.system.duration_s * share(*found.sample_needed, cost.sample);
+  const double seconds = measured.system.duration_s * ratio(*found.sample_needed, cost.sample);
   return " To show that no more than " + bearable + " change takes " + std::to_string(*found.sample_needed) +
          " realisations, if as large a share does: some " + spoken_time(seconds) + " at this rate.";
 }
 
 std::string blame_words(const Cost& cost) {
   if (cost.yardstick.is_everything) return ", of all that there are. ";
-  return "; it is to blame for at most " + per_cent(cost.recommendation.at_most) + " %, " + part_of_half_width(cost) +
-         ". ";
+  return "; it is to blame for at most " + per_cent(cost.recommendation.at_most, 2) + " %, " +
+         part_of_half_width(cost) + ". ";
 }
 
 std::string coarser_words(const Cost& cost) {

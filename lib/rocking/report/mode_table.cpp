@@ -24,8 +24,6 @@ constexpr std::size_t shortest_bar = 12;
 constexpr std::size_t longest_bar = 24;
 constexpr std::size_t modes_beside_a_bar = 3;
 
-std::string per_cent(double probability) { return fixed_point(100.0 * probability, 1); }
-
 // `/excitation/amplitude` is called `amplitude`.
 std::string short_name(const std::string& pointer) { return pointer.substr(pointer.rfind('/') + 1); }
 

@@ -27,6 +27,12 @@ std::string significant(double number, int digits) { return in_format(number, st
 
 std::string fixed_point(double number, int decimals) { return in_format(number, std::chars_format::fixed, decimals); }
 
+std::string per_cent(double probability, int decimals) { return fixed_point(100.0 * probability, decimals); }
+
+std::string per_cent(const stats::Interval& interval, int decimals) {
+  return '[' + per_cent(interval.low, decimals) + ", " + per_cent(interval.high, decimals) + ']';
+}
+
 std::string aligned(const std::vector<TextRow>& rows) {
   if (rows.empty()) return {};
   std::vector<std::size_t> widths(rows.front().size(), 0);

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/stats/interval.hpp"
+
 namespace rocking::report {
 
 /// `number` in `digits` significant digits, in the shorter of the two notations.
@@ -12,6 +14,12 @@ namespace rocking::report {
 
 /// `number` with `decimals` digits after the point.
 [[nodiscard]] std::string fixed_point(double number, int decimals);
+
+/// A probability in per cent, with `decimals` digits after the point.
+[[nodiscard]] std::string per_cent(double probability, int decimals = 1);
+
+/// Likewise both ends, in brackets.
+[[nodiscard]] std::string per_cent(const stats::Interval& interval, int decimals = 1);
 
 /// How many letters a text in UTF-8 has.
 [[nodiscard]] std::size_t letters_in(std::string_view text);

@@ -37,12 +37,6 @@ std::size_t number_of_tests(const ComparedRuns& runs) {
   return tests;
 }
 
-std::string per_cent(double probability) { return fixed_point(100.0 * probability, 1); }
-
-std::string per_cent(const Interval& interval) {
-  return '[' + per_cent(interval.low) + ", " + per_cent(interval.high) + ']';
-}
-
 double share(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
 
 std::string name_of(const ComparedRuns& runs, std::size_t condition) {

@@ -124,12 +124,6 @@ Json curve_json(const RunFragility& run, const FragilityCurve& curve) {
   return json;
 }
 
-std::string per_cent(double probability) { return fixed_point(100.0 * probability, 1); }
-
-std::string per_cent(const Interval& interval) {
-  return '[' + per_cent(interval.low) + ", " + per_cent(interval.high) + ']';
-}
-
 std::string spoken(const stats::Bounded& bounded) {
   return significant(bounded.value, 3) + " [" + significant(bounded.interval.low, 3) + ", " +
          significant(bounded.interval.high, 3) + ']';

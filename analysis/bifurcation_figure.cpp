@@ -183,7 +183,7 @@ Figure figure_of(Diagram diagram, const std::string& pointer, const std::string&
   return figure;
 }
 
-std::string spoken(const Json& others) {
+std::string others_in_words(const Json& others) {
   std::string words;
   for (const auto& [pointer, value] : others.items()) {
     words += (words.empty() ? "" : ", ") + axis_of_parameter(pointer).quantity + ' ' + short_value(pointer, value);
@@ -198,7 +198,7 @@ std::vector<Figure> bifurcation_figures(const Json& output) {
   read_or_refuse(output, [&] {
     const std::string title = output.at("input").at("experiment").at("title");
     for (const Json& diagram : output.at("diagrams")) {
-      const std::string others = spoken(diagram.at("others"));
+      const std::string others = others_in_words(diagram.at("others"));
       const std::string subtitle = title + (title.empty() || others.empty() ? "" : "; ") + others;
       figures.push_back(figure_of(diagram_from(diagram), output.at("parameter"), subtitle));
     }

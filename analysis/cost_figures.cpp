@@ -14,7 +14,7 @@ namespace {
 using report::Json;
 
 constexpr double micro = 1e6;
-constexpr double per_cent = 100.0;
+constexpr double hundred = 100.0;
 
 /// A number that a logarithmic axis can show, or nothing.
 Cell positive(const Json& number) {
@@ -22,7 +22,7 @@ Cell positive(const Json& number) {
   return number.get<double>();
 }
 
-Cell share(const Json& number) { return per_cent * number.get<double>(); }
+Cell share(const Json& number) { return hundred * number.get<double>(); }
 
 std::string spoken(double number) { return report::significant(number, 3); }
 
@@ -56,7 +56,7 @@ Table tolerance_table(const Json& output) {
       row[1] = positive(departure.at("error").at("median"));
       row[2] = positive(departure.at("error").at("largest"));
       const Json& flips = departure.at("flips");
-      row[3] = per_cent * flips.at("count").get<double>() / flips.at("of").get<double>();
+      row[3] = hundred * flips.at("count").get<double>() / flips.at("of").get<double>();
       if (!is_everything) {
         row[4] = share(flips.at("interval").at(0));
         row[5] = share(flips.at("interval").at(1));

@@ -112,7 +112,7 @@ std::string cut(const std::string& title) {
 }
 
 /// `2.31 [2.20, 2.43]`.
-std::string spoken(const Json& bounded) {
+std::string value_and_interval(const Json& bounded) {
   const Json& interval = bounded.at("interval");
   return report::significant(bounded.at("value"), 3) + " [" + report::significant(interval.at(0), 3) + ", " +
          report::significant(interval.at(1), 3) + ']';
@@ -121,8 +121,8 @@ std::string spoken(const Json& bounded) {
 std::string description_of(const Json& curve) {
   std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve));
   if (curve.at("law").is_null()) return text + ": no law (" + curve.at("outcome").get<std::string>() + ").";
-  return text + ": median " + spoken(curve.at("law").at("median")) + ", dispersion " +
-         spoken(curve.at("law").at("dispersion")) + '.';
+  return text + ": median " + value_and_interval(curve.at("law").at("median")) + ", dispersion " +
+         value_and_interval(curve.at("law").at("dispersion")) + '.';
 }
 
 Figure drawn(const Json& output) {

@@ -8,8 +8,8 @@ namespace {
 
 constexpr double full_width = 720.0;
 constexpr double line_height = 21.0;
-constexpr double letter = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
-constexpr double sample = 42.0;  // of a legend's entry, with the gap before its words
+constexpr double letter_width = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
+constexpr double sample_width = 42.0;  // of a legend's entry, with the gap before its words
 constexpr double left_margin = 84.0;
 constexpr double wide_left_margin = 100.0;  // room for the ticks of a slip that hardly changes: -0.00486
 constexpr double right_margin = 18.0;
@@ -43,11 +43,11 @@ double set_in_rows(std::vector<LegendEntry>& entries, double top) {
     double width = 0.0;
     std::size_t last = first;
     for (; last < entries.size(); ++last) {
-      const double more = sample + letter * letters(entries[last].text) + 18.0;
-      if (last > first && width + more > widest) break;
+      const double wanted = sample_width + letter_width * letters(entries[last].text) + 18.0;
+      if (last > first && width + wanted > widest) break;
       entries[last].left = width;
       entries[last].middle = top + 0.5 * line_height;
-      width += more;
+      width += wanted;
     }
     for (; first < last; ++first) entries[first].left += std::max(8.0, 0.5 * (full_width - width + 18.0));
   }

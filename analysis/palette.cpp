@@ -15,6 +15,8 @@ struct Look {
   int hatch;
 };
 
+namespace look {
+
 constexpr Look harmonic{"#0072b2", 1, 7, 0};
 constexpr Look third{"#d55e00", 2, 9, 4};
 constexpr Look second{"#009e73", 4, 5, 5};
@@ -28,6 +30,8 @@ constexpr Look others{"#8c8c8c", 4, 12, 1};
 constexpr std::array<Look, 5> more{
     {{"#f0e442", 2, 6, 4}, {"#7f5fc7", 4, 8, 5}, {"#8c564b", 5, 3, 1}, {"#17a2a2", 2, 15, 6}, {"#7a7a00", 4, 14, 7}}};
 
+}  // namespace look
+
 Style style_from(const Look& look) {
   return {.colour = look.colour, .dash = look.dash, .marker = look.marker, .hatch = look.hatch};
 }
@@ -35,15 +39,15 @@ Style style_from(const Look& look) {
 Look look_of_periodic(const ResponseMode& mode) {
   if (mode.rocks == 1) {
     switch (mode.periods) {
-      case 1: return harmonic;
-      case 2: return second;
-      case 3: return third;
-      case 4: return fourth;
-      case 5: return fifth;
+      case 1: return look::harmonic;
+      case 2: return look::second;
+      case 3: return look::third;
+      case 4: return look::fourth;
+      case 5: return look::fifth;
       default: break;
     }
   }
-  return more[static_cast<std::size_t>(mode.rocks * 3 + mode.periods) % more.size()];
+  return look::more[static_cast<std::size_t>(mode.rocks * 3 + mode.periods) % look::more.size()];
 }
 
 }  // namespace
@@ -51,15 +55,15 @@ Look look_of_periodic(const ResponseMode& mode) {
 Style style_of(const ResponseMode& mode) {
   switch (mode.kind) {
     case ResponseKind::periodic: return style_from(look_of_periodic(mode));
-    case ResponseKind::chaotic: return style_from(chaotic);
-    case ResponseKind::overturned: return style_from(overturned);
-    case ResponseKind::rest: return style_from(rest);
+    case ResponseKind::chaotic: return style_from(look::chaotic);
+    case ResponseKind::overturned: return style_from(look::overturned);
+    case ResponseKind::rest: return style_from(look::rest);
     case ResponseKind::unresolved: break;
   }
-  return style_from(unresolved);
+  return style_from(look::unresolved);
 }
 
-Style style_of_others() { return style_from(others); }
+Style style_of_others() { return style_from(look::others); }
 
 Style style_of_contact(std::string_view contact) {
   if (contact == "slide") return {.colour = "#56b4e9", .hatch = 4, .opacity = 0.45};
@@ -70,7 +74,8 @@ Style style_of_contact(std::string_view contact) {
 }
 
 Style style_of_curve(std::size_t number) {
-  constexpr std::array<Look, 7> looks{harmonic, third, second, chaotic, fourth, fifth, overturned};
+  constexpr std::array<Look, 7> looks{look::harmonic, look::third, look::second,    look::chaotic,
+                                      look::fourth,   look::fifth, look::overturned};
   return style_from(looks[number % looks.size()]);
 }
 

@@ -71,11 +71,11 @@ std::optional<std::vector<experiment::MeasuredRealisation>> measured(const exper
   return found;
 }
 
-std::filesystem::path file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
+std::filesystem::path cost_file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
 
 void expect_room(const CostRequest& request) {
-  if (request.overwrite || !std::filesystem::exists(file_in(request.folder))) return;
-  throw InTheWay(file_in(request.folder).string() +
+  if (request.overwrite || !std::filesystem::exists(cost_file_in(request.folder))) return;
+  throw InTheWay(cost_file_in(request.folder).string() +
                  ": is already there; choose another folder, or add --overwrite to replace it");
 }
 
@@ -105,8 +105,8 @@ ExitCode cost(const CostRequest& request) {
   const std::string text = report::cost_text(result);
   std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + report::cost_table(result);
   if (folder) {
-    report::write_atomically(file_in(request.folder), text);
-    table += fmt::format("numbers: {}\n", file_in(request.folder).string());
+    report::write_atomically(cost_file_in(request.folder), text);
+    table += fmt::format("numbers: {}\n", cost_file_in(request.folder).string());
   }
   print_result(request.labour.loudness.json ? text : table);
   return ExitCode::done;

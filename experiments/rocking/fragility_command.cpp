@@ -45,11 +45,13 @@ report::RunFragility fragility_of(const std::string& name) {
   return run;
 }
 
-std::filesystem::path file_in(const std::string& folder) { return std::filesystem::path(folder) / "fragility.json"; }
+std::filesystem::path curve_file_in(const std::string& folder) {
+  return std::filesystem::path(folder) / "fragility.json";
+}
 
 ExitCode fragility(const FragilityRequest& request) {
-  if (!request.output.empty() && !request.overwrite && std::filesystem::exists(file_in(request.output))) {
-    throw InTheWay(file_in(request.output).string() +
+  if (!request.output.empty() && !request.overwrite && std::filesystem::exists(curve_file_in(request.output))) {
+    throw InTheWay(curve_file_in(request.output).string() +
                    ": is already there; choose another folder, or add --overwrite to replace it");
   }
   std::vector<report::RunFragility> runs;
@@ -58,8 +60,8 @@ ExitCode fragility(const FragilityRequest& request) {
   std::string table = report::fragility_table(runs);
   if (!request.output.empty()) {
     report::ensure_writable(request.output);
-    report::write_atomically(file_in(request.output), text);
-    table += fmt::format("numbers: {}\n", file_in(request.output).string());
+    report::write_atomically(curve_file_in(request.output), text);
+    table += fmt::format("numbers: {}\n", curve_file_in(request.output).string());
   }
   print_result(request.loudness.json ? text : table);
   return ExitCode::done;

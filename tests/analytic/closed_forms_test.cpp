@@ -5,17 +5,14 @@
 #include <numbers>
 #include <vector>
 
-#include <boost/math/special_functions/ellint_1.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/trajectory.hpp"
+#include "analytic/motion.hpp"
 
 namespace rocking::experiment {
 namespace {
 
 using dynamics::EventKind;
-
-constexpr double pi = std::numbers::pi;
 
 /// The reference block on a still base, without friction.
 Condition still(double tilt, double height = 4.0) {
@@ -24,17 +21,6 @@ Condition still(double tilt, double height = 4.0) {
   condition.scene.excitation.frequency_ratio = 10.0;
   condition.scene.initial.tilt = tilt;
   return condition;
-}
-
-Trajectory run(const Condition& condition, std::int64_t periods) { return trajectory_of(condition, 0, 0, periods); }
-
-/// Time in which a block let go at the angle phi0 from the vertical falls back on its base, phi = psi.
-///
-/// phi'' = sin(phi) is a pendulum seen from its upper equilibrium: with k = cos(phi0/2) and sin(chi) = cos(phi/2)/k the
-/// time from phi0 to phi is K(k) - F(chi, k).
-double falling_time(double phi0, double psi) {
-  const double k = std::cos(0.5 * phi0);
-  return boost::math::ellint_1(k) - boost::math::ellint_1(k, std::asin(std::cos(0.5 * psi) / k));
 }
 
 TEST(FreeRocking, FallsBackInTheTimeOfTheEllipticIntegral) {

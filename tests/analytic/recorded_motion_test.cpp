@@ -9,20 +9,17 @@
 #include <utility>
 #include <vector>
 
-#include <boost/math/special_functions/ellint_1.hpp>
 #include <gtest/gtest.h>
 
+#include "analytic/motion.hpp"
 #include "rocking/experiment/realisation.hpp"
 #include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
 
 namespace rocking::experiment {
 namespace {
 
 using dynamics::EventKind;
 using dynamics::RecordSample;
-
-constexpr double pi = std::numbers::pi;
 
 /// A sample at a normalised time, in g.
 struct Knot {
@@ -43,14 +40,6 @@ Condition shaken_by(const std::vector<Knot>& knots, bool has_vertical = false, d
   condition.scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
   condition.horizon = {.transient_periods = 0, .sampled_periods = 20};
   return condition;
-}
-
-Trajectory run(const Condition& condition, std::int64_t periods) { return trajectory_of(condition, 0, 0, periods); }
-
-/// Time in which phi'' = sin(phi) brings a pendulum at rest at phi0 from its upper equilibrium to phi.
-double falling_time(double phi0, double phi) {
-  const double k = std::cos(0.5 * phi0);
-  return boost::math::ellint_1(k) - boost::math::ellint_1(k, std::asin(std::cos(0.5 * phi) / k));
 }
 
 // A constant base acceleration is a gravity that is tilted by chi = atan(alpha) and sqrt(1 + alpha^2) times as large.

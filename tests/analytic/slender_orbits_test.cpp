@@ -11,13 +11,11 @@
 
 #include <gtest/gtest.h>
 
+#include "analytic/motion.hpp"
 #include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
 
 namespace rocking::experiment {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 /// Orbits that repeat every n periods of Omega and keep the share r of the rate at each impact.
 struct Family {

@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 using rocking::support::objections;
 
 const fs::path experiments = ROCKING_SOURCE_DIR "/experiments/beyond_the_paper";
-const fs::path reports = ROCKING_SOURCE_DIR "/reports/beyond_the_paper";
+const fs::path published_reports = ROCKING_SOURCE_DIR "/reports/beyond_the_paper";
 
 class BeyondThePaper : public rocking::support::ProgramTest {
  protected:
@@ -40,7 +40,7 @@ TEST_F(BeyondThePaper, AsksQuestionsThatAreValidAndPublishesTheAnswersToThem) {
   for (const fs::path& file : files()) {
     const auto validated = rocking("validate '" + (experiments / file).string() + "' --json");
     EXPECT_EQ(validated.exit_code, 0) << file << validated.errors;
-    fs::path report = reports / file;
+    fs::path report = published_reports / file;
     const auto published = rocking::report::Json::parse(text_of(report.replace_extension() / "report.json"));
     EXPECT_EQ(published["input"]["sha256"], rocking::report::Json::parse(validated.output)["sha256"]) << file;
   }
@@ -53,7 +53,7 @@ TEST_F(BeyondThePaper, IsWrittenUpByTheScriptFromThePublishedReports) {
 }
 
 TEST_F(BeyondThePaper, PublishesFragilityAsTheFormatSays) {
-  EXPECT_EQ(objections("fragility", text_of(reports / "fragility.json")), "");
+  EXPECT_EQ(objections("fragility", text_of(published_reports / "fragility.json")), "");
 }
 
 }  // namespace

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string experiments = ROCKING_SOURCE_DIR "/experiments/jeong_yang_2012";
+const std::string questions = ROCKING_SOURCE_DIR "/experiments/jeong_yang_2012";
 const std::string published = ROCKING_SOURCE_DIR "/reports/jeong_yang_2012";
 
 class JeongYang : public rocking::support::ProgramTest {
@@ -21,18 +21,18 @@ class JeongYang : public rocking::support::ProgramTest {
   }
 
   rocking::support::Outcome python(const std::string& script) const {
-    return shell("PYTHONPATH='" + experiments + "' python3 -B - <<'END'\n" + script + "\nEND");
+    return shell("PYTHONPATH='" + questions + "' python3 -B - <<'END'\n" + script + "\nEND");
   }
 };
 
 TEST_F(JeongYang, PublishedWordsAreWhatTheScriptMakesOfThePublishedResults) {
-  const auto checked = shell("exec python3 -B '" + experiments + "/write.py' '" + published + "' --check");
+  const auto checked = shell("exec python3 -B '" + questions + "/write.py' '" + published + "' --check");
   EXPECT_EQ(checked.exit_code, 0) << checked.errors;
 }
 
 TEST_F(JeongYang, ExperimentFilesAreAllValid) {
   int files = 0;
-  for (const auto& entry : fs::directory_iterator(experiments)) {
+  for (const auto& entry : fs::directory_iterator(questions)) {
     if (entry.path().extension() != ".json") continue;
     ++files;
     const auto outcome = rocking("validate -q '" + entry.path().string() + "'");
@@ -74,7 +74,7 @@ import json, subprocess
 from published import RUNS, read
 for name in RUNS:
     text = subprocess.run([")" ROCKING_PROGRAM R"(", "validate", ")" +
-                              experiments + R"(/" + name + ".json", "--json"],
+                              questions + R"(/" + name + ".json", "--json"],
                           capture_output=True, check=True).stdout
     asked = json.loads(text)
     asked = asked.get("experiment", asked)

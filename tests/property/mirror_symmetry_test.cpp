@@ -20,7 +20,7 @@ using property::Scene;
 using property::with_simulation;
 using support::SplitMix;
 
-Scene random_scene(std::uint64_t number) {
+Scene random_setting(std::uint64_t number) {
   SplitMix draw(number + 1'000'000);
   Scene scene;
   scene.stage.block.height = std::exp2(draw.uniform(-0.5, 3.5));
@@ -81,7 +81,7 @@ Account account_of(const Scene& scene) {
 TEST(MirrorImage, OfAMotionIsTheMotionOfTheMirrorImageToTheBit) {
   for (std::uint64_t number = 0; number < 600; ++number) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, "scene " + std::to_string(number));
-    const Scene scene = random_scene(number);
+    const Scene scene = random_setting(number);
     const Account one = account_of(scene);
     const Account other = account_of(mirrored(scene));
     ASSERT_EQ(one.log.story(), other.log.story());

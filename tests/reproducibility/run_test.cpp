@@ -26,7 +26,7 @@ Condition condition_at(double amplitude, std::uint64_t realisations) {
 }
 
 /// Four conditions of unlike cost: friction that fluctuates, an odd number of realisations, a random start, nothing random.
-Experiment experiment() {
+Experiment four_conditions() {
   Experiment question;
   question.seed = 0x2012;
   Condition fluctuating = condition_at(4.5, 12);
@@ -45,7 +45,7 @@ Experiment experiment() {
 ExperimentResult result_with(unsigned threads) {
   RunOptions options;
   options.threads = threads;
-  auto result = run(experiment(), options);
+  auto result = run(four_conditions(), options);
   EXPECT_TRUE(result.has_value());
   return std::move(*result);
 }
@@ -103,7 +103,7 @@ TEST(Run, GivesTheSameResultWithAnyNumberOfThreads) {
 
 // Realised backwards, last condition first, and put together in their order: the digest of the run.
 TEST(Run, HasTheDigestOfRealisationsMadeInAnyOrder) {
-  const Experiment question = experiment();
+  const Experiment question = four_conditions();
   std::vector<base::Sha256> conditions(question.conditions.size());
   for (std::size_t i = question.conditions.size(); i-- > 0;) {
     const Condition& condition = question.conditions[i];
@@ -121,7 +121,7 @@ TEST(Run, HasTheDigestOfRealisationsMadeInAnyOrder) {
 }
 
 TEST(Run, DependsOnItsSeed) {
-  Experiment question = experiment();
+  Experiment question = four_conditions();
   question.seed = 0x2013;
   EXPECT_NE(run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr})->digest, result_with(2).digest);
 }
@@ -137,7 +137,7 @@ TEST(Run, RunsOneRealisationWhereNothingIsRandom) {
 TEST(Run, GivesNothingWhereItIsAskedToStop) {
   for (const unsigned threads : {1U, 2U, 7U}) {
     const std::atomic<bool> stop{true};
-    EXPECT_FALSE(run(experiment(), {.threads = threads, .on_progress = {}, .stop_requested = &stop}).has_value());
+    EXPECT_FALSE(run(four_conditions(), {.threads = threads, .on_progress = {}, .stop_requested = &stop}).has_value());
   }
 }
 
@@ -148,7 +148,7 @@ TEST(Run, GivesNothingWhereItIsStoppedHalfWay) {
     last = done;
     if (done >= 4) stop = true;
   };
-  EXPECT_FALSE(run(experiment(), {.threads = 2, .on_progress = watch, .stop_requested = &stop}).has_value());
+  EXPECT_FALSE(run(four_conditions(), {.threads = 2, .on_progress = watch, .stop_requested = &stop}).has_value());
   EXPECT_GE(last, 4U);
   EXPECT_LT(last, 31U);
 }
@@ -162,7 +162,7 @@ TEST(Run, ReportsItsProgressUpToTheEnd) {
     last = done;
     total = all;
   };
-  ASSERT_TRUE(run(experiment(), {.threads = 7, .on_progress = watch, .stop_requested = nullptr}).has_value());
+  ASSERT_TRUE(run(four_conditions(), {.threads = 7, .on_progress = watch, .stop_requested = nullptr}).has_value());
   EXPECT_TRUE(rises);
   EXPECT_EQ(last, 12U + 7U + 11U + 1U);
   EXPECT_EQ(total, last);
@@ -170,7 +170,7 @@ TEST(Run, ReportsItsProgressUpToTheEnd) {
 
 TEST(Run, RepeatsAsManyRealisationsAsItIsAskedTo) {
   for (const auto& [every, repeated] : {std::pair{0U, 0U}, {1U, 12U}, {5U, 3U}, {100U, 1U}}) {
-    Experiment question = experiment();
+    Experiment question = four_conditions();
     for (Condition& condition : question.conditions) condition.repeat_every = every;
     const auto result = run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
     EXPECT_EQ(result->conditions[0].non_recurrence->arithmetic_flips.trials, repeated);
@@ -180,7 +180,7 @@ TEST(Run, RepeatsAsManyRealisationsAsItIsAskedTo) {
 
 // Under a longer horizon each checked realisation is what a run of that horizon calls it.
 TEST(Run, ChecksLabelsByALongerRunOfTheSameDraws) {
-  Experiment question = experiment();
+  Experiment question = four_conditions();
   question.conditions.resize(1);
   Experiment longer = question;
   longer.conditions[0].horizon.sampled_periods *= 3;
@@ -206,7 +206,7 @@ TEST(Run, ChecksLabelsByALongerRunOfTheSameDraws) {
 
 TEST(Run, CountsEveryRealisationOnce) {
   const ExperimentResult result = result_with(7);
-  const Experiment question = experiment();
+  const Experiment question = four_conditions();
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     std::uint64_t counted = 0;
     for (const ModeEstimate& mode : result.conditions[i].modes) counted += mode.probability.counts.successes;

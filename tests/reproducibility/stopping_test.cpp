@@ -29,8 +29,6 @@ Experiment experiment(double half_width, std::uint64_t at_most) {
   return question;
 }
 
-const Identity whole{.experiment = "", .code = "", .files = "", .shard = {}};
-
 ExperimentResult result_with(const Experiment& question, unsigned threads) {
   return run(question, {.threads = threads, .on_progress = {}, .stop_requested = nullptr}).value();
 }
@@ -92,7 +90,7 @@ TEST(Until, StopsAtTheSameNumberWithAnyNumberOfThreads) {
 TEST(Until, StopsAtTheSameNumberWhereverItWasInterrupted) {
   const Experiment question = experiment(0.1, 5000);
   const ExperimentResult alone = result_with(question, 1);
-  Store store = Store::in_memory(whole);
+  Store store = Store::in_memory({.experiment = "", .code = "", .files = "", .shard = {}});
   std::uint64_t stops = 0;
   RunEnd end = RunEnd::stopped;
   while (end == RunEnd::stopped) {

@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
 
-Experiment experiment() {
+Experiment three_conditions() {
   Experiment question;
   question.seed = 0x2012;
   for (const double amplitude : {3.6, 4.5, 9.0}) {
@@ -39,13 +39,13 @@ RunOptions threads(unsigned count) { return {.threads = count, .on_progress = {}
 
 Store undisturbed() {
   Store store = Store::in_memory(whole);
-  EXPECT_EQ(run(experiment(), store, threads(1)), RunEnd::complete);
+  EXPECT_EQ(run(three_conditions(), store, threads(1)), RunEnd::complete);
   return store;
 }
 
 Store shard(std::uint64_t part, std::uint64_t parts) {
   Store store = Store::in_memory({.experiment = "", .code = "", .files = "", .shard = Shard{part, parts}});
-  EXPECT_EQ(run(experiment(), store, threads(2)), RunEnd::complete);
+  EXPECT_EQ(run(three_conditions(), store, threads(2)), RunEnd::complete);
   return store;
 }
 
@@ -66,7 +66,7 @@ TEST(StoredRun, IsTheSameWithAnyNumberOfThreads) {
   const Store alone = undisturbed();
   for (const unsigned count : {2U, 7U, 16U}) {
     Store together = Store::in_memory(whole);
-    ASSERT_EQ(run(experiment(), together, threads(count)), RunEnd::complete);
+    ASSERT_EQ(run(three_conditions(), together, threads(count)), RunEnd::complete);
     expect_same_rows(alone, together);
   }
 }
@@ -81,18 +81,18 @@ TEST(StoredRun, IsTheSameWhereverItWasStoppedAndResumed) {
       std::atomic<bool> stop{false};
       std::uint64_t calls = 0;
       const auto watch = [&](std::uint64_t, std::uint64_t) { stop = ++calls >= first_stop + stops; };
-      end = run(experiment(), store, {.threads = 2, .on_progress = watch, .stop_requested = &stop});
+      end = run(three_conditions(), store, {.threads = 2, .on_progress = watch, .stop_requested = &stop});
       ASSERT_LT(++stops, 50U);
     }
     expect_same_rows(alone, store);
-    EXPECT_EQ(result_of(experiment(), store)->digest, result_of(experiment(), alone)->digest);
+    EXPECT_EQ(result_of(three_conditions(), store)->digest, result_of(three_conditions(), alone)->digest);
   }
 }
 
 TEST(StoredRun, HasNoResultUntilNothingIsMissing) {
   const Store part = shard(1, 2);
-  EXPECT_FALSE(result_of(experiment(), part).has_value());
-  EXPECT_TRUE(result_of(experiment(), undisturbed()).has_value());
+  EXPECT_FALSE(result_of(three_conditions(), part).has_value());
+  EXPECT_TRUE(result_of(three_conditions(), undisturbed()).has_value());
 }
 
 TEST(Shards, GiveTheWholeInAnyOrder) {
@@ -129,13 +129,13 @@ TEST(Shards, AreToldWhereTheyDisagree) {
 
 TEST(Verification, FindsEveryRealisationThatIsNotWhatTheProgramGives) {
   Store store = undisturbed();
-  EXPECT_EQ(verify(experiment(), store, {}, threads(2)).different, 0U);
+  EXPECT_EQ(verify(three_conditions(), store, {}, threads(2)).different, 0U);
   for (const RealisationKey key : {RealisationKey{0, 12}, {2, 1}}) {
     Summary changed = store.find(key).value();
     changed.mode = section::periodic(5, 7);
     store.add(key, changed);
   }
-  const Verification found = verify(experiment(), store, {}, threads(2));
+  const Verification found = verify(three_conditions(), store, {}, threads(2));
   EXPECT_EQ(found.checked, 39U);
   ASSERT_EQ(found.different, 2U);
   EXPECT_EQ(found.differences[0].key, (RealisationKey{0, 12}));
@@ -146,12 +146,12 @@ TEST(Verification, FindsEveryRealisationThatIsNotWhatTheProgramGives) {
 TEST(Verification, TakesASampleFromTheWholeExperiment) {
   const Store store = undisturbed();
   for (const std::uint64_t sample : {1U, 6U, 17U}) {
-    const Verification found = verify(experiment(), store, sample, threads(2));
+    const Verification found = verify(three_conditions(), store, sample, threads(2));
     EXPECT_GE(found.checked, sample);
     EXPECT_LE(found.checked, sample + 1);
     EXPECT_EQ(found.different, 0U);
   }
-  EXPECT_EQ(verify(experiment(), store, 1000, threads(2)).checked, 39U);
+  EXPECT_EQ(verify(three_conditions(), store, 1000, threads(2)).checked, 39U);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 
 #include "rocking/stats/paired.hpp"
 
+namespace paired {
 namespace {
 
 using namespace rocking::stats;
@@ -155,3 +156,4 @@ TEST(PairedCoverageTable, InTheDocumentsIsWhatComesOut) {
 }
 
 }  // namespace
+}  // namespace paired

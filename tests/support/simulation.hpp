@@ -40,6 +40,10 @@ struct Stage {
   [[nodiscard]] double amplitude_for(double peak) const { return peak / geometry().shape_angle; }
 };
 
+inline const double psi = Stage{}.geometry().shape_angle;  ///< of a stage's own block
+inline constexpr double quarter = 0.5 * std::numbers::pi;  ///< phase at which the base pushes hardest to the right
+inline constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< likewise to the left
+
 /// A block on its stage, with the log of what it does. Strobe points a whole number of periods after tau = 0.
 template <dynamics::CoefficientSource Coefficients, dynamics::BaseExcitation Excitation = dynamics::HarmonicExcitation>
 class Simulation {

@@ -11,6 +11,9 @@
 
 namespace rocking::support {
 
+/// How near two strobe points count as one, in tests that know no better.
+inline constexpr double resolution = 1e-7;
+
 /// How a made-up response wanders about its orbit: x' = memory R(angle) x + noise, per period, with the stationary
 /// standard deviation `scatter` in Theta and `stretch` times that in Theta'.
 struct Wander {
@@ -55,7 +58,8 @@ inline Synthetic random_orbit(int n, int m, double gap, SplitMix& draw) {
   while (made.orbit.size() < static_cast<std::size_t>(n)) {
     const section::StrobePoint p{draw.uniform(-0.6, 0.6), draw.uniform(-1.2, 1.2), 0.0};
     bool clear = std::hypot(p.tilt, p.tilt_rate) > 0.1;
-    for (const auto& q : made.orbit) clear = clear && std::hypot(p.tilt - q.tilt, 0.5 * (p.tilt_rate - q.tilt_rate)) > gap;
+    for (const auto& q : made.orbit)
+      clear = clear && std::hypot(p.tilt - q.tilt, 0.5 * (p.tilt_rate - q.tilt_rate)) > gap;
     if (clear) made.orbit.push_back(p);
   }
   made.impacts.assign(static_cast<std::size_t>(n), 0);

@@ -15,11 +15,10 @@ namespace rocking::dynamics {
 namespace {
 
 using support::LoggedEvent;
+using support::psi;
 using support::ScriptedCoefficients;
 using support::Stage;
 using ScriptedRun = support::Simulation<ScriptedCoefficients>;
-
-const double psi = Stage{}.geometry().shape_angle;
 
 /// Time a hop thrown up at `rate` takes on a still base: phi'' = sin(phi), from phi = psi up and back.
 ///
@@ -85,7 +84,8 @@ TEST(Chatter, UnderASteadyPushHasTheDocumentedTimeError) {
   for (int step = 0; step < 10'000 && find(run.log, EventKind::to_rest) == nullptr; ++step) {
     integrate::LoopCounts counts;
     const double length = run.motion.expand(run.motion.time_to_breakpoint());
-    const auto [time, fired] = integrate::first_loss(run.motion, length, integrate::guards_in_doubt(run.motion, length), counts);
+    const auto [time, fired] =
+        integrate::first_loss(run.motion, length, integrate::guards_in_doubt(run.motion, length), counts);
     run.motion.move(time);
     run.motion.reset(fired, false);
   }
@@ -178,10 +178,8 @@ TEST(Chatter, ThatIsOneImpactGoesOnWhereKineticFrictionTips) {
   const double e = 0.5 * (1.0 / (3.0 * q) - 1.0);                               // delta = 0 but for rounding
   for (int ulp = -8; ulp <= 8; ++ulp) {
     const double restitution = e + ulp * 0x1p-53;
-    const ImpactConditions before{.tilt_rate = 0.01,
-                                  .slip_rate = 1.0,
-                                  .restitution = restitution,
-                                  .static_friction = 0.31};
+    const ImpactConditions before{
+        .tilt_rate = 0.01, .slip_rate = 1.0, .restitution = restitution, .static_friction = 0.31};
     if (slipping_impact(before, mu_k, block).tilt_rate != 0.0) continue;
     ScriptedRun run({.start = {.tilt = -1e-17, .tilt_rate = 0.01, .slip_rate = 1.0}},
                     {.statics = {0.31}, .kinetics = {mu_k}, .restitutions = {restitution, 0.0}});

@@ -12,12 +12,11 @@
 namespace rocking::dynamics {
 namespace {
 
+using support::quarter;
 using support::ScriptedCoefficients;
 using support::Stage;
+using support::three_quarters;
 using ScriptedRun = support::Simulation<ScriptedCoefficients>;
-
-constexpr double quarter = 0.5 * std::numbers::pi;         ///< phase at which the base pushes hardest to the right
-constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< to the left
 
 /// Amplitude of a base acceleration with the given peak, in g.
 double peak(double acceleration) { return Stage{}.amplitude_for(acceleration); }

@@ -14,12 +14,11 @@ namespace rocking::dynamics {
 namespace {
 
 using support::LoggedEvent;
+using support::psi;
 using support::ScriptedCoefficients;
 using support::Stage;
+using support::three_quarters;
 using ScriptedRun = support::Simulation<ScriptedCoefficients>;
-
-constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< phase at which the base pushes hardest to the left
-const double psi = Stage{}.geometry().shape_angle;
 
 /// The friction that rocking without slip needs right after an event, over N.
 double demand_after(const LoggedEvent& event, const Stage& stage, double amplitude) {

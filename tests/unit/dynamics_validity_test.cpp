@@ -13,11 +13,10 @@
 namespace rocking::dynamics {
 namespace {
 
+using support::psi;
 using support::ScriptedCoefficients;
 using support::Stage;
 using ScriptedRun = support::Simulation<ScriptedCoefficients>;
-
-const double psi = Stage{}.geometry().shape_angle;
 
 TEST(Overturning, IsTerminalAndPassesTheBalanceOnce) {
   for (const double side : {1.0, -1.0}) {
@@ -56,7 +55,8 @@ TEST(PastBalance, IsNotOverturning) {
   for (int step = 0; step < 1'000 && run.log.count(EventKind::impact_stick) == 0; ++step) {
     integrate::LoopCounts counts;
     const double length = run.motion.expand(run.motion.time_to_breakpoint());
-    const auto [time, fired] = integrate::first_loss(run.motion, length, integrate::guards_in_doubt(run.motion, length), counts);
+    const auto [time, fired] =
+        integrate::first_loss(run.motion, length, integrate::guards_in_doubt(run.motion, length), counts);
     run.motion.move(time);
     run.motion.reset(fired, false);
   }

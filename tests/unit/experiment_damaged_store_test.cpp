@@ -19,14 +19,14 @@ namespace fs = std::filesystem;
 using sqlite::Access;
 using ::testing::HasSubstr;
 
-const Identity identity{.experiment = "{\"a\": 1}", .code = "1 abc", .files = "/records", .shard = {}};
-constexpr std::uint64_t realisations = 300;
+const Identity the_identity{.experiment = "{\"a\": 1}", .code = "1 abc", .files = "/records", .shard = {}};
+constexpr std::uint64_t stored = 300;
 
-Experiment experiment() {
+Experiment small_experiment() {
   Experiment question;
   question.conditions.resize(2);
   for (Condition& condition : question.conditions) {
-    condition.realisations = realisations;
+    condition.realisations = stored;
     condition.scene.initial.tilt = Uniform{.low = 0.0, .high = 0.1};
   }
   return question;
@@ -43,9 +43,9 @@ Summary summary_of(const RealisationKey& key) {
 class DamagedStore : public ::testing::Test {
  protected:
   DamagedStore() {
-    Store store = Store::create(path_, identity);
+    Store store = Store::create(path_, the_identity);
     for (std::uint64_t condition = 0; condition < 2; ++condition) {
-      for (std::uint64_t number = 0; number < realisations; ++number) {
+      for (std::uint64_t number = 0; number < stored; ++number) {
         store.add({condition, number}, summary_of({condition, number}));
       }
     }
@@ -63,12 +63,11 @@ class DamagedStore : public ::testing::Test {
     try {
       const Store damaged = Store::open(path_, Access::read);
       Store mended = Store::in_memory(damaged.identity());
-      const std::uint64_t kept = salvage(experiment(), damaged, mended);
+      const std::uint64_t kept = salvage(small_experiment(), damaged, mended);
       mended.for_each([](const RealisationKey& key, const Summary& summary) {
         EXPECT_TRUE(differing_fields(summary, summary_of(key)).empty()) << key.condition << ' ' << key.realisation;
       });
-      EXPECT_TRUE(damaged.damage().has_value() || kept == 2 * realisations)
-          << "something is missing, and nothing is told";
+      EXPECT_TRUE(damaged.damage().has_value() || kept == 2 * stored) << "something is missing, and nothing is told";
       return kept;
     } catch (const sqlite::UnusableFile& error) {
       EXPECT_THAT(error.what(), HasSubstr(path_.string()));
@@ -84,7 +83,7 @@ class DamagedStore : public ::testing::Test {
 
 TEST_F(DamagedStore, IsNotToldOfASoundOne) {
   EXPECT_EQ(Store::open(path_, Access::read).damage(), std::nullopt);
-  EXPECT_EQ(salvaged(), 2 * realisations);
+  EXPECT_EQ(salvaged(), 2 * stored);
 }
 
 TEST_F(DamagedStore, GivesNoWrongRowWhereverABitTurns) {
@@ -100,10 +99,10 @@ TEST_F(DamagedStore, GivesNoWrongRowWhereverABitTurns) {
     put(changed);
     const std::uint64_t kept = salvaged().value_or(0);
     kept_in_all += kept;
-    whole += kept == 2 * realisations ? 1 : 0;
+    whole += kept == 2 * stored ? 1 : 0;
   }
   EXPECT_LT(whole, trials / 2) << "bits that turn in rows must cost a row";
-  EXPECT_GT(kept_in_all, trials * 2 * realisations * 8 / 10) << "a bit costs a row or a page, not the store";
+  EXPECT_GT(kept_in_all, trials * 2 * stored * 8 / 10) << "a bit costs a row or a page, not the store";
 }
 
 TEST_F(DamagedStore, KeepsWhatStandsBehindALostPage) {
@@ -112,8 +111,8 @@ TEST_F(DamagedStore, KeepsWhatStandsBehindALostPage) {
   changed.replace(4096 * (pages / 2), 4096, std::string(4096, '\0'));
   put(changed);
   const std::uint64_t kept = salvaged().value();
-  EXPECT_LT(kept, 2 * realisations);
-  EXPECT_GT(kept, 2 * realisations - 100);
+  EXPECT_LT(kept, 2 * stored);
+  EXPECT_GT(kept, 2 * stored - 100);
   const Store damaged = Store::open(path_, Access::read);
   EXPECT_THAT(damaged.damage().value(), HasSubstr("is damaged"));
 }
@@ -127,10 +126,10 @@ TEST_F(DamagedStore, KeepsWhatIsLeftOfACutFile) {
     restore_length(path_);
     const std::uint64_t kept = salvaged().value_or(0);
     EXPECT_GE(kept, before) << tenth;
-    EXPECT_LT(kept, 2 * realisations) << tenth;
+    EXPECT_LT(kept, 2 * stored) << tenth;
     before = kept;
   }
-  EXPECT_GT(before, 2 * realisations * 8 / 10);
+  EXPECT_GT(before, 2 * stored * 8 / 10);
 }
 
 TEST_F(DamagedStore, OfTheRightLengthKeepsIt) {
@@ -161,8 +160,8 @@ TEST_F(DamagedStore, LosesOnlyLaterCommitsWhereABitOfTheLogTurns) {
   fs::remove(path_);
   std::string log;
   {
-    Store store = Store::create(path_, identity);
-    for (std::uint64_t number = 0; number < realisations; ++number) {
+    Store store = Store::create(path_, the_identity);
+    for (std::uint64_t number = 0; number < stored; ++number) {
       store.add({0, number}, summary_of({0, number}));
       if (number % 50 == 49) store.commit();
     }
@@ -184,7 +183,7 @@ TEST_F(DamagedStore, LosesOnlyLaterCommitsWhereABitOfTheLogTurns) {
       EXPECT_TRUE(differing_fields(summary, summary_of(key)).empty());
     });
     EXPECT_EQ(left % 50, 0U);
-    EXPECT_LT(left, realisations);
+    EXPECT_LT(left, stored);
   }
 }
 
@@ -222,7 +221,7 @@ class NoSharedMemory {
 TEST(WithoutSharedMemory, AStoreKeepsItsRowsTheOtherWay) {
   const support::TemporaryFolder folder;
   const NoSharedMemory here;
-  Store store = Store::create(folder / "a.sqlite", identity);
+  Store store = Store::create(folder / "a.sqlite", the_identity);
   EXPECT_EQ(store.journalling(), Journalling::rollback);
   store.add({0, 0}, summary_of({0, 0}));
   store.commit();
@@ -237,7 +236,7 @@ TEST(WithoutSharedMemory, AStoreKeepsItsRowsTheOtherWay) {
 TEST(WithoutSharedMemory, AStoreThatWasKilledElsewhereIsReadWithItsLog) {
   const support::TemporaryFolder folder;
   {
-    Store store = Store::create(folder / "a.sqlite", identity);
+    Store store = Store::create(folder / "a.sqlite", the_identity);
     EXPECT_EQ(store.journalling(), Journalling::write_ahead);
     store.add({0, 0}, summary_of({0, 0}));
     store.commit();

@@ -11,13 +11,13 @@ namespace rocking::experiment {
 namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
-const random::Draws draws(7, 0);
+const random::Draws draws_of_start(7, 0);
 
 TEST(Start, WrapsThePhaseIntoOnePeriod) {
   for (const double phase : {0.0, 1.0, 6.28, -1.0, 7.0, -two_pi, two_pi, 100.0, -1e-20, 3.0 * two_pi, 1e6}) {
     Scene scene;
     scene.excitation.phase = phase;
-    const double wrapped = start_of(scene, draws).phase;
+    const double wrapped = start_of(scene, draws_of_start).phase;
     EXPECT_GE(wrapped, 0.0) << phase;
     EXPECT_LT(wrapped, two_pi) << phase;
     EXPECT_NEAR(std::sin(wrapped), std::sin(phase), 1e-15 * std::fmax(1.0, std::abs(phase))) << phase;
@@ -29,14 +29,14 @@ TEST(Start, LeavesAPhaseWithinThePeriodAsItIs) {
   for (const double phase : {0.0, 1e-300, 1.0, 3.0, 6.2831853}) {
     Scene scene;
     scene.excitation.phase = phase;
-    EXPECT_EQ(start_of(scene, draws).phase, phase);
+    EXPECT_EQ(start_of(scene, draws_of_start).phase, phase);
   }
 }
 
 TEST(Start, TurnsTiltsIntoRadians) {
   Scene scene;
   scene.initial = {.tilt = 0.5, .tilt_rate = -2.0, .slip_rate = 0.25};
-  const Start start = start_of(scene, draws);
+  const Start start = start_of(scene, draws_of_start);
   const double psi = dynamics::geometry_of(scene.block).shape_angle;
   EXPECT_EQ(start.state.tilt, 0.5 * psi);
   EXPECT_EQ(start.state.tilt_rate, -2.0 * psi);
@@ -64,7 +64,7 @@ TEST(Start, DrawsEachLawFromItsOwnSource) {
 TEST(Start, IsDrawnAloneWhereOneQuantityIsALaw) {
   Scene scene;
   scene.initial.tilt = Uniform{-0.5, 0.5};
-  EXPECT_EQ(start_of(scene, draws).draws, 1U);
+  EXPECT_EQ(start_of(scene, draws_of_start).draws, 1U);
   EXPECT_TRUE(is_random(scene));
   EXPECT_FALSE(is_random(Scene{}));
 }

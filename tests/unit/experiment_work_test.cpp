@@ -11,7 +11,7 @@ namespace rocking::experiment {
 namespace {
 
 /// Conditions with 5, 1 (nothing random) and 4 realisations.
-Experiment experiment() {
+Experiment three_conditions() {
   Experiment question;
   for (const std::uint64_t realisations : {5U, 9U, 4U}) {
     Condition condition;
@@ -31,7 +31,7 @@ Pairs drained(WorkList work) {
 }
 
 TEST(WorkList, HasEveryPairOnce) {
-  const WorkList work(experiment(), {});
+  const WorkList work(three_conditions(), {});
   EXPECT_EQ(work.all(), 10U);
   EXPECT_EQ(drained(work), (Pairs{{0, 0}, {0, 2}, {0, 4}, {1, 0}, {2, 0}, {2, 2}}));
 }
@@ -41,31 +41,31 @@ TEST(WorkList, IsCutIntoShardsWithoutGapOrOverlap) {
     Pairs together;
     std::uint64_t realisations = 0;
     for (std::uint64_t part = 1; part <= parts; ++part) {
-      const WorkList work(experiment(), Shard{.part = part, .parts = parts});
+      const WorkList work(three_conditions(), Shard{.part = part, .parts = parts});
       realisations += work.all();
       for (const auto& pair : drained(work)) EXPECT_TRUE(together.insert(pair).second);
     }
-    EXPECT_EQ(together, drained(WorkList(experiment(), {})));
+    EXPECT_EQ(together, drained(WorkList(three_conditions(), {})));
     EXPECT_EQ(realisations, 10U);
   }
 }
 
 TEST(WorkList, LeavesOutWhatIsDone) {
-  WorkList work(experiment(), {});
+  WorkList work(three_conditions(), {});
   for (const RealisationKey key : {RealisationKey{0, 0}, {0, 1}, {0, 4}, {2, 2}}) work.mark_done(key);
   EXPECT_EQ(work.done(), 4U);
   EXPECT_EQ(drained(work), (Pairs{{0, 2}, {1, 0}, {2, 0}, {2, 2}})) << "half a pair is no pair";
 }
 
 TEST(WorkList, CountsNoRealisationTwice) {
-  WorkList work(experiment(), {});
+  WorkList work(three_conditions(), {});
   for (int i = 0; i < 3; ++i) work.mark_done({0, 3});
   EXPECT_EQ(work.done(), 1U);
   EXPECT_FALSE(work.is_complete());
 }
 
 TEST(WorkList, CountsNothingOfOthersShards) {
-  WorkList work(experiment(), Shard{.part = 1, .parts = 2});
+  WorkList work(three_conditions(), Shard{.part = 1, .parts = 2});
   const std::uint64_t all = work.all();
   for (std::uint64_t number = 0; number < 5; ++number) work.mark_done({0, number});
   work.mark_done({1, 0});

@@ -31,7 +31,7 @@ experiment::GroundMotion read(std::string_view text, std::optional<double> time_
   return motion.value_or(experiment::GroundMotion{});
 }
 
-report::Problems problems_of(std::string_view text, std::optional<double> time_step = {}) {
+report::Problems problems_of_record(std::string_view text, std::optional<double> time_step = {}) {
   report::Problems problems;
   EXPECT_FALSE(report::read_record(text, {.name = "r.txt", .time_step = time_step, .gravity = g}, problems));
   return problems;
@@ -91,7 +91,7 @@ class RecordFault : public ::testing::TestWithParam<BadRecord> {};
 
 TEST_P(RecordFault, IsToldWithFileLineValueReasonAndRemedy) {
   const BadRecord& bad = GetParam();
-  const auto problems = problems_of(bad.text, bad.time_step);
+  const auto problems = problems_of_record(bad.text, bad.time_step);
   ASSERT_EQ(problems.size(), 1U) << base::InputError(problems).what();
   EXPECT_EQ(problems[0].place, bad.place);
   EXPECT_EQ(problems[0].value, bad.value);
@@ -128,22 +128,22 @@ INSTANTIATE_TEST_SUITE_P(Whole, RecordFault,
                                            BadRecord{"1 1\n1 2\n", {}, "r.txt", "", "no time", "different"}));
 
 TEST(RecordFault, OfTheColumnsPointsAtTheTimeStep) {
-  EXPECT_THAT(problems_of("1\n2\n")[0].remedy, HasSubstr("set \"time_step_s\""));
-  EXPECT_THAT(problems_of("0 1 2\n", 0.1)[0].remedy, HasSubstr("leave out \"time_step_s\""));
+  EXPECT_THAT(problems_of_record("1\n2\n")[0].remedy, HasSubstr("set \"time_step_s\""));
+  EXPECT_THAT(problems_of_record("0 1 2\n", 0.1)[0].remedy, HasSubstr("leave out \"time_step_s\""));
 }
 
 TEST(RecordFault, IsToldForEveryLineButNotForThousands) {
-  EXPECT_EQ(problems_of("a b\n0 1\nc d\n0 x\n").size(), 3U);
+  EXPECT_EQ(problems_of_record("a b\n0 1\nc d\n0 x\n").size(), 3U);
   std::string bad;
   for (int i = 0; i < 10'000; ++i) bad += "x\n";
-  EXPECT_EQ(problems_of(bad, 0.1).size(), 20U);
+  EXPECT_EQ(problems_of_record(bad, 0.1).size(), 20U);
 }
 
 TEST(RecordFault, IsARecordOfMoreThanAMillionSamples) {
   std::string text;
   for (std::size_t i = 0; i < report::most_samples; ++i) text += "0\n";
   EXPECT_EQ(read(text, 0.001).samples.size(), report::most_samples);
-  EXPECT_THAT(problems_of(text + "0\n", 0.001)[0].reason, HasSubstr("more than 1000000"));
+  EXPECT_THAT(problems_of_record(text + "0\n", 0.001)[0].reason, HasSubstr("more than 1000000"));
 }
 
 // ---- what an experiment makes of a record

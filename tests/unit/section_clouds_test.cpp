@@ -10,7 +10,7 @@
 namespace rocking::section {
 namespace {
 
-constexpr double resolution = 1e-7;
+using support::resolution;
 
 std::vector<PlanePoint> normal_cloud(std::size_t count, support::SplitMix& draw) {
   std::vector<PlanePoint> points;

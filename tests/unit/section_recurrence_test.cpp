@@ -10,7 +10,7 @@
 namespace rocking::section {
 namespace {
 
-constexpr double resolution = 1e-7;
+using support::resolution;
 
 std::vector<Period> noise_free(int n, int m, std::size_t count, std::uint64_t seed) {
   support::SplitMix draw(seed);

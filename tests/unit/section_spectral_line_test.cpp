@@ -9,12 +9,12 @@
 #include <gtest/gtest.h>
 
 #include "rocking/section/period.hpp"
-#include "support/split_mix.hpp"
+#include "support/synthetic_response.hpp"
 
 namespace rocking::section {
 namespace {
 
-constexpr double resolution = 1e-7;
+using support::resolution;
 
 std::vector<PlanePoint> white_noise(std::size_t count, support::SplitMix& draw) {
   std::vector<PlanePoint> points;

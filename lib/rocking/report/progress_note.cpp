@@ -5,13 +5,13 @@
 namespace rocking::report {
 namespace {
 
-constexpr const char* format = "rocking.progress/1";
+constexpr const char* format_of_note = "rocking.progress/1";
 
 }  // namespace
 
 std::string to_text(const ProgressNote& note) {
   Json json = Json::object();
-  json["format"] = format;
+  json["format"] = format_of_note;
   json["process"] = note.process;
   json["elapsed_s"] = note.elapsed_s;
   json["done_before"] = note.done_before;
@@ -22,7 +22,7 @@ std::string to_text(const ProgressNote& note) {
 
 std::optional<ProgressNote> read_progress_note(std::string_view text) {
   const Json json = Json::parse(text, nullptr, false);
-  if (!json.is_object() || json.value("format", "") != format) return std::nullopt;
+  if (!json.is_object() || json.value("format", "") != format_of_note) return std::nullopt;
   for (const char* key : {"process", "done_before", "done", "all"}) {
     if (!json.contains(key) || !json[key].is_number_unsigned()) return std::nullopt;
   }

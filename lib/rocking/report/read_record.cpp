@@ -10,7 +10,7 @@ namespace rocking::report {
 namespace {
 
 constexpr std::size_t most_bad_lines = 20;
-constexpr double longest = 1e7;  // [s]; far beyond any shaking, and safe from overflow when counted in periods
+constexpr double longest_record = 1e7;  // [s]; far beyond any shaking, and safe from overflow when counted in periods
 constexpr double largest_acceleration = 1e6;  // [m/s^2]
 
 bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
@@ -133,11 +133,11 @@ class RecordReader {
   }
 
   [[nodiscard]] bool is_time(double time) {
-    if (how_.time_step && time > longest) {
+    if (how_.time_step && time > longest_record) {
       reject_line(fields_[0], "comes later than 1e7 s", "check \"time_step_s\", or give a shorter record");
       return false;
     }
-    if (!(0.0 <= time && time <= longest)) {
+    if (!(0.0 <= time && time <= longest_record)) {
       reject_line(fields_[0], "is no time that a run can have, from 0 to 1e7 s", "let the record begin at 0 s");
       return false;
     }

@@ -32,7 +32,7 @@ double smirnov_term(double z, double low, double high) {
 
 /// P(A^2 >= z) for n = infinity. Below 2 to 2e-6, by Marsaglia & Marsaglia (2004), constants as printed. From there on
 /// to 1e-12 of itself, by Smirnov's series for A^2 = sum Y_j^2/(j (j + 1)), whose third term is below exp(-15 z).
-double limiting_tail(double z) {
+double limiting_tail_of_squares(double z) {
   if (z <= 0.0) return 1.0;
   if (z >= 2.0) return smirnov_term(z, 2.0, 6.0) - smirnov_term(z, 12.0, 20.0);
   const double polynomial =
@@ -59,7 +59,7 @@ double finite_sample_correction(double n, double x) {
 
 double anderson_darling_p_value(double statistic, std::size_t n) {
   ROCKING_EXPECT(n >= 1);
-  const double limit = limiting_tail(statistic);
+  const double limit = limiting_tail_of_squares(statistic);
   return std::clamp(limit - finite_sample_correction(static_cast<double>(n), 1.0 - limit), 0.0, 1.0);
 }
 

@@ -16,8 +16,6 @@
 namespace rocking::peer {
 namespace {
 
-constexpr double weight = 4.0 / 3.0;
-
 enum class Contact { rest, slide, rock, rock_slide };
 enum Watch : std::size_t { overturn, ground, standstill, grip_left, grip_right, balance, determinant, normal };
 

@@ -5,8 +5,6 @@
 namespace rocking::peer {
 namespace {
 
-constexpr double weight = 4.0 / 3.0;  // g/(R p^2)
-
 /// Newton's law across and along the base, Euler's about the centre of mass, for a trial value of w'.
 struct Trial {
   double normal;
@@ -36,7 +34,7 @@ Trial attempt(double w_dot, double inertia, const Pose& pose, double alpha, Fric
 }
 
 template <class FrictionLaw>
-Balance balance(double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
+Balance balance_under(double inertia, const Body& body, const Stance& stance, double alpha, FrictionLaw law) {
   const double phi = body.psi - std::abs(stance.theta);
   const Pose pose{stance.side * std::sin(phi), std::cos(phi), stance.w * stance.w};
   const double at_zero = attempt(0.0, inertia, pose, alpha, law).moment_left_over;
@@ -54,12 +52,12 @@ Body body_of(const Scene& scene) {
 }
 
 Balance sticking(const Body& body, const Stance& stance, double alpha) {
-  return balance(1.0 / 3.0, body, stance, alpha, [](double, double without_slip) { return without_slip; });
+  return balance_under(1.0 / 3.0, body, stance, alpha, [](double, double without_slip) { return without_slip; });
 }
 
 Balance sliding(const Body& body, const Stance& stance, double alpha, double direction, double mu_k) {
-  return balance(body.slip_inertia, body, stance, alpha,
-                 [=](double normal, double) { return -direction * mu_k * normal; });
+  return balance_under(body.slip_inertia, body, stance, alpha,
+                       [=](double normal, double) { return -direction * mu_k * normal; });
 }
 
 }  // namespace rocking::peer

@@ -4,6 +4,8 @@
 
 namespace rocking::peer {
 
+inline constexpr double weight = 4.0 / 3.0;  ///< g/(R p^2)
+
 /// What the laws of Newton and Euler need to know of a block. Lengths over R, inertia over m R^2.
 struct Body {
   double psi;

@@ -3,33 +3,9 @@
 #include <string>
 #include <string_view>
 
-#include <nlohmann/json.hpp>
-#include <valijson/adapters/nlohmann_json_adapter.hpp>
-#include <valijson/schema.hpp>
-#include <valijson/schema_parser.hpp>
-#include <valijson/validation_results.hpp>
-#include <valijson/validator.hpp>
-
-#include "rocking/report/schema.hpp"
-
 namespace rocking::support {
 
 /// What one of our schemas says against a document: a line for each objection, empty where there is none.
-inline std::string objections(std::string_view schema_name, std::string_view text) {
-  const auto schema_document = nlohmann::json::parse(report::schema_text(schema_name).value());
-  const auto document = nlohmann::json::parse(text);
-  valijson::Schema schema;
-  valijson::SchemaParser parser;
-  parser.populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);
-  valijson::Validator validator;
-  valijson::ValidationResults results;
-  if (validator.validate(schema, valijson::adapters::NlohmannJsonAdapter(document), &results)) return {};
-  std::string lines;
-  for (const auto& result : results) {
-    for (const std::string& part : result.context) lines += part;
-    lines += ": " + result.description + '\n';
-  }
-  return lines.empty() ? "refused" : lines;
-}
+[[nodiscard]] std::string objections(std::string_view schema_name, std::string_view text);
 
 }  // namespace rocking::support

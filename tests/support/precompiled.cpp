@@ -1,1 +1,0 @@
-// A unit for the precompiled headers to belong to.

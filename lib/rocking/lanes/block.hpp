@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "rocking/dynamics/guards.hpp"
-#include "rocking/dynamics/motion_series.hpp"
 
 namespace rocking::lanes {
 
@@ -28,8 +27,10 @@ struct alignas(64) Block {
   LaneRow strobes_left;   ///< before the run stands at its last one
   LaneRow steps;          ///< done in this lane
   LaneRow steps_since_strobe;
+  LaneRow root_isolations;  ///< in those steps, and in the last if it is left to the motion
 
   // What stays as it is while nothing happens.
+  LaneRow occupied;         ///< 1 in the lanes that are, else 0
   LaneRow strobe_time;      ///< within its period
   LaneRow break_period;     ///< of the instant until which the equations hold
   LaneRow break_time;       ///< within that; infinite if there is none
@@ -47,30 +48,24 @@ struct alignas(64) Block {
   LaneRow slip_sign;        ///< S s
 
   // What the last step was like.
-  LaneRow strobe_tilt;  ///< the state at the strobe instant, in the lanes that passed one
+  std::uint32_t quiet;    ///< lanes in which nothing happened: they were moved on
+  std::uint32_t arrived;  ///< of them, those that are at their breakpoint (brief steps only)
+  std::uint32_t strobed;  ///< lanes that passed a strobe point
+  LaneRow strobe_tilt;    ///< the state then
   LaneRow strobe_tilt_rate;
   LaneRow strobe_slip;
   LaneRow strobe_slip_rate;
-  std::uint32_t strobed;  ///< lanes that passed a strobe point
 
-  // And besides, where it was one in which nothing had to happen.
-  std::uint32_t quiet;    ///< lanes that were moved on
-  std::uint32_t arrived;  ///< of them, those that are at their breakpoint (brief steps only)
-
-  // And besides, where it was one in which something may have happened; the state is left as it was.
-  LaneRow length;    ///< of the step that was looked at
-  LaneRow duration;  ///< until the first event, or the end of the step
-  LaneRow end_tilt;  ///< the state then
+  // And in the lanes that were left where they were, since something happens in the step:
+  std::uint32_t alone;  ///< lanes whose step is no ordinary one after all
+  LaneRow length;       ///< of the step that was looked at
+  LaneRow duration;     ///< until the first event, or the end of the step
+  LaneRow end_tilt;     ///< the state then
   LaneRow end_tilt_rate;
   LaneRow end_slip;
   LaneRow end_slip_rate;
-  std::array<LaneRow, dynamics::guard_count> instants;        ///< by dynamics::Guard: when it lost its sign
-  std::array<std::uint32_t, dynamics::guard_count> lost;      ///< lanes where it did
-  std::array<std::uint32_t, dynamics::guard_count> in_doubt;  ///< lanes where a cheap bound does not clear it
-  std::uint32_t alone;                                        ///< lanes whose step is no ordinary one after all
-
-  /// The series of the step: MotionSeries of as many lanes as the kernel has.
-  alignas(64) std::array<double, sizeof(dynamics::MotionSeries<double>) / sizeof(double) * most_lanes> series;
+  std::array<LaneRow, dynamics::guard_count> instants;   ///< by dynamics::Guard: when it lost its sign
+  std::array<std::uint32_t, dynamics::guard_count> lost;  ///< lanes where it did
 };
 
 }  // namespace rocking::lanes

@@ -37,46 +37,34 @@ class Crew {
 
   void add(Run& run) {
     ++size_;
-    place(run);
+    if (const auto kind = next_kind(run)) wait(run, *kind);
   }
 
-  /// One step where there is most to do.
-  void step() {
-    const auto mover = std::ranges::max_element(groups_, {}, [](const Group& group) { return group.to_move(); });
-    const auto ender = std::ranges::max_element(groups_, {}, [](const Group& group) { return group.ending.size(); });
-    if (mover->to_move() < ender->ending.size()) {
-      end(*ender);
-    } else {
-      move(*mover);
-    }
-  }
+  /// One step of the lanes of a kind, of which there are most.
+  void step() { advance(*std::ranges::max_element(groups_, {}, &Group::size)); }
 
   [[nodiscard]] bool has_finished() const { return !finished_.empty(); }
   /// Those that have finished since the last call.
   [[nodiscard]] std::vector<Run*> take_finished() { return std::exchange(finished_, {}); }
 
  private:
-  /// Lanes, and who is in them.
-  struct Lanes {
+  /// Runs of a kind: those in the lanes of a block, and those that wait for one.
+  struct Group {
     std::unique_ptr<Block> block = std::make_unique<Block>();
     std::array<Run*, most_lanes> runs{};
     std::uint32_t occupied = 0;
+    std::vector<Run*> waiting;
 
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(occupied)); }
+    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size(); }
     void put(std::size_t lane, Run& run) {
       runs[lane] = &run;
       occupied |= 1U << lane;
+      load(*block, lane, run.motion().smooth_step());
     }
-    void vacate(std::size_t lane) { occupied &= ~(1U << lane); }
-  };
-
-  /// Runs of a kind.
-  struct Group {
-    Lanes moving;
-    Lanes ending;  ///< whose coming step is one in which something may happen
-    std::vector<Run*> waiting;
-
-    [[nodiscard]] std::size_t to_move() const { return moving.size() + waiting.size(); }
+    void vacate(std::size_t lane) {
+      occupied &= ~(1U << lane);
+      block->occupied[lane] = 0.0;
+    }
   };
 
   template <class Use>
@@ -94,16 +82,16 @@ class Crew {
     return motion.tests_friction() ? Kind::rock_with_friction : Kind::rock;
   }
 
-  /// Puts a run where its next step is done in company, after those that are not.
-  void place(Run& run) {
+  /// The kind of the run's next step in company, after those that are not; absent if it has finished before.
+  [[nodiscard]] std::optional<Kind> next_kind(Run& run) {
     auto& motion = run.motion();
     while (true) {
       if (motion.ended() && !run.go_on()) {
         --size_;
         finished_.push_back(&run);
-        return;
+        return std::nullopt;
       }
-      if (const auto kind = kind_of(motion)) return wait(run, *kind);
+      if (const auto kind = kind_of(motion)) return kind;
       integrate::step(motion, run.counts());
     }
   }
@@ -113,79 +101,70 @@ class Crew {
   [[nodiscard]] Kind kind_of(const Group& group) const { return static_cast<Kind>(&group - groups_.data()); }
 
   void fill(Group& group) {
-    Lanes& moving = group.moving;
-    for_each_lane(all_lanes() & ~moving.occupied, [&](std::size_t lane) {
+    for_each_lane(all_lanes() & ~group.occupied, [&](std::size_t lane) {
       if (group.waiting.empty()) return;
       Run& run = *group.waiting.back();
       group.waiting.pop_back();
-      moving.put(lane, run);
-      load(*moving.block, lane, run.motion().smooth_step());
+      group.put(lane, run);
     });
   }
 
-  void move(Group& group) {
+  void advance(Group& group) {
     fill(group);
-    Lanes& moving = group.moving;
-    const Block& block = *moving.block;
-    kernels_.move[static_cast<std::size_t>(kind_of(group))](*moving.block);
-    for_each_lane(block.strobed & moving.occupied,
-                  [&](std::size_t lane) { moving.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
-    for_each_lane(block.arrived & moving.occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
-    for_each_lane(~block.quiet & moving.occupied, [&](std::size_t lane) { await_end(group, lane); });
+    Block& block = *group.block;
+    kernels_.advance[static_cast<std::size_t>(kind_of(group))](block);
+    for_each_lane(block.quiet & block.strobed & group.occupied,
+                  [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
+    for_each_lane(block.arrived & group.occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
+    for_each_lane(~block.quiet & group.occupied, [&](std::size_t lane) { finish_step(group, lane); });
   }
 
-  void await_end(Group& group, std::size_t lane) {
-    Lanes& ending = group.ending;
-    if (ending.occupied == all_lanes()) end(group);
-    const auto its_lane = static_cast<std::size_t>(std::countr_one(ending.occupied));
-    copy_lane(*group.moving.block, lane, *ending.block, its_lane);
-    ending.put(its_lane, *group.moving.runs[lane]);
-    group.moving.vacate(lane);
-  }
-
-  void end(Group& group) {
-    Lanes& ending = group.ending;
-    kernels_.end[static_cast<std::size_t>(kind_of(group))](*ending.block);
-    for_each_lane(std::exchange(ending.occupied, 0U),
-                  [&](std::size_t lane) { finish_step(*ending.block, lane, *ending.runs[lane]); });
-  }
-
-  /// The lane's run takes what was found out of its step, and is put where it belongs after it.
-  void finish_step(Block& block, std::size_t lane, Run& run) {
+  /// The lane's run takes what was found out of its step, and goes on where its next one is done.
+  void finish_step(Group& group, std::size_t lane) {
+    Block& block = *group.block;
+    Run& run = *group.runs[lane];
     catch_up(block, lane, run);
     if ((block.alone >> lane & 1U) != 0) {
       integrate::step(run.motion(), run.counts());
     } else {
       ++run.counts().steps;
-      run.counts().root_isolations += doubts(block, lane);
       const auto first = integrate::earliest(losses(block, lane), block.length[lane], block.resolution[lane]);
       run.motion().finish_step(end_of_step(block, lane), first.fired);
     }
-    place(run);
+    go_on(group, lane);
+  }
+
+  void go_on(Group& group, std::size_t lane) {
+    Run& run = *group.runs[lane];
+    const auto kind = next_kind(run);
+    if (kind == kind_of(group)) return group.put(lane, run);
+    group.vacate(lane);
+    if (kind) wait(run, *kind);
   }
 
   void pass_breakpoint(Group& group, std::size_t lane) {
-    Block& block = *group.moving.block;
-    Run& run = *group.moving.runs[lane];
+    Block& block = *group.block;
+    Run& run = *group.runs[lane];
     Motion& motion = run.motion();
-    motion.pass_breakpoint(take_steps(block, lane, run));
+    motion.pass_breakpoint(take_counts(block, lane, run));
     if (kind_of(motion) == kind_of(group)) return load_change(block, lane, motion.smooth_step());
     dynamics::SmoothProgress here = progress(block, lane);
     here.now = motion.clock().now();
     motion.catch_up(here);
-    group.moving.vacate(lane);
-    place(run);
+    go_on(group, lane);
   }
 
   static void catch_up(Block& block, std::size_t lane, Run& run) {
     dynamics::SmoothProgress here = progress(block, lane);
-    here.steps = take_steps(block, lane, run);
+    here.steps = take_counts(block, lane, run);
     run.motion().catch_up(here);
   }
 
-  static std::uint64_t take_steps(Block& block, std::size_t lane, Run& run) {
+  /// Returns the steps done in the lane since the last call.
+  static std::uint64_t take_counts(Block& block, std::size_t lane, Run& run) {
     const auto steps = static_cast<std::uint64_t>(std::exchange(block.steps[lane], 0.0));
     run.counts().steps += steps;
+    run.counts().root_isolations += static_cast<std::uint64_t>(std::exchange(block.root_isolations[lane], 0.0));
     return steps;
   }
 

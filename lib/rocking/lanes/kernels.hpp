@@ -24,15 +24,14 @@ inline constexpr std::size_t kind_count = 4;
   return kind == Kind::rock_slide_briefly ? dynamics::brief_order : dynamics::full_order;
 }
 
-/// Something done in every lane of a block.
+/// The coming step of every lane of a block; see Block for what is known after it.
 using Kernel = void (*)(Block&);
 
 /// The kernels of one width, compiled for one instruction set.
 struct Kernels {
   std::string_view name;  ///< of the instruction set, as `rocking doctor` prints it
   int lanes;
-  std::array<Kernel, kind_count> move;  ///< by Kind: moves on the lanes where nothing can happen
-  std::array<Kernel, kind_count> end;   ///< by Kind: finds out what happens first, and when
+  std::array<Kernel, kind_count> advance;  ///< by Kind
 };
 
 /// Those that this machine can run, the one lane of plain doubles first, the best last. Their results have the same bits.

@@ -16,147 +16,246 @@
 namespace rocking::lanes {
 namespace {
 
+/// A register of `width` doubles: numbers, or for each of them a truth (all bits set or none).
 template <int width>
 struct Register {
   typedef double Numbers __attribute__((vector_size(8 * width)));
-  typedef std::int64_t Truths __attribute__((vector_size(8 * width)));
   typedef std::uint64_t Bits __attribute__((vector_size(8 * width)));
+  typedef std::int64_t Truths __attribute__((vector_size(8 * width)));
 };
 
+template <class Numbers>
+inline auto is_less(Numbers a, Numbers b) {
+  return a < b;
+}
+template <class Numbers>
+inline auto is_equal(Numbers a, Numbers b) {
+  return a == b;
+}
+template <class Truths, class Numbers>
+inline Numbers chosen(Truths condition, Numbers a, Numbers b) {
+  return condition ? a : b;
+}
+template <class Numbers>
+inline Numbers smaller_of(Numbers a, Numbers b) {
+  return a < b ? a : b;
+}
+template <class Truths>
+inline std::uint32_t mask_of(Truths truths) {
+  std::uint32_t mask = 0;
+  for (std::size_t i = 0; i < sizeof(Truths) / 8; ++i) mask |= (truths[i] != 0 ? 1U : 0U) << i;
+  return mask;
+}
+
 #if defined(__FMA__)
-inline Register<2>::Numbers fused_register(Register<2>::Numbers a, Register<2>::Numbers b, Register<2>::Numbers c) {
+inline Register<2>::Numbers fused_of(Register<2>::Numbers a, Register<2>::Numbers b, Register<2>::Numbers c) {
   return _mm_fmadd_pd(a, b, c);
 }
-inline Register<4>::Numbers fused_register(Register<4>::Numbers a, Register<4>::Numbers b, Register<4>::Numbers c) {
+inline Register<4>::Numbers fused_of(Register<4>::Numbers a, Register<4>::Numbers b, Register<4>::Numbers c) {
   return _mm256_fmadd_pd(a, b, c);
 }
+// The least of a and b, and b where there is none: what smaller_of says above.
+inline Register<2>::Numbers smaller_of(Register<2>::Numbers a, Register<2>::Numbers b) { return _mm_min_pd(a, b); }
+inline Register<4>::Numbers smaller_of(Register<4>::Numbers a, Register<4>::Numbers b) { return _mm256_min_pd(a, b); }
+inline std::uint32_t mask_of(Register<2>::Truths t) { return static_cast<std::uint32_t>(_mm_movemask_pd((__m128d)t)); }
+inline std::uint32_t mask_of(Register<4>::Truths t) {
+  return static_cast<std::uint32_t>(_mm256_movemask_pd((__m256d)t));
+}
 #elif defined(__aarch64__)
-inline Register<2>::Numbers fused_register(Register<2>::Numbers a, Register<2>::Numbers b, Register<2>::Numbers c) {
+inline Register<2>::Numbers fused_of(Register<2>::Numbers a, Register<2>::Numbers b, Register<2>::Numbers c) {
   return vfmaq_f64(c, a, b);
 }
 #endif
-#if defined(__AVX512F__)
-inline Register<8>::Numbers fused_register(Register<8>::Numbers a, Register<8>::Numbers b, Register<8>::Numbers c) {
-  return _mm512_fmadd_pd(a, b, c);
-}
-#endif
 
-/// A truth a lane: all bits set or none.
-template <int width, int registers>
-struct Truth {
-  typename Register<width>::Truths part[registers];
+#if defined(__AVX512F__) && defined(__AVX512DQ__)
+/// Here truths are the bits of a number.
+template <>
+struct Register<8> {
+  typedef double Numbers __attribute__((vector_size(64)));
+  typedef std::uint64_t Bits __attribute__((vector_size(64)));
+  typedef __mmask8 Truths;
 };
 
-/// `registers` registers of `width` doubles each. Models base::Lane, with the bits that a double would get.
-template <int width, int registers>
+inline Register<8>::Numbers fused_of(Register<8>::Numbers a, Register<8>::Numbers b, Register<8>::Numbers c) {
+  return _mm512_fmadd_pd(a, b, c);
+}
+inline Register<8>::Numbers smaller_of(Register<8>::Numbers a, Register<8>::Numbers b) { return _mm512_min_pd(a, b); }
+inline __mmask8 is_less(Register<8>::Numbers a, Register<8>::Numbers b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+}
+inline __mmask8 is_equal(Register<8>::Numbers a, Register<8>::Numbers b) {
+  return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ);
+}
+inline Register<8>::Numbers chosen(__mmask8 condition, Register<8>::Numbers a, Register<8>::Numbers b) {
+  return _mm512_mask_blend_pd(condition, b, a);
+}
+inline std::uint32_t mask_of(__mmask8 truths) { return truths; }
+#endif
+
+/// A truth a lane.
+template <int width>
+struct Truth {
+  typename Register<width>::Truths truths;
+};
+
+/// As many doubles as there are in a register. Models base::Lane, with the bits that a double would get.
+template <int width>
 struct Pack {
   using Numbers = typename Register<width>::Numbers;
   using Bits = typename Register<width>::Bits;
-  static constexpr int lanes = width * registers;
+  static constexpr int lanes = width;
 
-  Numbers part[registers];
+  Numbers numbers;
 
   Pack() = default;
-  explicit Pack(double value) {
-    for (auto& numbers : part) numbers = value - Numbers{};  // not a sum: it would make 0 of -0
-  }
+  explicit Pack(Numbers value) : numbers(value) {}
+  explicit Pack(double value) : numbers(value - Numbers{}) {}  // not a sum: it would make 0 of -0
 };
 
-template <int w, int r, class Operation>
-inline Pack<w, r> each(const Pack<w, r>& a, const Pack<w, r>& b, Operation operation) {
-  Pack<w, r> result;
-#pragma GCC unroll 4
-  for (int i = 0; i < r; ++i) result.part[i] = operation(a.part[i], b.part[i]);
-  return result;
+template <int w>
+inline Pack<w> operator+(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>(a.numbers + b.numbers);
 }
-template <int w, int r, class Operation>
-inline Truth<w, r> each_truth(const Pack<w, r>& a, const Pack<w, r>& b, Operation operation) {
-  Truth<w, r> result;
-#pragma GCC unroll 4
-  for (int i = 0; i < r; ++i) result.part[i] = operation(a.part[i], b.part[i]);
-  return result;
+template <int w>
+inline Pack<w> operator-(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>(a.numbers - b.numbers);
 }
-template <int w, int r, class Operation>
-inline Truth<w, r> each_truth(const Truth<w, r>& a, const Truth<w, r>& b, Operation operation) {
-  Truth<w, r> result;
-#pragma GCC unroll 4
-  for (int i = 0; i < r; ++i) result.part[i] = operation(a.part[i], b.part[i]);
-  return result;
+template <int w>
+inline Pack<w> operator*(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>(a.numbers * b.numbers);
 }
-
-template <int w, int r>
-inline Pack<w, r> operator+(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each(a, b, [](auto x, auto y) { return x + y; });
+template <int w>
+inline Pack<w> operator/(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>(a.numbers / b.numbers);
 }
-template <int w, int r>
-inline Pack<w, r> operator-(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each(a, b, [](auto x, auto y) { return x - y; });
+template <int w>
+inline Pack<w> operator-(const Pack<w>& a) {
+  return Pack<w>(-a.numbers);
 }
-template <int w, int r>
-inline Pack<w, r> operator*(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each(a, b, [](auto x, auto y) { return x * y; });
+template <int w>
+inline Truth<w> operator<(const Pack<w>& a, const Pack<w>& b) {
+  return {is_less(a.numbers, b.numbers)};
 }
-template <int w, int r>
-inline Pack<w, r> operator/(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each(a, b, [](auto x, auto y) { return x / y; });
+template <int w>
+inline Truth<w> operator==(const Pack<w>& a, const Pack<w>& b) {
+  return {is_equal(a.numbers, b.numbers)};
 }
-template <int w, int r>
-inline Pack<w, r> operator-(const Pack<w, r>& a) {
-  return each(a, a, [](auto x, auto) { return -x; });
+template <int w>
+inline Truth<w> operator&&(const Truth<w>& a, const Truth<w>& b) {
+  return {static_cast<typename Register<w>::Truths>(a.truths & b.truths)};
 }
-template <int w, int r>
-inline Truth<w, r> operator<(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each_truth(a, b, [](auto x, auto y) { return x < y; });
+template <int w>
+inline Truth<w> operator||(const Truth<w>& a, const Truth<w>& b) {
+  return {static_cast<typename Register<w>::Truths>(a.truths | b.truths)};
 }
-template <int w, int r>
-inline Truth<w, r> operator==(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each_truth(a, b, [](auto x, auto y) { return x == y; });
-}
-template <int w, int r>
-inline Truth<w, r> operator&&(const Truth<w, r>& a, const Truth<w, r>& b) {
-  return each_truth(a, b, [](auto x, auto y) { return x & y; });
-}
-template <int w, int r>
-inline Truth<w, r> operator||(const Truth<w, r>& a, const Truth<w, r>& b) {
-  return each_truth(a, b, [](auto x, auto y) { return x | y; });
-}
-template <int w, int r>
-inline Truth<w, r> operator!(const Truth<w, r>& a) {
-  return each_truth(a, a, [](auto x, auto) { return ~x; });
+template <int w>
+inline Truth<w> operator!(const Truth<w>& a) {
+  return {static_cast<typename Register<w>::Truths>(~a.truths)};
 }
 
-template <int w, int r>
-inline Pack<w, r> fused(const Pack<w, r>& a, const Pack<w, r>& b, const Pack<w, r>& c) {
-  Pack<w, r> result;
-#pragma GCC unroll 4
-  for (int i = 0; i < r; ++i) result.part[i] = fused_register(a.part[i], b.part[i], c.part[i]);
-  return result;
+template <int w>
+inline Pack<w> fused(const Pack<w>& a, const Pack<w>& b, const Pack<w>& c) {
+  return Pack<w>(fused_of(a.numbers, b.numbers, c.numbers));
 }
-template <int w, int r>
-inline Pack<w, r> select(const Truth<w, r>& condition, const Pack<w, r>& a, const Pack<w, r>& b) {
-  Pack<w, r> result;
-#pragma GCC unroll 4
-  for (int i = 0; i < r; ++i) result.part[i] = condition.part[i] ? a.part[i] : b.part[i];
-  return result;
+template <int w>
+inline Pack<w> select(const Truth<w>& condition, const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>(chosen(condition.truths, a.numbers, b.numbers));
 }
-template <int w, int r>
-inline Pack<w, r> smaller(const Pack<w, r>& a, const Pack<w, r>& b) {
-  return each(a, b, [](auto x, auto y) { return x < y ? x : y; });
+template <int w>
+inline Pack<w> smaller(const Pack<w>& a, const Pack<w>& b) {
+  return Pack<w>(smaller_of(a.numbers, b.numbers));
 }
 
 /// See base::upper_word: an integer below 2^31, put into the lower bits of 2^52, is 2^52 and that integer.
-template <int w, int r>
-inline Pack<w, r> upper_word(const Pack<w, r>& y) {
-  using Numbers = typename Register<w>::Numbers;
-  using Bits = typename Register<w>::Bits;
+template <int w>
+inline Pack<w> upper_word(const Pack<w>& y) {
   constexpr std::uint64_t bits_of_2_52 = 0x4330000000000000;
-  return each(y, y, [](auto x, auto) { return (Numbers)(((Bits)x >> 32U) | bits_of_2_52) - 0x1p52; });
+  return Pack<w>((typename Pack<w>::Numbers)(((typename Pack<w>::Bits)y.numbers >> 32U) | bits_of_2_52) - 0x1p52);
 }
-template <int w, int r>
-inline Pack<w, r> from_upper_word(const Pack<w, r>& word) {
-  using Numbers = typename Register<w>::Numbers;
-  using Bits = typename Register<w>::Bits;
-  return each(word, word, [](auto x, auto) { return (Numbers)((Bits)(x + 0x1p52) << 32U); });
+template <int w>
+inline Pack<w> from_upper_word(const Pack<w>& word) {
+  return Pack<w>((typename Pack<w>::Numbers)((typename Pack<w>::Bits)(word.numbers + 0x1p52) << 32U));
+}
+
+/// Two packs as one of twice the lanes: while one waits for a result, the other goes on.
+template <class Half>
+struct Pair {
+  static constexpr int lanes = 2 * Half::lanes;
+
+  Half first;
+  Half second;
+
+  Pair() = default;
+  Pair(const Half& a, const Half& b) : first(a), second(b) {}
+  explicit Pair(double value) : first(value), second(value) {}
+};
+
+template <class HalfTruth>
+struct PairTruth {
+  HalfTruth first;
+  HalfTruth second;
+};
+
+template <class H>
+inline Pair<H> operator+(const Pair<H>& a, const Pair<H>& b) {
+  return {a.first + b.first, a.second + b.second};
+}
+template <class H>
+inline Pair<H> operator-(const Pair<H>& a, const Pair<H>& b) {
+  return {a.first - b.first, a.second - b.second};
+}
+template <class H>
+inline Pair<H> operator*(const Pair<H>& a, const Pair<H>& b) {
+  return {a.first * b.first, a.second * b.second};
+}
+template <class H>
+inline Pair<H> operator/(const Pair<H>& a, const Pair<H>& b) {
+  return {a.first / b.first, a.second / b.second};
+}
+template <class H>
+inline Pair<H> operator-(const Pair<H>& a) {
+  return {-a.first, -a.second};
+}
+template <class H>
+inline auto operator<(const Pair<H>& a, const Pair<H>& b) {
+  return PairTruth<decltype(a.first < b.first)>{a.first < b.first, a.second < b.second};
+}
+template <class H>
+inline auto operator==(const Pair<H>& a, const Pair<H>& b) {
+  return PairTruth<decltype(a.first == b.first)>{a.first == b.first, a.second == b.second};
+}
+template <class T>
+inline PairTruth<T> operator&&(const PairTruth<T>& a, const PairTruth<T>& b) {
+  return {a.first && b.first, a.second && b.second};
+}
+template <class T>
+inline PairTruth<T> operator||(const PairTruth<T>& a, const PairTruth<T>& b) {
+  return {a.first || b.first, a.second || b.second};
+}
+template <class T>
+inline PairTruth<T> operator!(const PairTruth<T>& a) {
+  return {!a.first, !a.second};
+}
+
+template <class H>
+inline Pair<H> fused(const Pair<H>& a, const Pair<H>& b, const Pair<H>& c) {
+  return {fused(a.first, b.first, c.first), fused(a.second, b.second, c.second)};
+}
+template <class T, class H>
+inline Pair<H> select(const PairTruth<T>& condition, const Pair<H>& a, const Pair<H>& b) {
+  return {select(condition.first, a.first, b.first), select(condition.second, a.second, b.second)};
+}
+template <class H>
+inline Pair<H> smaller(const Pair<H>& a, const Pair<H>& b) {
+  return {smaller(a.first, b.first), smaller(a.second, b.second)};
+}
+template <class H>
+inline Pair<H> upper_word(const Pair<H>& y) {
+  return {upper_word(y.first), upper_word(y.second)};
+}
+template <class H>
+inline Pair<H> from_upper_word(const Pair<H>& word) {
+  return {from_upper_word(word.first), from_upper_word(word.second)};
 }
 
 /// From and to as many doubles in a row.
@@ -176,30 +275,27 @@ struct Row<double> {
   static double load(const double* numbers) { return *numbers; }
   static void store(double value, double* numbers) { *numbers = value; }
 };
+template <class Half>
+struct Row<Pair<Half>> {
+  static constexpr int lanes = Pair<Half>::lanes;
+  static Pair<Half> load(const double* numbers) {
+    return {Row<Half>::load(numbers), Row<Half>::load(numbers + Half::lanes)};
+  }
+  static void store(const Pair<Half>& value, double* numbers) {
+    Row<Half>::store(value.first, numbers);
+    Row<Half>::store(value.second, numbers + Half::lanes);
+  }
+};
 
 /// Bit i: the truth of lane i.
 inline std::uint32_t bits_of(bool truth) { return truth ? 1U : 0U; }
-template <int w, int r>
-inline std::uint32_t bits_of(const Truth<w, r>& truth) {
-  std::uint32_t bits = 0;
-  for (int i = 0; i < r; ++i) {
-#if defined(__AVX512DQ__)
-    if constexpr (w == 8) {
-      bits |= static_cast<std::uint32_t>(_mm512_movepi64_mask((__m512i)truth.part[i])) << (w * i);
-      continue;
-    }
-#endif
-#if defined(__AVX2__)
-    if constexpr (w == 4) {
-      bits |= static_cast<std::uint32_t>(_mm256_movemask_pd((__m256d)truth.part[i])) << (w * i);
-      continue;
-    }
-#endif
-    std::int64_t truths[w];
-    __builtin_memcpy(truths, &truth.part[i], sizeof(truths));
-    for (int k = 0; k < w; ++k) bits |= (truths[k] != 0 ? 1U : 0U) << (w * i + k);
-  }
-  return bits;
+template <int w>
+inline std::uint32_t bits_of(const Truth<w>& truth) {
+  return mask_of(truth.truths);
+}
+template <int w>
+inline std::uint32_t bits_of(const PairTruth<Truth<w>>& truth) {
+  return bits_of(truth.first) | bits_of(truth.second) << w;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <type_traits>
 #include <utility>
 
@@ -37,7 +36,7 @@ struct NeverZero {};
 template <Kind kind, class Real>
 class Step {
  public:
-  explicit Step(Block& block) : b_(block), m_(*new (block.series.data()) MotionSeries<Real>) {}
+  explicit Step(Block& block) : b_(block) {}
 
  protected:
   static constexpr bool slips = kind == Kind::rock_slide || kind == Kind::rock_slide_briefly;
@@ -55,7 +54,7 @@ class Step {
     dynamics::expand_harmonic<order_of(kind)>(m_.base, load(b_.amplitude), frequency, base::sin_cos(frequency * time_));
     m_.tilt[0] = load(b_.tilt);
     m_.tilt_rate[0] = load(b_.tilt_rate);
-    const auto angle = base::sin_cos(load(b_.shape_angle) - m_.tilt[0]);
+    const auto angle = sin_cos_of_edge(load(b_.shape_angle) - m_.tilt[0]);
     const auto starts_flat = m_.tilt[0] == Real(0.0);
     m_.sine[0] = select(starts_flat, load(b_.sine), angle.sine);
     m_.cosine[0] = select(starts_flat, load(b_.cosine), angle.cosine);
@@ -79,6 +78,13 @@ class Step {
     }
   }
 
+  /// base::sin_cos, without the reduction if no lane needs it.
+  [[nodiscard]] static base::SinCos<Real> sin_cos_of_edge(const Real& angle) {
+    constexpr double almost_quarter_pi = 0.785;
+    const auto reduced = Real(-almost_quarter_pi) < angle && angle < Real(almost_quarter_pi);
+    return bits_of(!reduced) == 0 ? base::reduced_sin_cos(angle) : base::sin_cos(angle);
+  }
+
   [[nodiscard]] Real length_of(const typename MotionSeries<Real>::Row& row) const {
     return integrate::step_length(row[order - 1], row[order], static_cast<int>(order), load(b_.largest));
   }
@@ -87,8 +93,10 @@ class Step {
     return (period - period_) * period_length_ + (time - time_);
   }
 
-  /// Calls visit(guard, number of coefficients, zero, coefficient) for each guard: where `zero` is true, coefficient(0) is known
-  /// to be 0 and is left out.
+  static constexpr std::size_t guards = kind == Kind::rock ? 3 : kind == Kind::rock_with_friction ? 5 : 4;
+
+  /// Calls visit(guard, number of coefficients, zero, coefficient) for each of the `guards`: where `zero` is true,
+  /// coefficient(0) is known to be 0 and is left out.
   template <class Visitor>
   void for_each_guard(Visitor&& visit) const {
     const Real zero(0.0);
@@ -96,7 +104,7 @@ class Step {
     const NeverZero never;
     visit(Guard::tilt, Count<order + 2>{}, m_.tilt[0] == zero, [&](std::size_t k) { return m_.tilt[k]; });
     visit(Guard::past_balance, Count<order + 2>{}, never,
-          [&](std::size_t k) { return (k == 0 ? shape_angle : zero) - m_.tilt[k]; });
+          [&](std::size_t k) { return k == 0 ? shape_angle - m_.tilt[k] : -m_.tilt[k]; });
     visit(Guard::normal, Count<order>{}, never, [&](std::size_t k) { return m_.normal[k]; });
     if constexpr (slips) {
       const Real sign = load(b_.slip_sign);
@@ -140,7 +148,13 @@ class Step {
   /// The state x into the step.
   [[nodiscard]] Point point(const Real& x) const {
     using base::fused;
-    Point p{m_.tilt[order + 1], m_.tilt_rate[order], m_.slip[order + 1], m_.slip_rate[order]};
+    Point p;
+    p.tilt = m_.tilt[order + 1];
+    p.tilt_rate = m_.tilt_rate[order];
+    if constexpr (slips) {
+      p.slip = m_.slip[order + 1];
+      p.slip_rate = m_.slip_rate[order];
+    }
 #pragma GCC unroll 20
     for (std::size_t k = order; k > 0; --k) {
       p.tilt = fused(p.tilt, x, m_.tilt[k]);
@@ -200,7 +214,7 @@ class Step {
   }
 
   Block& b_;
-  MotionSeries<Real>& m_;
+  MotionSeries<Real> m_;
   Real time_;
   Real period_;
   Real period_length_;

@@ -31,6 +31,7 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.strobe_period[lane] = static_cast<double>(step.next_strobe.period);
   block.strobes_left[lane] = static_cast<double>(step.strobes_left);
   block.steps[lane] = 0.0;
+  block.root_isolations[lane] = 0.0;
   block.steps_since_strobe[lane] = static_cast<double>(step.steps_since_strobe);
   block.static_friction[lane] = step.static_friction;
   block.slip_sign[lane] = step.slip_sign;
@@ -41,6 +42,7 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
   load_step(block, lane, step);
   const dynamics::Clock& clock = *step.clock;
   const dynamics::Geometry& geometry = step.setting->block;
+  block.occupied[lane] = 1.0;
   block.strobe_time[lane] = step.next_strobe.time;
   block.frequency[lane] = clock.frequency();
   block.period_length[lane] = clock.period_length();
@@ -71,24 +73,6 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
           .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane])};
 }
 
-/// Puts what is in a lane into one of another block.
-inline void copy_lane(const Block& from, std::size_t lane, Block& to, std::size_t its_lane) {
-  static constexpr std::array carried{&Block::tilt,          &Block::tilt_rate,
-                                      &Block::slip,          &Block::slip_rate,
-                                      &Block::time,          &Block::period,
-                                      &Block::strobe_period, &Block::strobes_left,
-                                      &Block::steps,         &Block::steps_since_strobe,
-                                      &Block::strobe_time,   &Block::break_period,
-                                      &Block::break_time,    &Block::amplitude,
-                                      &Block::frequency,     &Block::period_length,
-                                      &Block::resolution,    &Block::shape_angle,
-                                      &Block::sine,          &Block::cosine,
-                                      &Block::largest,       &Block::static_friction,
-                                      &Block::inertia,       &Block::drag,
-                                      &Block::slip_sign};
-  for (LaneRow Block::*row : carried) (to.*row)[its_lane] = (from.*row)[lane];
-}
-
 /// How the step ends that has been looked at in a lane.
 [[nodiscard]] inline dynamics::SmoothEnd end_of_step(const Block& block, std::size_t lane) {
   dynamics::SmoothEnd end{.duration = block.duration[lane],
@@ -110,13 +94,6 @@ inline void copy_lane(const Block& from, std::size_t lane, Block& to, std::size_
     losses.instants[guard] = block.instants[guard][lane];
   }
   return losses;
-}
-
-/// The number of guards that a cheap bound did not clear in it.
-[[nodiscard]] inline std::uint64_t doubts(const Block& block, std::size_t lane) {
-  std::uint64_t count = 0;
-  for (const std::uint32_t lanes : block.in_doubt) count += lanes >> lane & 1U;
-  return count;
 }
 
 }  // namespace rocking::lanes

@@ -1,0 +1,170 @@
+#pragma once
+
+#include "rocking/lanes/sign_losses.hpp"
+#include "rocking/lanes/step.hpp"
+
+namespace rocking::lanes {
+namespace {
+
+/// Does the coming step of every lane. Where nothing happens in it (no guard loses its sign, no breakpoint but at the end of a
+/// brief step, at most one strobe point, not the last) the lane is moved on. The other lanes are left where they were, with what
+/// was found out: which guards lose their sign, when, and the state at the first such instant. What follows from it is left to
+/// each lane's motion.
+template <Kind kind, class Real>
+class Advance : Step<kind, Real> {
+  using Base = Step<kind, Real>;
+  using Base::b_, Base::load, Base::store, Base::length_, Base::m_, Base::period_, Base::period_length_, Base::reach_,
+      Base::slips, Base::time_;
+  using typename Base::Point, typename Base::Strobing;
+  using Truth = TruthOf<Real>;
+
+ public:
+  using Base::Base;
+
+  void run() {
+    using base::select;
+    this->expand();
+    find_losses();
+    const Real resolution = load(b_.resolution);
+    const Real steps_since = load(b_.steps_since_strobe) + Real(1.0);
+    const Point end = this->point(duration_);
+    const Strobing strobing = this->strobing(duration_ - resolution);
+    // Off the ground the guards are others than were looked at here.
+    Truth fits = !unclear_ && Real(0.0) < m_.normal[0] && this->is_finite(end) &&
+                 this->is_ordinary(resolution, steps_since) && strobing.is_simple;
+    if (bits_of(fits && strobing.strobes) != 0) {
+      fits = fits && (this->store_strobe(strobing, resolution) || !strobing.strobes);
+    }
+    const Truth strobed = fits && strobing.strobes;
+    b_.strobed = bits_of(strobed);
+    b_.alone = ~bits_of(fits);
+    if (in_doubt_ != 0) {
+      const Real before = load(b_.root_isolations);
+      store(b_.root_isolations, select(fits, before + isolations_, before));
+    }
+    move(fits && !lost_, end, strobed, steps_since);
+    if ((~b_.quiet & bits_of(occupied_)) != 0) store_end(end);
+  }
+
+ private:
+  void find_losses() {
+    occupied_ = load(b_.occupied) == Real(1.0);
+    duration_ = length_;
+    isolations_ = Real(0.0);
+    unclear_ = lost_ = Real(0.0) < Real(0.0);
+    Truth doubts[Base::guards];
+    std::size_t i = 0;
+    Truth any = unclear_;
+    this->for_each_guard([&](Guard, auto count, const auto& starts_at_zero, auto coefficient) {
+      doubts[i] = occupied_ && !(Real(0.0) < this->bound(count, starts_at_zero, coefficient));
+      any = any || doubts[i];
+      ++i;
+    });
+    in_doubt_ = bits_of(any);
+    if (in_doubt_ == 0) return;
+    i = 0;
+    b_.lost = {};
+    this->for_each_guard([&](Guard guard, auto count, const auto& starts_at_zero, auto coefficient) {
+      this->find_loss(guard, doubts[i++], count, starts_at_zero, coefficient);
+    });
+  }
+
+  template <std::size_t count, class Zero, class Coefficient>
+  void find_loss(Guard guard, const Truth& in_doubt, Count<count>, const Zero& starts_at_zero, Coefficient coefficient) {
+    using base::select;
+    if (bits_of(in_doubt) == 0) return;
+    isolations_ = isolations_ + select(in_doubt, Real(1.0), Real(0.0));
+    if constexpr (std::is_same_v<Zero, NeverZero>) {
+      find_loss_in<0, count>(guard, in_doubt, coefficient);
+    } else {
+      const Truth from_zero = in_doubt && starts_at_zero;
+      const Truth others = in_doubt && !starts_at_zero;
+      if (bits_of(from_zero) != 0) find_loss_in<1, count>(guard, from_zero, coefficient);
+      if (bits_of(others) != 0) find_loss_in<0, count>(guard, others, coefficient);
+    }
+  }
+
+  /// Of the polynomial from coefficient `first` on, in the lanes where `wanted`.
+  template <std::size_t first, std::size_t count, class Coefficient>
+  void find_loss_in(Guard guard, const Truth& wanted, Coefficient coefficient) {
+    using base::select;
+    Real c[count - first];
+    Real power(1.0);
+#pragma GCC unroll 20
+    for (std::size_t k = first; k < count; ++k) {
+      c[k - first] = coefficient(k) * power;
+      power = power * length_;
+    }
+    SignLosses<Real> found;
+    first_sign_losses<count - first>(c, wanted, found);
+    unclear_ = unclear_ || found.unclear;
+    lost_ = lost_ || found.lost;
+    const Real instant = found.instant * length_;
+    duration_ = select(found.lost && instant < duration_, instant, duration_);
+    LaneRow& instants = b_.instants[static_cast<std::size_t>(guard)];
+    store(instants, select(found.lost, instant, load(instants)));
+    b_.lost[static_cast<std::size_t>(guard)] |= bits_of(found.lost);
+  }
+
+  /// Moves on the lanes that are `calm`, but for those that come to where the equations or the period end.
+  void move(const Truth& calm, const Point& next, const Truth& strobed, const Real& steps_since) {
+    using base::select;
+    const Real later = time_ + length_;
+    const Truth wraps = !(later < period_length_);
+    const Real time = select(wraps, later - period_length_, later);
+    const Truth arrives = !(length_ < reach_ - load(b_.resolution));
+    Truth quiet = calm && time < period_length_;
+    if constexpr (kind == Kind::rock_slide_briefly) {
+      b_.arrived = bits_of(quiet && arrives);
+    } else {
+      quiet = quiet && !arrives;
+      b_.arrived = 0;
+    }
+    b_.quiet = bits_of(quiet);
+    count_strobe(quiet && strobed);
+    const auto pass = [&quiet](LaneRow& row, const Real& after, const Real& before) {
+      store(row, select(quiet, after, before));
+    };
+    const Truth strobed_here = quiet && strobed;
+    pass(b_.steps_since_strobe, select(strobed_here, Real(0.0), steps_since), load(b_.steps_since_strobe));
+    pass(b_.steps, load(b_.steps) + Real(1.0), load(b_.steps));
+    pass(b_.tilt, next.tilt, m_.tilt[0]);
+    pass(b_.tilt_rate, next.tilt_rate, m_.tilt_rate[0]);
+    if constexpr (slips) {
+      pass(b_.slip, next.slip, m_.slip[0]);
+      pass(b_.slip_rate, next.slip_rate, m_.slip_rate[0]);
+    }
+    pass(b_.time, time, time_);
+    pass(b_.period, select(wraps, period_ + Real(1.0), period_), period_);
+  }
+
+  void count_strobe(const Truth& strobed) {
+    using base::select;
+    if (bits_of(strobed) == 0) return;
+    const Real one(1.0);
+    store(b_.strobe_period, select(strobed, load(b_.strobe_period) + one, load(b_.strobe_period)));
+    store(b_.strobes_left, select(strobed, load(b_.strobes_left) - one, load(b_.strobes_left)));
+  }
+
+  void store_end(const Point& end) {
+    store(b_.length, length_);
+    store(b_.duration, duration_);
+    store(b_.end_tilt, end.tilt);
+    store(b_.end_tilt_rate, end.tilt_rate);
+    if constexpr (slips) {
+      store(b_.end_slip, end.slip);
+      store(b_.end_slip_rate, end.slip_rate);
+    }
+    if (in_doubt_ == 0) b_.lost = {};
+  }
+
+  Truth occupied_;
+  std::uint32_t in_doubt_;  ///< lanes with a guard that a cheap bound does not clear
+  Real isolations_;         ///< of roots of such guards
+  Real duration_;
+  Truth lost_;     ///< lanes with a guard that loses its sign
+  Truth unclear_;  ///< lanes with a guard of which that is not found out here
+};
+
+}  // namespace
+}  // namespace rocking::lanes

@@ -130,7 +130,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   [[nodiscard]] bool slips() const { return this->is_slipping(); }
   [[nodiscard]] bool tests_friction() const { return coefficients_.has_friction(); }
   /// Whether the coming step must end soon.
-  [[nodiscard]] bool is_brief() const { return time_to_breakpoint() <= brief_step * clock_.period_length(); }
+  [[nodiscard]] bool is_brief() const { return is_brief(time_to_breakpoint()); }
 
   [[nodiscard]] SmoothStep smooth_step() {
     const double side = state_.side;
@@ -158,6 +158,34 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   void pass_breakpoint(std::uint64_t steps) {
     count_steps_elsewhere(steps);
     clock_.set(*breakpoint_);
+    settle();
+  }
+
+  /// What changes at the coming breakpoints of a brief rock-slide, as far as it is foreseen and leaves its steps ordinary and
+  /// brief. Returns how many of at most `most_foreseen` changes it has filled in.
+  [[nodiscard]] std::size_t foresee(std::span<SmoothChange> changes) const {
+    std::size_t count = 0;
+    if constexpr (ForeseesFriction<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
+      std::array<FrictionInterval, most_foreseen> intervals;
+      const std::size_t known = coefficients_.foresee(clock_, std::span(intervals).first(changes.size()));
+      const double direction = state_.side * state_.slip_direction;
+      for (Instant begin = *breakpoint_; count < known; begin = intervals[count++].end) {
+        const auto& [kinetic_friction, end] = intervals[count];
+        const Instant now = clock_.wrapped(begin);
+        if (determinant_may_vanish(kinetic_friction) || !is_brief(clock_.between(now, end))) break;
+        changes[count] = {.now = now, .drag = direction * kinetic_friction, .breakpoint = end};
+      }
+    }
+    return count;
+  }
+
+  /// The first `count` of them have happened, the last of them as `change` says, in `steps` done elsewhere.
+  void pass_changes(std::size_t count, const SmoothChange& change, std::uint64_t steps) {
+    count_steps_elsewhere(steps);
+    clock_.set(change.now);
+    if constexpr (ForeseesFriction<Coefficients>) {
+      coefficients_.pass_intervals(clock_, count);
+    }
     settle();
   }
 
@@ -356,9 +384,11 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
 
   /// Fills the series as far as the coming step needs it; returns the step's length.
   [[nodiscard]] double length_of_series(double reach) {
-    if (reach <= brief_step * clock_.period_length() && expand_to<brief_order>() >= reach) return reach;
+    if (is_brief(reach) && expand_to<brief_order>() >= reach) return reach;
     return std::min({expand_to<full_order>(), reach, clock_.period_length()});
   }
+
+  [[nodiscard]] bool is_brief(double reach) const { return reach <= brief_step * clock_.period_length(); }
 
   [[nodiscard]] bool rocks() const {
     return state_.contact == ContactState::rock || state_.contact == ContactState::rock_slide;
@@ -398,10 +428,12 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
 
   [[nodiscard]] double determinant() const { return setting_.inertia + series_.sine[0] * series_.arm[0]; }
 
+  [[nodiscard]] bool determinant_may_vanish() const { return determinant_may_vanish(kinetic_friction_); }
+
   /// min over phi of D = J + 1/2 - sqrt(1 + mu_k^2)/2.
-  [[nodiscard]] bool determinant_may_vanish() const {
+  [[nodiscard]] bool determinant_may_vanish(double kinetic_friction) const {
     const double limit = 2.0 * setting_.inertia + 1.0;
-    return 1.0 + kinetic_friction_ * kinetic_friction_ >= limit * limit;
+    return 1.0 + kinetic_friction * kinetic_friction >= limit * limit;
   }
 
   [[nodiscard]] GuardContext guard_context() const {

@@ -9,15 +9,13 @@ constexpr double two_pi = 0x1.921fb54442d18p+2;
 }
 
 Clock::Clock(double frequency, double phase)
-    : frequency_(frequency), length_(two_pi / frequency), start_(phase / frequency), now_{.period = 0, .time = start_} {
-  wrap();
-}
+    : frequency_(frequency), length_(two_pi / frequency), start_(phase / frequency), now_(wrapped({.period = 0, .time = start_})) {}
 
 void Clock::advance(double duration) {
   const double later = now_.time + duration;
   const bool is_lost = duration > 0.0 && later == now_.time;
   now_.time = is_lost ? std::nextafter(later, std::numeric_limits<double>::infinity()) : later;
-  wrap();
+  now_ = wrapped(now_);
 }
 
 }  // namespace rocking::dynamics

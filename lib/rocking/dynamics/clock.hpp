@@ -29,8 +29,9 @@ class Clock {
   /// Instants closer than this are one: a few roundings of a time within a period.
   [[nodiscard]] double resolution() const { return 0x1p-49 * length_; }
 
-  [[nodiscard]] double until(const Instant& instant) const {
-    return static_cast<double>(instant.period - now_.period) * length_ + (instant.time - now_.time);
+  [[nodiscard]] double until(const Instant& instant) const { return between(now_, instant); }
+  [[nodiscard]] double between(const Instant& from, const Instant& to) const {
+    return static_cast<double>(to.period - from.period) * length_ + (to.time - from.time);
   }
 
   /// A duration > 0 that rounding would lose moves the clock to the next double: what comes back at once, again and again,
@@ -38,18 +39,18 @@ class Clock {
   void advance(double duration);
 
   /// Puts the clock on an instant that it has reached to rounding.
-  void set(const Instant& instant) {
-    now_ = instant;
-    wrap();
+  void set(const Instant& instant) { now_ = wrapped(instant); }
+
+  /// The same instant, with a time within its period.
+  [[nodiscard]] Instant wrapped(Instant instant) const {
+    while (instant.time >= length_) {  // exact while the time is below two periods
+      instant.time -= length_;
+      ++instant.period;
+    }
+    return instant;
   }
 
  private:
-  void wrap() {
-    while (now_.time >= length_) {  // exact while the time is below two periods
-      now_.time -= length_;
-      ++now_.period;
-    }
-  }
 
   double frequency_;
   double length_;

@@ -1,12 +1,20 @@
 #pragma once
 
 #include <concepts>
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "rocking/dynamics/clock.hpp"
 
 namespace rocking::dynamics {
+
+/// Kinetic friction over an interval of its grid.
+struct FrictionInterval {
+  double kinetic_friction;  ///< mu_k, at most mu_s
+  Instant end;
+};
 
 /// Where the automaton gets what may fluctuate: friction, restitution, amplitude. A source may draw at random, play a list
 /// or always say the same.
@@ -21,6 +29,13 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
   source.chatter_ended();
   // The next instant at which kinetic friction (looked at only while slipping) or the amplitude changes.
   { source.next_change(clock, slipping) } -> std::same_as<std::optional<Instant>>;
+};
+
+/// A source that can tell beforehand what kinetic friction will be, so that slip may go on elsewhere from interval to interval.
+template <class Source>
+concept ForeseesFriction = CoefficientSource<Source> && requires(Source source, const Clock& clock, std::span<FrictionInterval> coming) {
+  { source.foresee(clock, coming) } -> std::same_as<std::size_t>;  // of the intervals after the present one, how many
+  source.pass_intervals(clock, std::size_t{});                    // the clock has gone on by as many, the block slipping
 };
 
 /// Nothing fluctuates.

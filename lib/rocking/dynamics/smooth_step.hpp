@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -31,6 +32,15 @@ struct SmoothStep {
   std::int64_t steps_since_strobe;
   Instant breakpoint;  ///< until which the equations hold
 };
+
+/// What changes at a breakpoint that leaves the state as it is.
+struct SmoothChange {
+  Instant now;         ///< the breakpoint, as a clock shows it
+  double drag;         ///< nu from then on
+  Instant breakpoint;  ///< the next one
+};
+
+inline constexpr std::size_t most_foreseen = 16;  ///< changes
 
 inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
 

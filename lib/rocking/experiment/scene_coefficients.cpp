@@ -67,8 +67,12 @@ SceneCoefficients SceneCoefficients::under(const Scene& scene) const {
 }
 
 double SceneCoefficients::kinetic_friction(const Clock& clock) {
-  const double wanted =
-      fluctuation_.kinetic_friction > 0.0 ? drawn_kinetic_friction(clock) : friction_->kinetic_coefficient;
+  return held_kinetic_friction(fluctuation_.kinetic_friction > 0.0 ? drawn_kinetic_friction(clock)
+                                                                   : friction_->kinetic_coefficient);
+}
+
+/// `wanted`, or the static friction in force if that is less.
+double SceneCoefficients::held_kinetic_friction(double wanted) {
   if (wanted <= static_friction_) return wanted;
   if (!held_at_static_) ++clamps_.kinetic_at_static;
   held_at_static_ = true;
@@ -83,16 +87,49 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
       draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(first), deviations_);
     }
     move_to_interval(clock, interval);
-    held_at_static_ = false;
-    ++kinetic_draws_;
-    const double deviation = deviations_[static_cast<std::size_t>(interval % intervals_at_once)];
-    kinetic_friction_ = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * deviation;
-    if (kinetic_friction_ < 0.0) {
-      kinetic_friction_ = 0.0;
-      ++clamps_.kinetic_at_zero;
-    }
+    draw_kinetic_friction(interval);
   }
   return kinetic_friction_;
+}
+
+void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
+  held_at_static_ = false;
+  ++kinetic_draws_;
+  kinetic_friction_ = friction_drawn_for(interval);
+  if (kinetic_friction_ < 0.0) {
+    kinetic_friction_ = 0.0;
+    ++clamps_.kinetic_at_zero;
+  }
+}
+
+/// Before anything holds it.
+double SceneCoefficients::friction_drawn_for(std::int64_t interval) const {
+  const double deviation = deviations_[static_cast<std::size_t>(interval % intervals_at_once)];
+  return friction_->kinetic_coefficient + fluctuation_.kinetic_friction * deviation;
+}
+
+/// As far as it is drawn, and nothing but friction changes.
+std::size_t SceneCoefficients::foresee(const Clock& clock, std::span<dynamics::FrictionInterval> coming) const {
+  if (fluctuation_.kinetic_friction == 0.0 || fluctuation_.amplitude > 0.0 || interval_ < 0) return 0;
+  const auto drawn = static_cast<std::size_t>(intervals_at_once - 1 - interval_ % intervals_at_once);
+  const std::size_t count = std::min(coming.size(), drawn);
+  Instant end = interval_after_;
+  std::int64_t rest = rest_after_;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double drawn_friction = friction_drawn_for(interval_ + 1 + static_cast<std::int64_t>(i));
+    coming[i] = {.kinetic_friction = std::min(std::max(drawn_friction, 0.0), static_friction_), .end = end};
+    end = next_boundary(clock, end, rest);
+  }
+  return count;
+}
+
+void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
+  const std::int64_t first = interval_ + 1;
+  move_to_interval(clock, interval_ + static_cast<std::int64_t>(count));
+  for (std::int64_t interval = first; interval <= interval_; ++interval) {
+    draw_kinetic_friction(interval);
+    static_cast<void>(held_kinetic_friction(kinetic_friction_));
+  }
 }
 
 double SceneCoefficients::restitution() {
@@ -126,9 +163,7 @@ void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interv
   if (interval == interval_ + 1 && interval_ >= 0) {
     interval_begin_ = interval_end_;
     interval_end_ = interval_after_;
-    if (++rest_after_ == fluctuation_.refreshes_per_period) rest_after_ = 0;
-    const std::int64_t period = rest_after_ == 0 ? interval_after_.period + 1 : interval_after_.period;
-    interval_after_ = grid_instant(clock, period, rest_after_);
+    interval_after_ = next_boundary(clock, interval_after_, rest_after_);
   } else {
     interval_begin_ = grid_instant(clock, interval);
     interval_end_ = grid_instant(clock, interval + 1);
@@ -136,6 +171,12 @@ void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interv
     rest_after_ = (interval + 2) % fluctuation_.refreshes_per_period;
   }
   interval_ = interval;
+}
+
+/// After `boundary`, which is number `rest` of its period; so is `rest` then of what is returned.
+Instant SceneCoefficients::next_boundary(const Clock& clock, const Instant& boundary, std::int64_t& rest) const {
+  if (++rest == fluctuation_.refreshes_per_period) rest = 0;
+  return grid_instant(clock, rest == 0 ? boundary.period + 1 : boundary.period, rest);
 }
 
 Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t index) const {

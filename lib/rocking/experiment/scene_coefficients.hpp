@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <cstddef>
 #include <optional>
+#include <span>
 
 #include "rocking/dynamics/clock.hpp"
+#include "rocking/dynamics/coefficients.hpp"
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
 #include "rocking/random/draws.hpp"
@@ -30,6 +33,8 @@ class SceneCoefficients {
   void stop();
   void chatter_ended();
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
+  [[nodiscard]] std::size_t foresee(const dynamics::Clock& clock, std::span<dynamics::FrictionInterval> coming) const;
+  void pass_intervals(const dynamics::Clock& clock, std::size_t count);
 
   /// The same draws, counted on, about the means and with the standard deviations of another scene.
   [[nodiscard]] SceneCoefficients under(const Scene& scene) const;
@@ -49,8 +54,13 @@ class SceneCoefficients {
   [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t period,
                                                std::int64_t rest) const;
   void move_to_interval(const dynamics::Clock& clock, std::int64_t interval);
+  [[nodiscard]] dynamics::Instant next_boundary(const dynamics::Clock& clock, const dynamics::Instant& boundary,
+                                                std::int64_t& rest) const;
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
+  [[nodiscard]] double friction_drawn_for(std::int64_t interval) const;
+  void draw_kinetic_friction(std::int64_t interval);
+  [[nodiscard]] double held_kinetic_friction(double wanted);
   void draw_static_friction();
   void look_up_static_friction();
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);

@@ -48,10 +48,18 @@ class Crew {
   [[nodiscard]] std::vector<Run*> take_finished() { return std::exchange(finished_, {}); }
 
  private:
+  /// The coming breakpoints of a lane, and how many of them it has passed without its motion being told.
+  struct Foreseen {
+    std::array<dynamics::SmoothChange, dynamics::most_foreseen> changes;
+    std::size_t count = 0;
+    std::size_t passed = 0;
+  };
+
   /// Runs of a kind: those in the lanes of a block, and those that wait for one.
   struct Group {
     std::unique_ptr<Block> block = std::make_unique<Block>();
     std::array<Run*, most_lanes> runs{};
+    std::array<Foreseen, most_lanes> foreseen;
     std::uint32_t occupied = 0;
     std::vector<Run*> waiting;
 
@@ -60,6 +68,13 @@ class Crew {
       runs[lane] = &run;
       occupied |= 1U << lane;
       load(*block, lane, run.motion().smooth_step());
+      foresee(lane);
+    }
+    void foresee(std::size_t lane) {
+      const auto& motion = runs[lane]->motion();
+      Foreseen& coming = foreseen[lane];
+      coming.count = motion.slips() && motion.is_brief() ? motion.foresee(coming.changes) : 0;
+      coming.passed = 0;
     }
     void vacate(std::size_t lane) {
       occupied &= ~(1U << lane);
@@ -123,7 +138,7 @@ class Crew {
   void finish_step(Group& group, std::size_t lane) {
     Block& block = *group.block;
     Run& run = *group.runs[lane];
-    catch_up(block, lane, run);
+    catch_up(group, lane);
     if ((block.alone >> lane & 1U) != 0) {
       integrate::step(run.motion(), run.counts());
     } else {
@@ -144,20 +159,38 @@ class Crew {
 
   void pass_breakpoint(Group& group, std::size_t lane) {
     Block& block = *group.block;
+    Foreseen& foreseen = group.foreseen[lane];
+    if (foreseen.passed < foreseen.count) return load_change(block, lane, foreseen.changes[foreseen.passed++]);
+    tell_of_changes(group, lane);
     Run& run = *group.runs[lane];
     Motion& motion = run.motion();
     motion.pass_breakpoint(take_counts(block, lane, run));
-    if (kind_of(motion) == kind_of(group)) return load_change(block, lane, motion.smooth_step());
+    if (kind_of(motion) == kind_of(group)) {
+      load_change(block, lane, motion.smooth_step());
+      return group.foresee(lane);
+    }
     dynamics::SmoothProgress here = progress(block, lane);
     here.now = motion.clock().now();
     motion.catch_up(here);
     go_on(group, lane);
   }
 
-  static void catch_up(Block& block, std::size_t lane, Run& run) {
+  static void catch_up(Group& group, std::size_t lane) {
+    tell_of_changes(group, lane);
+    Block& block = *group.block;
+    Run& run = *group.runs[lane];
     dynamics::SmoothProgress here = progress(block, lane);
     here.steps = take_counts(block, lane, run);
     run.motion().catch_up(here);
+  }
+
+  static void tell_of_changes(Group& group, std::size_t lane) {
+    Foreseen& foreseen = group.foreseen[lane];
+    if (foreseen.passed == 0) return;
+    Run& run = *group.runs[lane];
+    const auto steps = take_counts(*group.block, lane, run);
+    run.motion().pass_changes(foreseen.passed, foreseen.changes[foreseen.passed - 1], steps);
+    foreseen.passed = 0;
   }
 
   /// Returns the steps done in the lane since the last call.

@@ -11,14 +11,19 @@
 /// Between the lanes of a block and the motions that are in them.
 namespace rocking::lanes {
 
+/// Goes on in a lane after a breakpoint.
+inline void load_change(Block& block, std::size_t lane, const dynamics::SmoothChange& change) {
+  block.time[lane] = change.now.time;
+  block.period[lane] = static_cast<double>(change.now.period);
+  block.drag[lane] = change.drag;
+  block.break_period[lane] = static_cast<double>(change.breakpoint.period);
+  block.break_time[lane] = change.breakpoint.time;
+}
+
 /// Goes on in a lane after a breakpoint, which left the state as it was.
 inline void load_change(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
-  block.time[lane] = step.clock->now().time;
-  block.period[lane] = static_cast<double>(step.clock->now().period);
+  load_change(block, lane, {.now = step.clock->now(), .drag = step.drag, .breakpoint = step.breakpoint});
   block.amplitude[lane] = step.amplitude;
-  block.drag[lane] = step.drag;
-  block.break_period[lane] = static_cast<double>(step.breakpoint.period);
-  block.break_time[lane] = step.breakpoint.time;
 }
 
 /// Goes on in a lane after an event.

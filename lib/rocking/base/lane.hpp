@@ -17,9 +17,9 @@ namespace rocking::base {
 /// a where a < b, else b.
 [[nodiscard]] inline double smaller(double a, double b) { return a < b ? a : b; }
 
-/// The upper half of the bits of y >= 0, as a number below 2^31: exponent and the first 20 bits of the mantissa.
+/// The upper half of the bits of abs(y), as a number below 2^31: exponent and the first 20 bits of the mantissa.
 [[nodiscard]] inline double upper_word(double y) {
-  return static_cast<double>(std::bit_cast<std::uint64_t>(y) >> 32U);
+  return static_cast<double>(std::bit_cast<std::uint64_t>(y) << 1U >> 33U);
 }
 
 /// The number of which the upper half of the bits is `word`, rounded to an integer, and the lower half 0.

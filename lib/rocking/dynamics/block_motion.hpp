@@ -219,6 +219,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   [[nodiscard]] double expand(double reach) {
     count_step();
     const double length = length_of_series(reach);
+    out_of_reach_ = guards_out_of_reach(length);
     if (after_reset_) look_at_validity();
     if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
     return length;
@@ -457,7 +458,16 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .off_ground = off_ground_,
             .tests_friction = coefficients_.has_friction() && !off_ground_ && !Base::sticks_beyond_friction_,
             .determinant_may_vanish = determinant_may_vanish(),
-            .vertical = Excitation::has_vertical};
+            .vertical = Excitation::has_vertical,
+            .out_of_reach = out_of_reach_};
+  }
+
+  [[nodiscard]] OutOfReach<bool> guards_out_of_reach(double length) {
+    if constexpr (!std::is_same_v<Excitation, HarmonicExcitation>) return {};
+    const bool may_hop = off_ground_ || normal_starts_at_zero_;
+    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop) return {};
+    return out_of_reach(state_.side * state_.tilt, state_.side * state_.tilt_rate, this->base_amplitude(), length,
+                        setting_.block.shape_angle, setting_.block.sine);
   }
 
   /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
@@ -480,6 +490,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       case ContactState::rock:
         begin_rocking(side);
         expand_rock<order, vertical>(series_, Base::lift_starts_flat_ ? 0.0 : 1.0);
+        expand_normal<order, vertical>(series_);
         return length(series_.tilt_rate);
       case ContactState::rock_slide:
         begin_rocking(side);
@@ -509,6 +520,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step, while slipping
   MotionSeries<double> series_{};
   int order_ = full_order;
+  OutOfReach<bool> out_of_reach_{};  ///< over the coming step
   bool after_reset_ = true;
   bool off_ground_ = false;  ///< N <= 0
   bool normal_starts_at_zero_ = false;

@@ -19,11 +19,11 @@ class Clock {
   /// At tau = 0. `frequency` = Omega_h; `phase` = Phi in [0, 2 pi).
   Clock(double frequency, double phase);
 
-  [[nodiscard]] const Instant& now() const { return now_; }       ///< period >= 0, time u in [0, T)
-  [[nodiscard]] double period_length() const { return length_; }  ///< T = 2 pi/Omega_h
-  [[nodiscard]] double frequency() const { return frequency_; }   ///< Omega_h
+  [[nodiscard]] const Instant& now() const { return now_; }              ///< period >= 0, time u in [0, T)
+  [[nodiscard]] double period_length() const { return length_; }         ///< T = 2 pi/Omega_h
+  [[nodiscard]] double frequency() const { return frequency_; }          ///< Omega_h
   [[nodiscard]] double angle() const { return frequency_ * now_.time; }  ///< argument of the base motion's sine [rad]
-  [[nodiscard]] double start() const { return start_; }           ///< u at tau = 0
+  [[nodiscard]] double start() const { return start_; }                  ///< u at tau = 0
   [[nodiscard]] double tau() const { return static_cast<double>(now_.period) * length_ + (now_.time - start_); }
 
   /// Instants closer than this are one: a few roundings of a time within a period.
@@ -51,7 +51,6 @@ class Clock {
   }
 
  private:
-
   double frequency_;
   double length_;
   double start_;

@@ -21,11 +21,11 @@ struct FrictionInterval {
 template <class Source>
 concept CoefficientSource = requires(Source source, const Clock& clock, bool slipping) {
   { source.has_friction() } -> std::same_as<bool>;
-  { source.static_friction() } -> std::convertible_to<double>;         // mu_s in force
-  { source.kinetic_friction(clock) } -> std::convertible_to<double>;   // mu_k in force, never above mu_s
-  { source.restitution() } -> std::convertible_to<double>;             // e of the coming impact; the next call, of the next
-  { source.amplitude(clock) } -> std::convertible_to<double>;          // A_h in force
-  source.stop();                                                       // V has become 0
+  { source.static_friction() } -> std::convertible_to<double>;        // mu_s in force
+  { source.kinetic_friction(clock) } -> std::convertible_to<double>;  // mu_k in force, never above mu_s
+  { source.restitution() } -> std::convertible_to<double>;     // e of the coming impact; the next call, of the next
+  { source.amplitude(clock) } -> std::convertible_to<double>;  // A_h in force
+  source.stop();                                               // V has become 0
   source.chatter_ended();
   // The next instant at which kinetic friction (looked at only while slipping) or the amplitude changes.
   { source.next_change(clock, slipping) } -> std::same_as<std::optional<Instant>>;
@@ -33,17 +33,18 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
 
 /// A source that can tell beforehand what kinetic friction will be, so that slip may go on elsewhere from interval to interval.
 template <class Source>
-concept ForeseesFriction = CoefficientSource<Source> && requires(Source source, const Clock& clock, std::span<FrictionInterval> coming) {
+concept ForeseesFriction = CoefficientSource<Source> &&
+    requires(Source source, const Clock& clock, std::span<FrictionInterval> coming) {
   { source.foresee(clock, coming) } -> std::same_as<std::size_t>;  // of the intervals after the present one, how many
-  source.pass_intervals(clock, std::size_t{});                    // the clock has gone on by as many, the block slipping
+  source.pass_intervals(clock, std::size_t{});  // the clock has gone on by as many, the block slipping
 };
 
 /// Nothing fluctuates.
 struct ConstantCoefficients {
   double amplitude_value = 0.0;
   double restitution_value = 0.0;
-  std::optional<double> static_value;   ///< mu_s; absent: the block cannot slide
-  double kinetic_value = 0.0;           ///< mu_k
+  std::optional<double> static_value;  ///< mu_s; absent: the block cannot slide
+  double kinetic_value = 0.0;          ///< mu_k
 
   [[nodiscard]] bool has_friction() const { return static_value.has_value(); }
   [[nodiscard]] double static_friction() const {

@@ -27,6 +27,31 @@ enum class Guard : std::size_t {
 
 inline constexpr std::size_t guard_count = 10;
 
+/// Which guards of a block that rocks and sticks cannot fire over a step, whatever its series are.
+template <class Truth>
+struct OutOfReach {
+  Truth past_balance;
+  Truth normal;
+};
+
+/// Over a step of `length` by a harmonic base motion without a vertical one, from a tilt between contact and balance. Until one
+/// of the two is reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, the amplitude of beta, and
+/// N = 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave room
+/// for the rounding and the tolerance of the series.
+template <base::Lane Real>
+[[nodiscard]] auto out_of_reach(Real tilt, Real tilt_rate, Real amplitude, Real length, Real shape_angle, Real sine) {
+  using base::fused, base::select;
+  const Real zero(0.0);
+  const Real most = select(amplitude < zero, -amplitude, amplitude);
+  const Real rate = select(tilt_rate < zero, -tilt_rate, tilt_rate);
+  using Truth = decltype(tilt < zero);
+  const Truth below = fused(fused(most, length, rate), length, tilt) < shape_angle;
+  const Real acceleration = most + sine;
+  const Real fastest = fused(acceleration, length, rate);
+  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, sine, Real(1.25)));
+  return OutOfReach<Truth>{.past_balance = below, .normal = below && presses};
+}
+
 /// What the guards depend on besides the series.
 struct GuardContext {
   ContactState contact;
@@ -36,15 +61,16 @@ struct GuardContext {
   double static_friction;  ///< mu_s in force
   double inertia;          ///< J
   double slip_sign;        ///< of V in the frame of the series
-  std::size_t tilt_zeros;    ///< coefficients of S theta at the start that are known to be 0
-  std::size_t slip_zeros;    ///< of V
-  double limit_sign;         ///< of S F where the friction that it asks for is known to be at its limit at the start, or 0
+  std::size_t tilt_zeros;  ///< coefficients of S theta at the start that are known to be 0
+  std::size_t slip_zeros;  ///< of V
+  double limit_sign;  ///< of S F where the friction that it asks for is known to be at its limit at the start, or 0
   std::size_t normal_zeros;  ///< of N
   bool was_past_balance;
   bool off_ground;
   bool tests_friction;  ///< whether sticking can fail
   bool determinant_may_vanish;
   bool vertical;  ///< the base moves vertically
+  OutOfReach<bool> out_of_reach;
 };
 
 /// Calls visit(number, coefficients) for each guard that is armed and wanted(number), its known zeros at the start divided
@@ -90,10 +116,12 @@ void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Wa
   visit_row(Guard::tilt, order + 2, context.tilt_zeros, [&](std::size_t k) { return m.tilt[k]; });
   if (context.was_past_balance) {
     below(Guard::overturn, half_pi, order + 2, m.tilt);
-  } else {
+  } else if (!context.out_of_reach.past_balance) {
     below(Guard::past_balance, context.block.shape_angle, order + 2, m.tilt);
   }
-  visit_row(Guard::normal, order, context.normal_zeros, [&](std::size_t k) { return ground * m.normal[k]; });
+  if (!context.out_of_reach.normal) {
+    visit_row(Guard::normal, order, context.normal_zeros, [&](std::size_t k) { return ground * m.normal[k]; });
+  }
   if (!slips && context.tests_friction) {
     const auto friction = [&m](std::size_t k) {
       return 4.0 / 3.0 * m.base[k] - static_cast<double>(k + 1) * m.rate_cosine[k + 1];
@@ -101,8 +129,10 @@ void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Wa
     const double mu_s = context.static_friction;
     const std::size_t zeros_inward = context.limit_sign > 0.0 ? 1U : 0U;
     const std::size_t zeros_outward = context.limit_sign < 0.0 ? 1U : 0U;
-    visit_row(Guard::friction_inward, order, zeros_inward, [&](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
-    visit_row(Guard::friction_outward, order, zeros_outward, [&](std::size_t k) { return mu_s * m.normal[k] + friction(k); });
+    visit_row(Guard::friction_inward, order, zeros_inward,
+              [&](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
+    visit_row(Guard::friction_outward, order, zeros_outward,
+              [&](std::size_t k) { return mu_s * m.normal[k] + friction(k); });
   }
   if (slips && context.determinant_may_vanish) {
     visit_row(Guard::determinant, order + 1, 0, [&](std::size_t k) {

@@ -37,8 +37,8 @@ inline constexpr int full_order = 14;
 inline constexpr int brief_order = 9;
 inline constexpr double brief_step = 1.0 / 64.0;  ///< of a period
 
-inline constexpr double least_step = 0x1p-20;            ///< of the clock's resolution
-inline constexpr std::int64_t step_budget = 1'000'000;   ///< in a period
+inline constexpr double least_step = 0x1p-20;           ///< of the clock's resolution
+inline constexpr std::int64_t step_budget = 1'000'000;  ///< in a period
 
 /// Coefficients of x^k; all in the side frame.
 template <base::Lane Real>
@@ -68,8 +68,8 @@ struct SlipParameters {
 
 namespace kernel {
 
-/// sum_{i < k} a_i b_{k - i}: the product's coefficient k but for its newest term a_k b_0. Summed from the middle outwards
-/// in two chains, so that the newest coefficients, on the critical path, come last.
+/// sum_{i < k} a_i b_{k - i}: the product's coefficient k but for its newest term a_k b_0. Summed from the middle outwards, so
+/// that the newest coefficients, on the critical path, come last.
 template <int k, base::Lane Real>
 [[nodiscard]] inline Real product_but_newest(const Real* a, const Real* b) {
   using base::fused;
@@ -79,14 +79,14 @@ template <int k, base::Lane Real>
     return a[0] * b[1];
   } else {
     constexpr int middle = k / 2;
-    Real left = a[middle] * b[k - middle];
-    Real right = k % 2 == 0 ? Real(0.0) : a[k - middle] * b[middle];
+    Real sum = a[middle] * b[k - middle];
+    if constexpr (k % 2 == 1) sum = fused(a[k - middle], b[middle], sum);
 #pragma GCC unroll 16
     for (int i = middle - 1; i >= 1; --i) {
-      left = fused(a[i], b[k - i], left);
-      right = fused(a[k - i], b[i], right);
+      sum = fused(a[i], b[k - i], sum);
+      sum = fused(a[k - i], b[i], sum);
     }
-    return fused(a[0], b[k], left + right);
+    return fused(a[0], b[k], sum);
   }
 }
 
@@ -113,9 +113,8 @@ template <int k, bool vertical, base::Lane Real>
 /// Calls step(0), ..., step(count - 1) with the numbers as compile-time constants.
 template <int count, class Step>
 inline void repeat(Step&& step) {
-  [&]<int... k>(std::integer_sequence<int, k...>) {
-    (step(std::integral_constant<int, k>{}), ...);
-  }(std::make_integer_sequence<int, count>{});
+  [&]<int... k>(std::integer_sequence<int, k...>) { (step(std::integral_constant<int, k>{}), ...); }
+  (std::make_integer_sequence<int, count>{});
 }
 
 /// From omega_k and the products at k: sine, cosine and tilt at k + 1.
@@ -129,30 +128,40 @@ inline void extend_angle(MotionSeries<Real>& m) {
 
 }  // namespace kernel
 
-/// Rock: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0] to all that rocking needs, to `order`.
+/// Rock: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0] to the motion's series, to `order`.
 ///
 /// `first_rate_gate` is 0 where omega' is known to vanish at the start (a lift at the threshold), else 1.
 template <int order, bool vertical, base::Lane Real>
 inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
+  using base::fused;
   using namespace kernel;
   repeat<order>([&](auto index) {
     constexpr int k = index;
     m.rate_sine[k] = product<k>(m.tilt_rate.data(), m.sine.data());
-    const Real demand = product<k>(m.base.data(), m.cosine.data());
-    extend_angle<k>(m);
+    Real acceleration = product_but_newest<k>(m.cosine.data(), m.base.data());
     if constexpr (vertical) {
-      const Real restoring = product<k>(m.weight.data(), m.sine.data());
-      m.tilt_rate[k + 1] = (demand - restoring) * Real(over<k + 1>);
+      acceleration = acceleration - product<k>(m.weight.data(), m.sine.data());
+    } else if constexpr (k == 0) {
+      acceleration = -m.sine[0];
     } else {
-      m.tilt_rate[k + 1] = (demand - m.sine[k]) * Real(over<k + 1>);
+      acceleration = fused(m.rate_cosine[k - 1], Real(over<k>), acceleration);  // - s_k, not waiting for it
     }
+    m.tilt_rate[k + 1] = fused(m.cosine[k], m.base[0], acceleration) * Real(over<k + 1>);
+    extend_angle<k>(m);
     if constexpr (k == 0) m.tilt_rate[1] = m.tilt_rate[1] * first_rate_gate;
   });
   m.rate_sine[order] = product<order>(m.tilt_rate.data(), m.sine.data());
   extend_angle<order>(m);
+}
+
+/// Rock: N, from what expand_rock has found.
+template <int order, bool vertical, base::Lane Real>
+inline void expand_normal(MotionSeries<Real>& m) {
+  using base::fused;
+  using namespace kernel;
   repeat<order>([&](auto index) {
     constexpr int k = index;
-    m.normal[k] = static_normal<k, vertical>(m) + Real(k + 1) * m.rate_sine[k + 1];
+    m.normal[k] = fused(m.rate_sine[k + 1], Real(k + 1), static_normal<k, vertical>(m));
   });
 }
 

@@ -13,8 +13,8 @@ namespace {
 template <Kind kind, class Real>
 class Advance : Step<kind, Real> {
   using Base = Step<kind, Real>;
-  using Base::b_, Base::load, Base::store, Base::length_, Base::m_, Base::period_, Base::period_length_, Base::reach_,
-      Base::slips, Base::time_;
+  using Base::b_, Base::load, Base::store, Base::length_, Base::m_, Base::period_, Base::period_length_, Base::presses_,
+      Base::reach_, Base::slips, Base::time_;
   using typename Base::Point, typename Base::Strobing;
   using Truth = TruthOf<Real>;
 
@@ -29,9 +29,8 @@ class Advance : Step<kind, Real> {
     const Real steps_since = load(b_.steps_since_strobe) + Real(1.0);
     const Point end = this->point(duration_);
     const Strobing strobing = this->strobing(duration_ - resolution);
-    // Off the ground the guards are others than were looked at here.
-    Truth fits = !unclear_ && Real(0.0) < m_.normal[0] && this->is_finite(end) &&
-                 this->is_ordinary(resolution, steps_since) && strobing.is_simple;
+    Truth fits = !unclear_ && presses_ && this->is_finite(end) && this->is_ordinary(resolution, steps_since) &&
+                 strobing.is_simple;
     if (bits_of(fits && strobing.strobes) != 0) {
       fits = fits && (this->store_strobe(strobing, resolution) || !strobing.strobes);
     }
@@ -55,22 +54,31 @@ class Advance : Step<kind, Real> {
     Truth doubts[Base::guards];
     std::size_t i = 0;
     Truth any = unclear_;
-    this->for_each_guard([&](Guard, auto count, const auto& starts_at_zero, auto coefficient) {
-      doubts[i] = occupied_ && !(Real(0.0) < this->bound(count, starts_at_zero, coefficient));
-      any = any || doubts[i];
-      ++i;
-    });
+    this->for_each_guard(
+        [&](Guard, const auto& out_of_reach, auto count, const auto& starts_at_zero, auto coefficient) {
+          const Truth in_reach = is_in_reach(out_of_reach);
+          doubts[i] = in_reach;
+          if (std::is_same_v<decltype(out_of_reach), const InReach&> || bits_of(in_reach) != 0) {
+            doubts[i] = in_reach && !(Real(0.0) < this->bound(count, starts_at_zero, coefficient));
+            any = any || doubts[i];
+          }
+          ++i;
+        });
     in_doubt_ = bits_of(any);
     if (in_doubt_ == 0) return;
     i = 0;
     b_.lost = {};
-    this->for_each_guard([&](Guard guard, auto count, const auto& starts_at_zero, auto coefficient) {
+    this->for_each_guard([&](Guard guard, const auto&, auto count, const auto& starts_at_zero, auto coefficient) {
       this->find_loss(guard, doubts[i++], count, starts_at_zero, coefficient);
     });
   }
 
+  [[nodiscard]] Truth is_in_reach(const InReach&) const { return occupied_; }
+  [[nodiscard]] Truth is_in_reach(const Truth& out_of_reach) const { return occupied_ && !out_of_reach; }
+
   template <std::size_t count, class Zero, class Coefficient>
-  void find_loss(Guard guard, const Truth& in_doubt, Count<count>, const Zero& starts_at_zero, Coefficient coefficient) {
+  void find_loss(Guard guard, const Truth& in_doubt, Count<count>, const Zero& starts_at_zero,
+                 Coefficient coefficient) {
     using base::select;
     if (bits_of(in_doubt) == 0) return;
     isolations_ = isolations_ + select(in_doubt, Real(1.0), Real(0.0));

@@ -64,7 +64,7 @@ struct alignas(64) Block {
   LaneRow end_tilt_rate;
   LaneRow end_slip;
   LaneRow end_slip_rate;
-  std::array<LaneRow, dynamics::guard_count> instants;   ///< by dynamics::Guard: when it lost its sign
+  std::array<LaneRow, dynamics::guard_count> instants;    ///< by dynamics::Guard: when it lost its sign
   std::array<std::uint32_t, dynamics::guard_count> lost;  ///< lanes where it did
 };
 

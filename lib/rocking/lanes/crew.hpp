@@ -63,7 +63,9 @@ class Crew {
     std::uint32_t occupied = 0;
     std::vector<Run*> waiting;
 
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size(); }
+    [[nodiscard]] std::size_t size() const {
+      return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size();
+    }
     void put(std::size_t lane, Run& run) {
       runs[lane] = &run;
       occupied |= 1U << lane;

@@ -79,10 +79,10 @@ struct Register<8> {
 inline Register<8>::Numbers fused_of(Register<8>::Numbers a, Register<8>::Numbers b, Register<8>::Numbers c) {
   return _mm512_fmadd_pd(a, b, c);
 }
-inline Register<8>::Numbers smaller_of(Register<8>::Numbers a, Register<8>::Numbers b) { return _mm512_min_pd(a, b); }
-inline __mmask8 is_less(Register<8>::Numbers a, Register<8>::Numbers b) {
-  return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ);
+inline Register<8>::Numbers smaller_of(Register<8>::Numbers a, Register<8>::Numbers b) {
+  return _mm512_mask_min_pd(a, 0xff, a, b);
 }
+inline __mmask8 is_less(Register<8>::Numbers a, Register<8>::Numbers b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
 inline __mmask8 is_equal(Register<8>::Numbers a, Register<8>::Numbers b) {
   return _mm512_cmp_pd_mask(a, b, _CMP_EQ_OQ);
 }
@@ -170,7 +170,7 @@ inline Pack<w> smaller(const Pack<w>& a, const Pack<w>& b) {
 template <int w>
 inline Pack<w> upper_word(const Pack<w>& y) {
   constexpr std::uint64_t bits_of_2_52 = 0x4330000000000000;
-  return Pack<w>((typename Pack<w>::Numbers)(((typename Pack<w>::Bits)y.numbers >> 32U) | bits_of_2_52) - 0x1p52);
+  return Pack<w>((typename Pack<w>::Numbers)(((typename Pack<w>::Bits)y.numbers << 1U >> 33U) | bits_of_2_52) - 0x1p52);
 }
 template <int w>
 inline Pack<w> from_upper_word(const Pack<w>& word) {

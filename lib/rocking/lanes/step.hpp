@@ -32,6 +32,8 @@ using Count = std::integral_constant<std::size_t, count>;
 
 /// In place of the lanes where a first coefficient is known to be 0.
 struct NeverZero {};
+/// In place of the lanes where a guard is out of reach.
+struct InReach {};
 
 template <Kind kind, class Real>
 class Step {
@@ -76,6 +78,15 @@ class Step {
       fits_ = Real(dynamics::brief_step) * period_length_ < reach_;
       length_ = smaller(period_length_, smaller(reach_, length_));
     }
+    if constexpr (!slips) {
+      out_of_reach_ = dynamics::out_of_reach(m_.tilt[0], m_.tilt_rate[0], load(b_.amplitude), length_,
+                                             load(b_.shape_angle), load(b_.sine));
+      presses_ = out_of_reach_.normal;
+      // Where no friction has to hold the block, N is of use for its guard alone.
+      if (kind == Kind::rock && bits_of(!presses_) == 0) return;
+      dynamics::expand_normal<order_of(kind), false>(m_);
+    }
+    presses_ = Real(0.0) < m_.normal[0];
   }
 
   /// base::sin_cos, without the reduction if no lane needs it.
@@ -95,30 +106,35 @@ class Step {
 
   static constexpr std::size_t guards = kind == Kind::rock ? 3 : kind == Kind::rock_with_friction ? 5 : 4;
 
-  /// Calls visit(guard, number of coefficients, zero, coefficient) for each of the `guards`: where `zero` is true,
+  /// Calls visit(guard, out of reach, number of coefficients, zero, coefficient) for each of the `guards`: where `zero` is true,
   /// coefficient(0) is known to be 0 and is left out.
   template <class Visitor>
   void for_each_guard(Visitor&& visit) const {
-    const Real zero(0.0);
     const Real shape_angle = load(b_.shape_angle);
+    const InReach in_reach;
     const NeverZero never;
-    visit(Guard::tilt, Count<order + 2>{}, m_.tilt[0] == zero, [&](std::size_t k) { return m_.tilt[k]; });
-    visit(Guard::past_balance, Count<order + 2>{}, never,
-          [&](std::size_t k) { return k == 0 ? shape_angle - m_.tilt[k] : -m_.tilt[k]; });
-    visit(Guard::normal, Count<order>{}, never, [&](std::size_t k) { return m_.normal[k]; });
+    visit(Guard::tilt, in_reach, Count<order + 2>{}, m_.tilt[0] == Real(0.0),
+          [&](std::size_t k) { return m_.tilt[k]; });
+    const auto until_balance = [&](std::size_t k) { return k == 0 ? shape_angle - m_.tilt[k] : -m_.tilt[k]; };
+    const auto normal = [&](std::size_t k) { return m_.normal[k]; };
     if constexpr (slips) {
+      visit(Guard::past_balance, in_reach, Count<order + 2>{}, never, until_balance);
+      visit(Guard::normal, in_reach, Count<order>{}, never, normal);
       const Real sign = load(b_.slip_sign);
-      visit(Guard::slip, Count<order + 1>{}, m_.slip_rate[0] == zero,
+      visit(Guard::slip, in_reach, Count<order + 1>{}, m_.slip_rate[0] == Real(0.0),
             [&](std::size_t k) { return sign * m_.slip_rate[k]; });
+    } else {
+      visit(Guard::past_balance, out_of_reach_.past_balance, Count<order + 2>{}, never, until_balance);
+      visit(Guard::normal, out_of_reach_.normal, Count<order>{}, never, normal);
     }
     if constexpr (kind == Kind::rock_with_friction) {
       const Real mu_s = load(b_.static_friction);
       const auto friction = [&](std::size_t k) {
         return Real(4.0 / 3.0) * m_.base[k] - Real(static_cast<double>(k + 1)) * m_.rate_cosine[k + 1];
       };
-      visit(Guard::friction_inward, Count<order>{}, never,
+      visit(Guard::friction_inward, in_reach, Count<order>{}, never,
             [&](std::size_t k) { return mu_s * m_.normal[k] - friction(k); });
-      visit(Guard::friction_outward, Count<order>{}, never,
+      visit(Guard::friction_outward, in_reach, Count<order>{}, never,
             [&](std::size_t k) { return mu_s * m_.normal[k] + friction(k); });
     }
   }
@@ -220,7 +236,9 @@ class Step {
   Real period_length_;
   Real reach_;  ///< time until the equations change
   Real length_;
-  TruthOf<Real> fits_;  ///< whether the order does for the step
+  TruthOf<Real> fits_;     ///< whether the order does for the step
+  TruthOf<Real> presses_;  ///< on the ground: else the guards are others than are looked at here
+  dynamics::OutOfReach<TruthOf<Real>> out_of_reach_;  ///< where it sticks
 };
 
 }  // namespace

@@ -41,6 +41,18 @@ inline Numbers smaller_of(Numbers a, Numbers b) {
   return a < b ? a : b;
 }
 template <class Truths>
+inline Truths both(Truths a, Truths b) {
+  return a & b;
+}
+template <class Truths>
+inline Truths either(Truths a, Truths b) {
+  return a | b;
+}
+template <class Truths>
+inline Truths opposite(Truths a) {
+  return ~a;
+}
+template <class Truths>
 inline std::uint32_t mask_of(Truths truths) {
   std::uint32_t mask = 0;
   for (std::size_t i = 0; i < sizeof(Truths) / 8; ++i) mask |= (truths[i] != 0 ? 1U : 0U) << i;
@@ -89,7 +101,10 @@ inline __mmask8 is_equal(Register<8>::Numbers a, Register<8>::Numbers b) {
 inline Register<8>::Numbers chosen(__mmask8 condition, Register<8>::Numbers a, Register<8>::Numbers b) {
   return _mm512_mask_blend_pd(condition, b, a);
 }
-inline std::uint32_t mask_of(__mmask8 truths) { return truths; }
+inline __mmask8 both(__mmask8 a, __mmask8 b) { return _kand_mask8(a, b); }
+inline __mmask8 either(__mmask8 a, __mmask8 b) { return _kor_mask8(a, b); }
+inline __mmask8 opposite(__mmask8 a) { return _knot_mask8(a); }
+inline std::uint32_t mask_of(__mmask8 truths) { return _cvtmask8_u32(truths); }
 #endif
 
 /// A truth a lane.
@@ -142,15 +157,15 @@ inline Truth<w> operator==(const Pack<w>& a, const Pack<w>& b) {
 }
 template <int w>
 inline Truth<w> operator&&(const Truth<w>& a, const Truth<w>& b) {
-  return {static_cast<typename Register<w>::Truths>(a.truths & b.truths)};
+  return {both(a.truths, b.truths)};
 }
 template <int w>
 inline Truth<w> operator||(const Truth<w>& a, const Truth<w>& b) {
-  return {static_cast<typename Register<w>::Truths>(a.truths | b.truths)};
+  return {either(a.truths, b.truths)};
 }
 template <int w>
 inline Truth<w> operator!(const Truth<w>& a) {
-  return {static_cast<typename Register<w>::Truths>(~a.truths)};
+  return {opposite(a.truths)};
 }
 
 template <int w>

@@ -53,7 +53,13 @@ class Automaton {
   [[nodiscard]] std::uint64_t contradictions() const { return contradictions_; }
 
   /// Horizontal base acceleration alpha now, in g.
-  [[nodiscard]] double base_acceleration() { return excitation_.horizontal(clock_, base_amplitude()); }
+  [[nodiscard]] double base_acceleration() {
+    if (accelerated_at_ != clock_.now()) {  // several questions are asked of one instant
+      accelerated_at_ = clock_.now();
+      base_acceleration_ = excitation_.horizontal(clock_, base_amplitude());
+    }
+    return base_acceleration_;
+  }
 
  protected:
   [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * excitation_.unit(setting_.block); }
@@ -210,6 +216,7 @@ class Automaton {
   bool slip_starts_flat_ = false;  ///< V' = 0 exactly at the start of the coming step
   double limit_sign_ = 0.0;  ///< of S F, if abs(F) = mu_s N exactly at the start of the coming step; else 0
   bool sticks_beyond_friction_ = false;  ///< until the next event; see start_slipping
+  std::optional<Instant> accelerated_at_;  ///< when the base acceleration below was
 
  private:
   [[nodiscard]] double weight() const { return excitation_.weight(clock_); }
@@ -359,6 +366,7 @@ class Automaton {
 
   Observer* observer_;
   std::optional<Termination> termination_;
+  double base_acceleration_ = 0.0;
   std::uint64_t contradictions_ = 0;
 };
 

@@ -93,6 +93,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     setting_ = setting;
     clock_ = clock;
     coefficients_ = coefficients;
+    Base::accelerated_at_.reset();
     Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
     Base::limit_sign_ = 0.0;
     normal_starts_at_zero_ = false;

@@ -8,6 +8,8 @@ namespace rocking::dynamics {
 struct Instant {
   std::int64_t period = 0;
   double time = 0.0;
+
+  friend bool operator==(const Instant&, const Instant&) = default;
 };
 
 /// Time as a count of excitation periods and the time within the current one.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <bit>
+
 #include "rocking/lanes/sign_losses.hpp"
 #include "rocking/lanes/step.hpp"
 
@@ -46,6 +48,10 @@ class Advance : Step<kind, Real> {
   }
 
  private:
+  /// The search for roots takes as long for one lane as for all. Where one step in eight asks for it, a few lanes had better wait
+  /// for each other than take it one by one; elsewhere most steps ask for it, or hardly any.
+  static constexpr int fewest_in_doubt = kind == Kind::rock ? (3 * Row<Real>::lanes + 7) / 8 : 1;
+
   void find_losses() {
     occupied_ = load(b_.occupied) == Real(1.0);
     duration_ = length_;
@@ -65,7 +71,10 @@ class Advance : Step<kind, Real> {
           ++i;
         });
     in_doubt_ = bits_of(any);
-    if (in_doubt_ == 0) return;
+    const std::uint32_t others = bits_of(occupied_) & ~in_doubt_;
+    b_.held = others != 0 && std::popcount(in_doubt_) < fewest_in_doubt ? in_doubt_ : 0;
+    if (b_.held != 0) lost_ = any;
+    if (in_doubt_ == 0 || b_.held != 0) return;
     i = 0;
     b_.lost = {};
     this->for_each_guard([&](Guard guard, const auto&, auto count, const auto& starts_at_zero, auto coefficient) {
@@ -163,7 +172,7 @@ class Advance : Step<kind, Real> {
       store(b_.end_slip, end.slip);
       store(b_.end_slip_rate, end.slip_rate);
     }
-    if (in_doubt_ == 0) b_.lost = {};
+    if (in_doubt_ == 0 || b_.held != 0) b_.lost = {};
   }
 
   Truth occupied_;

@@ -49,6 +49,7 @@ struct alignas(64) Block {
 
   // What the last step was like.
   std::uint32_t quiet;    ///< lanes in which nothing happened: they were moved on
+  std::uint32_t held;     ///< lanes that wait for others, so that roots are looked for in several at once
   std::uint32_t arrived;  ///< of them, those that are at their breakpoint (brief steps only)
   std::uint32_t strobed;  ///< lanes that passed a strobe point
   LaneRow strobe_tilt;    ///< the state then

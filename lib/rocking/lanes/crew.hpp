@@ -133,7 +133,7 @@ class Crew {
     for_each_lane(block.quiet & block.strobed & group.occupied,
                   [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
     for_each_lane(block.arrived & group.occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
-    for_each_lane(~block.quiet & group.occupied, [&](std::size_t lane) { finish_step(group, lane); });
+    for_each_lane(~(block.quiet | block.held) & group.occupied, [&](std::size_t lane) { finish_step(group, lane); });
   }
 
   /// The lane's run takes what was found out of its step, and goes on where its next one is done.

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/dynamics/forces.hpp"
+#include "rocking/dynamics/guards.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::dynamics {
@@ -125,6 +126,7 @@ Residuals residuals_of_rocking(const Start& start, bool slips, double h) {
   } else {
     m.slip_rate = {};
     expand_rock<order, vertical>(m, 1.0);
+    expand_normal<order, vertical>(m);
   }
   Residuals found;
   for (int i = 0; i <= 4; ++i) {
@@ -305,12 +307,54 @@ TEST(RockingForces, AreThoseOfTheSeriesToTheBit) {
     Series m{};
     begin<14>(m, start);
     expand_rock<14, false>(m, 1.0);
+    expand_normal<14, false>(m);
     const State state{.tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side};
     const Forces forces = rocking_forces(state, start.side * m.base[0], 1.0, start.block);
     ASSERT_EQ(forces.normal, m.normal[0]);
     ASSERT_EQ(forces.acceleration, start.side * m.tilt_rate[1]);
     ASSERT_EQ(start.side * forces.friction, 4.0 / 3.0 * m.base[0] - m.rate_cosine[1]);
   }
+}
+
+/// Least value over [0, length] of sum row[k] x^k, k <= degree, as far as 200 instants show it.
+double least_on(const Series::Row& row, int degree, double length) {
+  double least = value(row, degree, 0.0);
+  for (int i = 1; i <= 200; ++i) least = std::fmin(least, value(row, degree, length * i / 200.0));
+  return least;
+}
+
+// Guards that are not looked at must not fire; the bound holds until the block lands, which another guard finds.
+TEST(OutOfReach, IsOnlyWhatASeriesDoesNotReach) {
+  support::SplitMix draw(27);
+  int balances = 0;
+  int normals = 0;
+  for (int i = 0; i < 200'000; ++i) {
+    Start start = random_start(draw);
+    const double psi = start.block.shape_angle;
+    start.side = 1.0;
+    start.tilt = psi * draw.uniform(0.0, 1.0);
+    start.tilt_rate = draw.uniform(-3.0, 3.0) * psi;
+    const double length = std::exp2(draw.uniform(-8.0, -1.0)) / start.frequency;
+    Series m{};
+    begin<14>(m, start);
+    expand_rock<14, false>(m, 1.0);
+    expand_normal<14, false>(m);
+    const auto out = out_of_reach(m.tilt[0], m.tilt_rate[0], start.amplitude, length, psi, start.block.sine);
+    if (least_on(m.tilt, 15, length) < 0.0) continue;
+    Series::Row until_balance = m.tilt;
+    for (double& coefficient : until_balance) coefficient = -coefficient;
+    until_balance[0] += psi;
+    balances += out.past_balance ? 1 : 0;
+    normals += out.normal ? 1 : 0;
+    if (out.past_balance) {
+      ASSERT_GT(least_on(until_balance, 15, length), 0.0) << "start " << i;
+    }
+    if (out.normal) {
+      ASSERT_GT(least_on(m.normal, 13, length), 0.0) << "start " << i;
+    }
+  }
+  EXPECT_GT(balances, 20'000);
+  EXPECT_GT(normals, 2'000);
 }
 
 TEST(SlippingRates, AreThoseOfTheSeriesToTheBit) {

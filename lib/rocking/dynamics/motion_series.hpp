@@ -139,16 +139,18 @@ inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
     constexpr int k = index;
     m.rate_sine[k] = product<k>(m.tilt_rate.data(), m.sine.data());
     Real acceleration = product_but_newest<k>(m.cosine.data(), m.base.data());
-    if constexpr (vertical) {
-      acceleration = acceleration - product<k>(m.weight.data(), m.sine.data());
-    } else if constexpr (k == 0) {
-      acceleration = -m.sine[0];
+    if constexpr (k == 0) {  // as rocking_forces says it
+      const Real restoring = vertical ? m.weight[0] * m.sine[0] : m.sine[0];
+      m.tilt_rate[1] = (m.base[0] * m.cosine[0] - restoring) * first_rate_gate;
     } else {
-      acceleration = fused(m.rate_cosine[k - 1], Real(over<k>), acceleration);  // - s_k, not waiting for it
+      if constexpr (vertical) {
+        acceleration = acceleration - product<k>(m.weight.data(), m.sine.data());
+      } else {
+        acceleration = fused(m.rate_cosine[k - 1], Real(over<k>), acceleration);  // - s_k, not waiting for it
+      }
+      m.tilt_rate[k + 1] = fused(m.cosine[k], m.base[0], acceleration) * Real(over<k + 1>);
     }
-    m.tilt_rate[k + 1] = fused(m.cosine[k], m.base[0], acceleration) * Real(over<k + 1>);
     extend_angle<k>(m);
-    if constexpr (k == 0) m.tilt_rate[1] = m.tilt_rate[1] * first_rate_gate;
   });
   m.rate_sine[order] = product<order>(m.tilt_rate.data(), m.sine.data());
   extend_angle<order>(m);

@@ -8,19 +8,20 @@
 
 namespace rocking::integrate {
 
-/// One step of a lower bound of p(x) = sum c[k] x^k on [0, length]: there c0 + x q(x) is at least c0 + length min(0, min q).
+/// One step, from the last coefficient on, of a lower bound of sum c[k] x^k on [0, length]: that of c + x q(x) is
+/// min(c, 0) + length times that of q.
 template <base::Lane Real>
 [[nodiscard]] inline Real bound_below(Real bound_of_rest, Real coefficient, Real length) {
   using base::fused, base::smaller;
-  return fused(smaller(bound_of_rest, Real(0.0)), length, coefficient);
+  return fused(bound_of_rest, length, smaller(coefficient, Real(0.0)));
 }
 
-/// Whether that bound, from the last coefficient to the first, shows that p stays positive on [0, length]. False means "not
+/// Whether p(x) = sum c[k] x^k is shown to stay positive on [0, length] by c[0] and that bound of the rest. False means "not
 /// shown".
 [[nodiscard]] inline bool is_clearly_positive(std::span<const double> c, double length) {
   double bound = 0.0;
-  for (std::size_t k = c.size(); k-- > 0;) bound = bound_below(bound, c[k], length);
-  return bound > 0.0;
+  for (std::size_t k = c.size() - 1; k > 0; --k) bound = bound_below(bound, c[k], length);
+  return base::fused(bound, length, c[0]) > 0.0;
 }
 
 /// First t in [0, 1] at which p(t) = sum c[k] t^k goes from p >= 0 to p < 0; 0 if it starts below zero, or starts at zero

@@ -139,18 +139,20 @@ class Step {
     }
   }
 
-  /// Below the guard's polynomial over the step; see integrate.
+  /// Below the guard's polynomial over the step, without its first coefficient where that is known to be 0; as
+  /// integrate::is_clearly_positive says it.
   template <std::size_t count, class Zero, class Coefficient>
   [[nodiscard]] Real bound(Count<count>, const Zero& starts_at_zero, Coefficient coefficient) const {
-    using base::select;
-    Real below(0.0);
+    using base::fused, base::select;
+    Real rest(0.0);
 #pragma GCC unroll 20
-    for (std::size_t k = count; k > 1; --k) below = integrate::bound_below(below, coefficient(k - 1), length_);
-    const Real whole = integrate::bound_below(below, coefficient(0), length_);
+    for (std::size_t k = count - 1; k > 1; --k) rest = integrate::bound_below(rest, coefficient(k), length_);
+    const Real second = coefficient(1);
+    const Real whole = fused(integrate::bound_below(rest, second, length_), length_, coefficient(0));
     if constexpr (std::is_same_v<Zero, NeverZero>) {
       return whole;
     } else {
-      return select(starts_at_zero, below, whole);
+      return select(starts_at_zero, fused(rest, length_, second), whole);
     }
   }
 

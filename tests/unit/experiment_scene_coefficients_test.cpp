@@ -3,8 +3,10 @@
 #include "rocking/experiment/scene_coefficients.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -152,6 +154,52 @@ TEST(KineticFriction, IsDrawnAndClampedOnlyWhereItIsUsed) {
   coefficients.add_to(effort);
   EXPECT_EQ(effort.kinetic_friction_draws, 0U);
   EXPECT_EQ(coefficients.clamps().kinetic_at_static + coefficients.clamps().kinetic_at_zero, 0U);
+}
+
+// Who is told of the coming intervals and says afterwards how many have passed is where one is who has asked in each of them.
+TEST(KineticFriction, IsForeseenAsItComes) {
+  const Scene scene = scene_with({.kinetic_friction = 0.3}, 0.35, 0.3);
+  for (const double phase : {0.0, 2.5}) {
+    SceneCoefficients asked(scene, draws);
+    SceneCoefficients told(scene, draws);
+    Clock clock(frequency, phase);
+    ASSERT_EQ(asked.kinetic_friction(clock), told.kinetic_friction(clock));
+    std::size_t foreseen = 0;
+    for (int i = 0; i < 200; ++i) {
+      std::array<dynamics::FrictionInterval, 16> coming;
+      const std::size_t known = told.foresee(clock, std::span(coming).first(1 + static_cast<std::size_t>(i) % 16));
+      const std::size_t passed = std::min(known, static_cast<std::size_t>(i) % 5 + 1);
+      for (std::size_t k = 0; k < passed; ++k) {
+        clock.set(*asked.next_change(clock, true));
+        ASSERT_EQ(coming[k].kinetic_friction, asked.kinetic_friction(clock)) << i << " " << k;
+        ASSERT_EQ(coming[k].end, *asked.next_change(clock, true)) << i << " " << k;
+      }
+      if (passed > 0) told.pass_intervals(clock, passed);
+      foreseen += passed;
+      if (passed == known) {
+        clock.set(*asked.next_change(clock, true));
+        ASSERT_EQ(told.kinetic_friction(clock), asked.kinetic_friction(clock)) << i;
+      }
+      ASSERT_EQ(told.next_change(clock, true), asked.next_change(clock, true));
+      ASSERT_EQ(told.clamps().kinetic_at_zero, asked.clamps().kinetic_at_zero);
+      ASSERT_EQ(told.clamps().kinetic_at_static, asked.clamps().kinetic_at_static);
+    }
+    EXPECT_GT(foreseen, 300U);
+    Effort by_asking;
+    Effort by_telling;
+    asked.add_to(by_asking);
+    told.add_to(by_telling);
+    EXPECT_EQ(by_asking.kinetic_friction_draws, by_telling.kinetic_friction_draws);
+  }
+}
+
+TEST(KineticFriction, IsNotForeseenWhereTheAmplitudeMayChangeBefore) {
+  const Scene scene = scene_with({.kinetic_friction = 0.3, .amplitude = 0.1}, 0.35, 0.3);
+  SceneCoefficients coefficients(scene, draws);
+  Clock clock(frequency, 0.0);
+  static_cast<void>(coefficients.kinetic_friction(clock));
+  std::array<dynamics::FrictionInterval, 16> coming;
+  EXPECT_EQ(coefficients.foresee(clock, coming), 0U);
 }
 
 double static_draw(std::uint64_t chatters, std::uint64_t stops, double sigma = 0.03) {

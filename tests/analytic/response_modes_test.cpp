@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/record.hpp"
@@ -42,10 +43,26 @@ const std::map<std::string, std::string> modes{
     {"22_kinetic_below_tip_static_above", "(0,1)"},
 };
 
+/// A chaotic motion is another one for every tolerance, as for every rounding. One in thirty (5, 11 and 7 of 200 tolerances in
+/// cases 8, 9 and 11) is left unresolved by the default horizon; none may get another name.
+void expect_chaos_of_most_roundings(experiment::Condition condition) {
+  constexpr int roundings = 20;
+  const double tolerance = condition.tolerance;
+  int chaotic = 0;
+  for (int i = 0; i < roundings; ++i) {
+    condition.tolerance = tolerance * (1.0 + 0.01 * i);
+    const std::string mode = to_string(experiment::realise(condition, 0, 0).verdict.mode);
+    EXPECT_THAT(mode, testing::AnyOf("chaotic", "unresolved")) << "at tolerance " << condition.tolerance;
+    chaotic += mode == "chaotic" ? 1 : 0;
+  }
+  EXPECT_GE(chaotic, 17);
+}
+
 class ReferenceMode : public testing::TestWithParam<std::string> {};
 
 TEST_P(ReferenceMode, IsNamedRight) {
   const auto condition = tests::condition_of_reference(tests::load_reference(GetParam()));
+  if (modes.at(GetParam()) == "chaotic") return expect_chaos_of_most_roundings(condition);
   const experiment::Record record = experiment::realise(condition, 0, 0);
   EXPECT_EQ(to_string(record.verdict.mode), modes.at(GetParam())) << to_string(record.verdict.reason.value());
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <bit>
 
 #include "rocking/lanes/sign_losses.hpp"
@@ -57,29 +58,33 @@ class Advance : Step<kind, Real> {
     duration_ = length_;
     isolations_ = Real(0.0);
     unclear_ = lost_ = Real(0.0) < Real(0.0);
-    Truth doubts[Base::guards];
-    std::size_t i = 0;
-    Truth any = unclear_;
-    this->for_each_guard(
-        [&](Guard, const auto& out_of_reach, auto count, const auto& starts_at_zero, auto coefficient) {
-          const Truth in_reach = is_in_reach(out_of_reach);
-          doubts[i] = in_reach;
-          if (std::is_same_v<decltype(out_of_reach), const InReach&> || bits_of(in_reach) != 0) {
-            doubts[i] = in_reach && !(Real(0.0) < this->bound(count, starts_at_zero, coefficient));
-            any = any || doubts[i];
-          }
-          ++i;
-        });
+    const std::array<Truth, Base::guards> doubts = guards_in_doubt();
+    Truth any = doubts[0];
+    for (const Truth& doubt : doubts) any = any || doubt;
     in_doubt_ = bits_of(any);
-    const std::uint32_t others = bits_of(occupied_) & ~in_doubt_;
-    b_.held = others != 0 && std::popcount(in_doubt_) < fewest_in_doubt ? in_doubt_ : 0;
+    const bool has_others = (bits_of(occupied_) & ~in_doubt_) != 0;
+    b_.held = has_others && std::popcount(in_doubt_) < fewest_in_doubt ? in_doubt_ : 0;
     if (b_.held != 0) lost_ = any;
     if (in_doubt_ == 0 || b_.held != 0) return;
-    i = 0;
     b_.lost = {};
+    std::size_t i = 0;
     this->for_each_guard([&](Guard guard, const auto&, auto count, const auto& starts_at_zero, auto coefficient) {
       this->find_loss(guard, doubts[i++], count, starts_at_zero, coefficient);
     });
+  }
+
+  /// For each guard the lanes in which a cheap bound does not clear it.
+  [[nodiscard]] std::array<Truth, Base::guards> guards_in_doubt() const {
+    std::array<Truth, Base::guards> doubts;
+    std::size_t i = 0;
+    this->for_each_guard(
+        [&](Guard, const auto& out_of_reach, auto count, const auto& starts_at_zero, auto coefficient) {
+          Truth& doubt = doubts[i++];
+          doubt = is_in_reach(out_of_reach);
+          if (bits_of(doubt) == 0) return;
+          doubt = doubt && !(Real(0.0) < this->bound(count, starts_at_zero, coefficient));
+        });
+    return doubts;
   }
 
   [[nodiscard]] Truth is_in_reach(const InReach&) const { return occupied_; }

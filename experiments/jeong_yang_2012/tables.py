@@ -40,6 +40,8 @@ def verdict(findings):
     def differ(fixed, names):
         return any(len({judged[cell] for cell in judged if cell[fixed] == name}) > 1 for name in names)
     causes = [word for word, found in (("reading", differ(1, STARTS)), ("start", differ(0, READINGS))) if found]
+    if not causes:  # no two cells judged differ in one of them alone
+        return "depends on the reading or the start" + rest
     return "depends on the " + " and the ".join(causes) + rest
 
 

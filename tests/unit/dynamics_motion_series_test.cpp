@@ -330,20 +330,20 @@ TEST(OutOfReach, IsOnlyWhatASeriesDoesNotReach) {
   int normals = 0;
   for (int i = 0; i < 200'000; ++i) {
     Start start = random_start(draw);
-    const double psi = start.block.shape_angle;
+    const double balance = start.block.shape_angle;
     start.side = 1.0;
-    start.tilt = psi * draw.uniform(0.0, 1.0);
-    start.tilt_rate = draw.uniform(-3.0, 3.0) * psi;
+    start.tilt = balance * draw.uniform(0.0, 1.0);
+    start.tilt_rate = draw.uniform(-3.0, 3.0) * balance;
     const double length = std::exp2(draw.uniform(-8.0, -1.0)) / start.frequency;
     Series m{};
     begin<14>(m, start);
     expand_rock<14, false>(m, 1.0);
     expand_normal<14, false>(m);
-    const auto out = out_of_reach(m.tilt[0], m.tilt_rate[0], start.amplitude, length, psi, start.block.sine);
+    const auto out = out_of_reach(m.tilt[0], m.tilt_rate[0], start.amplitude, length, balance, start.block.sine);
     if (least_on(m.tilt, 15, length) < 0.0) continue;
     Series::Row until_balance = m.tilt;
     for (double& coefficient : until_balance) coefficient = -coefficient;
-    until_balance[0] += psi;
+    until_balance[0] += balance;
     balances += out.past_balance ? 1 : 0;
     normals += out.normal ? 1 : 0;
     if (out.past_balance) {

@@ -1,6 +1,9 @@
 #include "rocking/experiment/store.hpp"
 
+#include <chrono>
+#include <string>
 #include <system_error>
+#include <thread>
 #include <utility>
 
 #include "rocking/experiment/store_row.hpp"
@@ -29,10 +32,25 @@ std::string text_in(const Database& database, const char* sql) {
   return statement.step() ? statement.text(0) : "";
 }
 
+// While others look on, SQLite refuses to change the journal's mode at once, whatever the timeout: tried until they have looked.
+// Returns the mode that it has then.
+std::string changed_journal_mode(const Database& database, const std::string& mode) {
+  constexpr std::chrono::milliseconds pause(5);
+  constexpr int most_tries = 2000;
+  for (int tries = 1;; ++tries) {
+    try {
+      return text_in(database, ("PRAGMA journal_mode = " + mode).c_str());
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::device_or_resource_busy || tries == most_tries) throw;
+    }
+    std::this_thread::sleep_for(pause);
+  }
+}
+
 // The log lets readers look on while a run writes. What a power failure may cost without a flush at each commit is told in
 // the header. False where the file system has no shared memory, which the log needs.
 bool begin_write_ahead(Database& database) {
-  if (text_in(database, "PRAGMA journal_mode = WAL") != "wal") return false;
+  if (changed_journal_mode(database, "WAL") != "wal") return false;
   database.execute("PRAGMA synchronous = NORMAL; BEGIN IMMEDIATE; ROLLBACK");  // the memory is not asked for before
   return true;
 }
@@ -132,7 +150,7 @@ void Store::commit() {
 
 void Store::close_up() {
   commit();
-  database_.execute("PRAGMA journal_mode = DELETE");
+  static_cast<void>(changed_journal_mode(database_, "DELETE"));
 }
 
 std::optional<Summary> Store::find(const RealisationKey& key) const {

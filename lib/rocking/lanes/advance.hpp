@@ -49,9 +49,9 @@ class Advance : Step<kind, Real> {
   }
 
  private:
-  /// The search for roots takes as long for one lane as for all. Where one step in eight asks for it, a few lanes had better wait
-  /// for each other than take it one by one; elsewhere most steps ask for it, or hardly any.
-  static constexpr int fewest_in_doubt = kind == Kind::rock ? (3 * Row<Real>::lanes + 7) / 8 : 1;
+  /// The search for roots takes as long for one lane as for all: a few lanes that ask for it had better wait for each other. Not
+  /// on the friction grid, where hardly any step asks for it and they would wait long.
+  static constexpr int fewest_in_doubt = kind == Kind::rock_slide_briefly ? 1 : (3 * Row<Real>::lanes + 7) / 8;
 
   void find_losses() {
     occupied_ = load(b_.occupied) == Real(1.0);

@@ -42,7 +42,7 @@ void follow_all(benchmark::State& state, const Case& c, const Follow& follow, co
 }
 
 void follow_all_in_lanes(benchmark::State& state, const Case& c, const Calibration& calibration) {
-  constexpr int copies = 32;  // so many that the lanes which are empty at the end are few
+  constexpr int copies = 8;
   for (auto _ : state) benchmark::DoNotOptimize(follow_side_by_side(c, calibration.tolerance, copies));
   state.SetItemsProcessed(state.iterations() * copies * starts * periods);
 }

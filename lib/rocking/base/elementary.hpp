@@ -35,7 +35,7 @@ inline constexpr std::array<double, 18> inverse_factorial = [] {
 }  // namespace elementary
 
 /// sin(x) and cos(x) on the reduced range abs(x) <= pi/4 (a little more does no harm).
-template <Lane Real>
+template <Number Real>
 [[nodiscard]] inline SinCos<Real> reduced_sin_cos(Real x) {
   const auto& f = elementary::inverse_factorial;
   const Real y = x * x;

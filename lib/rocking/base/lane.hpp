@@ -28,17 +28,26 @@ namespace rocking::base {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(word + 0x1p52) << 32U);
 }
 
-/// What a number must offer to be advanced by the stepping kernel: IEEE arithmetic, a fused multiply-add and a selection
-/// without a branch. `double` is one lane; a pack of several models the same concept, so that one source serves all
-/// widths and every lane gets the bits that it would get alone.
+/// The 64 bits of a number, and the number that has them.
+[[nodiscard]] constexpr std::uint64_t bits_of(double y) { return std::bit_cast<std::uint64_t>(y); }
+[[nodiscard]] constexpr double number_of(std::uint64_t bits) { return std::bit_cast<double>(bits); }
+
+/// IEEE arithmetic and a fused multiply-add: all that a polynomial needs.
 template <class Real>
-concept Lane = requires(Real a, Real b, Real c) {
+concept Number = requires(Real a, Real b, Real c) {
   { a + b } -> std::convertible_to<Real>;
   { a - b } -> std::convertible_to<Real>;
   { a * b } -> std::convertible_to<Real>;
   { a / b } -> std::convertible_to<Real>;
   { -a } -> std::convertible_to<Real>;
   { fused(a, b, c) } -> std::convertible_to<Real>;
+};
+
+/// What a number must offer to be advanced by the stepping kernel: arithmetic and a selection without a branch. `double`
+/// is one lane; a pack of several models the same concept, so that one source serves all widths and every lane gets the
+/// bits that it would get alone.
+template <class Real>
+concept Lane = Number<Real> && requires(Real a, Real b) {
   { select(a < b, a, b) } -> std::convertible_to<Real>;
   { smaller(a, b) } -> std::convertible_to<Real>;
   { from_upper_word(upper_word(a)) } -> std::convertible_to<Real>;

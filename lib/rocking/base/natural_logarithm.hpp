@@ -1,8 +1,9 @@
 #pragma once
 
 #include <bit>
-#include <cmath>
 #include <cstdint>
+
+#include "rocking/base/lane.hpp"
 
 namespace rocking::base {
 
@@ -11,35 +12,36 @@ namespace rocking::base {
 /// What a cast does, out of operations that every processor has for several numbers at once: AVX2 converts no 64-bit
 /// integers. The bits of each half become the last ones of a number whose exponent is known.
 [[nodiscard]] constexpr double exact_number(std::uint64_t k) {
-  const double high =
-      std::bit_cast<double>(0x4530000000000000ULL | (k >> 32U)) - 0x1.00000001p84;  // less 2^52 too much
-  return high + std::bit_cast<double>(0x4330000000000000ULL | (k & 0xffffffffULL));
+  const double high = number_of(0x4530000000000000ULL | (k >> 32U)) - 0x1.00000001p84;  // less 2^52 too much
+  return high + number_of(0x4330000000000000ULL | (k & 0xffffffffULL));
 }
 
 /// ln(x) for normal x > 0, error below 1 ulp.
 ///
-/// Free of branches and of calls, so that a loop over it can be vectorised; each lane gets the bits it would get alone.
-[[nodiscard]] inline double natural_logarithm(double x) {
+/// Free of branches and of calls, so that a loop over it can be vectorised; each lane gets the bits it would get alone. A
+/// pack of numbers brings what is done with bits: `bits_of`, `number_of`, `exact_number`.
+template <Number Real>
+[[nodiscard]] inline Real natural_logarithm(Real x) {
   // x = 2^k m with m in [sqrt(1/2), sqrt(2)); ln m = 2 artanh(s), s = (m - 1)/(m + 1), abs(s) <= 0.1716.
   constexpr double ln2_high = 0x1.62e42fefa3800p-1;  // 11 trailing zero bits: k ln2_high is exact
   constexpr double ln2_low = 0x1.ef35793c76730p-45;
   constexpr std::uint64_t bits_of_one = 0x3ff0000000000000ULL;
-  constexpr auto bits_of_root_half = std::bit_cast<std::uint64_t>(0x1.6a09e667f3bcdp-1);
+  constexpr std::uint64_t bits_of_root_half = bits_of(0x1.6a09e667f3bcdp-1);
   // Counted from sqrt(1/2), the exponent's field is k + 1023 and the fraction's that of m.
-  const std::uint64_t shifted = std::bit_cast<std::uint64_t>(x) + (bits_of_one - bits_of_root_half);
-  const double k = exact_number(shifted >> 52U) - 1023.0;
-  const auto m = std::bit_cast<double>((shifted & 0x000fffffffffffffULL) + bits_of_root_half);
-  const double f = m - 1.0;  // exact
-  const double s = f / (m + 1.0);
-  const double y = s * s;
+  const auto shifted = bits_of(x) + (bits_of_one - bits_of_root_half);
+  const Real k = exact_number(shifted >> 52U) - Real(1023.0);
+  const Real m = number_of((shifted & 0x000fffffffffffffULL) + bits_of_root_half);
+  const Real f = m - Real(1.0);  // exact
+  const Real s = f / (m + Real(1.0));
+  const Real y = s * s;
   // artanh(s)/s - 1 = sum y^j/(2j+1); y <= 0.0295, and the first term left out, y^12/25, is 2e-20.
-  double tail = 1.0 / 23.0;
+  Real tail(1.0 / 23.0);
 #pragma GCC unroll 10  // g++ vectorises no loop around a loop; shorter ones it unrolls by itself
-  for (int j = 10; j >= 1; --j) tail = std::fma(tail, y, 1.0 / (2 * j + 1));
+  for (int j = 10; j >= 1; --j) tail = fused(tail, y, Real(1.0 / (2 * j + 1)));
   // ln m = f - f^2/2 + s (f^2/2 + 2 y tail), whose leading part f is exact (2 s = f - s f).
-  const double half_square = 0.5 * f * f;
-  const double rest = s * (half_square + 2.0 * y * tail);
-  return k * ln2_high + (f - (half_square - (rest + k * ln2_low)));
+  const Real half_square = Real(0.5) * f * f;
+  const Real rest = s * (half_square + Real(2.0) * y * tail);
+  return k * Real(ln2_high) + (f - (half_square - (rest + k * Real(ln2_low))));
 }
 
 }  // namespace rocking::base

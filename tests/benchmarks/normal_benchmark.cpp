@@ -16,6 +16,7 @@
 
 #include "rocking/random/draws.hpp"
 #include "rocking/random/engine.hpp"
+#include "rocking/random/normal_kernels.hpp"
 
 namespace {
 
@@ -23,14 +24,15 @@ using namespace rocking::random;
 
 constexpr std::size_t many = 10000;
 constexpr std::size_t one_period = 200;  // draws of kinetic friction in a period of the excitation
+constexpr std::size_t at_once = 16;      // of them, what a realisation asks for
 const std::string ours = "rocking, array";
 const Draws draws(0x2012, 0);
 
-void in_arrays(benchmark::State& state, std::size_t length) {
+void in_arrays(benchmark::State& state, std::size_t length, const NormalKernels& kernels) {
   std::vector<double> numbers(length);
   std::uint64_t first = 0;
   for (auto _ : state) {
-    draws.standard_normals(Source::check_normal, first, numbers);
+    draws.standard_normals(Source::check_normal, first, numbers, kernels);
     benchmark::DoNotOptimize(numbers.data());
     first += length;
   }
@@ -65,8 +67,13 @@ void by_distribution(benchmark::State& state, Engine engine) {
 void register_all() {
   using Boost = boost::random::normal_distribution<double>;
   using Standard = std::normal_distribution<double>;
-  benchmark::RegisterBenchmark(ours.c_str(), in_arrays, many);
-  benchmark::RegisterBenchmark("rocking, array of 200", in_arrays, one_period);
+  for (const NormalKernels& kernels : available_normal_kernels()) {
+    const bool is_best = &kernels == &available_normal_kernels().back();
+    const std::string name = is_best ? ours : ours + ", " + std::string(kernels.name);
+    benchmark::RegisterBenchmark(name.c_str(), in_arrays, many, kernels);
+    benchmark::RegisterBenchmark((name + " of 200").c_str(), in_arrays, one_period, kernels);
+    benchmark::RegisterBenchmark((name + " of 16").c_str(), in_arrays, at_once, kernels);
+  }
   benchmark::RegisterBenchmark("rocking, pairs", in_pairs);
   benchmark::RegisterBenchmark("boost ziggurat, boost mt19937", by_distribution<Boost, boost::random::mt19937>,
                                boost::random::mt19937(1));

@@ -194,18 +194,20 @@ TEST(Lanes, ShareNothingThatWasCompiledForANewerProcessor) {
 #if ROCKING_CONTRACTS
   GTEST_SKIP() << "sanitizers and contracts add symbols of their own";
 #endif
-  const auto library = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "lib/rocking/lanes/librocking_lanes.a";
-  std::string unit;
-  int kernels = 0;
-  for (const std::string& line : output_of("nm -C '" + library.string() + "'")) {
-    if (line.ends_with(".o:")) unit = line;
-    if (unit.find("_avx") == std::string::npos && unit.find("_neon") == std::string::npos) continue;
-    ++kernels;
-    const bool is_shared = line.find(" W ") != std::string::npos || line.find(" V ") != std::string::npos ||
-                           line.find(" u ") != std::string::npos;
-    EXPECT_FALSE(is_shared) << unit << " " << line;
+  const auto modules = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "lib/rocking";
+  for (const std::string library : {"lanes/librocking_lanes.a", "random/librocking_random.a"}) {
+    std::string unit;
+    int kernels = 0;
+    for (const std::string& line : output_of("nm -C '" + (modules / library).string() + "'")) {
+      if (line.ends_with(".o:")) unit = line;
+      if (unit.find("_avx") == std::string::npos && unit.find("_neon") == std::string::npos) continue;
+      ++kernels;
+      const bool is_shared = line.find(" W ") != std::string::npos || line.find(" V ") != std::string::npos ||
+                             line.find(" u ") != std::string::npos;
+      EXPECT_FALSE(is_shared) << unit << " " << line;
+    }
+    EXPECT_GT(kernels, 0) << library;
   }
-  EXPECT_GT(kernels, 0);
 }
 
 }  // namespace

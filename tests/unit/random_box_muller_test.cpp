@@ -72,20 +72,6 @@ TEST(BoxMuller, GivesTheCosineToEvenIndicesAndTheSineToOdd) {
   EXPECT_EQ(pair[all_ones - 1], 1.0);
 }
 
-TEST(BoxMuller, GivesABatchTheBitsOfOneByOne) {
-  BlockBatch blocks;
-  for (std::uint32_t i = 0; i < BlockBatch::size; ++i) {
-    blocks.half_0[i] = i % 5 == 0 ? std::uint64_t{0} - i : half_of(philox({i, 0, 0, 0}, 7), 0);
-    blocks.half_1[i] = i % 2 == 0 ? i * eighth_of_a_turn : half_of(philox({i, 0, 0, 0}, 7), 1);
-  }
-  const NormalBatch normals = box_muller(blocks);
-  for (std::size_t i = 0; i < BlockBatch::size; ++i) {
-    const NormalPair pair = box_muller(block_of(blocks.half_0[i], blocks.half_1[i]));
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(normals[2 * i]), std::bit_cast<std::uint64_t>(pair.cosine)) << i;
-    EXPECT_EQ(std::bit_cast<std::uint64_t>(normals[2 * i + 1]), std::bit_cast<std::uint64_t>(pair.sine)) << i;
-  }
-}
-
 // The next largest radii are sqrt(-2 ln(2 2^-53)) and so on: the tail thins out, and ends, as (0, 1] says.
 TEST(BoxMuller, HasARadiusForEveryStepOfTheUniformNumber) {
   double before = normal_tail_limit;

@@ -85,22 +85,6 @@ TEST(Draws, GiveAPairTheTwoDrawsOfItsBlock) {
   }
 }
 
-// Whatever the first index and however many: batches begin and end anywhere.
-TEST(Draws, GiveAnArrayTheBitsOfOneByOne) {
-  const Draws draws(0x0123456789abcdef, (std::uint64_t{3} << 32U) + 11);
-  for (const std::uint64_t first :
-       {std::uint64_t{0}, std::uint64_t{1}, std::uint64_t{31}, 2 * std::uint64_t{0xfffffff3} + 1}) {
-    for (const std::size_t n : {0U, 1U, 2U, 31U, 32U, 33U, 64U, 200U}) {
-      std::vector<double> numbers(n + 1, 0.5);
-      draws.standard_normals(Source::kinetic_friction, first, std::span(numbers).first(n));
-      for (std::size_t i = 0; i < n; ++i) {
-        ASSERT_EQ(numbers[i], draws.standard_normal(Source::kinetic_friction, first + i)) << first << " + " << i;
-      }
-      EXPECT_EQ(numbers.back(), 0.5) << "written beyond the end";
-    }
-  }
-}
-
 TEST(Draws, GiveAnArrayUpToTheLastIndex) {
   const Draws draws(5, 6);
   std::vector<double> numbers(5);

@@ -6,10 +6,8 @@
 
 namespace {
 
-using rocking::random::BlockBatch;
 using rocking::random::half_of;
 using rocking::random::philox;
-using rocking::random::philox_batch;
 using rocking::random::Words;
 
 // The answers that Random123 publishes for philox4x32 with ten rounds (its file kat_vectors).
@@ -33,23 +31,6 @@ TEST(Philox, ChangesAboutHalfOfAllBitsWhenOneIsFlipped) {
     // Binomial(128, 1/2): outside 26 ... 102 with probability 1e-11 a flip.
     EXPECT_GE(changed, 26) << bit;
     EXPECT_LE(changed, 102) << bit;
-  }
-}
-
-// Also where the count carries into word 1, and where it starts again after 2^64 blocks.
-TEST(PhiloxBatch, GivesTheBlocksOfOneByOne) {
-  for (const std::uint64_t first : {0x0ULL, 0x7ULL, 0xfffffff5ULL, 0x123456789abcdef0ULL, 0xfffffffffffffff9ULL}) {
-    const auto counter = [first](std::uint64_t i) {
-      const std::uint64_t number = first + i;
-      return Words{static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32U), 0x98765432,
-                   0x03fedcba};
-    };
-    const std::uint64_t key = 0xfedcba9876543210;
-    const BlockBatch batch = philox_batch(counter(0), key);
-    for (std::size_t i = 0; i < BlockBatch::size; ++i) {
-      EXPECT_EQ(batch.half_0[i], half_of(philox(counter(i), key), 0)) << std::hex << first << " + " << i;
-      EXPECT_EQ(batch.half_1[i], half_of(philox(counter(i), key), 1)) << std::hex << first << " + " << i;
-    }
   }
 }
 

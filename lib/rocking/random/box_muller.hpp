@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "rocking/random/philox.hpp"
@@ -27,11 +26,5 @@ inline constexpr double normal_tail_limit = 0x1.124b2800eda48p+3;
 /// eighth of a turn in integers, without error. The same bits on every machine.
 /// Source: Box & Muller (1958), Ann. Math. Stat. 29(2) 610-611; Jeong & Yang (2012) Eq. 31, 32.
 [[nodiscard]] NormalPair box_muller(const Words& block);
-
-/// The pairs of several blocks, one after the other.
-using NormalBatch = std::array<double, 2 * BlockBatch::size>;
-
-/// The same numbers as block by block, to the bit. Cost: 2 ns a number with AVX2.
-[[nodiscard]] NormalBatch box_muller(const BlockBatch& blocks);
 
 }  // namespace rocking::random

@@ -1,11 +1,22 @@
 #include "rocking/random/draws.hpp"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
+#include "rocking/random/normal_kernels.hpp"
 #include "rocking/random/uniform.hpp"
 
 namespace rocking::random {
+namespace {
+
+/// How many blocks to make next where `numbers` are wanted: all if a batch holds them, and few in vain.
+std::size_t blocks_for(std::size_t numbers) {
+  constexpr std::size_t step = 2 * BlockBatch::step;
+  return std::min(BlockBatch::largest, (numbers + step - 1) / step * BlockBatch::step);
+}
+
+}  // namespace
 
 std::uint64_t Draws::bits(Source source, std::uint64_t index) const {
   return half_of(block_at(source, index / 2), index % 2);
@@ -22,16 +33,30 @@ NormalPair Draws::standard_normal_pair(Source source, std::uint64_t block) const
 }
 
 void Draws::standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers) const {
+  static const NormalKernels best = available_normal_kernels().back();
+  standard_normals(source, first_index, numbers, best);
+}
+
+void Draws::standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers,
+                             const NormalKernels& kernels) const {
   // The last counter's neighbours are made with it and may wrap round; they are never given away.
   ROCKING_EXPECT(numbers.empty() || numbers.size() - 1 <= std::numeric_limits<std::uint64_t>::max() - first_index);
   std::uint64_t block = first_index / 2;
   std::size_t skipped = first_index % 2;
+  BlockBatch blocks;
+  std::array<double, 2 * BlockBatch::largest> spare;
   while (!numbers.empty()) {
-    const NormalBatch batch = box_muller(philox_batch(counter_of(source, block), seed_));
-    const std::size_t taken = std::min(numbers.size(), batch.size() - skipped);
-    std::copy_n(batch.begin() + static_cast<std::ptrdiff_t>(skipped), taken, numbers.begin());
+    blocks.size = blocks_for(skipped + numbers.size());
+    kernels.make_blocks(counter_of(source, block), seed_, blocks);
+    const std::size_t taken = std::min(numbers.size(), 2 * blocks.size - skipped);
+    if (taken == 2 * blocks.size) {
+      kernels.make_normals(blocks, numbers.first(taken));
+    } else {
+      kernels.make_normals(blocks, std::span(spare).first(2 * blocks.size));
+      std::copy_n(spare.begin() + static_cast<std::ptrdiff_t>(skipped), taken, numbers.begin());
+    }
     numbers = numbers.subspan(taken);
-    block += BlockBatch::size;
+    block += blocks.size;
     skipped = 0;
   }
 }

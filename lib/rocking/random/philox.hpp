@@ -20,16 +20,4 @@ using Words = std::array<std::uint32_t, 4>;
   return block[2 * half] | (std::uint64_t{block[2 * half + 1]} << 32U);
 }
 
-/// Several blocks, half 0 of all and half 1 of all: as a vector unit reads them.
-struct BlockBatch {
-  static constexpr std::size_t size = 16;
-  std::array<std::uint64_t, size> half_0;
-  std::array<std::uint64_t, size> half_1;
-};
-
-/// The blocks of `counter` and of those after it, words 0 and 1 counting up as one number of 64 bits (modulo 2^64).
-///
-/// The same blocks as one by one. Cost with AVX2: 3 ns a block; without it, that of one by one.
-[[nodiscard]] BlockBatch philox_batch(const Words& counter, std::uint64_t key);
-
 }  // namespace rocking::random

@@ -1,4 +1,5 @@
-#include "rocking/random/philox.hpp"
+#include "rocking/random/box_muller_steps.hpp"
+#include "rocking/random/normal_kernels.hpp"
 
 #if defined(__AVX2__)
 #include <immintrin.h>
@@ -56,33 +57,47 @@ void store(const WordLanes& block, std::size_t i, BlockBatch& batch) {
 
 #endif
 
-}  // namespace
-
-BlockBatch philox_batch(const Words& counter, std::uint64_t key) {
-  BlockBatch batch;
+void make_blocks(const Words& first, std::uint64_t key, BlockBatch& batch) {
 #if defined(__AVX2__)
-  const auto counted_from = [&counter](std::uint64_t number) -> WordLanes {
+  const auto counted_from = [&first](std::uint64_t number) -> WordLanes {
     const __m256i numbers = _mm256_add_epi64(in_all_lanes(number), _mm256_set_epi64x(3, 2, 1, 0));
-    return {{numbers, _mm256_srli_epi64(numbers, 32), in_all_lanes(counter[2]), in_all_lanes(counter[3])}};
+    return {{numbers, _mm256_srli_epi64(numbers, 32), in_all_lanes(first[2]), in_all_lanes(first[3])}};
   };
-  static_assert(BlockBatch::size % (2 * lanes) == 0);
-  for (std::size_t i = 0; i < BlockBatch::size; i += 2 * lanes) {
-    WordLanes left = counted_from(half_of(counter, 0) + i);
-    WordLanes right = counted_from(half_of(counter, 0) + i + lanes);
+  static_assert(BlockBatch::step == 2 * lanes);
+  for (std::size_t i = 0; i < batch.size; i += BlockBatch::step) {
+    WordLanes left = counted_from(half_of(first, 0) + i);
+    WordLanes right = counted_from(half_of(first, 0) + i + lanes);
     ten_rounds(left, right, key);
     store(left, i, batch);
     store(right, i + lanes, batch);
   }
 #else
-  for (std::size_t i = 0; i < BlockBatch::size; ++i) {
-    const std::uint64_t number = half_of(counter, 0) + i;
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const std::uint64_t number = half_of(first, 0) + i;
     const Words block = philox(
-        {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32U), counter[2], counter[3]}, key);
+        {static_cast<std::uint32_t>(number), static_cast<std::uint32_t>(number >> 32U), first[2], first[3]}, key);
     batch.half_0[i] = half_of(block, 0);
     batch.half_1[i] = half_of(block, 1);
   }
 #endif
-  return batch;
+}
+
+void make_normals(const BlockBatch& batch, std::span<double> normals) {
+  // Two loops: in one the numbers at work would not fit into the registers.
+  std::array<double, BlockBatch::largest> radius;
+  for (std::size_t i = 0; i < batch.size; ++i) radius[i] = radius_of(batch.half_0[i]);
+  for (std::size_t i = 0; i < batch.size; ++i) {
+    const auto [sine, cosine] = sin_cos_of_turn(batch.half_1[i]);
+    normals[2 * i] = radius[i] * cosine;
+    normals[2 * i + 1] = radius[i] * sine;
+  }
+}
+
+}  // namespace
+
+std::span<const NormalKernels> plain_normal_kernels() {
+  static constexpr NormalKernels kernels[] = {{"as built", make_blocks, make_normals}};
+  return kernels;
 }
 
 }  // namespace rocking::random

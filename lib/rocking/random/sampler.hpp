@@ -24,7 +24,7 @@ enum class SamplerKind : std::uint8_t {
 
 /// `n` numbers from N(0, 1), from the first draws of `source`.
 ///
-/// A longer sample begins with the shorter one. Cost: 4 ns a number; 20 with `ziggurat`, 100 with `inverse_cdf`.
+/// A longer sample begins with the shorter one. Cost: 2 to 4 ns a number; 20 with `ziggurat`, 100 with `inverse_cdf`.
 [[nodiscard]] std::vector<double> standard_sample(SamplerKind kind, const Draws& draws, Source source, std::size_t n);
 
 /// `n` numbers from N(mean, sigma^2), sigma >= 0, from the source `check_normal` of realisation 0.

@@ -334,21 +334,25 @@ class Automaton {
   /// Full contact must be able to hold afterwards, unless every impact sends the block back over the same edge: then it
   /// comes to rest on the way to lifting over the other one.
   [[nodiscard]] bool hop_is_too_small(bool over_same_edge) {
-    const bool slips = state_.slip_rate != 0.0;
-    const double alpha = base_acceleration();
-    double acceleration = 0.0;
-    if (slips) {
-      const double mu_k = coefficients_.kinetic_friction(clock_);
-      if (kinetic_friction_tips() && !over_same_edge) return false;
-      acceleration = slipping_rates(state_, alpha, weight(), setting_.inertia, mu_k, setting_.block).tilt_acceleration;
-    } else {
-      if (!edges_hold(alpha, weight(), setting_.block) && !over_same_edge) return false;
-      acceleration = rocking_forces(state_, alpha, weight(), setting_.block).acceleration;
-    }
-    const double pull = -state_.side * acceleration;
     const double rate = std::abs(state_.tilt_rate);
     const double limit = std::max(setting_.tolerance, clock_.resolution());
+    const bool slips = state_.slip_rate != 0.0;
+    // Nearly every impact is far from it: then the base motion need not be asked. Without slip abs(w') <= abs(alpha) + 1.
+    if (!slips && rate > limit * (excitation_.most_horizontal(base_amplitude()) + 1.0)) return false;
+    if (slips && !over_same_edge && kinetic_friction_tips()) return false;
+    const double alpha = base_acceleration();
+    if (!slips && !over_same_edge && !edges_hold(alpha, weight(), setting_.block)) return false;
+    const double pull = -state_.side * (slips ? slipping_acceleration(alpha) : rocking_acceleration(alpha));
     return pull >= 0.0 && 2.0 * rate <= limit * pull && rate * rate <= 2.0 * limit * pull * setting_.block.shape_angle;
+  }
+
+  /// w' under the base acceleration alpha.
+  [[nodiscard]] double rocking_acceleration(double alpha) const {
+    return rocking_forces(state_, alpha, weight(), setting_.block).acceleration;
+  }
+  [[nodiscard]] double slipping_acceleration(double alpha) {
+    const double mu_k = coefficients_.kinetic_friction(clock_);
+    return slipping_rates(state_, alpha, weight(), setting_.inertia, mu_k, setting_.block).tilt_acceleration;
   }
 
   void end_chatter() {

@@ -18,6 +18,7 @@ concept BaseExcitation = requires(Motion motion, const Clock& clock, const Geome
   { Motion::has_vertical } -> std::convertible_to<bool>;
   { motion.unit(block) } -> std::convertible_to<double>;                   // alpha for amplitude 1
   { motion.horizontal(clock, amplitude) } -> std::convertible_to<double>;  // alpha now
+  { motion.most_horizontal(amplitude) } -> std::convertible_to<double>;    // abs(alpha) is at most that at any time
   { motion.weight(clock) } -> std::convertible_to<double>;                 // 1 + alpha_v now
   { motion.next_change(clock) } -> std::same_as<std::optional<Instant>>;   // until which the series hold
   { motion.segments_looked_up() } -> std::same_as<std::uint64_t>;          // of a record
@@ -32,6 +33,7 @@ struct HarmonicExcitation {
   [[nodiscard]] static double horizontal(const Clock& clock, double amplitude) {
     return amplitude * base::sin_cos(clock.angle()).sine;
   }
+  [[nodiscard]] static double most_horizontal(double amplitude) { return amplitude < 0.0 ? -amplitude : amplitude; }
   [[nodiscard]] static double weight(const Clock&) { return 1.0; }
   [[nodiscard]] static std::optional<Instant> next_change(const Clock&) { return std::nullopt; }
   [[nodiscard]] static std::uint64_t segments_looked_up() { return 0; }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -61,6 +62,8 @@ class RecordedExcitation {
   [[nodiscard]] double horizontal(const Clock& clock, double amplitude) const {
     return amplitude * motion_->segment(clock).horizontal;
   }
+  /// Not known without looking through the record.
+  [[nodiscard]] static double most_horizontal(double) { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] double weight(const Clock& clock) const {
     return vertical ? 1.0 + scale_ * motion_->segment(clock).vertical : 1.0;
   }

@@ -72,6 +72,11 @@ class Crew {
       load(*block, lane, run.motion().smooth_step());
       foresee(lane);
     }
+    /// The run that is in the lane goes on there.
+    void stay(std::size_t lane) {
+      load_step(*block, lane, runs[lane]->motion().smooth_step());
+      foresee(lane);
+    }
     void foresee(std::size_t lane) {
       const auto& motion = runs[lane]->motion();
       Foreseen& coming = foreseen[lane];
@@ -154,7 +159,7 @@ class Crew {
   void go_on(Group& group, std::size_t lane) {
     Run& run = *group.runs[lane];
     const auto kind = next_kind(run);
-    if (kind == kind_of(group)) return group.put(lane, run);
+    if (kind == kind_of(group)) return group.stay(lane);
     group.vacate(lane);
     if (kind) wait(run, *kind);
   }

@@ -16,36 +16,43 @@ namespace {
 template <Kind kind, class Real>
 class Advance : Step<kind, Real> {
   using Base = Step<kind, Real>;
-  using Base::b_, Base::load, Base::store, Base::length_, Base::m_, Base::period_, Base::period_length_, Base::presses_,
-      Base::reach_, Base::slips, Base::time_;
+  using Base::b_, Base::first_, Base::load, Base::store, Base::mark, Base::length_, Base::m_, Base::period_,
+      Base::period_length_, Base::presses_, Base::reach_, Base::slips, Base::time_;
   using typename Base::Point, typename Base::Strobing;
   using Truth = TruthOf<Real>;
 
  public:
   using Base::Base;
 
-  void run() {
+  using Base::begin, Base::expand;
+
+  /// Which guards may lose their sign in the step, and the state at its end if none does.
+  [[gnu::noinline]] void look() {
+    occupied_ = load(b_.occupied) == Real(1.0);
+    doubts_ = guards_in_doubt();
+    end_ = this->point(length_);
+  }
+
+  [[gnu::noinline]] void finish() {
     using base::select;
-    this->expand();
     find_losses();
     const Real resolution = load(b_.resolution);
     const Real steps_since = load(b_.steps_since_strobe) + Real(1.0);
-    const Point end = this->point(duration_);
     const Strobing strobing = this->strobing(duration_ - resolution);
-    Truth fits = !unclear_ && presses_ && this->is_finite(end) && this->is_ordinary(resolution, steps_since) &&
+    Truth fits = !unclear_ && presses_ && this->is_finite(end_) && this->is_ordinary(resolution, steps_since) &&
                  strobing.is_simple;
     if (bits_of(fits && strobing.strobes) != 0) {
       fits = fits && (this->store_strobe(strobing, resolution) || !strobing.strobes);
     }
     const Truth strobed = fits && strobing.strobes;
-    b_.strobed = bits_of(strobed);
-    b_.alone = ~bits_of(fits);
+    mark(b_.strobed, bits_of(strobed));
+    mark(b_.alone, bits_of(!fits));
     if (in_doubt_ != 0) {
       const Real before = load(b_.root_isolations);
       store(b_.root_isolations, select(fits, before + isolations_, before));
     }
-    move(fits && !lost_, end, strobed, steps_since);
-    if ((~b_.quiet & bits_of(occupied_)) != 0) store_end(end);
+    move(fits && !lost_, strobed, steps_since);
+    if (!stays_quiet_) store_end();
   }
 
  private:
@@ -54,23 +61,24 @@ class Advance : Step<kind, Real> {
   static constexpr int fewest_in_doubt = kind == Kind::rock_slide_briefly ? 1 : (3 * Row<Real>::lanes + 7) / 8;
 
   void find_losses() {
-    occupied_ = load(b_.occupied) == Real(1.0);
     duration_ = length_;
     isolations_ = Real(0.0);
     unclear_ = lost_ = Real(0.0) < Real(0.0);
-    const std::array<Truth, Base::guards> doubts = guards_in_doubt();
-    Truth any = doubts[0];
-    for (const Truth& doubt : doubts) any = any || doubt;
+    Truth any = doubts_[0];
+    for (const Truth& doubt : doubts_) any = any || doubt;
     in_doubt_ = bits_of(any);
     const bool has_others = (bits_of(occupied_) & ~in_doubt_) != 0;
-    b_.held = has_others && std::popcount(in_doubt_) < fewest_in_doubt ? in_doubt_ : 0;
-    if (b_.held != 0) lost_ = any;
-    if (in_doubt_ == 0 || b_.held != 0) return;
-    b_.lost = {};
+    const bool waits = has_others && std::popcount(in_doubt_) < fewest_in_doubt;
+    mark(b_.held, waits ? in_doubt_ : 0);
+    if (waits) lost_ = any;
+    has_looked_ = in_doubt_ != 0 && !waits;
+    if (!has_looked_) return;
+    forget_losses();
     std::size_t i = 0;
     this->for_each_guard([&](Guard guard, const auto&, auto count, const auto& starts_at_zero, auto coefficient) {
-      this->find_loss(guard, doubts[i++], count, starts_at_zero, coefficient);
+      this->find_loss(guard, doubts_[i++], count, starts_at_zero, coefficient);
     });
+    end_ = this->point(duration_);
   }
 
   /// For each guard the lanes in which a cheap bound does not clear it.
@@ -125,11 +133,11 @@ class Advance : Step<kind, Real> {
     duration_ = select(found.lost && instant < duration_, instant, duration_);
     LaneRow& instants = b_.instants[static_cast<std::size_t>(guard)];
     store(instants, select(found.lost, instant, load(instants)));
-    b_.lost[static_cast<std::size_t>(guard)] |= bits_of(found.lost);
+    b_.lost[static_cast<std::size_t>(guard)] |= bits_of(found.lost) << first_;
   }
 
   /// Moves on the lanes that are `calm`, but for those that come to where the equations or the period end.
-  void move(const Truth& calm, const Point& next, const Truth& strobed, const Real& steps_since) {
+  void move(const Truth& calm, const Truth& strobed, const Real& steps_since) {
     using base::select;
     const Real later = time_ + length_;
     const Truth wraps = !(later < period_length_);
@@ -137,24 +145,25 @@ class Advance : Step<kind, Real> {
     const Truth arrives = !(length_ < reach_ - load(b_.resolution));
     Truth quiet = calm && time < period_length_;
     if constexpr (kind == Kind::rock_slide_briefly) {
-      b_.arrived = bits_of(quiet && arrives);
+      mark(b_.arrived, bits_of(quiet && arrives));
     } else {
       quiet = quiet && !arrives;
-      b_.arrived = 0;
+      mark(b_.arrived, 0);
     }
-    b_.quiet = bits_of(quiet);
+    mark(b_.quiet, bits_of(quiet));
+    stays_quiet_ = bits_of(occupied_ && !quiet) == 0;
     count_strobe(quiet && strobed);
-    const auto pass = [&quiet](LaneRow& row, const Real& after, const Real& before) {
+    const auto pass = [this, &quiet](LaneRow& row, const Real& after, const Real& before) {
       store(row, select(quiet, after, before));
     };
     const Truth strobed_here = quiet && strobed;
     pass(b_.steps_since_strobe, select(strobed_here, Real(0.0), steps_since), load(b_.steps_since_strobe));
     pass(b_.steps, load(b_.steps) + Real(1.0), load(b_.steps));
-    pass(b_.tilt, next.tilt, m_.tilt[0]);
-    pass(b_.tilt_rate, next.tilt_rate, m_.tilt_rate[0]);
+    pass(b_.tilt, end_.tilt, m_.tilt[0]);
+    pass(b_.tilt_rate, end_.tilt_rate, m_.tilt_rate[0]);
     if constexpr (slips) {
-      pass(b_.slip, next.slip, m_.slip[0]);
-      pass(b_.slip_rate, next.slip_rate, m_.slip_rate[0]);
+      pass(b_.slip, end_.slip, m_.slip[0]);
+      pass(b_.slip_rate, end_.slip_rate, m_.slip_rate[0]);
     }
     pass(b_.time, time, time_);
     pass(b_.period, select(wraps, period_ + Real(1.0), period_), period_);
@@ -168,24 +177,32 @@ class Advance : Step<kind, Real> {
     store(b_.strobes_left, select(strobed, load(b_.strobes_left) - one, load(b_.strobes_left)));
   }
 
-  void store_end(const Point& end) {
+  void store_end() {
     store(b_.length, length_);
     store(b_.duration, duration_);
-    store(b_.end_tilt, end.tilt);
-    store(b_.end_tilt_rate, end.tilt_rate);
+    store(b_.end_tilt, end_.tilt);
+    store(b_.end_tilt_rate, end_.tilt_rate);
     if constexpr (slips) {
-      store(b_.end_slip, end.slip);
-      store(b_.end_slip_rate, end.slip_rate);
+      store(b_.end_slip, end_.slip);
+      store(b_.end_slip_rate, end_.slip_rate);
     }
-    if (in_doubt_ == 0 || b_.held != 0) b_.lost = {};
+    if (!has_looked_) forget_losses();
+  }
+
+  void forget_losses() {
+    for (std::uint32_t& lost : b_.lost) mark(lost, 0);
   }
 
   Truth occupied_;
-  std::uint32_t in_doubt_;  ///< lanes with a guard that a cheap bound does not clear
-  Real isolations_;         ///< of roots of such guards
+  std::array<Truth, Base::guards> doubts_;  ///< for each guard the lanes in which a cheap bound does not clear it
+  std::uint32_t in_doubt_;                  ///< lanes with a guard that a cheap bound does not clear
+  Real isolations_;                         ///< of roots of such guards
   Real duration_;
-  Truth lost_;     ///< lanes with a guard that loses its sign
-  Truth unclear_;  ///< lanes with a guard of which that is not found out here
+  Truth lost_;        ///< lanes with a guard that loses its sign
+  bool has_looked_;   ///< for roots of those guards
+  bool stays_quiet_;  ///< nothing happens in any lane
+  Point end_;         ///< of the step, or where a guard first loses its sign
+  Truth unclear_;     ///< lanes with a guard of which that is not found out here
 };
 
 }  // namespace

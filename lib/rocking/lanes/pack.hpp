@@ -192,87 +192,6 @@ inline Pack<w> from_upper_word(const Pack<w>& word) {
   return Pack<w>((typename Pack<w>::Numbers)((typename Pack<w>::Bits)(word.numbers + 0x1p52) << 32U));
 }
 
-/// Two packs as one of twice the lanes: while one waits for a result, the other goes on.
-template <class Half>
-struct Pair {
-  static constexpr int lanes = 2 * Half::lanes;
-
-  Half first;
-  Half second;
-
-  Pair() = default;
-  Pair(const Half& a, const Half& b) : first(a), second(b) {}
-  explicit Pair(double value) : first(value), second(value) {}
-};
-
-template <class HalfTruth>
-struct PairTruth {
-  HalfTruth first;
-  HalfTruth second;
-};
-
-template <class H>
-inline Pair<H> operator+(const Pair<H>& a, const Pair<H>& b) {
-  return {a.first + b.first, a.second + b.second};
-}
-template <class H>
-inline Pair<H> operator-(const Pair<H>& a, const Pair<H>& b) {
-  return {a.first - b.first, a.second - b.second};
-}
-template <class H>
-inline Pair<H> operator*(const Pair<H>& a, const Pair<H>& b) {
-  return {a.first * b.first, a.second * b.second};
-}
-template <class H>
-inline Pair<H> operator/(const Pair<H>& a, const Pair<H>& b) {
-  return {a.first / b.first, a.second / b.second};
-}
-template <class H>
-inline Pair<H> operator-(const Pair<H>& a) {
-  return {-a.first, -a.second};
-}
-template <class H>
-inline auto operator<(const Pair<H>& a, const Pair<H>& b) {
-  return PairTruth<decltype(a.first < b.first)>{a.first < b.first, a.second < b.second};
-}
-template <class H>
-inline auto operator==(const Pair<H>& a, const Pair<H>& b) {
-  return PairTruth<decltype(a.first == b.first)>{a.first == b.first, a.second == b.second};
-}
-template <class T>
-inline PairTruth<T> operator&&(const PairTruth<T>& a, const PairTruth<T>& b) {
-  return {a.first && b.first, a.second && b.second};
-}
-template <class T>
-inline PairTruth<T> operator||(const PairTruth<T>& a, const PairTruth<T>& b) {
-  return {a.first || b.first, a.second || b.second};
-}
-template <class T>
-inline PairTruth<T> operator!(const PairTruth<T>& a) {
-  return {!a.first, !a.second};
-}
-
-template <class H>
-inline Pair<H> fused(const Pair<H>& a, const Pair<H>& b, const Pair<H>& c) {
-  return {fused(a.first, b.first, c.first), fused(a.second, b.second, c.second)};
-}
-template <class T, class H>
-inline Pair<H> select(const PairTruth<T>& condition, const Pair<H>& a, const Pair<H>& b) {
-  return {select(condition.first, a.first, b.first), select(condition.second, a.second, b.second)};
-}
-template <class H>
-inline Pair<H> smaller(const Pair<H>& a, const Pair<H>& b) {
-  return {smaller(a.first, b.first), smaller(a.second, b.second)};
-}
-template <class H>
-inline Pair<H> upper_word(const Pair<H>& y) {
-  return {upper_word(y.first), upper_word(y.second)};
-}
-template <class H>
-inline Pair<H> from_upper_word(const Pair<H>& word) {
-  return {from_upper_word(word.first), from_upper_word(word.second)};
-}
-
 /// From and to as many doubles in a row.
 template <class Real>
 struct Row {
@@ -290,17 +209,6 @@ struct Row<double> {
   static double load(const double* numbers) { return *numbers; }
   static void store(double value, double* numbers) { *numbers = value; }
 };
-template <class Half>
-struct Row<Pair<Half>> {
-  static constexpr int lanes = Pair<Half>::lanes;
-  static Pair<Half> load(const double* numbers) {
-    return {Row<Half>::load(numbers), Row<Half>::load(numbers + Half::lanes)};
-  }
-  static void store(const Pair<Half>& value, double* numbers) {
-    Row<Half>::store(value.first, numbers);
-    Row<Half>::store(value.second, numbers + Half::lanes);
-  }
-};
 
 /// Bit i: the truth of lane i.
 inline std::uint32_t bits_of(bool truth) { return truth ? 1U : 0U; }
@@ -308,10 +216,5 @@ template <int w>
 inline std::uint32_t bits_of(const Truth<w>& truth) {
   return mask_of(truth.truths);
 }
-template <int w>
-inline std::uint32_t bits_of(const PairTruth<Truth<w>>& truth) {
-  return bits_of(truth.first) | bits_of(truth.second) << w;
-}
-
 }  // namespace
 }  // namespace rocking::lanes

@@ -38,17 +38,12 @@ struct InReach {};
 template <Kind kind, class Real>
 class Step {
  public:
-  explicit Step(Block& block) : b_(block) {}
+  /// Of as many lanes as a Real has, from `first` on.
+  Step(Block& block, std::size_t first) : b_(block), first_(first) {}
 
- protected:
-  static constexpr bool slips = kind == Kind::rock_slide || kind == Kind::rock_slide_briefly;
-  static constexpr std::size_t order = order_of(kind);
-
-  static Real load(const LaneRow& row) { return Row<Real>::load(row.data()); }
-  static void store(LaneRow& row, const Real& value) { Row<Real>::store(value, row.data()); }
-
-  void expand() {
-    using base::select, base::smaller;
+  /// Where the base and the block's edge are.
+  [[gnu::noinline]] void begin() {
+    using base::select;
     time_ = load(b_.time);
     period_ = load(b_.period);
     period_length_ = load(b_.period_length);
@@ -60,6 +55,11 @@ class Step {
     const auto starts_flat = m_.tilt[0] == Real(0.0);
     m_.sine[0] = select(starts_flat, load(b_.sine), angle.sine);
     m_.cosine[0] = select(starts_flat, load(b_.cosine), angle.cosine);
+  }
+
+  /// The series from there, and how far they reach.
+  [[gnu::noinline]] void expand() {
+    using base::smaller;
     if constexpr (slips) {
       m_.slip_rate[0] = load(b_.slip_rate);
       m_.slip[0] = load(b_.slip);
@@ -88,6 +88,18 @@ class Step {
     }
     presses_ = Real(0.0) < m_.normal[0];
   }
+
+ protected:
+  static constexpr bool slips = kind == Kind::rock_slide || kind == Kind::rock_slide_briefly;
+  static constexpr std::size_t order = order_of(kind);
+
+  [[nodiscard]] Real load(const LaneRow& row) const { return Row<Real>::load(row.data() + first_); }
+  void store(LaneRow& row, const Real& value) const { Row<Real>::store(value, row.data() + first_); }
+  /// Puts the truths of these lanes among those of all.
+  void mark(std::uint32_t& truths, std::uint32_t of_these) const {
+    truths = (truths & ~(every_lane << first_)) | of_these << first_;
+  }
+  static constexpr std::uint32_t every_lane = (1U << Row<Real>::lanes) - 1U;
 
   /// base::sin_cos, without the reduction if no lane needs it.
   [[nodiscard]] static base::SinCos<Real> sin_cos_of_edge(const Real& angle) {
@@ -232,6 +244,7 @@ class Step {
   }
 
   Block& b_;
+  std::size_t first_;
   MotionSeries<Real> m_;
   Real time_;
   Real period_;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 #include <vector>
 
@@ -63,17 +64,21 @@ Calibration errors_at(const Case& c, const Follow& follow, double tolerance) {
 /// A realisation in a crew.
 class LaneRun {
  public:
-  LaneRun(const experiment::Condition& condition, const Question& question)
-      : motion_(experiment::motion_of(beginning_of(condition, question), observer_, dynamics::HarmonicExcitation{})) {}
+  explicit LaneRun(const Question& question)
+      : motion_(experiment::motion_of(beginning_of(question), observer_, dynamics::HarmonicExcitation{})) {}
   LaneRun(const LaneRun&) = delete;
   LaneRun& operator=(const LaneRun&) = delete;
 
   [[nodiscard]] auto& motion() { return motion_; }
   [[nodiscard]] integrate::LoopCounts& counts() { return counts_; }
   [[nodiscard]] static bool go_on() { return false; }
+  [[nodiscard]] bool reached_horizon() const {
+    return motion_.termination() == dynamics::Termination::reached_horizon;
+  }
 
  private:
-  static experiment::Beginning beginning_of(const experiment::Condition& condition, const Question& question) {
+  static experiment::Beginning beginning_of(const Question& question) {
+    const experiment::Condition& condition = question.condition;
     const random::Draws draws(question.seed, question.realisation);
     return experiment::begin_realisation(condition, draws, experiment::start_of(condition.scene, draws),
                                          experiment::Strobe::poincare, question.periods);
@@ -115,29 +120,46 @@ EndState follow_by_ours(const Question& question, double tolerance) {
   });
 }
 
-int follow_side_by_side(const Case& c, double tolerance, int copies) {
-  lanes::Crew<LaneRun> crew(lanes::available_kernels().back());
-  std::vector<std::unique_ptr<LaneRun>> runs;
-  int reached = 0;
-  const auto advance_until = [&](std::size_t size) {
-    while (crew.size() > size) crew.step();
-    for (LaneRun* run : crew.take_finished()) {
-      reached += run->motion().termination() == dynamics::Termination::reached_horizon ? 1 : 0;
-    }
-  };
-  for (int copy = 0; copy < copies; ++copy) {
-    for (int start = 0; start < starts; ++start) {
-      Question question = question_of(c, start);
-      question.realisation += static_cast<std::uint64_t>(starts * copy);
-      question.condition.tolerance = tolerance;
-      runs.push_back(std::make_unique<LaneRun>(question.condition, question));
-      crew.add(*runs.back());
-      advance_until(crew.wanted_size() - 1);
-    }
+class SideBySide::Implementation {
+ public:
+  Implementation(const Case& c, double tolerance)
+      : case_(c), tolerance_(tolerance), crew_(lanes::available_kernels().back()), runs_(crew_.wanted_size()) {
+    for (auto& run : runs_) begin(run);
   }
-  advance_until(0);
-  return reached;
-}
+
+  int finish(int count) {
+    int reached = 0;
+    for (int finished = 0; finished < count;) {
+      crew_.step();
+      if (!crew_.has_finished()) continue;
+      for (const LaneRun* ended : crew_.take_finished()) {
+        reached += ended->reached_horizon() ? 1 : 0;
+        ++finished;
+        begin(*std::ranges::find_if(runs_, [ended](const auto& run) { return &*run == ended; }));
+      }
+    }
+    return reached;
+  }
+
+ private:
+  void begin(std::optional<LaneRun>& run) {
+    Question question = question_of(case_, begun_ % starts);
+    question.realisation = static_cast<std::uint64_t>(begun_++);
+    question.condition.tolerance = tolerance_;
+    crew_.add(run.emplace(question));
+  }
+
+  Case case_;
+  double tolerance_;
+  lanes::Crew<LaneRun> crew_;
+  std::vector<std::optional<LaneRun>> runs_;
+  int begun_ = 0;
+};
+
+SideBySide::SideBySide(const Case& c, double tolerance)
+    : implementation_(std::make_unique<Implementation>(c, tolerance)) {}
+SideBySide::~SideBySide() = default;
+int SideBySide::finish(int count) { return implementation_->finish(count); }
 
 EndState follow_by_odeint(const Question& question, double tolerance) {
   OdeintFlow flow(accuracy_of(question, tolerance));

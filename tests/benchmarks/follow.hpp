@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 
 #include "differential/random_scene.hpp"
@@ -34,9 +35,20 @@ using Follow = std::function<EndState(const differential::Question&, double)>;
 [[nodiscard]] EndState follow_by_odeint(const differential::Question& question, double tolerance);
 [[nodiscard]] EndState follow_by_arkode(const differential::Question& question, double tolerance);
 
-/// Follows `copies` realisations of each start to their ends, side by side in the lanes that the machine has. Returns how many
-/// reached them.
-[[nodiscard]] int follow_side_by_side(const Case& c, double tolerance, int copies);
+/// Realisations from all starts in turn, side by side in the lanes that the machine has; one that has ended makes room for the
+/// next.
+class SideBySide {
+ public:
+  SideBySide(const Case& c, double tolerance);
+  ~SideBySide();
+
+  /// Goes on until `count` more have ended; returns how many of them reached their last period.
+  int finish(int count);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
 
 /// A tolerance, and the errors in Theta, Theta', V that it leaves over all starts.
 struct Calibration {

@@ -154,48 +154,33 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// A strobe point that was passed within a step done elsewhere; not the last one.
   void pass_strobe(const SmoothState& sample) { tell_strobe(from_frame(sample)); }
 
-  /// The breakpoint was reached by the last of `steps` done elsewhere, and nothing but that happened. If the coming step is no
-  /// ordinary one, catch_up is next, with the time that the clock has now.
-  void pass_breakpoint(std::uint64_t steps) {
-    count_steps_elsewhere(steps);
-    clock_.set(*breakpoint_);
-    settle();
-  }
-
-  /// What changes at the coming breakpoints of a brief rock-slide, as far as it is foreseen and leaves its steps ordinary and
-  /// brief. Returns how many of at most `most_foreseen` changes it has filled in.
-  [[nodiscard]] std::size_t foresee(std::span<SmoothChange> changes) const {
+  /// What holds after the coming breakpoints of a brief rock-slide, as far as it is foreseen and leaves its steps ordinary and
+  /// brief. Returns how many of at most `most_foreseen` intervals it has filled in.
+  [[nodiscard]] std::size_t foresee(std::span<SmoothInterval> coming) const {
     std::size_t count = 0;
     if constexpr (ForeseesFriction<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
       std::array<FrictionInterval, most_foreseen> intervals;
-      const std::size_t known = coefficients_.foresee(clock_, std::span(intervals).first(changes.size()));
+      const std::size_t known = coefficients_.foresee(clock_, std::span(intervals).first(coming.size()));
       const double direction = state_.side * state_.slip_direction;
       for (Instant begin = *breakpoint_; count < known; begin = intervals[count++].end) {
         const auto& [kinetic_friction, end] = intervals[count];
-        const Instant now = clock_.wrapped(begin);
-        if (determinant_may_vanish(kinetic_friction) || !is_brief(clock_.between(now, end))) break;
-        changes[count] = {.now = now, .drag = direction * kinetic_friction, .breakpoint = end};
+        if (determinant_may_vanish(kinetic_friction) || !is_brief(clock_.between(clock_.wrapped(begin), end))) break;
+        coming[count] = {.drag = direction * kinetic_friction, .end = end};
       }
     }
     return count;
   }
 
-  /// The first `count` of them have happened, the last of them as `change` says, in `steps` done elsewhere.
-  void pass_changes(std::size_t count, const SmoothChange& change, std::uint64_t steps) {
-    count_steps_elsewhere(steps);
-    clock_.set(change.now);
-    if constexpr (ForeseesFriction<Coefficients>) {
-      coefficients_.pass_intervals(clock_, count);
-    }
-    settle();
-  }
-
-  /// Takes over from where steps done elsewhere have come to.
+  /// Takes over from where steps done elsewhere have come to. At breakpoints nothing happened but that the interval changed.
   void catch_up(const SmoothProgress& progress) {
     state_ = from_frame(progress.state);
     clock_.set(progress.now);
     steps_since_strobe_ = progress.steps_since_strobe;
     if (progress.steps > 0) count_steps_elsewhere(progress.steps);
+    if constexpr (ForeseesFriction<Coefficients>) {
+      if (progress.foreseen > 0) coefficients_.pass_intervals(clock_, progress.foreseen);
+    }
+    if (progress.breakpoints > 0) settle();
   }
 
   /// A step done elsewhere in which something may have happened. `fired` is indexed by Guard.

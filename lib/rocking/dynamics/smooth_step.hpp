@@ -33,14 +33,13 @@ struct SmoothStep {
   Instant breakpoint;  ///< until which the equations hold
 };
 
-/// What changes at a breakpoint that leaves the state as it is.
-struct SmoothChange {
-  Instant now;         ///< the breakpoint, as a clock shows it
-  double drag;         ///< nu from then on
-  Instant breakpoint;  ///< the next one
+/// What holds in an interval of the friction grid.
+struct SmoothInterval {
+  double drag;  ///< nu
+  Instant end;  ///< the breakpoint
 };
 
-inline constexpr std::size_t most_foreseen = 16;  ///< changes
+inline constexpr std::size_t most_foreseen = 16;  ///< intervals
 
 inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
 
@@ -55,8 +54,10 @@ struct SmoothEnd {
 struct SmoothProgress {
   SmoothState state;
   Instant now;
-  std::uint64_t steps;  ///< since the last event or breakpoint
+  std::uint64_t steps;
   std::int64_t steps_since_strobe;
+  std::uint64_t breakpoints = 0;  ///< that were come to in those steps, the last at its end
+  std::uint64_t foreseen = 0;     ///< of the intervals that began so
 };
 
 }  // namespace rocking::dynamics

@@ -163,13 +163,13 @@ void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interv
   if (interval == interval_ + 1 && interval_ >= 0) {
     interval_begin_ = interval_end_;
     interval_end_ = interval_after_;
-    interval_after_ = next_boundary(clock, interval_after_, rest_after_);
   } else {
-    interval_begin_ = grid_instant(clock, interval);
-    interval_end_ = grid_instant(clock, interval + 1);
-    interval_after_ = grid_instant(clock, interval + 2);
-    rest_after_ = (interval + 2) % fluctuation_.refreshes_per_period;
+    rest_after_ = interval % fluctuation_.refreshes_per_period;
+    interval_begin_ = grid_instant(clock, interval / fluctuation_.refreshes_per_period, rest_after_);
+    interval_end_ = next_boundary(clock, interval_begin_, rest_after_);
+    interval_after_ = interval_end_;
   }
+  interval_after_ = next_boundary(clock, interval_after_, rest_after_);
   interval_ = interval;
 }
 

@@ -16,8 +16,8 @@ namespace {
 template <Kind kind, class Real>
 class Advance : Step<kind, Real> {
   using Base = Step<kind, Real>;
-  using Base::b_, Base::first_, Base::load, Base::store, Base::mark, Base::length_, Base::m_, Base::period_,
-      Base::period_length_, Base::presses_, Base::reach_, Base::slips, Base::time_;
+  using Base::b_, Base::first_, Base::is_brief, Base::load, Base::store, Base::mark, Base::length_, Base::m_,
+      Base::period_, Base::period_length_, Base::presses_, Base::reach_, Base::slips, Base::time_;
   using typename Base::Point, typename Base::Strobing;
   using Truth = TruthOf<Real>;
 
@@ -58,7 +58,7 @@ class Advance : Step<kind, Real> {
  private:
   /// The search for roots takes as long for one lane as for all: a few lanes that ask for it had better wait for each other. Not
   /// on the friction grid, where hardly any step asks for it and they would wait long.
-  static constexpr int fewest_in_doubt = kind == Kind::rock_slide_briefly ? 1 : (3 * Row<Real>::lanes + 7) / 8;
+  static constexpr int fewest_in_doubt = is_brief ? 1 : (3 * Row<Real>::lanes + 7) / 8;
 
   void find_losses() {
     duration_ = length_;
@@ -139,17 +139,13 @@ class Advance : Step<kind, Real> {
   /// Moves on the lanes that are `calm`, but for those that come to where the equations or the period end.
   void move(const Truth& calm, const Truth& strobed, const Real& steps_since) {
     using base::select;
-    const Real later = time_ + length_;
+    // A brief step that is quiet ends at its breakpoint.
+    const Real later = is_brief ? load(this->break_time()) : time_ + length_;
+    const Real from = is_brief ? load(this->break_period()) : period_;
     const Truth wraps = !(later < period_length_);
     const Real time = select(wraps, later - period_length_, later);
-    const Truth arrives = !(length_ < reach_ - load(b_.resolution));
     Truth quiet = calm && time < period_length_;
-    if constexpr (kind == Kind::rock_slide_briefly) {
-      mark(b_.arrived, bits_of(quiet && arrives));
-    } else {
-      quiet = quiet && !arrives;
-      mark(b_.arrived, 0);
-    }
+    if constexpr (!is_brief) quiet = quiet && length_ < reach_ - load(b_.resolution);
     mark(b_.quiet, bits_of(quiet));
     stays_quiet_ = bits_of(occupied_ && !quiet) == 0;
     count_strobe(quiet && strobed);
@@ -166,7 +162,7 @@ class Advance : Step<kind, Real> {
       pass(b_.slip_rate, end_.slip_rate, m_.slip_rate[0]);
     }
     pass(b_.time, time, time_);
-    pass(b_.period, select(wraps, period_ + Real(1.0), period_), period_);
+    pass(b_.period, select(wraps, from + Real(1.0), from), period_);
   }
 
   void count_strobe(const Truth& strobed) {

@@ -10,6 +10,9 @@ namespace rocking::lanes {
 
 inline constexpr int most_lanes = 16;
 
+/// More than the intervals of the friction grid that are ever foreseen, and a power of 2.
+inline constexpr std::size_t places_of_intervals = 32;
+
 /// A number a lane.
 using LaneRow = std::array<double, most_lanes>;
 
@@ -47,10 +50,18 @@ struct alignas(64) Block {
   LaneRow drag;             ///< nu = S s mu_k
   LaneRow slip_sign;        ///< S s
 
+  // What holds in the intervals of the friction grid, in the block of brief steps: drag and breakpoint above have no say there.
+  // Its lanes pass an interval in every step, so that all of them are at the same place of a ring.
+  struct Intervals {
+    std::size_t place;  ///< of the interval in which the coming step is
+    std::array<LaneRow, places_of_intervals> drag;
+    std::array<LaneRow, places_of_intervals> end_period;  ///< of the breakpoint at its end
+    std::array<LaneRow, places_of_intervals> end_time;
+  } intervals;
+
   // What the last step was like.
   std::uint32_t quiet;    ///< lanes in which nothing happened: they were moved on
   std::uint32_t held;     ///< lanes that wait for others, so that roots are looked for in several at once
-  std::uint32_t arrived;  ///< of them, those that are at their breakpoint (brief steps only)
   std::uint32_t strobed;  ///< lanes that passed a strobe point
   LaneRow strobe_tilt;    ///< the state then
   LaneRow strobe_tilt_rate;

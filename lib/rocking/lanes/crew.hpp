@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -48,19 +49,13 @@ class Crew {
   [[nodiscard]] std::vector<Run*> take_finished() { return std::exchange(finished_, {}); }
 
  private:
-  /// The coming breakpoints of a lane, and how many of them it has passed without its motion being told.
-  struct Foreseen {
-    std::array<dynamics::SmoothChange, dynamics::most_foreseen> changes;
-    std::size_t count = 0;
-    std::size_t passed = 0;
-  };
-
   /// Runs of a kind: those in the lanes of a block, and those that wait for one.
   struct Group {
     std::unique_ptr<Block> block = std::make_unique<Block>();
     std::array<Run*, most_lanes> runs{};
-    std::array<Foreseen, most_lanes> foreseen;
     std::uint32_t occupied = 0;
+    std::array<std::uint32_t, places_of_intervals>
+        unforeseen{};  ///< lanes of which the interval at that place is the last known
     std::vector<Run*> waiting;
 
     [[nodiscard]] std::size_t size() const {
@@ -69,19 +64,28 @@ class Crew {
     void put(std::size_t lane, Run& run) {
       runs[lane] = &run;
       occupied |= 1U << lane;
-      load(*block, lane, run.motion().smooth_step());
-      foresee(lane);
+      const auto step = run.motion().smooth_step();
+      load(*block, lane, step);
+      foresee(lane, step);
     }
     /// The run that is in the lane goes on there.
     void stay(std::size_t lane) {
-      load_step(*block, lane, runs[lane]->motion().smooth_step());
-      foresee(lane);
+      const auto step = runs[lane]->motion().smooth_step();
+      load_step(*block, lane, step);
+      foresee(lane, step);
     }
-    void foresee(std::size_t lane) {
+    void foresee(std::size_t lane, const dynamics::SmoothStep& step) {
       const auto& motion = runs[lane]->motion();
-      Foreseen& coming = foreseen[lane];
-      coming.count = motion.slips() && motion.is_brief() ? motion.foresee(coming.changes) : 0;
-      coming.passed = 0;
+      if (!motion.slips() || !motion.is_brief()) return;
+      std::array<dynamics::SmoothInterval, 1 + dynamics::most_foreseen> known{
+          {{.drag = step.drag, .end = step.breakpoint}}};
+      const std::size_t count = 1 + motion.foresee(std::span(known).subspan(1));
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t place = (block->intervals.place + i) % places_of_intervals;
+        load_interval(*block, lane, place, known[i]);
+        const std::uint32_t is_last = i + 1 == count ? 1U : 0U;
+        unforeseen[place] = (unforeseen[place] & ~(1U << lane)) | is_last << lane;
+      }
     }
     void vacate(std::size_t lane) {
       occupied &= ~(1U << lane);
@@ -134,26 +138,31 @@ class Crew {
   void advance(Group& group) {
     fill(group);
     Block& block = *group.block;
+    const bool is_brief = kind_of(group) == Kind::rock_slide_briefly;
     kernels_.advance[static_cast<std::size_t>(kind_of(group))](block);
     for_each_lane(block.quiet & block.strobed & group.occupied,
                   [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
-    for_each_lane(block.arrived & group.occupied, [&](std::size_t lane) { pass_breakpoint(group, lane); });
-    for_each_lane(~(block.quiet | block.held) & group.occupied, [&](std::size_t lane) { finish_step(group, lane); });
+    const std::uint32_t unforeseen = is_brief ? block.quiet & group.unforeseen[block.intervals.place] : 0;
+    block.intervals.place = (block.intervals.place + 1) % places_of_intervals;
+    for_each_lane(unforeseen & group.occupied, [&](std::size_t lane) {
+      catch_up(group, lane, 1);
+      go_on(group, lane);
+    });
+    for_each_lane(~(block.quiet | block.held) & group.occupied, [&](std::size_t lane) {
+      catch_up(group, lane, 0);
+      finish_step(group, lane);
+      go_on(group, lane);
+    });
   }
 
-  /// The lane's run takes what was found out of its step, and goes on where its next one is done.
+  /// The lane's run takes what was found out of its step.
   void finish_step(Group& group, std::size_t lane) {
     Block& block = *group.block;
     Run& run = *group.runs[lane];
-    catch_up(group, lane);
-    if ((block.alone >> lane & 1U) != 0) {
-      integrate::step(run.motion(), run.counts());
-    } else {
-      ++run.counts().steps;
-      const auto first = integrate::earliest(losses(block, lane), block.length[lane], block.resolution[lane]);
-      run.motion().finish_step(end_of_step(block, lane), first.fired);
-    }
-    go_on(group, lane);
+    if ((block.alone >> lane & 1U) != 0) return integrate::step(run.motion(), run.counts());
+    ++run.counts().steps;
+    const auto first = integrate::earliest(losses(block, lane), block.length[lane], block.resolution[lane]);
+    run.motion().finish_step(end_of_step(block, lane), first.fired);
   }
 
   void go_on(Group& group, std::size_t lane) {
@@ -164,48 +173,18 @@ class Crew {
     if (kind) wait(run, *kind);
   }
 
-  void pass_breakpoint(Group& group, std::size_t lane) {
-    Block& block = *group.block;
-    Foreseen& foreseen = group.foreseen[lane];
-    if (foreseen.passed < foreseen.count) return load_change(block, lane, foreseen.changes[foreseen.passed++]);
-    tell_of_changes(group, lane);
+  /// Tells the lane's run of the steps that were done in the lane. Brief ones come to a breakpoint each; of the intervals that
+  /// begin there, the run has foreseen all but the last `unforeseen`.
+  void catch_up(Group& group, std::size_t lane, std::uint64_t unforeseen) {
     Run& run = *group.runs[lane];
-    Motion& motion = run.motion();
-    motion.pass_breakpoint(take_counts(block, lane, run));
-    if (kind_of(motion) == kind_of(group)) {
-      load_change(block, lane, motion.smooth_step());
-      return group.foresee(lane);
+    dynamics::SmoothProgress here = progress(*group.block, lane);
+    run.counts().steps += here.steps;
+    run.counts().root_isolations += static_cast<std::uint64_t>(group.block->root_isolations[lane]);
+    if (kind_of(group) == Kind::rock_slide_briefly) {
+      here.breakpoints = here.steps;
+      here.foreseen = here.steps - unforeseen;
     }
-    dynamics::SmoothProgress here = progress(block, lane);
-    here.now = motion.clock().now();
-    motion.catch_up(here);
-    go_on(group, lane);
-  }
-
-  static void catch_up(Group& group, std::size_t lane) {
-    tell_of_changes(group, lane);
-    Block& block = *group.block;
-    Run& run = *group.runs[lane];
-    dynamics::SmoothProgress here = progress(block, lane);
-    here.steps = take_counts(block, lane, run);
     run.motion().catch_up(here);
-  }
-
-  static void tell_of_changes(Group& group, std::size_t lane) {
-    Foreseen& foreseen = group.foreseen[lane];
-    if (foreseen.passed == 0) return;
-    Run& run = *group.runs[lane];
-    const auto steps = take_counts(*group.block, lane, run);
-    run.motion().pass_changes(foreseen.passed, foreseen.changes[foreseen.passed - 1], steps);
-    foreseen.passed = 0;
-  }
-
-  /// Returns the steps done in the lane since the last call.
-  static std::uint64_t take_counts(Block& block, std::size_t lane, Run& run) {
-    const auto steps = static_cast<std::uint64_t>(std::exchange(block.steps[lane], 0.0));
-    run.counts().steps += steps;
-    run.counts().root_isolations += static_cast<std::uint64_t>(std::exchange(block.root_isolations[lane], 0.0));
-    return steps;
   }
 
   [[nodiscard]] std::uint32_t all_lanes() const { return (1U << static_cast<unsigned>(kernels_.lanes)) - 1U; }

@@ -64,14 +64,14 @@ class Step {
       m_.slip_rate[0] = load(b_.slip_rate);
       m_.slip[0] = load(b_.slip);
       dynamics::expand_rock_slide<order_of(kind), false>(
-          m_, {.inertia = load(b_.inertia), .drag = load(b_.drag), .first_rate_gate = Real(1.0)});
+          m_, {.inertia = load(b_.inertia), .drag = load(drag()), .first_rate_gate = Real(1.0)});
       length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
     } else {
       dynamics::expand_rock<order_of(kind), false>(m_, Real(1.0));
       length_ = length_of(m_.tilt_rate);
     }
-    reach_ = until(load(b_.break_period), load(b_.break_time));
-    if constexpr (kind == Kind::rock_slide_briefly) {
+    reach_ = until(load(break_period()), load(break_time()));
+    if constexpr (is_brief) {
       fits_ = reach_ < length_ || reach_ == length_;
       length_ = reach_;
     } else {
@@ -98,6 +98,14 @@ class Step {
   /// Puts the truths of these lanes among those of all.
   void mark(std::uint32_t& truths, std::uint32_t of_these) const {
     truths = (truths & ~(every_lane << first_)) | of_these << first_;
+  }
+  static constexpr bool is_brief = kind == Kind::rock_slide_briefly;
+  [[nodiscard]] const LaneRow& drag() const { return is_brief ? b_.intervals.drag[b_.intervals.place] : b_.drag; }
+  [[nodiscard]] const LaneRow& break_period() const {
+    return is_brief ? b_.intervals.end_period[b_.intervals.place] : b_.break_period;
+  }
+  [[nodiscard]] const LaneRow& break_time() const {
+    return is_brief ? b_.intervals.end_time[b_.intervals.place] : b_.break_time;
   }
   static constexpr std::uint32_t every_lane = (1U << Row<Real>::lanes) - 1U;
 

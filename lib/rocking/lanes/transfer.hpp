@@ -11,35 +11,33 @@
 /// Between the lanes of a block and the motions that are in them.
 namespace rocking::lanes {
 
-/// Goes on in a lane after a breakpoint.
-inline void load_change(Block& block, std::size_t lane, const dynamics::SmoothChange& change) {
-  block.time[lane] = change.now.time;
-  block.period[lane] = static_cast<double>(change.now.period);
-  block.drag[lane] = change.drag;
-  block.break_period[lane] = static_cast<double>(change.breakpoint.period);
-  block.break_time[lane] = change.breakpoint.time;
-}
-
-/// Goes on in a lane after a breakpoint, which left the state as it was.
-inline void load_change(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
-  load_change(block, lane, {.now = step.clock->now(), .drag = step.drag, .breakpoint = step.breakpoint});
-  block.amplitude[lane] = step.amplitude;
-}
-
-/// Goes on in a lane after an event.
+/// Goes on in a lane after an event or a breakpoint.
 inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
-  load_change(block, lane, step);
+  const dynamics::Instant& now = step.clock->now();
   block.tilt[lane] = step.state.tilt;
   block.tilt_rate[lane] = step.state.tilt_rate;
   block.slip[lane] = step.state.slip;
   block.slip_rate[lane] = step.state.slip_rate;
+  block.time[lane] = now.time;
+  block.period[lane] = static_cast<double>(now.period);
   block.strobe_period[lane] = static_cast<double>(step.next_strobe.period);
   block.strobes_left[lane] = static_cast<double>(step.strobes_left);
   block.steps[lane] = 0.0;
   block.root_isolations[lane] = 0.0;
   block.steps_since_strobe[lane] = static_cast<double>(step.steps_since_strobe);
+  block.break_period[lane] = static_cast<double>(step.breakpoint.period);
+  block.break_time[lane] = step.breakpoint.time;
+  block.amplitude[lane] = step.amplitude;
   block.static_friction[lane] = step.static_friction;
+  block.drag[lane] = step.drag;
   block.slip_sign[lane] = step.slip_sign;
+}
+
+/// Into a place of the ring of intervals.
+inline void load_interval(Block& block, std::size_t lane, std::size_t place, const dynamics::SmoothInterval& interval) {
+  block.intervals.drag[place][lane] = interval.drag;
+  block.intervals.end_period[place][lane] = static_cast<double>(interval.end.period);
+  block.intervals.end_time[place][lane] = interval.end.time;
 }
 
 /// Puts the coming step of a motion into a lane in which another was.

@@ -154,21 +154,18 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// A strobe point that was passed within a step done elsewhere; not the last one.
   void pass_strobe(const SmoothState& sample) { tell_strobe(from_frame(sample)); }
 
-  /// What holds after the coming breakpoints of a brief rock-slide, as far as it is foreseen and leaves its steps ordinary and
-  /// brief. Returns how many of at most `most_foreseen` intervals it has filled in.
-  [[nodiscard]] std::size_t foresee(std::span<SmoothInterval> coming) const {
-    std::size_t count = 0;
+  /// What is known of the coming intervals of the friction grid, as far as it leaves the steps of a rock-slide ordinary and brief:
+  /// fills `drag` with their nu. Each interval ends at a boundary of the grid (dynamics::grid_boundary).
+  [[nodiscard]] FrictionForesight foresee(std::span<double> drag) const {
     if constexpr (ForeseesFriction<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
-      std::array<FrictionInterval, most_foreseen> intervals;
-      const std::size_t known = coefficients_.foresee(clock_, std::span(intervals).first(coming.size()));
+      if (determinant_may_vanish(coefficients_.static_friction())) return {};  // a bound for kinetic friction
+      const FrictionForesight known = coefficients_.foresee(drag);
+      if (!(static_cast<double>(known.per_period) * brief_step > 1.0)) return {};
       const double direction = state_.side * state_.slip_direction;
-      for (Instant begin = *breakpoint_; count < known; begin = intervals[count++].end) {
-        const auto& [kinetic_friction, end] = intervals[count];
-        if (determinant_may_vanish(kinetic_friction) || !is_brief(clock_.between(clock_.wrapped(begin), end))) break;
-        coming[count] = {.drag = direction * kinetic_friction, .end = end};
-      }
+      for (double& nu : drag.first(known.intervals)) nu *= direction;
+      return known;
     }
-    return count;
+    return {};
   }
 
   /// Takes over from where steps done elsewhere have come to. At breakpoints nothing happened but that the interval changed.

@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
 #include <optional>
 #include <span>
@@ -10,11 +11,19 @@
 
 namespace rocking::dynamics {
 
-/// Kinetic friction over an interval of its grid.
-struct FrictionInterval {
-  double kinetic_friction;  ///< mu_k, at most mu_s
-  Instant end;
+/// What is known beforehand of kinetic friction, which changes at the boundaries of a grid.
+struct FrictionForesight {
+  std::size_t intervals = 0;       ///< after the present one
+  std::int64_t per_period = 1;     ///< intervals of the grid
+  std::int64_t next_boundary = 0;  ///< where the present interval ends: its number within its period
 };
+
+/// Boundary number `index` of a period that has `per_period` of them; number 0 is where a run starts.
+[[nodiscard]] inline Instant grid_boundary(const Clock& clock, std::int64_t period, std::int64_t index,
+                                           std::int64_t per_period) {
+  const double time = static_cast<double>(index) * clock.period_length() / static_cast<double>(per_period);
+  return {.period = period, .time = clock.start() + time};
+}
 
 /// Where the automaton gets what may fluctuate: friction, restitution, amplitude. A source may draw at random, play a list
 /// or always say the same.
@@ -34,8 +43,10 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
 /// A source that can tell beforehand what kinetic friction will be, so that slip may go on elsewhere from interval to interval.
 template <class Source>
 concept ForeseesFriction = CoefficientSource<Source> &&
-    requires(Source source, const Clock& clock, std::span<FrictionInterval> coming) {
-  { source.foresee(clock, coming) } -> std::same_as<std::size_t>;  // of the intervals after the present one, how many
+    requires(Source source, const Clock& clock, std::span<double> kinetic_friction) {
+  {
+    source.foresee(kinetic_friction)
+    } -> std::same_as<FrictionForesight>;       // mu_k, never above mu_s, of the coming intervals
   source.pass_intervals(clock, std::size_t{});  // the clock has gone on by as many, the block slipping
 };
 

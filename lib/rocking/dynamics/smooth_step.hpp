@@ -33,13 +33,7 @@ struct SmoothStep {
   Instant breakpoint;  ///< until which the equations hold
 };
 
-/// What holds in an interval of the friction grid.
-struct SmoothInterval {
-  double drag;  ///< nu
-  Instant end;  ///< the breakpoint
-};
-
-inline constexpr std::size_t most_foreseen = 16;  ///< intervals
+inline constexpr std::size_t most_foreseen = 16;  ///< intervals of the friction grid
 
 inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
 

@@ -95,41 +95,36 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
 void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
   held_at_static_ = false;
   ++kinetic_draws_;
-  kinetic_friction_ = friction_drawn_for(interval);
+  kinetic_friction_ = drawn_friction(deviations_[static_cast<std::size_t>(interval % intervals_at_once)]);
   if (kinetic_friction_ < 0.0) {
     kinetic_friction_ = 0.0;
     ++clamps_.kinetic_at_zero;
   }
 }
 
-/// Before anything holds it.
-double SceneCoefficients::friction_drawn_for(std::int64_t interval) const {
-  const double deviation = deviations_[static_cast<std::size_t>(interval % intervals_at_once)];
-  return friction_->kinetic_coefficient + fluctuation_.kinetic_friction * deviation;
-}
-
 /// As far as it is drawn, and nothing but friction changes.
-std::size_t SceneCoefficients::foresee(const Clock& clock, std::span<dynamics::FrictionInterval> coming) const {
-  if (fluctuation_.kinetic_friction == 0.0 || fluctuation_.amplitude > 0.0 || interval_ < 0) return 0;
-  const auto drawn = static_cast<std::size_t>(intervals_at_once - 1 - interval_ % intervals_at_once);
-  const std::size_t count = std::min(coming.size(), drawn);
-  Instant end = interval_after_;
-  std::int64_t rest = rest_after_;
+dynamics::FrictionForesight SceneCoefficients::foresee(std::span<double> kinetic_friction) const {
+  if (fluctuation_.kinetic_friction == 0.0 || fluctuation_.amplitude > 0.0 || interval_ < 0) return {};
+  const auto next = static_cast<std::size_t>(interval_ % intervals_at_once) + 1;
+  const std::size_t count = std::min(kinetic_friction.size(), deviations_.size() - next);
   for (std::size_t i = 0; i < count; ++i) {
-    const double drawn_friction = friction_drawn_for(interval_ + 1 + static_cast<std::int64_t>(i));
-    coming[i] = {.kinetic_friction = std::min(std::max(drawn_friction, 0.0), static_friction_), .end = end};
-    end = next_boundary(clock, end, rest);
+    kinetic_friction[i] = std::min(std::max(drawn_friction(deviations_[next + i]), 0.0), static_friction_);
   }
-  return count;
+  return {.intervals = count, .per_period = fluctuation_.refreshes_per_period, .next_boundary = end_number_};
 }
 
 void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
-  const std::int64_t first = interval_ + 1;
-  move_to_interval(clock, interval_ + static_cast<std::int64_t>(count));
-  for (std::int64_t interval = first; interval <= interval_; ++interval) {
-    draw_kinetic_friction(interval);
-    static_cast<void>(held_kinetic_friction(kinetic_friction_));
+  const auto next = static_cast<std::size_t>(interval_ % intervals_at_once) + 1;
+  double wanted = 0.0;
+  for (std::size_t i = next; i < next + count; ++i) {  // without a branch, for a processor's lanes
+    wanted = drawn_friction(deviations_[i]);
+    clamps_.kinetic_at_zero += wanted < 0.0 ? 1 : 0;
+    clamps_.kinetic_at_static += wanted > static_friction_ ? 1 : 0;
   }
+  kinetic_draws_ += count;
+  kinetic_friction_ = std::max(wanted, 0.0);
+  held_at_static_ = wanted > static_friction_;
+  move_to_interval(clock, interval_ + static_cast<std::int64_t>(count));
 }
 
 double SceneCoefficients::restitution() {
@@ -161,41 +156,37 @@ double SceneCoefficients::amplitude(const Clock& clock) {
 
 void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interval) {
   if (interval == interval_ + 1 && interval_ >= 0) {
-    interval_begin_ = interval_end_;
-    interval_end_ = interval_after_;
+    begin_ = end_;
+    end_ = boundary_after_end(clock);
+    if (++end_number_ == fluctuation_.refreshes_per_period) end_number_ = 0;
   } else {
-    rest_after_ = interval % fluctuation_.refreshes_per_period;
-    interval_begin_ = grid_instant(clock, interval / fluctuation_.refreshes_per_period, rest_after_);
-    interval_end_ = next_boundary(clock, interval_begin_, rest_after_);
-    interval_after_ = interval_end_;
+    begin_ = boundary(clock, interval);
+    end_ = boundary(clock, interval + 1);
+    end_number_ = (interval + 1) % fluctuation_.refreshes_per_period;
   }
-  interval_after_ = next_boundary(clock, interval_after_, rest_after_);
   interval_ = interval;
 }
 
-/// After `boundary`, which is number `rest` of its period; so is `rest` then of what is returned.
-Instant SceneCoefficients::next_boundary(const Clock& clock, const Instant& boundary, std::int64_t& rest) const {
-  if (++rest == fluctuation_.refreshes_per_period) rest = 0;
-  return grid_instant(clock, rest == 0 ? boundary.period + 1 : boundary.period, rest);
+Instant SceneCoefficients::boundary_after_end(const Clock& clock) const {
+  const std::int64_t per_period = fluctuation_.refreshes_per_period;
+  const std::int64_t number = end_number_ + 1;
+  return number == per_period ? dynamics::grid_boundary(clock, end_.period + 1, 0, per_period)
+                              : dynamics::grid_boundary(clock, end_.period, number, per_period);
 }
 
-Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t index) const {
-  const std::int64_t count = fluctuation_.refreshes_per_period;
-  return grid_instant(clock, index / count, index % count);
-}
-
-Instant SceneCoefficients::grid_instant(const Clock& clock, std::int64_t period, std::int64_t rest) const {
-  const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
-  return {.period = period, .time = clock.start() + static_cast<double>(rest) * clock.period_length() / count};
+/// At the beginning of an interval.
+Instant SceneCoefficients::boundary(const Clock& clock, std::int64_t interval) const {
+  const std::int64_t per_period = fluctuation_.refreshes_per_period;
+  return dynamics::grid_boundary(clock, interval / per_period, interval % per_period, per_period);
 }
 
 /// The interval that now lies in; now counts as after a boundary that it has reached to within the clock's resolution.
 /// Most often that is the one last seen or the next.
 std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
   const auto is_reached = [&](const Instant& instant) { return clock.until(instant) <= clock.resolution(); };
-  if (interval_ >= 0 && is_reached(interval_begin_)) {
-    if (!is_reached(interval_end_)) return interval_;
-    if (!is_reached(interval_after_)) return interval_ + 1;
+  if (interval_ >= 0 && is_reached(begin_)) {
+    if (!is_reached(end_)) return interval_;
+    if (!is_reached(boundary_after_end(clock))) return interval_ + 1;
   }
   return searched_grid_index(clock);
 }
@@ -206,7 +197,7 @@ std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
   std::int64_t index =
       clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
   index = std::max<std::int64_t>(index - 1, 0);  // floor may be one too high, by rounding
-  while (clock.until(grid_instant(clock, index + 1)) <= clock.resolution()) ++index;
+  while (clock.until(boundary(clock, index + 1)) <= clock.resolution()) ++index;
   return index;
 }
 
@@ -215,7 +206,7 @@ std::optional<Instant> SceneCoefficients::next_change(const Clock& clock, bool s
   if (fluctuation_.amplitude > 0.0) next = Instant{.period = clock.now().period + 1, .time = 0.0};
   if (slipping && fluctuation_.kinetic_friction > 0.0) {
     const std::int64_t index = grid_index(clock);
-    const Instant refresh = index == interval_ ? interval_end_ : grid_instant(clock, index + 1);
+    const Instant refresh = index == interval_ ? end_ : boundary(clock, index + 1);
     if (!next || clock.until(refresh) < clock.until(*next)) next = refresh;
   }
   return next;

@@ -33,7 +33,7 @@ class SceneCoefficients {
   void stop();
   void chatter_ended();
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
-  [[nodiscard]] std::size_t foresee(const dynamics::Clock& clock, std::span<dynamics::FrictionInterval> coming) const;
+  [[nodiscard]] dynamics::FrictionForesight foresee(std::span<double> kinetic_friction) const;
   void pass_intervals(const dynamics::Clock& clock, std::size_t count);
 
   /// The same draws, counted on, about the means and with the standard deviations of another scene.
@@ -50,16 +50,15 @@ class SceneCoefficients {
     std::uint64_t since = 0;  ///< impacts or stops since the last chatter's end
   };
 
-  [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t index) const;
-  [[nodiscard]] dynamics::Instant grid_instant(const dynamics::Clock& clock, std::int64_t period,
-                                               std::int64_t rest) const;
   void move_to_interval(const dynamics::Clock& clock, std::int64_t interval);
-  [[nodiscard]] dynamics::Instant next_boundary(const dynamics::Clock& clock, const dynamics::Instant& boundary,
-                                                std::int64_t& rest) const;
+  [[nodiscard]] dynamics::Instant boundary_after_end(const dynamics::Clock& clock) const;
+  [[nodiscard]] dynamics::Instant boundary(const dynamics::Clock& clock, std::int64_t interval) const;
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
-  [[nodiscard]] double friction_drawn_for(std::int64_t interval) const;
   void draw_kinetic_friction(std::int64_t interval);
+  [[nodiscard]] double drawn_friction(double deviation) const {
+    return friction_->kinetic_coefficient + fluctuation_.kinetic_friction * deviation;
+  }
   [[nodiscard]] double held_kinetic_friction(double wanted);
   void draw_static_friction();
   void look_up_static_friction();
@@ -79,10 +78,9 @@ class SceneCoefficients {
   static constexpr std::int64_t intervals_at_once = 16;
 
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
-  dynamics::Instant interval_begin_;
-  dynamics::Instant interval_end_;
-  dynamics::Instant interval_after_;                    ///< the end of the next one
-  std::int64_t rest_after_ = 0;                         ///< boundaries of its period before that
+  dynamics::Instant begin_;
+  dynamics::Instant end_;
+  std::int64_t end_number_ = 0;                         ///< of the boundary at its end, within its period
   std::array<double, intervals_at_once> deviations_{};  ///< in units of sigma
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted

@@ -140,8 +140,8 @@ class Advance : Step<kind, Real> {
   void move(const Truth& calm, const Truth& strobed, const Real& steps_since) {
     using base::select;
     // A brief step that is quiet ends at its breakpoint.
-    const Real later = is_brief ? load(this->break_time()) : time_ + length_;
-    const Real from = is_brief ? load(this->break_period()) : period_;
+    const Real later = is_brief ? load(b_.break_time) : time_ + length_;
+    const Real from = is_brief ? load(b_.break_period) : period_;
     const Truth wraps = !(later < period_length_);
     const Real time = select(wraps, later - period_length_, later);
     Truth quiet = calm && time < period_length_;
@@ -163,6 +163,26 @@ class Advance : Step<kind, Real> {
     }
     pass(b_.time, time, time_);
     pass(b_.period, select(wraps, from + Real(1.0), from), period_);
+    mark(b_.at_a_loss, 0);
+    if constexpr (is_brief) pass_interval(quiet);
+  }
+
+  /// The breakpoint at the end of a brief step is a boundary of the friction grid, if it is known what comes after it.
+  void pass_interval(const Truth& quiet) {
+    using base::select;
+    const Real known = load(b_.intervals.known);
+    mark(b_.at_a_loss, bits_of(quiet && known == Real(0.0)));
+    store(b_.intervals.known, known - Real(1.0));
+    const Real per_period = load(b_.intervals.per_period);
+    const Real next = load(b_.intervals.next_boundary) + Real(1.0);
+    const Truth wraps = next == per_period;
+    const Real boundary = select(wraps, Real(0.0), next);
+    const Real period = load(b_.break_period);
+    store(b_.intervals.next_boundary, boundary);
+    // dynamics::grid_boundary
+    store(b_.break_time,
+          select(quiet, load(b_.intervals.grid_start) + boundary * period_length_ / per_period, load(b_.break_time)));
+    store(b_.break_period, select(quiet && wraps, period + Real(1.0), period));
   }
 
   void count_strobe(const Truth& strobed) {

@@ -50,20 +50,23 @@ struct alignas(64) Block {
   LaneRow drag;             ///< nu = S s mu_k
   LaneRow slip_sign;        ///< S s
 
-  // What holds in the intervals of the friction grid, in the block of brief steps: drag and breakpoint above have no say there.
-  // Its lanes pass an interval in every step, so that all of them are at the same place of a ring.
+  // The intervals of the friction grid, in the block of brief steps. Its lanes pass one in every step, so that all of them are
+  // at the same place of a ring.
   struct Intervals {
-    std::size_t place;  ///< of the interval in which the coming step is
-    std::array<LaneRow, places_of_intervals> drag;
-    std::array<LaneRow, places_of_intervals> end_period;  ///< of the breakpoint at its end
-    std::array<LaneRow, places_of_intervals> end_time;
+    std::size_t place;                              ///< of the interval in which the coming step is
+    std::array<LaneRow, places_of_intervals> drag;  ///< nu: that above has no say
+    LaneRow known;                                  ///< of the next ones so many
+    LaneRow per_period;
+    LaneRow next_boundary;  ///< where the present one ends: its number within its period
+    LaneRow grid_start;     ///< where a period's boundary number 0 is
   } intervals;
 
   // What the last step was like.
-  std::uint32_t quiet;    ///< lanes in which nothing happened: they were moved on
-  std::uint32_t held;     ///< lanes that wait for others, so that roots are looked for in several at once
-  std::uint32_t strobed;  ///< lanes that passed a strobe point
-  LaneRow strobe_tilt;    ///< the state then
+  std::uint32_t quiet;      ///< lanes in which nothing happened: they were moved on
+  std::uint32_t held;       ///< lanes that wait for others, so that roots are looked for in several at once
+  std::uint32_t at_a_loss;  ///< of them, those in which the coming interval is not known
+  std::uint32_t strobed;    ///< lanes that passed a strobe point
+  LaneRow strobe_tilt;      ///< the state then
   LaneRow strobe_tilt_rate;
   LaneRow strobe_slip;
   LaneRow strobe_slip_rate;

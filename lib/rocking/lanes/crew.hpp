@@ -54,8 +54,6 @@ class Crew {
     std::unique_ptr<Block> block = std::make_unique<Block>();
     std::array<Run*, most_lanes> runs{};
     std::uint32_t occupied = 0;
-    std::array<std::uint32_t, places_of_intervals>
-        unforeseen{};  ///< lanes of which the interval at that place is the last known
     std::vector<Run*> waiting;
 
     [[nodiscard]] std::size_t size() const {
@@ -77,15 +75,9 @@ class Crew {
     void foresee(std::size_t lane, const dynamics::SmoothStep& step) {
       const auto& motion = runs[lane]->motion();
       if (!motion.slips() || !motion.is_brief()) return;
-      std::array<dynamics::SmoothInterval, 1 + dynamics::most_foreseen> known{
-          {{.drag = step.drag, .end = step.breakpoint}}};
-      const std::size_t count = 1 + motion.foresee(std::span(known).subspan(1));
-      for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t place = (block->intervals.place + i) % places_of_intervals;
-        load_interval(*block, lane, place, known[i]);
-        const std::uint32_t is_last = i + 1 == count ? 1U : 0U;
-        unforeseen[place] = (unforeseen[place] & ~(1U << lane)) | is_last << lane;
-      }
+      std::array<double, 1 + dynamics::most_foreseen> drag{step.drag};
+      const auto coming = motion.foresee(std::span(drag).subspan(1));
+      load_intervals(*block, lane, coming, std::span(drag).first(1 + coming.intervals), step.clock->start());
     }
     void vacate(std::size_t lane) {
       occupied &= ~(1U << lane);
@@ -138,13 +130,11 @@ class Crew {
   void advance(Group& group) {
     fill(group);
     Block& block = *group.block;
-    const bool is_brief = kind_of(group) == Kind::rock_slide_briefly;
     kernels_.advance[static_cast<std::size_t>(kind_of(group))](block);
     for_each_lane(block.quiet & block.strobed & group.occupied,
                   [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
-    const std::uint32_t unforeseen = is_brief ? block.quiet & group.unforeseen[block.intervals.place] : 0;
     block.intervals.place = (block.intervals.place + 1) % places_of_intervals;
-    for_each_lane(unforeseen & group.occupied, [&](std::size_t lane) {
+    for_each_lane(block.at_a_loss & group.occupied, [&](std::size_t lane) {
       catch_up(group, lane, 1);
       go_on(group, lane);
     });

@@ -70,7 +70,7 @@ class Step {
       dynamics::expand_rock<order_of(kind), false>(m_, Real(1.0));
       length_ = length_of(m_.tilt_rate);
     }
-    reach_ = until(load(break_period()), load(break_time()));
+    reach_ = until(load(b_.break_period), load(b_.break_time));
     if constexpr (is_brief) {
       fits_ = reach_ < length_ || reach_ == length_;
       length_ = reach_;
@@ -101,12 +101,6 @@ class Step {
   }
   static constexpr bool is_brief = kind == Kind::rock_slide_briefly;
   [[nodiscard]] const LaneRow& drag() const { return is_brief ? b_.intervals.drag[b_.intervals.place] : b_.drag; }
-  [[nodiscard]] const LaneRow& break_period() const {
-    return is_brief ? b_.intervals.end_period[b_.intervals.place] : b_.break_period;
-  }
-  [[nodiscard]] const LaneRow& break_time() const {
-    return is_brief ? b_.intervals.end_time[b_.intervals.place] : b_.break_time;
-  }
   static constexpr std::uint32_t every_lane = (1U << Row<Real>::lanes) - 1U;
 
   /// base::sin_cos, without the reduction if no lane needs it.

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "rocking/dynamics/smooth_step.hpp"
 #include "rocking/integrate/hybrid.hpp"
@@ -33,11 +34,17 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.slip_sign[lane] = step.slip_sign;
 }
 
-/// Into a place of the ring of intervals.
-inline void load_interval(Block& block, std::size_t lane, std::size_t place, const dynamics::SmoothInterval& interval) {
-  block.intervals.drag[place][lane] = interval.drag;
-  block.intervals.end_period[place][lane] = static_cast<double>(interval.end.period);
-  block.intervals.end_time[place][lane] = interval.end.time;
+/// What is known of the intervals of the friction grid, the present one first.
+inline void load_intervals(Block& block, std::size_t lane, const dynamics::FrictionForesight& coming,
+                           std::span<const double> drag, double grid_start) {
+  auto& intervals = block.intervals;
+  for (std::size_t i = 0; i < drag.size(); ++i) {
+    intervals.drag[(intervals.place + i) % places_of_intervals][lane] = drag[i];
+  }
+  intervals.known[lane] = static_cast<double>(coming.intervals);
+  intervals.per_period[lane] = static_cast<double>(coming.per_period);
+  intervals.next_boundary[lane] = static_cast<double>(coming.next_boundary);
+  intervals.grid_start[lane] = grid_start;
 }
 
 /// Puts the coming step of a motion into a lane in which another was.

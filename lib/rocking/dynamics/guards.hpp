@@ -74,16 +74,20 @@ struct GuardContext {
 };
 
 /// Calls visit(number, coefficients) for each guard that is armed and wanted(number), its known zeros at the start divided
-/// out: a tolerance there would find false events or miss true ones.
+/// out: a tolerance there would find false events or miss true ones. All have as many coefficients, the last of them 0 if need
+/// be, so that unlike guards can be looked at side by side (module lanes).
 template <class Wanted, class Visitor>
 void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Wanted&& wanted, Visitor&& visit) {
   constexpr double half_pi = 0x1.921fb54442d18p+0;
-  std::array<double, full_order + 2> guard{};
+  constexpr std::size_t most_zeros = 3;
+  std::array<double, full_order + 2 + most_zeros> guard{};
   const auto order = static_cast<std::size_t>(context.order);
+  const std::size_t length = order + 2;
   const auto visit_row = [&](Guard name, std::size_t count, std::size_t zeros, auto&& coefficient) {
     if (!wanted(static_cast<std::size_t>(name))) return;
     for (std::size_t k = zeros; k < count; ++k) guard[k] = coefficient(k);
-    visit(static_cast<std::size_t>(name), std::span<const double>(guard.data() + zeros, count - zeros));
+    for (std::size_t k = count; k < length + zeros; ++k) guard[k] = 0.0;
+    visit(static_cast<std::size_t>(name), std::span<const double>(guard.data() + zeros, length));
   };
   const auto below = [&](Guard name, double limit, std::size_t count, const auto& row) {
     visit_row(name, count, 0, [&](std::size_t k) { return (k == 0 ? limit : 0.0) - row[k]; });

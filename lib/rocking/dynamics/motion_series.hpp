@@ -34,8 +34,8 @@ namespace rocking::dynamics {
 inline constexpr int full_order = 14;
 
 /// A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
-inline constexpr int brief_order = 9;
-inline constexpr double brief_step = 1.0 / 64.0;  ///< of a period
+inline constexpr int brief_order = 8;
+inline constexpr double brief_step = 1.0 / 128.0;  ///< of a period
 
 inline constexpr double least_step = 0x1p-20;           ///< of the clock's resolution
 inline constexpr std::int64_t step_budget = 1'000'000;  ///< in a period

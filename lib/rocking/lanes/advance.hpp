@@ -74,10 +74,7 @@ class Advance : Step<kind, Real> {
     has_looked_ = in_doubt_ != 0 && !waits;
     if (!has_looked_) return;
     forget_losses();
-    std::size_t i = 0;
-    this->for_each_guard([&](Guard guard, const auto&, auto count, const auto& starts_at_zero, auto coefficient) {
-      this->find_loss(guard, doubts_[i++], count, starts_at_zero, coefficient);
-    });
+    while (look_for_roots()) continue;
     end_ = this->point(duration_);
   }
 
@@ -98,42 +95,65 @@ class Advance : Step<kind, Real> {
   [[nodiscard]] Truth is_in_reach(const InReach&) const { return occupied_; }
   [[nodiscard]] Truth is_in_reach(const Truth& out_of_reach) const { return occupied_ && !out_of_reach; }
 
-  template <std::size_t count, class Zero, class Coefficient>
-  void find_loss(Guard guard, const Truth& in_doubt, Count<count>, const Zero& starts_at_zero,
-                 Coefficient coefficient) {
+  /// In each lane with a guard in doubt, looks for the root of the first such, which is in doubt no longer. False if there is
+  /// none.
+  [[nodiscard]] bool look_for_roots() {
     using base::select;
-    if (bits_of(in_doubt) == 0) return;
-    isolations_ = isolations_ + select(in_doubt, Real(1.0), Real(0.0));
-    if constexpr (std::is_same_v<Zero, NeverZero>) {
-      find_loss_in<0, count>(guard, in_doubt, coefficient);
-    } else {
-      const Truth from_zero = in_doubt && starts_at_zero;
-      const Truth others = in_doubt && !starts_at_zero;
-      if (bits_of(from_zero) != 0) find_loss_in<1, count>(guard, from_zero, coefficient);
-      if (bits_of(others) != 0) find_loss_in<0, count>(guard, others, coefficient);
-    }
-  }
-
-  /// Of the polynomial from coefficient `first` on, in the lanes where `wanted`.
-  template <std::size_t first, std::size_t count, class Coefficient>
-  void find_loss_in(Guard guard, const Truth& wanted, Coefficient coefficient) {
-    using base::select;
-    Real c[count - first];
+    constexpr std::size_t count = Base::order + 2;
+    Real c[count];
+    for (Real& coefficient : c) coefficient = Real(0.0);
+    std::array<Truth, Base::guards> looked_at;
+    Truth taken = Real(0.0) < Real(0.0);
+    std::size_t i = 0;
+    this->for_each_guard([&](Guard, const auto&, auto own_count, const auto& starts_at_zero, auto coefficient) {
+      looked_at[i] = doubts_[i] && !taken;
+      doubts_[i] = doubts_[i] && taken;
+      taken = taken || looked_at[i];
+      copy(looked_at[i], own_count, starts_at_zero, coefficient, c);
+      ++i;
+    });
+    if (bits_of(taken) == 0) return false;
     Real power(1.0);
 #pragma GCC unroll 20
-    for (std::size_t k = first; k < count; ++k) {
-      c[k - first] = coefficient(k) * power;
+    for (Real& coefficient : c) {
+      coefficient = coefficient * power;
       power = power * length_;
     }
+    isolations_ = isolations_ + select(taken, Real(1.0), Real(0.0));
     SignLosses<Real> found;
-    first_sign_losses<count - first>(c, wanted, found);
+    first_sign_losses<count>(c, taken, found);
     unclear_ = unclear_ || found.unclear;
     lost_ = lost_ || found.lost;
     const Real instant = found.instant * length_;
     duration_ = select(found.lost && instant < duration_, instant, duration_);
-    LaneRow& instants = b_.instants[static_cast<std::size_t>(guard)];
-    store(instants, select(found.lost, instant, load(instants)));
-    b_.lost[static_cast<std::size_t>(guard)] |= bits_of(found.lost) << first_;
+    i = 0;
+    this->for_each_guard([&](Guard guard, const auto&, auto, const auto&, auto) {
+      const Truth lost = found.lost && looked_at[i++];
+      if (bits_of(lost) == 0) return;
+      LaneRow& instants = b_.instants[static_cast<std::size_t>(guard)];
+      store(instants, select(lost, instant, load(instants)));
+      b_.lost[static_cast<std::size_t>(guard)] |= bits_of(lost) << first_;
+    });
+    return true;
+  }
+
+  /// A guard's coefficients, without the first where that is known to be 0, to c in the lanes where it is looked at.
+  template <std::size_t count, class Zero, class Coefficient>
+  static void copy(const Truth& looked_at, Count<count>, const Zero& starts_at_zero, Coefficient coefficient, Real* c) {
+    using base::select;
+    if (bits_of(looked_at) == 0) return;
+    if constexpr (std::is_same_v<Zero, NeverZero>) {
+#pragma GCC unroll 20
+      for (std::size_t k = 0; k < count; ++k) c[k] = select(looked_at, coefficient(k), c[k]);
+    } else {
+      const Truth shifted = looked_at && starts_at_zero;
+      const Truth whole = looked_at && !starts_at_zero;
+#pragma GCC unroll 20
+      for (std::size_t k = 0; k + 1 < count; ++k) {
+        c[k] = select(whole, coefficient(k), select(shifted, coefficient(k + 1), c[k]));
+      }
+      c[count - 1] = select(whole, coefficient(count - 1), c[count - 1]);
+    }
   }
 
   /// Moves on the lanes that are `calm`, but for those that come to where the equations or the period end.

@@ -63,6 +63,11 @@ class Automaton {
 
  protected:
   [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * excitation_.unit(setting_.block); }
+  /// No hop without slip is too small that sets off faster, whatever the base does: abs(w') <= abs(alpha) + 1. Nearly every
+  /// impact is far from it, and need not ask for the base's motion.
+  [[nodiscard]] double fastest_small_hop() {
+    return hop_limit() * (excitation_.most_horizontal(base_amplitude()) + 1.0);
+  }
   [[nodiscard]] Observer& observer() const { return *observer_; }
   [[nodiscard]] bool is_slipping() const {
     return state_.contact == ContactState::slide || state_.contact == ContactState::rock_slide;
@@ -90,6 +95,14 @@ class Automaton {
   void pass_balance() {
     was_past_balance_ = true;
     record(EventKind::past_balance);
+  }
+
+  /// An impact that ended with the block on its other edge, as `land` would have it; a sticking one, and far from a chatter.
+  void change_edges(double tilt_rate) {
+    state_.tilt = 0.0;
+    state_.tilt_rate = tilt_rate;
+    state_.side = sign(tilt_rate);
+    record(EventKind::impact_stick);
   }
 
   void end(Termination reason) { termination_ = reason; }
@@ -219,6 +232,8 @@ class Automaton {
   std::optional<Instant> accelerated_at_;  ///< when the base acceleration below was
 
  private:
+  /// Durations of a hop, and heights over psi, up to which it is too small.
+  [[nodiscard]] double hop_limit() const { return std::max(setting_.tolerance, clock_.resolution()); }
   [[nodiscard]] double weight() const { return excitation_.weight(clock_); }
   [[nodiscard]] static double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
@@ -335,14 +350,13 @@ class Automaton {
   /// comes to rest on the way to lifting over the other one.
   [[nodiscard]] bool hop_is_too_small(bool over_same_edge) {
     const double rate = std::abs(state_.tilt_rate);
-    const double limit = std::max(setting_.tolerance, clock_.resolution());
     const bool slips = state_.slip_rate != 0.0;
-    // Nearly every impact is far from it: then the base motion need not be asked. Without slip abs(w') <= abs(alpha) + 1.
-    if (!slips && rate > limit * (excitation_.most_horizontal(base_amplitude()) + 1.0)) return false;
+    if (!slips && rate > fastest_small_hop()) return false;
     if (slips && !over_same_edge && kinetic_friction_tips()) return false;
     const double alpha = base_acceleration();
     if (!slips && !over_same_edge && !edges_hold(alpha, weight(), setting_.block)) return false;
     const double pull = -state_.side * (slips ? slipping_acceleration(alpha) : rocking_acceleration(alpha));
+    const double limit = hop_limit();
     return pull >= 0.0 && 2.0 * rate <= limit * pull && rate * rate <= 2.0 * limit * pull * setting_.block.shape_angle;
   }
 

@@ -144,6 +144,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .amplitude = side * this->base_amplitude(),
             .static_friction = coefficients_.static_friction(),
             .drag = side * state_.slip_direction * kinetic_friction_,
+            .impact_loss = foreseen_impact_loss(),
+            .least_rebound = this->fastest_small_hop(),
             .slip_sign = side * state_.slip_direction,
             .next_strobe = next_strobe_,
             .strobes_left = schedule_.strobes - strobes_done_,
@@ -154,10 +156,20 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// A strobe point that was passed within a step done elsewhere; not the last one.
   void pass_strobe(const SmoothState& sample) { tell_strobe(from_frame(sample)); }
 
+  /// An impact at the end of steps done elsewhere, the only thing that happened there: the loss was as smooth_step says and the
+  /// rebound above its least. `progress` is in the frame of the new side.
+  void pass_impact(const SmoothProgress& progress) {
+    clock_.set(progress.now);
+    steps_since_strobe_ = progress.steps_since_strobe;
+    count_steps_elsewhere(progress.steps);
+    this->change_edges(-state_.side * progress.state.tilt_rate);
+    settle();
+  }
+
   /// What is known of the coming intervals of the friction grid, as far as it leaves the steps of a rock-slide ordinary and brief:
   /// fills `drag` with their nu. Each interval ends at a boundary of the grid (dynamics::grid_boundary).
   [[nodiscard]] FrictionForesight foresee(std::span<double> drag) const {
-    if constexpr (ForeseesFriction<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
+    if constexpr (ForeseesCoefficients<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
       if (determinant_may_vanish(coefficients_.static_friction())) return {};  // a bound for kinetic friction
       const FrictionForesight known = coefficients_.foresee(drag);
       if (!(static_cast<double>(known.per_period) * brief_step > 1.0)) return {};
@@ -174,7 +186,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     clock_.set(progress.now);
     steps_since_strobe_ = progress.steps_since_strobe;
     if (progress.steps > 0) count_steps_elsewhere(progress.steps);
-    if constexpr (ForeseesFriction<Coefficients>) {
+    if constexpr (ForeseesCoefficients<Coefficients>) {
       if (progress.foreseen > 0) coefficients_.pass_intervals(clock_, progress.foreseen);
     }
     if (progress.breakpoints > 0) settle();
@@ -345,6 +357,14 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       state.slip_rate = state_.side * smooth.slip_rate;
     }
     return state;
+  }
+
+  [[nodiscard]] double foreseen_impact_loss() const {
+    if constexpr (ForeseesCoefficients<Coefficients>) {
+      const std::optional<double> restitution = coefficients_.constant_restitution();
+      if (restitution && !coefficients_.has_friction()) return impact_loss(*restitution, setting_.block);
+    }
+    return std::numeric_limits<double>::quiet_NaN();
   }
 
   /// In full contact the frame of the series is the fixed one.

@@ -40,10 +40,11 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
   { source.next_change(clock, slipping) } -> std::same_as<std::optional<Instant>>;
 };
 
-/// A source that can tell beforehand what kinetic friction will be, so that slip may go on elsewhere from interval to interval.
+/// A source that can tell beforehand what will be in force, so that a motion may go on elsewhere (module lanes).
 template <class Source>
-concept ForeseesFriction = CoefficientSource<Source> &&
+concept ForeseesCoefficients = CoefficientSource<Source> &&
     requires(Source source, const Clock& clock, std::span<double> kinetic_friction) {
+  { source.constant_restitution() } -> std::same_as<std::optional<double>>;  // absent: every impact asks for its own
   {
     source.foresee(kinetic_friction)
     } -> std::same_as<FrictionForesight>;       // mu_k, never above mu_s, of the coming intervals

@@ -4,9 +4,12 @@
 
 namespace rocking::dynamics {
 
+double impact_loss(double restitution, const Geometry& block) {
+  return 1.5 * (1.0 + restitution) * (block.sine * block.sine);
+}
+
 double sticking_tilt_rate(double tilt_rate, double slip_rate, double restitution, const Geometry& block) {
-  const double loss = 1.5 * (1.0 + restitution) * (block.sine * block.sine);
-  return (tilt_rate - 0.75 * block.cosine * slip_rate) - loss * tilt_rate;
+  return (tilt_rate - 0.75 * block.cosine * slip_rate) - impact_loss(restitution, block) * tilt_rate;
 }
 
 namespace {

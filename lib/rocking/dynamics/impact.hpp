@@ -38,6 +38,9 @@ struct ImpactOutcome {
 [[nodiscard]] ImpactOutcome slipping_impact(const ImpactConditions& before, double kinetic_friction,
                                             const Geometry& block);
 
+/// Share of the tilt rate that a sticking impact takes where the block did not slip before.
+[[nodiscard]] double impact_loss(double restitution, const Geometry& block);
+
 /// w2 where no friction is given: the block cannot slip.
 [[nodiscard]] double sticking_tilt_rate(double tilt_rate, double slip_rate, double restitution, const Geometry& block);
 

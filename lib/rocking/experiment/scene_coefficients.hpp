@@ -33,6 +33,9 @@ class SceneCoefficients {
   void stop();
   void chatter_ended();
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
+  [[nodiscard]] std::optional<double> constant_restitution() const {
+    return fluctuation_.restitution == 0.0 ? std::optional(restitution_mean_) : std::nullopt;
+  }
   [[nodiscard]] dynamics::FrictionForesight foresee(std::span<double> kinetic_friction) const;
   void pass_intervals(const dynamics::Clock& clock, std::size_t count);
 

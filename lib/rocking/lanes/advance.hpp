@@ -51,13 +51,16 @@ class Advance : Step<kind, Real> {
       const Real before = load(b_.root_isolations);
       store(b_.root_isolations, select(fits, before + isolations_, before));
     }
-    move(fits && !lost_, strobed, steps_since);
+    Truth lands = losses_[0];
+    if (may_land && bits_of(lands) != 0) lands = find_rebounds(fits);
+    move(fits && !lost_, lands, strobed, steps_since);
     if (!stays_quiet_) store_end();
   }
 
  private:
   /// The search for roots takes as long for one lane as for all: a few lanes that ask for it had better wait for each other. Not
   /// on the friction grid, where hardly any step asks for it and they would wait long.
+  static constexpr bool may_land = kind == Kind::rock;  ///< friction has a say in other impacts
   static constexpr int fewest_in_doubt = is_brief ? 1 : (3 * Row<Real>::lanes + 7) / 8;
 
   void find_losses() {
@@ -71,9 +74,8 @@ class Advance : Step<kind, Real> {
     const bool waits = has_others && std::popcount(in_doubt_) < fewest_in_doubt;
     mark(b_.held, waits ? in_doubt_ : 0);
     if (waits) lost_ = any;
-    has_looked_ = in_doubt_ != 0 && !waits;
-    if (!has_looked_) return;
-    forget_losses();
+    losses_.fill(Real(0.0) < Real(0.0));
+    if (in_doubt_ == 0 || waits) return;
     while (look_for_roots()) continue;
     end_ = this->point(duration_);
   }
@@ -126,14 +128,11 @@ class Advance : Step<kind, Real> {
     lost_ = lost_ || found.lost;
     const Real instant = found.instant * length_;
     duration_ = select(found.lost && instant < duration_, instant, duration_);
-    i = 0;
-    this->for_each_guard([&](Guard guard, const auto&, auto, const auto&, auto) {
-      const Truth lost = found.lost && looked_at[i++];
-      if (bits_of(lost) == 0) return;
-      LaneRow& instants = b_.instants[static_cast<std::size_t>(guard)];
-      store(instants, select(lost, instant, load(instants)));
-      b_.lost[static_cast<std::size_t>(guard)] |= bits_of(lost) << first_;
-    });
+    for (i = 0; i < Base::guards; ++i) {
+      const Truth lost = found.lost && looked_at[i];
+      instants_[i] = select(lost, instant, instants_[i]);
+      losses_[i] = losses_[i] || lost;
+    }
     return true;
   }
 
@@ -156,17 +155,29 @@ class Advance : Step<kind, Real> {
     }
   }
 
-  /// Moves on the lanes that are `calm`, but for those that come to where the equations or the period end.
-  void move(const Truth& calm, const Truth& strobed, const Real& steps_since) {
+  /// The lanes in which a block comes down at the end of the step and may rock on over the other edge at once: an impact is all
+  /// that happens, and no chatter ends with it. As dynamics::Automaton::land says it.
+  Truth find_rebounds(const Truth& fits) {
+    rebound_ = load(b_.impact_loss) * end_.tilt_rate - end_.tilt_rate;
+    Truth lands = fits && losses_[0] && time_ < time_ + duration_ && end_.tilt_rate < Real(0.0) &&
+                  load(b_.least_rebound) < rebound_;
+    for (std::size_t i = 1; i < Base::guards; ++i) lands = lands && !losses_[i];
+    return lands;
+  }
+
+  /// Moves on the lanes that are `calm` or land, but for those that come to where the equations or the period end.
+  void move(const Truth& calm, const Truth& lands, const Truth& strobed, const Real& steps_since) {
     using base::select;
     // A brief step that is quiet ends at its breakpoint.
-    const Real later = is_brief ? load(b_.break_time) : time_ + length_;
+    const Real later = is_brief ? load(b_.break_time) : time_ + duration_;
     const Real from = is_brief ? load(b_.break_period) : period_;
     const Truth wraps = !(later < period_length_);
     const Real time = select(wraps, later - period_length_, later);
-    Truth quiet = calm && time < period_length_;
-    if constexpr (!is_brief) quiet = quiet && length_ < reach_ - load(b_.resolution);
+    Truth quiet = (may_land ? calm || lands : calm) && time < period_length_;
+    if constexpr (!is_brief) quiet = quiet && duration_ < reach_ - load(b_.resolution);
     mark(b_.quiet, bits_of(quiet));
+    const Truth landed = quiet && lands;
+    mark(b_.landed, bits_of(landed));
     stays_quiet_ = bits_of(occupied_ && !quiet) == 0;
     count_strobe(quiet && strobed);
     const auto pass = [this, &quiet](LaneRow& row, const Real& after, const Real& before) {
@@ -175,8 +186,15 @@ class Advance : Step<kind, Real> {
     const Truth strobed_here = quiet && strobed;
     pass(b_.steps_since_strobe, select(strobed_here, Real(0.0), steps_since), load(b_.steps_since_strobe));
     pass(b_.steps, load(b_.steps) + Real(1.0), load(b_.steps));
-    pass(b_.tilt, end_.tilt, m_.tilt[0]);
-    pass(b_.tilt_rate, end_.tilt_rate, m_.tilt_rate[0]);
+    if (may_land && bits_of(landed) != 0) {
+      pass(b_.tilt, select(landed, Real(0.0), end_.tilt), m_.tilt[0]);
+      pass(b_.tilt_rate, select(landed, rebound_, end_.tilt_rate), m_.tilt_rate[0]);
+      const Real amplitude = load(b_.amplitude);
+      store(b_.amplitude, select(landed, -amplitude, amplitude));
+    } else {
+      pass(b_.tilt, end_.tilt, m_.tilt[0]);
+      pass(b_.tilt_rate, end_.tilt_rate, m_.tilt_rate[0]);
+    }
     if constexpr (slips) {
       pass(b_.slip, end_.slip, m_.slip[0]);
       pass(b_.slip_rate, end_.slip_rate, m_.slip_rate[0]);
@@ -222,11 +240,12 @@ class Advance : Step<kind, Real> {
       store(b_.end_slip, end_.slip);
       store(b_.end_slip_rate, end_.slip_rate);
     }
-    if (!has_looked_) forget_losses();
-  }
-
-  void forget_losses() {
     for (std::uint32_t& lost : b_.lost) mark(lost, 0);
+    std::size_t i = 0;
+    this->for_each_guard([&](Guard guard, const auto&, auto, const auto&, auto) {
+      mark(b_.lost[static_cast<std::size_t>(guard)], bits_of(losses_[i]));
+      store(b_.instants[static_cast<std::size_t>(guard)], instants_[i++]);
+    });
   }
 
   Truth occupied_;
@@ -234,11 +253,13 @@ class Advance : Step<kind, Real> {
   std::uint32_t in_doubt_;                  ///< lanes with a guard that a cheap bound does not clear
   Real isolations_;                         ///< of roots of such guards
   Real duration_;
-  Truth lost_;        ///< lanes with a guard that loses its sign
-  bool has_looked_;   ///< for roots of those guards
-  bool stays_quiet_;  ///< nothing happens in any lane
-  Point end_;         ///< of the step, or where a guard first loses its sign
-  Truth unclear_;     ///< lanes with a guard of which that is not found out here
+  Truth lost_;                               ///< lanes with a guard that loses its sign
+  std::array<Truth, Base::guards> losses_;   ///< of each guard
+  std::array<Real, Base::guards> instants_;  ///< when
+  Real rebound_;                             ///< tilt rate after an impact, in the frame of the other side
+  bool stays_quiet_;                         ///< nothing happens in any lane
+  Point end_;                                ///< of the step, or where a guard first loses its sign
+  Truth unclear_;                            ///< lanes with a guard of which that is not found out here
 };
 
 }  // namespace

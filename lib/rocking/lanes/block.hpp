@@ -48,6 +48,8 @@ struct alignas(64) Block {
   LaneRow static_friction;  ///< mu_s
   LaneRow inertia;          ///< J
   LaneRow drag;             ///< nu = S s mu_k
+  LaneRow impact_loss;      ///< of the tilt rate, as a share, in an impact that is done here; else NaN
+  LaneRow least_rebound;    ///< with which it may be done here
   LaneRow slip_sign;        ///< S s
 
   // The intervals of the friction grid, in the block of brief steps. Its lanes pass one in every step, so that all of them are
@@ -63,6 +65,7 @@ struct alignas(64) Block {
 
   // What the last step was like.
   std::uint32_t quiet;      ///< lanes in which nothing happened: they were moved on
+  std::uint32_t landed;     ///< of them, those that landed at the end of the step and rock on the other edge
   std::uint32_t held;       ///< lanes that wait for others, so that roots are looked for in several at once
   std::uint32_t at_a_loss;  ///< of them, those in which the coming interval is not known
   std::uint32_t strobed;    ///< lanes that passed a strobe point

@@ -133,6 +133,7 @@ class Crew {
     kernels_.advance[static_cast<std::size_t>(kind_of(group))](block);
     for_each_lane(block.quiet & block.strobed & group.occupied,
                   [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
+    for_each_lane(block.landed & group.occupied, [&](std::size_t lane) { pass_impact(group, lane); });
     block.intervals.place = (block.intervals.place + 1) % places_of_intervals;
     for_each_lane(block.at_a_loss & group.occupied, [&](std::size_t lane) {
       catch_up(group, lane, 1);
@@ -143,6 +144,14 @@ class Crew {
       finish_step(group, lane);
       go_on(group, lane);
     });
+  }
+
+  static void pass_impact(Group& group, std::size_t lane) {
+    Run& run = *group.runs[lane];
+    const dynamics::SmoothProgress here = progress(*group.block, lane);
+    run.counts().steps += here.steps;
+    group.block->steps[lane] = 0.0;
+    run.motion().pass_impact(here);
   }
 
   /// The lane's run takes what was found out of its step.

@@ -90,6 +90,21 @@ template <int k, base::Lane Real>
   }
 }
 
+/// sum a_i b_{k - i} over low <= i <= high, from the middle outwards; at least one term.
+template <int k, int low, int high, base::Lane Real>
+[[nodiscard]] inline Real part_of_product(const Real* a, const Real* b) {
+  using base::fused;
+  constexpr int middle = (low + high) / 2;
+  Real sum = a[middle] * b[k - middle];
+  if constexpr ((high - low) % 2 == 1) sum = fused(a[middle + 1], b[k - middle - 1], sum);
+#pragma GCC unroll 16
+  for (int i = middle - 1; i >= low; --i) {
+    sum = fused(a[i], b[k - i], sum);
+    sum = fused(a[low + high - i], b[k - low - high + i], sum);
+  }
+  return sum;
+}
+
 /// (a b)_k.
 template <int k, base::Lane Real>
 [[nodiscard]] inline Real product(const Real* a, const Real* b) {
@@ -122,7 +137,7 @@ template <int k, base::Lane Real>
 inline void extend_angle(MotionSeries<Real>& m) {
   m.rate_cosine[k] = product<k>(m.tilt_rate.data(), m.cosine.data());
   m.cosine[k + 1] = m.rate_sine[k] * Real(over<k + 1>);
-  m.sine[k + 1] = -m.rate_cosine[k] * Real(over<k + 1>);
+  m.sine[k + 1] = m.rate_cosine[k] * Real(-over<k + 1>);
   m.tilt[k + 1] = m.tilt_rate[k] * Real(over<k + 1>);
 }
 
@@ -168,6 +183,9 @@ inline void expand_normal(MotionSeries<Real>& m) {
 }
 
 /// Rock-slide: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0], slip_rate[0], slip[0] to all series, to `order`.
+///
+/// N_k = (4/3) g_k + (k + 1) (omega s)_{k+1}, where all is known but the term omega_{k+1} s_0. From omega_k to omega_{k+1} it
+/// takes three operations that wait for each other: what else there is to multiply is multiplied before.
 template <int order, bool vertical, base::Lane Real>
 inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
   using base::fused;
@@ -175,17 +193,33 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
   m.arm[0] = fused(slip.drag, m.cosine[0], m.sine[0]);
   m.rate_sine[0] = m.tilt_rate[0] * m.sine[0];
   const Real minus_over_d = Real(-1.0) / fused(m.sine[0], m.arm[0], slip.inertia);
+  const Real arm_over_d = m.arm[0] * minus_over_d;
+  Real next_arm_over_d;
   repeat<order>([&](auto index) {
     constexpr int k = index;
     extend_angle<k>(m);
     m.arm[k + 1] = fused(slip.drag, m.cosine[k + 1], m.sine[k + 1]);
-    // N_k = (4/3) g_k + (k + 1) (omega s)_{k+1}; all of it is known but the term omega_{k+1} s_0.
-    const Real known = product_but_newest<k + 1>(m.tilt_rate.data(), m.sine.data());
-    const Real normal = fused(Real(k + 1), known, static_normal<k, vertical>(m));
-    const Real torque = fused(normal, m.arm[0], product_but_newest<k>(m.normal.data(), m.arm.data()));
-    m.tilt_rate[k + 1] = torque * minus_over_d * Real(over<k + 1>);
-    m.rate_sine[k + 1] = fused(m.tilt_rate[k + 1], m.sine[0], known);
-    m.normal[k] = fused(Real(k + 1) * m.tilt_rate[k + 1], m.sine[0], normal);
+    if constexpr (k == 0) {  // as slipping_rates says it
+      const Real known = m.tilt_rate[0] * m.sine[1];
+      const Real normal = known + static_normal<0, vertical>(m);
+      m.tilt_rate[1] = normal * m.arm[0] * minus_over_d;
+      m.rate_sine[1] = fused(m.tilt_rate[1], m.sine[0], known);
+      m.normal[0] = fused(m.tilt_rate[1], m.sine[0], normal);
+      next_arm_over_d = m.arm[1] * minus_over_d;
+    } else {
+      const Real oldest = m.tilt_rate[0] * Real(-over<k + 1>);  // times (omega c)_k: omega_0 s_{k+1}, not waiting for it
+      const Real known = fused(m.rate_cosine[k], oldest, part_of_product<k + 1, 1, k>(m.tilt_rate.data(), m.sine.data()));
+      // The torque but for what is known of N_k; where N_{k-1} is k (omega s)_k alone, it does not wait for it either.
+      constexpr bool is_split = k > 1 && !vertical;
+      Real torque = part_of_product<k, 0, is_split ? k - 2 : k - 1>(m.normal.data(), m.arm.data());
+      if constexpr (vertical) torque = fused(static_normal<k, vertical>(m), m.arm[0], torque);
+      Real acceleration = torque * (minus_over_d * Real(over<k + 1>));
+      if constexpr (is_split) acceleration = fused(m.rate_sine[k], next_arm_over_d * Real(k * over<k + 1>), acceleration);
+      m.tilt_rate[k + 1] = fused(known, arm_over_d, acceleration);
+      m.rate_sine[k + 1] = fused(m.tilt_rate[k + 1], m.sine[0], known);
+      m.normal[k] = Real(k + 1) * m.rate_sine[k + 1];
+      if constexpr (vertical) m.normal[k] = m.normal[k] + static_normal<k, vertical>(m);
+    }
   });
   extend_angle<order>(m);
   repeat<order>([&](auto index) {

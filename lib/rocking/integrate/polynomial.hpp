@@ -44,8 +44,16 @@ struct Jet {
 /// The same polynomial in t = x/length: coefficients c[k] length^k, so that the step is t in [0, 1].
 inline std::span<const double> scale_to_unit(std::span<const double> c, double length,
                                              std::array<double, max_coefficients>& scaled) {
-  double power = 1.0;
-  for (std::size_t k = 0; k < c.size(); ++k, power *= length) scaled[k] = c[k] * power;
+  // Two powers at a time, so that each waits for half as many products.
+  const double square = length * length;
+  double even = 1.0;
+  double odd = length;
+  for (std::size_t k = 0; k < c.size(); k += 2) {
+    scaled[k] = c[k] * even;
+    if (k + 1 < c.size()) scaled[k + 1] = c[k + 1] * odd;
+    even *= square;
+    odd *= square;
+  }
   return {scaled.data(), c.size()};
 }
 

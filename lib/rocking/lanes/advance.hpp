@@ -102,6 +102,7 @@ class Advance : Step<kind, Real> {
   [[nodiscard]] bool look_for_roots() {
     using base::select;
     constexpr std::size_t count = Base::order + 2;
+    static_assert(count % 2 == 0);
     Real c[count];
     for (Real& coefficient : c) coefficient = Real(0.0);
     std::array<Truth, Base::guards> looked_at;
@@ -115,11 +116,15 @@ class Advance : Step<kind, Real> {
       ++i;
     });
     if (bits_of(taken) == 0) return false;
-    Real power(1.0);
+    const Real square = length_ * length_;
+    Real even(1.0);
+    Real odd = length_;
 #pragma GCC unroll 20
-    for (Real& coefficient : c) {
-      coefficient = coefficient * power;
-      power = power * length_;
+    for (std::size_t k = 0; k < count; k += 2) {  // as integrate::scale_to_unit says it
+      c[k] = c[k] * even;
+      c[k + 1] = c[k + 1] * odd;
+      even = even * square;
+      odd = odd * square;
     }
     isolations_ = isolations_ + select(taken, Real(1.0), Real(0.0));
     SignLosses<Real> found;
@@ -232,7 +237,6 @@ class Advance : Step<kind, Real> {
   }
 
   void store_end() {
-    store(b_.length, length_);
     store(b_.duration, duration_);
     store(b_.end_tilt, end_.tilt);
     store(b_.end_tilt_rate, end_.tilt_rate);
@@ -240,11 +244,12 @@ class Advance : Step<kind, Real> {
       store(b_.end_slip, end_.slip);
       store(b_.end_slip_rate, end_.slip_rate);
     }
-    for (std::uint32_t& lost : b_.lost) mark(lost, 0);
+    for (std::uint32_t& fired : b_.fired) mark(fired, 0);
     std::size_t i = 0;
-    this->for_each_guard([&](Guard guard, const auto&, auto, const auto&, auto) {
-      mark(b_.lost[static_cast<std::size_t>(guard)], bits_of(losses_[i]));
-      store(b_.instants[static_cast<std::size_t>(guard)], instants_[i++]);
+    this->for_each_guard([&](Guard guard, const auto&, auto, const auto&, auto) {  // as integrate::earliest says it
+      const Truth is_first = losses_[i] && !(duration_ + load(b_.resolution) < instants_[i]);
+      mark(b_.fired[static_cast<std::size_t>(guard)], bits_of(is_first));
+      ++i;
     });
   }
 

@@ -76,14 +76,13 @@ struct alignas(64) Block {
 
   // And in the lanes that were left where they were, since something happens in the step:
   std::uint32_t alone;  ///< lanes whose step is no ordinary one after all
-  LaneRow length;       ///< of the step that was looked at
   LaneRow duration;     ///< until the first event, or the end of the step
   LaneRow end_tilt;     ///< the state then
   LaneRow end_tilt_rate;
   LaneRow end_slip;
   LaneRow end_slip_rate;
-  std::array<LaneRow, dynamics::guard_count> instants;    ///< by dynamics::Guard: when it lost its sign
-  std::array<std::uint32_t, dynamics::guard_count> lost;  ///< lanes where it did
+  std::array<std::uint32_t, dynamics::guard_count>
+      fired;  ///< by dynamics::Guard: lanes where it is among the first events
 };
 
 }  // namespace rocking::lanes

@@ -160,8 +160,7 @@ class Crew {
     Run& run = *group.runs[lane];
     if ((block.alone >> lane & 1U) != 0) return integrate::step(run.motion(), run.counts());
     ++run.counts().steps;
-    const auto first = integrate::earliest(losses(block, lane), block.length[lane], block.resolution[lane]);
-    run.motion().finish_step(end_of_step(block, lane), first.fired);
+    run.motion().finish_step(end_of_step(block, lane), fired(block, lane));
   }
 
   void go_on(Group& group, std::size_t lane) {

@@ -97,15 +97,13 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
   return end;
 }
 
-/// The guards that lost their sign in it, and when.
-[[nodiscard]] inline integrate::Losses losses(const Block& block, std::size_t lane) {
-  integrate::Losses losses;
+/// The guards that fire then.
+[[nodiscard]] inline integrate::FiredGuards fired(const Block& block, std::size_t lane) {
+  std::uint32_t guards = 0;
   for (std::size_t guard = 0; guard < dynamics::guard_count; ++guard) {
-    if ((block.lost[guard] >> lane & 1U) == 0) continue;
-    losses.guards.set(guard);
-    losses.instants[guard] = block.instants[guard][lane];
+    guards |= (block.fired[guard] >> lane & 1U) << guard;
   }
-  return losses;
+  return {guards};
 }
 
 }  // namespace rocking::lanes

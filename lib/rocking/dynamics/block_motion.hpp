@@ -210,6 +210,15 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     reset(fired, at_breakpoint);
   }
 
+  /// A step done elsewhere in which the last strobe point comes before anything else: the run ends where the step began.
+  void finish_at_strobe(const SmoothState& sample) {
+    count_step();
+    after_reset_ = false;
+    tell_strobe(from_frame(sample));
+    steps_since_strobe_ = 0;
+    this->end(Termination::reached_horizon);
+  }
+
   /// The series of the coming step; returns its length.
   [[nodiscard]] double expand(double reach) {
     count_step();

@@ -51,6 +51,9 @@ class Advance : Step<kind, Real> {
       const Real before = load(b_.root_isolations);
       store(b_.root_isolations, select(fits, before + isolations_, before));
     }
+    const Truth at_last_strobe = strobed && strobing.is_last;
+    mark(b_.at_last_strobe, bits_of(at_last_strobe));
+    fits = fits && !at_last_strobe;
     Truth lands = losses_[0];
     if (may_land && bits_of(lands) != 0) lands = find_rebounds(fits);
     move(fits && !lost_, lands, strobed, steps_since);
@@ -58,9 +61,10 @@ class Advance : Step<kind, Real> {
   }
 
  private:
+  static constexpr bool may_land = kind == Kind::rock;  ///< friction has a say in other impacts
+
   /// The search for roots takes as long for one lane as for all: a few lanes that ask for it had better wait for each other. Not
   /// on the friction grid, where hardly any step asks for it and they would wait long.
-  static constexpr bool may_land = kind == Kind::rock;  ///< friction has a say in other impacts
   static constexpr int fewest_in_doubt = is_brief ? 1 : (3 * Row<Real>::lanes + 7) / 8;
 
   void find_losses() {

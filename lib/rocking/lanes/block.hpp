@@ -75,9 +75,10 @@ struct alignas(64) Block {
   LaneRow strobe_slip_rate;
 
   // And in the lanes that were left where they were, since something happens in the step:
-  std::uint32_t alone;  ///< lanes whose step is no ordinary one after all
-  LaneRow duration;     ///< until the first event, or the end of the step
-  LaneRow end_tilt;     ///< the state then
+  std::uint32_t at_last_strobe;  ///< lanes that came to the last strobe point before anything else
+  std::uint32_t alone;           ///< lanes whose step is no ordinary one after all
+  LaneRow duration;              ///< until the first event, or the end of the step
+  LaneRow end_tilt;              ///< the state then
   LaneRow end_tilt_rate;
   LaneRow end_slip;
   LaneRow end_slip_rate;

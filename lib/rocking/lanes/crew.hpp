@@ -160,6 +160,7 @@ class Crew {
     Run& run = *group.runs[lane];
     if ((block.alone >> lane & 1U) != 0) return integrate::step(run.motion(), run.counts());
     ++run.counts().steps;
+    if ((block.at_last_strobe >> lane & 1U) != 0) return run.motion().finish_at_strobe(strobe_point(block, lane));
     run.motion().finish_step(end_of_step(block, lane), fired(block, lane));
   }
 

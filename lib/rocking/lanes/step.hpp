@@ -220,7 +220,8 @@ class Step {
   struct Strobing {
     Real instant;
     TruthOf<Real> strobes;
-    TruthOf<Real> is_simple;  ///< at most one, and not the last
+    TruthOf<Real> is_last;    ///< the run ends with it
+    TruthOf<Real> is_simple;  ///< no other comes after it
   };
 
   [[nodiscard]] Strobing strobing(const Real& end) const {
@@ -228,8 +229,9 @@ class Step {
     const Real strobe_time = load(b_.strobe_time);
     const Real instant = until(strobe_period, strobe_time);
     const auto strobes = instant < end;
-    const auto more = load(b_.strobes_left) < Real(1.5) || until(strobe_period + Real(1.0), strobe_time) < end;
-    return {instant, strobes, !(strobes && more)};
+    const auto is_last = load(b_.strobes_left) < Real(1.5);
+    const auto is_only = is_last || !(until(strobe_period + Real(1.0), strobe_time) < end);
+    return {instant, strobes, is_last, is_only || !strobes};
   }
 
   /// The state at the strobe instant, put into the block; true in the lanes where it is finite.

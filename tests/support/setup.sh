@@ -144,12 +144,13 @@ compiler_launcher() {
   fi
 }
 
-# build FOLDER PRESET TARGET [CMAKE OPTION...]: configures and builds in build/FOLDER. Warnings are errors.
+# build FOLDER PRESET TARGET [CMAKE OPTION...]: configures and builds in build/FOLDER. Warnings are errors. The compiler of a
+# folder that is configured already stays: to name another makes CMake forget the preset, optimisation and all.
 build() {
   local folder=$1 preset=$2 target=$3
   shift 3
-  step "configure-$folder" "configuring build/$folder" as_owner cmake --preset "$preset" -B "build/$folder" \
-    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON -DCMAKE_CXX_COMPILER=g++ "-DROCKING_ARCHITECTURE=$(architecture)" \
+  step "configure-$folder" "configuring build/$folder" as_owner env CXX=g++ cmake --preset "$preset" -B "build/$folder" \
+    -DCMAKE_COMPILE_WARNING_AS_ERROR=ON "-DROCKING_ARCHITECTURE=$(architecture)" \
     "-DCMAKE_CXX_COMPILER_LAUNCHER=$(compiler_launcher)" "$@"
   step "build-$folder" "building build/$folder on $(nproc) cores" \
     as_owner cmake --build "build/$folder" --target "$target" -j "$(nproc)"

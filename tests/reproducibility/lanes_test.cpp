@@ -57,7 +57,7 @@ std::vector<Condition> crowd() {
   conditions.push_back(shaken(7.0, rough));
   conditions.push_back(shaken(1.0, rough));
   conditions.push_back(shaken(6.0, Friction{.static_coefficient = 0.25, .kinetic_coefficient = 0.22}));
-  for (const int refreshes : {3, 70, 200}) {
+  for (const int refreshes : {3, 70, 130, 200}) {
     conditions.push_back(shaken(6.6, rough));
     conditions.back().scene.fluctuation.kinetic_friction = 0.05;
     conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
@@ -65,6 +65,9 @@ std::vector<Condition> crowd() {
   }
   conditions.push_back(shaken(5.0));
   conditions.back().scene.fluctuation.amplitude = 0.5;
+  conditions.push_back(shaken(0.6));  // chatters to rest, over and over
+  conditions.push_back(shaken(4.5));
+  conditions.back().scene.fluctuation.restitution = 0.05;
   conditions.push_back(shaken(30.0));
   conditions.back().scene.excitation.frequency_ratio = 1.0;
   conditions.push_back(shaken(7.0, Friction{.static_coefficient = 1.6, .kinetic_coefficient = 1.5}));

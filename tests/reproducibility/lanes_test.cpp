@@ -65,6 +65,10 @@ std::vector<Condition> crowd() {
   }
   conditions.push_back(shaken(5.0));
   conditions.back().scene.fluctuation.amplitude = 0.5;
+  conditions.push_back(shaken(8.0, rough));  // needs companions to be named
+  conditions.back().scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+  conditions.back().scene.fluctuation.static_friction = conditions.back().scene.fluctuation.kinetic_friction = 0.02;
+  conditions.back().horizon = {.transient_periods = 200, .sampled_periods = 120};
   conditions.push_back(shaken(0.6));  // chatters to rest, over and over
   conditions.push_back(shaken(4.5));
   conditions.back().scene.fluctuation.restitution = 0.05;
@@ -100,7 +104,8 @@ std::string spelled(const Record& record) {
   const Effort& effort = record.effort;
   return base::to_hex(digest_of(record, 0)) + " " + std::to_string(effort.steps) + " steps, " +
          std::to_string(effort.slip_steps) + " with slip, " + std::to_string(effort.root_isolations) + " isolations, " +
-         std::to_string(effort.kinetic_friction_draws) + " draws, " + std::to_string(record.losses_of_contact) +
+         std::to_string(effort.kinetic_friction_draws) + " draws, " + std::to_string(effort.companion_periods) +
+         " periods of companions, " + std::to_string(record.losses_of_contact) +
          " losses, " + std::to_string(record.contradictions) + " contradictions, margin " +
          std::to_string(record.verdict.margin);
 }
@@ -121,7 +126,13 @@ TEST(Lanes, GiveEachRealisationTheBitsThatItGetsAlone) {
   const std::vector<Condition> conditions = crowd();
   const std::vector<Task> tasks = mixed(conditions);
   std::vector<std::string> alone;
-  for (const Task& task : tasks) alone.push_back(spelled(realise(*task.condition, seed, task.realisation)));
+  std::uint64_t companions = 0;
+  for (const Task& task : tasks) {
+    const Record record = realise(*task.condition, seed, task.realisation);
+    companions += record.effort.companion_periods > 0 ? 1 : 0;
+    alone.push_back(spelled(record));
+  }
+  EXPECT_GT(companions, 10U);
   for (const lanes::Kernels& kernels : lanes::available_kernels()) {
     const auto together = side_by_side(kernels, tasks);
     for (std::size_t i = 0; i < tasks.size(); ++i) {

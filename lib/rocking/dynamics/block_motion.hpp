@@ -145,7 +145,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .amplitude = side * this->base_amplitude(),
             .static_friction = coefficients_.static_friction(),
             .drag = side * state_.slip_direction * kinetic_friction_,
-            .impact_loss = foreseen_impact_loss(),
+            .restitution = constant_restitution(),
+            .impact_loss = impact_loss(constant_restitution(), setting_.block),
             .least_rebound = this->fastest_small_hop(),
             .slip_sign = side * state_.slip_direction,
             .next_strobe = next_strobe_,
@@ -369,10 +370,9 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     return state;
   }
 
-  [[nodiscard]] double foreseen_impact_loss() const {
+  [[nodiscard]] double constant_restitution() const {
     if constexpr (ForeseesCoefficients<Coefficients>) {
-      const std::optional<double> restitution = coefficients_.constant_restitution();
-      if (restitution && !coefficients_.has_friction()) return impact_loss(*restitution, setting_.block);
+      if (const std::optional<double> restitution = coefficients_.constant_restitution()) return *restitution;
     }
     return std::numeric_limits<double>::quiet_NaN();
   }

@@ -26,7 +26,8 @@ struct SmoothStep {
   double amplitude;        ///< of S alpha
   double static_friction;  ///< mu_s in force
   double drag;             ///< nu = S s mu_k
-  double impact_loss;      ///< of the tilt rate, as a share, in a sticking impact; NaN where that is not known
+  double restitution;      ///< e of every impact; NaN where each has its own
+  double impact_loss;      ///< of the tilt rate, as a share, in a sticking impact
   double least_rebound;    ///< a slower one may be the last of a chatter
   double slip_sign;        ///< S s
   Instant next_strobe;

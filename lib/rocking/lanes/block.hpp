@@ -48,8 +48,9 @@ struct alignas(64) Block {
   LaneRow static_friction;  ///< mu_s
   LaneRow inertia;          ///< J
   LaneRow drag;             ///< nu = S s mu_k
-  LaneRow impact_loss;      ///< of the tilt rate, as a share, in an impact that is done here; else NaN
-  LaneRow least_rebound;    ///< with which it may be done here
+  LaneRow restitution;      ///< e; NaN where no impact is done here
+  LaneRow impact_loss;      ///< of the tilt rate, as a share, in a sticking impact
+  LaneRow least_rebound;    ///< after an impact that is done here
   LaneRow slip_sign;        ///< S s
 
   // The intervals of the friction grid, in the block of brief steps. Its lanes pass one in every step, so that all of them are

@@ -32,6 +32,7 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.static_friction[lane] = step.static_friction;
   block.drag[lane] = step.drag;
   block.slip_sign[lane] = step.slip_sign;
+  block.restitution[lane] = step.restitution;
   block.impact_loss[lane] = step.impact_loss;
   block.least_rebound[lane] = step.least_rebound;
 }

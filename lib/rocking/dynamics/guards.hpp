@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
@@ -86,7 +87,7 @@ void visit_guards(const GuardContext& context, const MotionSeries<double>& m, Wa
   const auto visit_row = [&](Guard name, std::size_t count, std::size_t zeros, auto&& coefficient) {
     if (!wanted(static_cast<std::size_t>(name))) return;
     for (std::size_t k = zeros; k < count; ++k) guard[k] = coefficient(k);
-    for (std::size_t k = count; k < length + zeros; ++k) guard[k] = 0.0;
+    std::fill(guard.begin() + static_cast<std::ptrdiff_t>(count), guard.end(), 0.0);
     visit(static_cast<std::size_t>(name), std::span<const double>(guard.data() + zeros, length));
   };
   const auto below = [&](Guard name, double limit, std::size_t count, const auto& row) {

@@ -36,7 +36,7 @@ struct SmoothStep {
   Instant breakpoint;  ///< until which the equations hold
 };
 
-inline constexpr std::size_t most_foreseen = 16;  ///< intervals of the friction grid
+inline constexpr std::size_t most_foreseen = 32;  ///< intervals of the friction grid
 
 inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
 

@@ -78,7 +78,7 @@ class SceneCoefficients {
   Count static_count_;  ///< of stops, when the static friction in force was drawn
   Count impacts_;
   /// Deviations of the kinetic friction are drawn for as many intervals in a row.
-  static constexpr std::int64_t intervals_at_once = 16;
+  static constexpr std::int64_t intervals_at_once = 32;
 
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   dynamics::Instant begin_;

@@ -11,7 +11,7 @@ namespace rocking::lanes {
 inline constexpr int most_lanes = 16;
 
 /// More than the intervals of the friction grid that are ever foreseen, and a power of 2.
-inline constexpr std::size_t places_of_intervals = 32;
+inline constexpr std::size_t places_of_intervals = 64;
 
 /// A number a lane.
 using LaneRow = std::array<double, most_lanes>;

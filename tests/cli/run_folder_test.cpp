@@ -19,7 +19,7 @@ class RunFolder : public rocking::support::ProgramTest {
  protected:
   RunFolder() { write("quick.json", quick_experiment().dump()); }
 
-  /// A run of some seconds, for which there is time to be stopped.
+  /// A run of some seconds on one thread (on many it could be too short), for which there is time to be stopped.
   void write_slow() const {
     auto slow = quick_experiment();
     slow["horizon"]["transient_periods"] = 2000;
@@ -59,7 +59,7 @@ TEST_F(RunFolder, IsFinishedAfterAKillWithTheBytesOfAnUndisturbedRun) {
   ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
   for (const char* delay : {"0.001", "0.003", "0.01", "0.03", "0.1", "0.4"}) {
     const std::string folder = std::string("killed") + delay;
-    const auto killed = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -o " + folder +
+    const auto killed = shell(std::string("'") + ROCKING_PROGRAM + "' run slow.json -j 1 -o " + folder +
                               " & child=$!; sleep " + delay + "; kill -9 $child; wait $child");
     ASSERT_EQ(killed.exit_code, 137) << killed.errors;
     ASSERT_FALSE(exists(folder + "/report.json"));
@@ -72,7 +72,7 @@ TEST_F(RunFolder, IsFinishedAfterAKillWithTheBytesOfAnUndisturbedRun) {
 
 TEST_F(RunFolder, IsFinishedAfterItsTimeWasUp) {
   write_slow();
-  const auto stopped = rocking("run slow.json -o out --max-time 0.2s");
+  const auto stopped = rocking("run slow.json -j 1 -o out --max-time 0.2s");
   EXPECT_EQ(stopped.exit_code, 75);
   EXPECT_THAT(stopped.errors, AllOf(HasSubstr("the time is up"), HasSubstr("`rocking resume out` goes on")));
   EXPECT_FALSE(exists("out/report.json"));
@@ -83,7 +83,7 @@ TEST_F(RunFolder, IsFinishedAfterItsTimeWasUp) {
 
 TEST_F(RunFolder, OfAnUnfinishedRunIsNotTakenForAnother) {
   write_slow();
-  ASSERT_EQ(rocking("run slow.json -o out --max-time 0.1s").exit_code, 75);
+  ASSERT_EQ(rocking("run slow.json -j 1 -o out --max-time 0.1s").exit_code, 75);
   const auto refused = rocking("run quick.json -o out");
   EXPECT_EQ(refused.exit_code, 74);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("rocking resume out"), HasSubstr("--overwrite")));
@@ -94,7 +94,7 @@ TEST_F(RunFolder, OfAnUnfinishedRunIsNotTakenForAnother) {
 TEST_F(RunFolder, IsUsedByOneAtATime) {
   write_slow();
   const auto outcome = shell(std::string("r='") + ROCKING_PROGRAM +
-                             "'; \"$r\" run slow.json -o out -q >first & sleep 0.2; \"$r\" resume out; "
+                             "'; \"$r\" run slow.json -j 1 -o out -q >first & sleep 0.2; \"$r\" resume out; "
                              "echo second $?; wait; \"$r\" verify out --sample 5 -q");
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("second 74"), HasSubstr("same bits")));
   EXPECT_THAT(outcome.errors, HasSubstr("another `rocking` is at work"));

@@ -23,11 +23,12 @@ class Advance : Losses<kind, Real> {
  public:
   using Base::Base;
 
-  using Base::begin, Base::expand, Base::look;
+  using Base::ask, Base::begin, Base::doubtful, Base::expand, Base::has_others, Base::look;
+  using typename Base::Search;
 
-  [[gnu::noinline]] void finish() {
+  [[gnu::noinline]] void finish(const Search& search) {
     using base::select;
-    this->find_losses();
+    this->find_losses(search);
     const Real resolution = load(b_.resolution);
     const Real steps_since = load(b_.steps_since_strobe) + Real(1.0);
     const Strobing strobing = this->strobing(duration_ - resolution);
@@ -39,7 +40,7 @@ class Advance : Losses<kind, Real> {
     const Truth strobed = fits && strobing.strobes;
     mark(b_.strobed, bits_of(strobed));
     mark(b_.alone, bits_of(!fits));
-    if (in_doubt_ != 0) {
+    if (bits_of(in_doubt_) != 0) {
       const Real before = load(b_.root_isolations);
       store(b_.root_isolations, select(fits, before + isolations_, before));
     }

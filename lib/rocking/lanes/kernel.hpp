@@ -5,13 +5,25 @@
 namespace rocking::lanes {
 namespace {
 
+/// The search for roots takes as long for one as for a register of them: a few lanes that ask for it had better wait for each
+/// other. Not on the friction grid, where hardly any step asks for it and they would wait long.
+template <Kind kind>
+constexpr int fewest_in_doubt(int lanes) {
+  return kind == Kind::rock_slide_briefly ? 1 : (3 * lanes + 7) / 8;
+}
+
 template <Kind kind, class Real>
 void advance_block(Block& block) {
   Advance<kind, Real> lanes(block, 0);
   lanes.begin();
   lanes.expand();
   lanes.look();
-  lanes.finish();
+  typename Advance<kind, Real>::Search search;
+  if (!lanes.has_others() || lanes.doubtful() >= fewest_in_doubt<kind>(Row<Real>::lanes)) {
+    lanes.ask(search);
+    search.search();
+  }
+  lanes.finish(search);
 }
 
 /// The lanes of two registers in turns: while one's numbers wait for each other, the other's come forward.
@@ -25,8 +37,15 @@ void advance_block_in_turns(Block& block) {
   second.expand();
   first.look();
   second.look();
-  first.finish();
-  second.finish();
+  typename Advance<kind, Real>::Search search;
+  const bool all_in_doubt = !first.has_others() && !second.has_others();
+  if (all_in_doubt || first.doubtful() + second.doubtful() >= fewest_in_doubt<kind>(Row<Real>::lanes)) {
+    first.ask(search);
+    second.ask(search);
+    search.search();
+  }
+  first.finish(search);
+  second.finish(search);
 }
 
 template <class Real>

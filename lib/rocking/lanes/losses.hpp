@@ -6,14 +6,14 @@
 #include <cstdint>
 #include <type_traits>
 
-#include "rocking/lanes/sign_losses.hpp"
+#include "rocking/lanes/root_search.hpp"
 #include "rocking/lanes/step.hpp"
 
 namespace rocking::lanes {
 namespace {
 
-/// Which guards lose their sign in the coming step of every lane, and when. A cheap bound clears most; the others are looked at
-/// side by side, whichever they are.
+/// Which guards lose their sign in the coming step of every lane, and when. A cheap bound clears most; the roots of the others
+/// are asked for.
 template <Kind kind, class Real>
 class Losses : public Step<kind, Real> {
   using Base = Step<kind, Real>;
@@ -27,33 +27,68 @@ class Losses : public Step<kind, Real> {
  public:
   using Base::Base;
 
+  /// Of all the lanes of a block.
+  using Search = RootSearch<Base::order + 2, most_lanes * guards, Real>;
+
   /// Which guards may lose their sign in the step, and the state at its end if none does.
   [[gnu::noinline]] void look() {
     occupied_ = load(b_.occupied) == Real(1.0);
     doubts_ = guards_in_doubt();
+    Truth any = doubts_[0];
+    for (const Truth& doubt : doubts_) any = any || doubt;
+    in_doubt_ = any;
     end_ = this->point(length_);
   }
 
- protected:
-  /// The search for roots takes as long for one lane as for all: a few lanes that ask for it had better wait for each other. Not
-  /// on the friction grid, where hardly any step asks for it and they would wait long.
-  static constexpr int fewest_in_doubt = is_brief ? 1 : (3 * Row<Real>::lanes + 7) / 8;
+  /// Lanes with a guard that may lose its sign, and lanes without.
+  [[nodiscard]] int doubtful() const { return std::popcount(bits_of(in_doubt_)); }
+  [[nodiscard]] bool has_others() const { return bits_of(occupied_ && !in_doubt_) != 0; }
 
-  void find_losses() {
+  /// Asks for the roots of those guards.
+  [[gnu::noinline]] void ask(Search& search) {
+    using base::select;
+    std::size_t i = 0;
+    this->for_each_guard([&](Guard, const auto&, auto count, const auto& starts_at_zero, auto coefficient) {
+      const std::uint32_t doubt = bits_of(doubts_[i]);
+      if (doubt != 0) {
+        places_[i] = search.ask(doubt, length_, [&](std::size_t k) {
+          const auto own = [&](std::size_t j) { return j < count ? coefficient(j) : Real(0.0); };
+          if constexpr (std::is_same_v<std::decay_t<decltype(starts_at_zero)>, NeverZero>) {
+            return own(k);
+          } else {
+            return select(starts_at_zero, own(k + 1), own(k));
+          }
+        });
+      }
+      ++i;
+    });
+  }
+
+ protected:
+  void find_losses(const Search& search) {
+    using base::select;
     duration_ = length_;
     isolations_ = Real(0.0);
     unclear_ = lost_ = Real(0.0) < Real(0.0);
-    Truth any = doubts_[0];
-    for (const Truth& doubt : doubts_) any = any || doubt;
-    in_doubt_ = bits_of(any);
-    const bool has_others = (bits_of(occupied_) & ~in_doubt_) != 0;
-    const bool waits = has_others && std::popcount(in_doubt_) < fewest_in_doubt;
-    mark(b_.held, waits ? in_doubt_ : 0);
-    if (waits) lost_ = any;
-    losses_.fill(Real(0.0) < Real(0.0));
-    if (in_doubt_ == 0 || waits) return;
-    while (look_for_roots()) continue;
-    end_ = this->point(duration_);
+    losses_.fill(lost_);
+    const bool waits = search.size() == 0;
+    mark(b_.held, waits ? bits_of(in_doubt_) : 0);
+    if (waits) {
+      lost_ = in_doubt_;
+      return;
+    }
+    for (std::size_t i = 0; i < guards; ++i) {
+      const std::uint32_t doubt = bits_of(doubts_[i]);
+      if (doubt == 0) continue;
+      isolations_ = isolations_ + select(doubts_[i], Real(1.0), Real(0.0));
+      const Real found = search.answer(doubt, places_[i]);
+      losses_[i] = doubts_[i] && found < Real(Search::never);
+      unclear_ = unclear_ || (doubts_[i] && !(found == found));
+      lost_ = lost_ || losses_[i];
+      instants_[i] = found * length_;
+      duration_ = select(losses_[i] && instants_[i] < duration_, instants_[i], duration_);
+    }
+    if (bits_of(lost_) != 0) end_ = this->point(duration_);
   }
 
   /// Whether a guard's loss is among the first, as integrate::earliest says it.
@@ -62,12 +97,12 @@ class Losses : public Step<kind, Real> {
   }
 
   Truth occupied_;
-  std::uint32_t in_doubt_;  ///< lanes with a guard that a cheap bound does not clear
-  Real isolations_;         ///< of roots of such guards
-  Real duration_;           ///< until the first loss, or the end of the step
-  Point end_;               ///< the state then
-  Truth lost_;              ///< lanes with a guard that loses its sign, or that wait for others to look for it
-  Truth unclear_;           ///< lanes with a guard of which that is not found out here
+  Truth in_doubt_;   ///< lanes with a guard that a cheap bound does not clear
+  Real isolations_;  ///< of roots of such guards
+  Real duration_;    ///< until the first loss, or the end of the step
+  Point end_;        ///< the state then
+  Truth lost_;       ///< lanes with a guard that loses its sign, or that wait for others to look for it
+  Truth unclear_;    ///< lanes with a guard of which that is not found out here
   std::array<Truth, guards> losses_;   ///< of each guard
   std::array<Real, guards> instants_;  ///< when
 
@@ -89,70 +124,8 @@ class Losses : public Step<kind, Real> {
   [[nodiscard]] Truth is_in_reach(const InReach&) const { return occupied_; }
   [[nodiscard]] Truth is_in_reach(const Truth& out_of_reach) const { return occupied_ && !out_of_reach; }
 
-  /// In each lane with a guard in doubt, looks for the root of the first such, which is in doubt no longer. False if there is
-  /// none.
-  [[nodiscard]] bool look_for_roots() {
-    using base::select;
-    constexpr std::size_t count = Base::order + 2;
-    static_assert(count % 2 == 0);
-    Real c[count];
-    for (Real& coefficient : c) coefficient = Real(0.0);
-    std::array<Truth, guards> looked_at;
-    Truth taken = Real(0.0) < Real(0.0);
-    std::size_t i = 0;
-    this->for_each_guard([&](Guard, const auto&, auto own_count, const auto& starts_at_zero, auto coefficient) {
-      looked_at[i] = doubts_[i] && !taken;
-      doubts_[i] = doubts_[i] && taken;
-      taken = taken || looked_at[i];
-      copy(looked_at[i], own_count, starts_at_zero, coefficient, c);
-      ++i;
-    });
-    if (bits_of(taken) == 0) return false;
-    const Real square = length_ * length_;
-    Real even(1.0);
-    Real odd = length_;
-#pragma GCC unroll 20
-    for (std::size_t k = 0; k < count; k += 2) {  // as integrate::scale_to_unit says it
-      c[k] = c[k] * even;
-      c[k + 1] = c[k + 1] * odd;
-      even = even * square;
-      odd = odd * square;
-    }
-    isolations_ = isolations_ + select(taken, Real(1.0), Real(0.0));
-    SignLosses<Real> found;
-    first_sign_losses<count>(c, taken, found);
-    unclear_ = unclear_ || found.unclear;
-    lost_ = lost_ || found.lost;
-    const Real instant = found.instant * length_;
-    duration_ = select(found.lost && instant < duration_, instant, duration_);
-    for (i = 0; i < guards; ++i) {
-      const Truth lost = found.lost && looked_at[i];
-      instants_[i] = select(lost, instant, instants_[i]);
-      losses_[i] = losses_[i] || lost;
-    }
-    return true;
-  }
-
-  /// A guard's coefficients, without the first where that is known to be 0, to c in the lanes where it is looked at.
-  template <std::size_t count, class Zero, class Coefficient>
-  static void copy(const Truth& looked_at, Count<count>, const Zero& starts_at_zero, Coefficient coefficient, Real* c) {
-    using base::select;
-    if (bits_of(looked_at) == 0) return;
-    if constexpr (std::is_same_v<Zero, NeverZero>) {
-#pragma GCC unroll 20
-      for (std::size_t k = 0; k < count; ++k) c[k] = select(looked_at, coefficient(k), c[k]);
-    } else {
-      const Truth shifted = looked_at && starts_at_zero;
-      const Truth whole = looked_at && !starts_at_zero;
-#pragma GCC unroll 20
-      for (std::size_t k = 0; k + 1 < count; ++k) {
-        c[k] = select(whole, coefficient(k), select(shifted, coefficient(k + 1), c[k]));
-      }
-      c[count - 1] = select(whole, coefficient(count - 1), c[count - 1]);
-    }
-  }
-
   std::array<Truth, guards> doubts_;  ///< for each guard the lanes in which a cheap bound does not clear it
+  std::array<std::size_t, guards> places_;  ///< of the answers
 };
 
 }  // namespace

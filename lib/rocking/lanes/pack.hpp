@@ -59,6 +59,23 @@ inline std::uint32_t mask_of(Truths truths) {
   return mask;
 }
 
+template <class Numbers>
+inline void store_packed(std::uint32_t those, Numbers numbers, double* to) {
+  for (std::size_t i = 0; i < sizeof(Numbers) / 8; ++i) {
+    *to = numbers[i];
+    to += those >> i & 1U;
+  }
+}
+template <class Numbers>
+inline Numbers load_packed(std::uint32_t those, const double* from) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < sizeof(Numbers) / 8; ++i) {
+    numbers[i] = *from;
+    from += those >> i & 1U;
+  }
+  return numbers;
+}
+
 #if defined(__FMA__)
 inline Register<2>::Numbers fused_of(Register<2>::Numbers a, Register<2>::Numbers b, Register<2>::Numbers c) {
   return _mm_fmadd_pd(a, b, c);
@@ -105,6 +122,13 @@ inline __mmask8 both(__mmask8 a, __mmask8 b) { return _kand_mask8(a, b); }
 inline __mmask8 either(__mmask8 a, __mmask8 b) { return _kor_mask8(a, b); }
 inline __mmask8 opposite(__mmask8 a) { return _knot_mask8(a); }
 inline std::uint32_t mask_of(__mmask8 truths) { return _cvtmask8_u32(truths); }
+inline void store_packed(std::uint32_t those, Register<8>::Numbers numbers, double* to) {
+  _mm512_storeu_pd(to, _mm512_maskz_compress_pd(_cvtu32_mask8(those), numbers));
+}
+template <>
+inline Register<8>::Numbers load_packed<Register<8>::Numbers>(std::uint32_t those, const double* from) {
+  return _mm512_maskz_expand_pd(_cvtu32_mask8(those), _mm512_loadu_pd(from));
+}
 #endif
 
 /// A truth a lane.
@@ -202,12 +226,22 @@ struct Row {
     return result;
   }
   static void store(const Real& value, double* numbers) { __builtin_memcpy(numbers, &value, sizeof(Real)); }
+  /// Only those in the lanes whose bits are set, one after another; what then comes up to a whole register is overwritten.
+  static void store_those(std::uint32_t those, const Real& value, double* numbers) {
+    store_packed(those, value.numbers, numbers);
+  }
+  /// What store_those has stored, back in its lanes; any numbers in the others.
+  static Real load_those(std::uint32_t those, const double* numbers) {
+    return Real(load_packed<typename Real::Numbers>(those, numbers));
+  }
 };
 template <>
 struct Row<double> {
   static constexpr int lanes = 1;
   static double load(const double* numbers) { return *numbers; }
   static void store(double value, double* numbers) { *numbers = value; }
+  static void store_those(std::uint32_t, double value, double* numbers) { *numbers = value; }
+  static double load_those(std::uint32_t, const double* numbers) { return *numbers; }
 };
 
 /// Bit i: the truth of lane i.

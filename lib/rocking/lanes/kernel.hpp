@@ -9,7 +9,7 @@ namespace {
 /// other. Not on the friction grid, where hardly any step asks for it and they would wait long.
 template <Kind kind>
 constexpr int fewest_in_doubt(int lanes) {
-  return kind == Kind::rock_slide_briefly ? 1 : (3 * lanes + 7) / 8;
+  return kind == Kind::rock_slide_briefly ? 1 : (lanes + 1) / 2;
 }
 
 template <Kind kind, class Real>

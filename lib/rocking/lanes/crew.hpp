@@ -178,7 +178,7 @@ class Crew {
     Run& run = *group.runs[lane];
     dynamics::SmoothProgress here = progress(*group.block, lane);
     run.counts().steps += here.steps;
-    run.counts().root_isolations += static_cast<std::uint64_t>(group.block->root_isolations[lane]);
+    run.counts().root_isolations += count(group.block->root_isolations[lane]);
     if (kind_of(group) == Kind::rock_slide_briefly) {
       here.breakpoints = here.steps;
       here.foreseen = here.steps - unforeseen;

@@ -75,6 +75,11 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
           .slip_rate = block.strobe_slip_rate[lane]};
 }
 
+/// A whole number; by way of a signed one, which a processor converts in one instruction.
+[[nodiscard]] inline std::uint64_t count(double number) {
+  return static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
+}
+
 /// How far the steps done in a lane have come.
 [[nodiscard]] inline dynamics::SmoothProgress progress(const Block& block, std::size_t lane) {
   return {.state = {.tilt = block.tilt[lane],
@@ -82,7 +87,7 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
                     .slip = block.slip[lane],
                     .slip_rate = block.slip_rate[lane]},
           .now = {.period = static_cast<std::int64_t>(block.period[lane]), .time = block.time[lane]},
-          .steps = static_cast<std::uint64_t>(block.steps[lane]),
+          .steps = count(block.steps[lane]),
           .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane])};
 }
 

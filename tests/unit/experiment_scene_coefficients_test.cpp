@@ -166,16 +166,15 @@ TEST(KineticFriction, IsForeseenAsItComes) {
     ASSERT_EQ(asked.kinetic_friction(clock), told.kinetic_friction(clock));
     std::size_t foreseen = 0;
     for (int i = 0; i < 200; ++i) {
-      std::array<double, 16> coming;
-      const auto [known, per_period, next] =
-          told.foresee(std::span(coming).first(1 + static_cast<std::size_t>(i) % 16));
+      const auto [wanted, per_period, next] = told.foresee();
+      const std::size_t known = wanted.size() - 1;
       std::int64_t boundary = next;
       Instant end = *asked.next_change(clock, true);
       const std::size_t passed = std::min(known, static_cast<std::size_t>(i) % 5 + 1);
       for (std::size_t k = 0; k < passed; ++k) {
         ASSERT_EQ(dynamics::grid_boundary(clock, end.period, boundary, per_period), end) << i << " " << k;
         clock.set(end);
-        ASSERT_EQ(coming[k], asked.kinetic_friction(clock)) << i << " " << k;
+        ASSERT_EQ(std::clamp(wanted[k + 1], 0.0, told.static_friction()), asked.kinetic_friction(clock)) << i << " " << k;
         if (++boundary == per_period) boundary = 0;
         end = *asked.next_change(clock, true);
       }
@@ -203,8 +202,7 @@ TEST(KineticFriction, IsNotForeseenWhereTheAmplitudeMayChangeBefore) {
   SceneCoefficients coefficients(scene, draws);
   Clock clock(frequency, 0.0);
   static_cast<void>(coefficients.kinetic_friction(clock));
-  std::array<double, 16> coming;
-  EXPECT_EQ(coefficients.foresee(coming).intervals, 0U);
+  EXPECT_TRUE(coefficients.foresee().wanted.empty());
 }
 
 double static_draw(std::uint64_t chatters, std::uint64_t stops, double sigma = 0.03) {

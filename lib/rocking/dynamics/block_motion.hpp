@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <span>
 #include <type_traits>
 
 #include "rocking/dynamics/automaton.hpp"
@@ -144,7 +143,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
                       .slip_rate = side * state_.slip_rate},
             .amplitude = side * this->base_amplitude(),
             .static_friction = coefficients_.static_friction(),
-            .drag = side * state_.slip_direction * kinetic_friction_,
+            .kinetic_friction = kinetic_friction_,
             .restitution = constant_restitution(),
             .impact_loss = impact_loss(constant_restitution(), setting_.block),
             .least_rebound = this->fastest_small_hop(),
@@ -168,16 +167,13 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     settle();
   }
 
-  /// What is known of the coming intervals of the friction grid, as far as it leaves the steps of a rock-slide ordinary and brief:
-  /// fills `drag` with their nu. Each interval ends at a boundary of the grid (dynamics::grid_boundary).
-  [[nodiscard]] FrictionForesight foresee(std::span<double> drag) const {
+  /// What is known of the coming intervals of the friction grid, if it leaves the steps of a rock-slide ordinary and brief. Each
+  /// interval ends at a boundary of the grid (dynamics::grid_boundary).
+  [[nodiscard]] FrictionForesight foresee() const {
     if constexpr (ForeseesCoefficients<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
       if (determinant_may_vanish(coefficients_.static_friction())) return {};  // a bound for kinetic friction
-      const FrictionForesight known = coefficients_.foresee(drag);
-      if (!(static_cast<double>(known.per_period) * brief_step > 1.0)) return {};
-      const double direction = state_.side * state_.slip_direction;
-      for (double& nu : drag.first(known.intervals)) nu *= direction;
-      return known;
+      const FrictionForesight known = coefficients_.foresee();
+      if (static_cast<double>(known.per_period) * brief_step > 1.0) return known;
     }
     return {};
   }

@@ -13,7 +13,8 @@ namespace rocking::dynamics {
 
 /// What is known beforehand of kinetic friction, which changes at the boundaries of a grid.
 struct FrictionForesight {
-  std::size_t intervals = 0;       ///< after the present one
+  /// Of the present interval and of those to come, before it is held between 0 and mu_s; empty if nothing is known.
+  std::span<const double> wanted;
   std::int64_t per_period = 1;     ///< intervals of the grid
   std::int64_t next_boundary = 0;  ///< where the present interval ends: its number within its period
 };
@@ -43,11 +44,9 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
 /// A source that can tell beforehand what will be in force, so that a motion may go on elsewhere (module lanes).
 template <class Source>
 concept ForeseesCoefficients = CoefficientSource<Source> &&
-    requires(Source source, const Clock& clock, std::span<double> kinetic_friction) {
+    requires(Source source, const Clock& clock) {
   { source.constant_restitution() } -> std::same_as<std::optional<double>>;  // absent: every impact asks for its own
-  {
-    source.foresee(kinetic_friction)
-    } -> std::same_as<FrictionForesight>;       // mu_k, never above mu_s, of the coming intervals
+  { source.foresee() } -> std::same_as<FrictionForesight>;  // until the next change of the source
   source.pass_intervals(clock, std::size_t{});  // the clock has gone on by as many, the block slipping
 };
 

@@ -25,7 +25,7 @@ struct SmoothStep {
   SmoothState state;
   double amplitude;        ///< of S alpha
   double static_friction;  ///< mu_s in force
-  double drag;             ///< nu = S s mu_k
+  double kinetic_friction; ///< mu_k in force
   double restitution;      ///< e of every impact; NaN where each has its own
   double impact_loss;      ///< of the tilt rate, as a share, in a sticking impact
   double least_rebound;    ///< a slower one may be the last of a chatter
@@ -36,7 +36,7 @@ struct SmoothStep {
   Instant breakpoint;  ///< until which the equations hold
 };
 
-inline constexpr std::size_t most_foreseen = 32;  ///< intervals of the friction grid
+inline constexpr std::size_t most_foreseen = 32;  ///< intervals of the friction grid, the present one among them
 
 inline constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
 

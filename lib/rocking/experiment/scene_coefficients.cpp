@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "rocking/base/error.hpp"
 
@@ -84,7 +85,8 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
   if (interval != interval_) {
     if (interval_ < 0 || interval / intervals_at_once != interval_ / intervals_at_once) {
       const std::int64_t first = interval - interval % intervals_at_once;
-      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(first), deviations_);
+      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(first), drawn_);
+      for (double& value : drawn_) value = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * value;
     }
     move_to_interval(clock, interval);
     draw_kinetic_friction(interval);
@@ -95,7 +97,7 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
 void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
   held_at_static_ = false;
   ++kinetic_draws_;
-  kinetic_friction_ = drawn_friction(deviations_[static_cast<std::size_t>(interval % intervals_at_once)]);
+  kinetic_friction_ = drawn_[static_cast<std::size_t>(interval % intervals_at_once)];
   if (kinetic_friction_ < 0.0) {
     kinetic_friction_ = 0.0;
     ++clamps_.kinetic_at_zero;
@@ -103,21 +105,19 @@ void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
 }
 
 /// As far as it is drawn, and nothing but friction changes.
-dynamics::FrictionForesight SceneCoefficients::foresee(std::span<double> kinetic_friction) const {
+dynamics::FrictionForesight SceneCoefficients::foresee() const {
   if (fluctuation_.kinetic_friction == 0.0 || fluctuation_.amplitude > 0.0 || interval_ < 0) return {};
-  const auto next = static_cast<std::size_t>(interval_ % intervals_at_once) + 1;
-  const std::size_t count = std::min(kinetic_friction.size(), deviations_.size() - next);
-  for (std::size_t i = 0; i < count; ++i) {
-    kinetic_friction[i] = std::min(std::max(drawn_friction(deviations_[next + i]), 0.0), static_friction_);
-  }
-  return {.intervals = count, .per_period = fluctuation_.refreshes_per_period, .next_boundary = end_number_};
+  const auto present = static_cast<std::size_t>(interval_ % intervals_at_once);
+  return {.wanted = std::span(drawn_).subspan(present),
+          .per_period = fluctuation_.refreshes_per_period,
+          .next_boundary = end_number_};
 }
 
 void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
   const auto next = static_cast<std::size_t>(interval_ % intervals_at_once) + 1;
   double wanted = 0.0;
   for (std::size_t i = next; i < next + count; ++i) {  // without a branch, for a processor's lanes
-    wanted = drawn_friction(deviations_[i]);
+    wanted = drawn_[i];
     clamps_.kinetic_at_zero += wanted < 0.0 ? 1 : 0;
     clamps_.kinetic_at_static += wanted > static_friction_ ? 1 : 0;
   }

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/coefficients.hpp"
@@ -36,7 +35,7 @@ class SceneCoefficients {
   [[nodiscard]] std::optional<double> constant_restitution() const {
     return fluctuation_.restitution == 0.0 ? std::optional(restitution_mean_) : std::nullopt;
   }
-  [[nodiscard]] dynamics::FrictionForesight foresee(std::span<double> kinetic_friction) const;
+  [[nodiscard]] dynamics::FrictionForesight foresee() const;
   void pass_intervals(const dynamics::Clock& clock, std::size_t count);
 
   /// The same draws, counted on, about the means and with the standard deviations of another scene.
@@ -59,9 +58,6 @@ class SceneCoefficients {
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
   void draw_kinetic_friction(std::int64_t interval);
-  [[nodiscard]] double drawn_friction(double deviation) const {
-    return friction_->kinetic_coefficient + fluctuation_.kinetic_friction * deviation;
-  }
   [[nodiscard]] double held_kinetic_friction(double wanted);
   void draw_static_friction();
   void look_up_static_friction();
@@ -77,14 +73,14 @@ class SceneCoefficients {
   Count stops_;
   Count static_count_;  ///< of stops, when the static friction in force was drawn
   Count impacts_;
-  /// Deviations of the kinetic friction are drawn for as many intervals in a row.
+  /// Kinetic friction is drawn for as many intervals in a row.
   static constexpr std::int64_t intervals_at_once = 32;
 
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   dynamics::Instant begin_;
   dynamics::Instant end_;
   std::int64_t end_number_ = 0;                         ///< of the boundary at its end, within its period
-  std::array<double, intervals_at_once> deviations_{};  ///< in units of sigma
+  std::array<double, intervals_at_once> drawn_{};  ///< kinetic friction, before it is held between 0 and the static
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted
   std::int64_t amplitude_period_ = -1;

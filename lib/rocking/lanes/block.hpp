@@ -5,13 +5,11 @@
 #include <cstdint>
 
 #include "rocking/dynamics/guards.hpp"
+#include "rocking/dynamics/smooth_step.hpp"
 
 namespace rocking::lanes {
 
 inline constexpr int most_lanes = 16;
-
-/// More than the intervals of the friction grid that are ever foreseen, and a power of 2.
-inline constexpr std::size_t places_of_intervals = 64;
 
 /// A number a lane.
 using LaneRow = std::array<double, most_lanes>;
@@ -47,18 +45,18 @@ struct alignas(64) Block {
   LaneRow largest;          ///< of the last terms of a series: tolerance times psi
   LaneRow static_friction;  ///< mu_s
   LaneRow inertia;          ///< J
-  LaneRow drag;             ///< nu = S s mu_k
+  LaneRow kinetic_friction; ///< mu_k
   LaneRow restitution;      ///< e; NaN where no impact is done here
   LaneRow impact_loss;      ///< of the tilt rate, as a share, in a sticking impact
   LaneRow least_rebound;    ///< after an impact that is done here
   LaneRow slip_sign;        ///< S s
 
-  // The intervals of the friction grid, in the block of brief steps. Its lanes pass one in every step, so that all of them are
-  // at the same place of a ring.
+  // The intervals of the friction grid, in the block of brief steps, each of which ends with one. A lane's are in a row.
   struct Intervals {
-    std::size_t place;                              ///< of the interval in which the coming step is
-    std::array<LaneRow, places_of_intervals> drag;  ///< nu: that above has no say
-    LaneRow known;                                  ///< of the next ones so many
+    /// mu_k before it is held between 0 and mu_s: that above has no say.
+    std::array<std::array<double, dynamics::most_foreseen>, most_lanes> kinetic_friction;
+    std::array<std::int64_t, most_lanes> present;  ///< where in there the interval is in which the coming step is
+    LaneRow known;                                 ///< of the next ones so many
     LaneRow per_period;
     LaneRow next_boundary;  ///< where the present one ends: its number within its period
     LaneRow grid_start;     ///< where a period's boundary number 0 is

@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -75,9 +74,7 @@ class Crew {
     void foresee(std::size_t lane, const dynamics::SmoothStep& step) {
       const auto& motion = runs[lane]->motion();
       if (!motion.slips() || !motion.is_brief()) return;
-      std::array<double, 1 + dynamics::most_foreseen> drag{step.drag};
-      const auto coming = motion.foresee(std::span(drag).subspan(1));
-      load_intervals(*block, lane, coming, std::span(drag).first(1 + coming.intervals), step.clock->start());
+      load_intervals(*block, lane, motion.foresee(), step.clock->start());
     }
     void vacate(std::size_t lane) {
       occupied &= ~(1U << lane);
@@ -134,7 +131,6 @@ class Crew {
     for_each_lane(block.quiet & block.strobed & group.occupied,
                   [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
     for_each_lane(block.landed & group.occupied, [&](std::size_t lane) { pass_impact(group, lane); });
-    block.intervals.place = (block.intervals.place + 1) % places_of_intervals;
     for_each_lane(block.at_a_loss & group.occupied, [&](std::size_t lane) {
       catch_up(group, lane, 1);
       go_on(group, lane);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -59,6 +60,12 @@ inline std::uint32_t mask_of(Truths truths) {
   return mask;
 }
 
+template <class Numbers, std::size_t length>
+inline Numbers loaded_each(const std::array<double, length>* rows, const std::int64_t* places) {
+  Numbers numbers;
+  for (std::size_t i = 0; i < sizeof(Numbers) / 8; ++i) numbers[i] = rows[i][static_cast<std::size_t>(places[i])];
+  return numbers;
+}
 template <class Numbers>
 inline void store_packed(std::uint32_t those, Numbers numbers, double* to) {
   for (std::size_t i = 0; i < sizeof(Numbers) / 8; ++i) {
@@ -234,6 +241,11 @@ struct Row {
   static Real load_those(std::uint32_t those, const double* numbers) {
     return Real(load_packed<typename Real::Numbers>(those, numbers));
   }
+  /// From a row each, at a place each.
+  template <std::size_t length>
+  static Real load_each(const std::array<double, length>* rows, const std::int64_t* places) {
+    return Real(loaded_each<typename Real::Numbers>(rows, places));
+  }
 };
 template <>
 struct Row<double> {
@@ -242,6 +254,10 @@ struct Row<double> {
   static void store(double value, double* numbers) { *numbers = value; }
   static void store_those(std::uint32_t, double value, double* numbers) { *numbers = value; }
   static double load_those(std::uint32_t, const double* numbers) { return *numbers; }
+  template <std::size_t length>
+  static double load_each(const std::array<double, length>* row, const std::int64_t* place) {
+    return (*row)[static_cast<std::size_t>(*place)];
+  }
 };
 
 /// Bit i: the truth of lane i.

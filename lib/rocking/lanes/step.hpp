@@ -64,7 +64,7 @@ class Step {
       m_.slip_rate[0] = load(b_.slip_rate);
       m_.slip[0] = load(b_.slip);
       dynamics::expand_rock_slide<order_of(kind), false>(
-          m_, {.inertia = load(b_.inertia), .drag = load(drag()), .first_rate_gate = Real(1.0)});
+          m_, {.inertia = load(b_.inertia), .drag = load(b_.slip_sign) * kinetic_friction(), .first_rate_gate = Real(1.0)});
       length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
     } else {
       dynamics::expand_rock<order_of(kind), false>(m_, Real(1.0));
@@ -100,7 +100,12 @@ class Step {
     truths = (truths & ~(every_lane << first_)) | of_these << first_;
   }
   static constexpr bool is_brief = kind == Kind::rock_slide_briefly;
-  [[nodiscard]] const LaneRow& drag() const { return is_brief ? b_.intervals.drag[b_.intervals.place] : b_.drag; }
+  [[nodiscard]] Real kinetic_friction() const {
+    if constexpr (!is_brief) return load(b_.kinetic_friction);
+    using base::select, base::smaller;
+    const Real wanted = Row<Real>::load_each(&b_.intervals.kinetic_friction[first_], &b_.intervals.present[first_]);
+    return smaller(select(wanted < Real(0.0), Real(0.0), wanted), load(b_.static_friction));
+  }
   static constexpr std::uint32_t every_lane = (1U << Row<Real>::lanes) - 1U;
 
   /// base::sin_cos, without the reduction if no lane needs it.

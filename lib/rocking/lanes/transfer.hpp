@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -30,21 +31,20 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.break_time[lane] = step.breakpoint.time;
   block.amplitude[lane] = step.amplitude;
   block.static_friction[lane] = step.static_friction;
-  block.drag[lane] = step.drag;
+  block.kinetic_friction[lane] = step.kinetic_friction;
   block.slip_sign[lane] = step.slip_sign;
   block.restitution[lane] = step.restitution;
   block.impact_loss[lane] = step.impact_loss;
   block.least_rebound[lane] = step.least_rebound;
 }
 
-/// What is known of the intervals of the friction grid, the present one first.
-inline void load_intervals(Block& block, std::size_t lane, const dynamics::FrictionForesight& coming,
-                           std::span<const double> drag, double grid_start) {
+/// What is known of the intervals of the friction grid.
+inline void load_intervals(Block& block, std::size_t lane, const dynamics::FrictionForesight& coming, double grid_start) {
   auto& intervals = block.intervals;
-  for (std::size_t i = 0; i < drag.size(); ++i) {
-    intervals.drag[(intervals.place + i) % places_of_intervals][lane] = drag[i];
-  }
-  intervals.known[lane] = static_cast<double>(coming.intervals);
+  const auto known = coming.wanted.empty() ? std::span(&block.kinetic_friction[lane], 1) : coming.wanted;
+  std::ranges::copy(known, intervals.kinetic_friction[lane].begin());
+  intervals.present[lane] = 0;
+  intervals.known[lane] = static_cast<double>(known.size() - 1);
   intervals.per_period[lane] = static_cast<double>(coming.per_period);
   intervals.next_boundary[lane] = static_cast<double>(coming.next_boundary);
   intervals.grid_start[lane] = grid_start;

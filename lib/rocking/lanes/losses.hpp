@@ -37,7 +37,6 @@ class Losses : public Step<kind, Real> {
     Truth any = doubts_[0];
     for (const Truth& doubt : doubts_) any = any || doubt;
     in_doubt_ = any;
-    end_ = this->point(length_);
   }
 
   /// Lanes with a guard that may lose its sign, and lanes without.
@@ -75,8 +74,14 @@ class Losses : public Step<kind, Real> {
     mark(b_.held, waits ? bits_of(in_doubt_) : 0);
     if (waits) {
       lost_ = in_doubt_;
-      return;
+    } else {
+      take_answers(search);
     }
+    end_ = this->point(duration_);
+  }
+
+  void take_answers(const Search& search) {
+    using base::select;
     for (std::size_t i = 0; i < guards; ++i) {
       const std::uint32_t doubt = bits_of(doubts_[i]);
       if (doubt == 0) continue;
@@ -88,7 +93,6 @@ class Losses : public Step<kind, Real> {
       instants_[i] = found * length_;
       duration_ = select(losses_[i] && instants_[i] < duration_, instants_[i], duration_);
     }
-    if (bits_of(lost_) != 0) end_ = this->point(duration_);
   }
 
   /// Whether a guard's loss is among the first, as integrate::earliest says it.

@@ -62,6 +62,7 @@ SceneCoefficients SceneCoefficients::under(const Scene& scene) const {
   other.restitution_mean_ = scene.restitution;
   other.amplitude_mean_ = scene.excitation.amplitude;
   other.interval_ = -1;
+  other.drawn_from_ = none_drawn;
   other.amplitude_period_ = -1;
   if (other.friction_) other.look_up_static_friction();
   return other;
@@ -83,9 +84,9 @@ double SceneCoefficients::held_kinetic_friction(double wanted) {
 double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
   const std::int64_t interval = grid_index(clock);
   if (interval != interval_) {
-    if (interval_ < 0 || interval / intervals_at_once != interval_ / intervals_at_once) {
-      const std::int64_t first = interval - interval % intervals_at_once;
-      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(first), drawn_);
+    if (interval - drawn_from_ >= intervals_at_once) {
+      drawn_from_ = interval - interval % 2;  // draws are made in pairs
+      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(drawn_from_), drawn_);
       for (double& value : drawn_) value = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * value;
     }
     move_to_interval(clock, interval);
@@ -97,7 +98,7 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
 void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
   held_at_static_ = false;
   ++kinetic_draws_;
-  kinetic_friction_ = drawn_[static_cast<std::size_t>(interval % intervals_at_once)];
+  kinetic_friction_ = drawn_[static_cast<std::size_t>(interval - drawn_from_)];
   if (kinetic_friction_ < 0.0) {
     kinetic_friction_ = 0.0;
     ++clamps_.kinetic_at_zero;
@@ -107,14 +108,14 @@ void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
 /// As far as it is drawn, and nothing but friction changes.
 dynamics::FrictionForesight SceneCoefficients::foresee() const {
   if (fluctuation_.kinetic_friction == 0.0 || fluctuation_.amplitude > 0.0 || interval_ < 0) return {};
-  const auto present = static_cast<std::size_t>(interval_ % intervals_at_once);
+  const auto present = static_cast<std::size_t>(interval_ - drawn_from_);
   return {.wanted = std::span(drawn_).subspan(present),
           .per_period = fluctuation_.refreshes_per_period,
           .next_boundary = end_number_};
 }
 
 void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
-  const auto next = static_cast<std::size_t>(interval_ % intervals_at_once) + 1;
+  const auto next = static_cast<std::size_t>(interval_ - drawn_from_) + 1;
   double wanted = 0.0;
   for (std::size_t i = next; i < next + count; ++i) {  // without a branch, for a processor's lanes
     wanted = drawn_[i];

@@ -75,11 +75,13 @@ class SceneCoefficients {
   Count impacts_;
   /// Kinetic friction is drawn for as many intervals in a row.
   static constexpr std::int64_t intervals_at_once = 32;
+  static constexpr std::int64_t none_drawn = -intervals_at_once;
 
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   dynamics::Instant begin_;
   dynamics::Instant end_;
   std::int64_t end_number_ = 0;                         ///< of the boundary at its end, within its period
+  std::int64_t drawn_from_ = none_drawn;                ///< of the first of them
   std::array<double, intervals_at_once> drawn_{};  ///< kinetic friction, before it is held between 0 and the static
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted

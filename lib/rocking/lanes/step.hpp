@@ -207,12 +207,9 @@ class Step {
   }
 
   [[nodiscard]] static auto is_finite(const Point& p) {
-    const auto rocks = p.tilt - p.tilt == Real(0.0) && p.tilt_rate - p.tilt_rate == Real(0.0);
-    if constexpr (slips) {
-      return rocks && p.slip - p.slip == Real(0.0) && p.slip_rate - p.slip_rate == Real(0.0);
-    } else {
-      return rocks;
-    }
+    Real sum = p.tilt + p.tilt_rate;  // finite only where all of them are
+    if constexpr (slips) sum = sum + (p.slip + p.slip_rate);
+    return sum - sum == Real(0.0);
   }
 
   /// Whether alone the motion would do this step too, from `length` on.
@@ -234,6 +231,7 @@ class Step {
     const Real strobe_time = load(b_.strobe_time);
     const Real instant = until(strobe_period, strobe_time);
     const auto strobes = instant < end;
+    if (bits_of(strobes) == 0) return {instant, strobes, strobes, !strobes};
     const auto is_last = load(b_.strobes_left) < Real(1.5);
     const auto is_only = is_last || !(until(strobe_period + Real(1.0), strobe_time) < end);
     return {instant, strobes, is_last, is_only || !strobes};

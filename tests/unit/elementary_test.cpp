@@ -91,6 +91,13 @@ TEST(ReducedSinCos, IsWithinOneUlpUpToAnEighthOfATurn) {
   expect_within(1.0, reduced_sin_cos_error, spread(20000, -std::numbers::pi / 4, std::numbers::pi / 4));
 }
 
+TEST(ReducedSinCos, HasTheBitsOfSinCosUpToAlmostAnEighthOfATurn) {
+  for (const double x : spread(20000, -almost_quarter_pi, almost_quarter_pi)) {
+    ASSERT_EQ(reduced_sin_cos(x).sine, sin_cos(x).sine) << std::hexfloat << x;
+    ASSERT_EQ(reduced_sin_cos(x).cosine, sin_cos(x).cosine) << std::hexfloat << x;
+  }
+}
+
 TEST(SinCos, IsWithinOneAndAHalfUlpUpToAMillion) {
   for (const double limit : {1.0, 30.0, 1000.0, 1e6}) {
     expect_within(1.5, sin_cos_error, spread(5000, -limit, limit));

@@ -18,7 +18,8 @@ struct Forces {
 /// sin and cos of phi = psi - abs(theta), the angle of the edge-to-centre line from the vertical.
 [[nodiscard]] inline base::SinCos<double> edge_angle(const State& state, const Geometry& block) {
   if (state.tilt == 0.0) return {block.sine, block.cosine};
-  return base::sin_cos(block.shape_angle - state.side * state.tilt);
+  const double angle = block.shape_angle - state.side * state.tilt;
+  return std::abs(angle) < base::almost_quarter_pi ? base::reduced_sin_cos(angle) : base::sin_cos(angle);
 }
 
 /// Whether a block in full contact stays on both edges: abs(alpha) <= tan(psi) (1 + alpha_v).

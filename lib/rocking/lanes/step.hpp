@@ -110,8 +110,7 @@ class Step {
 
   /// base::sin_cos, without the reduction if no lane needs it.
   [[nodiscard]] static base::SinCos<Real> sin_cos_of_edge(const Real& angle) {
-    constexpr double almost_quarter_pi = 0.785;
-    const auto reduced = Real(-almost_quarter_pi) < angle && angle < Real(almost_quarter_pi);
+    const auto reduced = Real(-base::almost_quarter_pi) < angle && angle < Real(base::almost_quarter_pi);
     return bits_of(!reduced) == 0 ? base::reduced_sin_cos(angle) : base::sin_cos(angle);
   }
 

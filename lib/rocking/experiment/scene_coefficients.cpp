@@ -156,10 +156,12 @@ double SceneCoefficients::amplitude(const Clock& clock) {
 }
 
 void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interval) {
-  if (interval == interval_ + 1 && interval_ >= 0) {
-    begin_ = end_;
-    end_ = boundary_after_end(clock);
-    if (++end_number_ == fluctuation_.refreshes_per_period) end_number_ = 0;
+  const std::int64_t ahead = interval - interval_;
+  if (interval_ >= 0 && 0 < ahead && ahead < fluctuation_.refreshes_per_period) {
+    begin_ = ahead == 1 ? end_ : boundary_after_end(clock, ahead - 1);
+    end_ = boundary_after_end(clock, ahead);
+    end_number_ += ahead;
+    if (end_number_ >= fluctuation_.refreshes_per_period) end_number_ -= fluctuation_.refreshes_per_period;
   } else {
     begin_ = boundary(clock, interval);
     end_ = boundary(clock, interval + 1);
@@ -168,11 +170,12 @@ void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interv
   interval_ = interval;
 }
 
-Instant SceneCoefficients::boundary_after_end(const Clock& clock) const {
+/// `count` boundaries after the end of the interval held, at most as many as a period has.
+Instant SceneCoefficients::boundary_after_end(const Clock& clock, std::int64_t count) const {
   const std::int64_t per_period = fluctuation_.refreshes_per_period;
-  const std::int64_t number = end_number_ + 1;
-  return number == per_period ? dynamics::grid_boundary(clock, end_.period + 1, 0, per_period)
-                              : dynamics::grid_boundary(clock, end_.period, number, per_period);
+  const std::int64_t number = end_number_ + count;
+  return number < per_period ? dynamics::grid_boundary(clock, end_.period, number, per_period)
+                             : dynamics::grid_boundary(clock, end_.period + 1, number - per_period, per_period);
 }
 
 /// At the beginning of an interval.
@@ -187,7 +190,7 @@ std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
   const auto is_reached = [&](const Instant& instant) { return clock.until(instant) <= clock.resolution(); };
   if (interval_ >= 0 && is_reached(begin_)) {
     if (!is_reached(end_)) return interval_;
-    if (!is_reached(boundary_after_end(clock))) return interval_ + 1;
+    if (!is_reached(boundary_after_end(clock, 1))) return interval_ + 1;
   }
   return searched_grid_index(clock);
 }

@@ -53,7 +53,7 @@ class SceneCoefficients {
   };
 
   void move_to_interval(const dynamics::Clock& clock, std::int64_t interval);
-  [[nodiscard]] dynamics::Instant boundary_after_end(const dynamics::Clock& clock) const;
+  [[nodiscard]] dynamics::Instant boundary_after_end(const dynamics::Clock& clock, std::int64_t count) const;
   [[nodiscard]] dynamics::Instant boundary(const dynamics::Clock& clock, std::int64_t interval) const;
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;

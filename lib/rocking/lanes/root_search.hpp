@@ -37,6 +37,8 @@ class RootSearch {
   }
 
   void search() {
+    for (Places& row : c_) Row<Real>::store(Real(0.0), &row[size_]);  // what the last register has besides
+    Row<Real>::store(Real(0.0), &length_[size_]);
     for (std::size_t place = 0; place < size_; place += lanes) look_at(place);
   }
 

@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <limits>
 
 #include "rocking/integrate/bernstein.hpp"
 #include "rocking/lanes/step.hpp"
 
-/// integrate::first_sign_loss in all lanes at once, for the polynomials that need no halving; with its expressions, in their
-/// order.
+/// integrate::first_sign_loss in all lanes at once, for the polynomials that need at most one halving; with its expressions, in
+/// their order.
 namespace rocking::lanes {
 namespace {
 
@@ -29,16 +30,14 @@ template <class Real>
   return a < b || a == b;
 }
 
-/// integrate::refine from t on within [0, 1], in the lanes where `active`; true where it has come to its end.
+/// integrate::refine from t on within [low, high], in the lanes where `active`; true where it has come to its end.
 template <class Real>
-[[gnu::noinline]] TruthOf<Real> refine(const Real* c, std::size_t count, TruthOf<Real> active, Real& t) {
+[[gnu::noinline]] TruthOf<Real> refine(const Real* c, std::size_t count, TruthOf<Real> active, Real low, Real high, Real& t) {
   using base::fused, base::select;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most_iterations = 20;
   const Real zero(0.0);
   const Real one(1.0);
-  Real low(0.0);
-  Real high(1.0);
   for (int iteration = 0; iteration < most_iterations && bits_of(active) != 0; ++iteration) {
     Real value = c[count - 1];
     Real first(0.0);
@@ -70,44 +69,121 @@ template <class Real>
   return !active;
 }
 
+/// What the signs of Bernstein coefficients say.
+template <class Real>
+struct Signs {
+  TruthOf<Real> starts_below;
+  TruthOf<Real> any_zero;
+  Real changes;  ///< of the sign
+  // At the last change to below:
+  Real place;   ///< of the last coefficient before it
+  Real before;  ///< that
+  Real after;   ///< the next
+
+  [[nodiscard]] TruthOf<Real> never() const { return !any_zero && !starts_below && changes == Real(0.0); }
+  [[nodiscard]] TruthOf<Real> once() const { return !any_zero && !starts_below && changes == Real(1.0); }
+  [[nodiscard]] TruthOf<Real> often() const { return !any_zero && !starts_below && Real(1.0) < changes; }
+};
+
+template <class Real, std::size_t count>
+[[nodiscard]] Signs<Real> signs_of(const std::array<Real, count>& b) {
+  using base::select;
+  const Real zero(0.0);
+  Signs<Real> signs{.starts_below = b[0] < zero,
+                    .any_zero = b[0] == zero,
+                    .changes = zero,
+                    .place = zero,
+                    .before = zero,
+                    .after = zero};
+#pragma GCC unroll 20
+  for (std::size_t i = 1; i < count; ++i) {
+    signs.any_zero = signs.any_zero || b[i] == zero;
+    const auto was_below = b[i - 1] < zero;
+    const auto is_below = b[i] < zero;
+    const auto falls = is_below && !was_below;
+    signs.changes = signs.changes + select(falls || (was_below && !is_below), Real(1.0), zero);
+    signs.place = select(falls, Real(static_cast<double>(i - 1)), signs.place);
+    signs.before = select(falls, b[i - 1], signs.before);
+    signs.after = select(falls, b[i], signs.after);
+  }
+  return signs;
+}
+
+/// What is known of a polynomial's first loss of sign.
+template <class Real>
+struct Isolation {
+  TruthOf<Real> at_once;  ///< lanes where it is below from `left` on
+  TruthOf<Real> once;     ///< lanes with one loss between `left` and `left + width`
+  TruthOf<Real> clear;    ///< these, and those without a loss
+  Real left;
+  Real width;
+  Real guess;  ///< near the one loss
+};
+
+template <std::size_t count, class Real>
+[[nodiscard]] Real crossing(const Signs<Real>& signs) {
+  return (signs.place + signs.before / (signs.before - signs.after)) / Real(static_cast<double>(count - 1));
+}
+
+/// The lanes whose signs change more `often` are halved, by de Casteljau's scheme: nearly all are clear then. By value, so that
+/// nothing need be in memory where this is not called.
+template <std::size_t count, class Real>
+[[gnu::noinline]] Isolation<Real> halved(std::array<Real, count> b, TruthOf<Real> often, Isolation<Real> isolation) {
+  using base::select;
+  const Real half(0.5);
+  std::array<Real, count> right;
+  right[count - 1] = b[count - 1];
+#pragma GCC unroll 20
+  for (std::size_t j = 1; j < count; ++j) {
+#pragma GCC unroll 20
+    for (std::size_t i = count - 1; i >= j; --i) b[i] = half * (b[i - 1] + b[i]);
+    right[count - 1 - j] = b[count - 1];
+  }
+  const Signs<Real> first = signs_of(b);
+  const Signs<Real> second = signs_of(right);
+  const auto in_first = often && first.once();
+  const auto later = often && first.never();
+  const auto in_second = later && second.once();
+  const auto at_half = later && second.starts_below && !second.any_zero;
+  isolation.at_once = isolation.at_once || at_half;
+  isolation.once = isolation.once || in_first || in_second;
+  isolation.clear = isolation.clear || in_first || in_second || at_half || (later && second.never());
+  isolation.left = select(later, half, isolation.left);
+  isolation.width = select(often, half, isolation.width);
+  isolation.guess = select(in_first, half * crossing<count>(first), isolation.guess);
+  isolation.guess = select(in_second, half + half * crossing<count>(second), isolation.guess);
+  return isolation;
+}
+
 /// In the lanes where `wanted`, of sum c[k] t^k.
 template <std::size_t count, class Real>
 [[gnu::noinline]] void first_sign_losses(const Real* c, const TruthOf<Real>& wanted, SignLosses<Real>& found) {
   using base::fused, base::select;
   static constexpr auto weights = integrate::bernstein_weights<count - 1>();
-  const Real zero(0.0);
-  Real b[count];
+  std::array<Real, count> b;
 #pragma GCC unroll 20
-  for (std::size_t i = 0; i < count; ++i) b[i] = zero;
+  for (std::size_t i = 0; i < count; ++i) b[i] = Real(0.0);
 #pragma GCC unroll 20
   for (std::size_t k = 0; k < count; ++k) {
 #pragma GCC unroll 20
     for (std::size_t i = k; i < count; ++i) b[i] = fused(Real(weights.of[k][i]), c[k], b[i]);
   }
-  // The last coefficient before a change of sign, the first after it, and how many changes there are.
-  auto any_zero = b[0] == zero;
-  Real changes(0.0);
-  Real place(0.0);
-  Real before(0.0);
-  Real after(0.0);
-#pragma GCC unroll 20
-  for (std::size_t i = 1; i < count; ++i) {
-    any_zero = any_zero || b[i] == zero;
-    const auto was_below = b[i - 1] < zero;
-    const auto is_below = b[i] < zero;
-    const auto falls = is_below && !was_below;
-    changes = changes + select(falls || (was_below && !is_below), Real(1.0), zero);
-    place = select(falls, Real(static_cast<double>(i - 1)), place);
-    before = select(falls, b[i - 1], before);
-    after = select(falls, b[i], after);
-  }
-  const auto starts_below = b[0] < zero;
-  const auto changes_once = wanted && !any_zero && !starts_below && changes == Real(1.0);
-  Real t = (place + before / (before - after)) / Real(static_cast<double>(count - 1));
-  const auto is_refined = refine(c, count, changes_once, t);
-  found.instant = select(starts_below, zero, t);
-  found.lost = wanted && !any_zero && (starts_below || changes_once);
-  found.unclear = wanted && (any_zero || (!starts_below && Real(1.5) < changes) || !is_refined);
+  const Signs<Real> signs = signs_of(b);
+  const auto at_once = wanted && signs.starts_below && !signs.any_zero;
+  const auto once = wanted && signs.once();
+  Isolation<Real> isolation{.at_once = at_once,
+                            .once = once,
+                            .clear = at_once || once || (wanted && signs.never()),
+                            .left = Real(0.0),
+                            .width = Real(1.0),
+                            .guess = crossing<count>(signs)};
+  const auto often = wanted && signs.often();
+  if (bits_of(often) != 0) isolation = halved<count>(b, often, isolation);
+  Real t = isolation.guess;
+  const auto is_refined = refine(c, count, isolation.once, isolation.left, isolation.left + isolation.width, t);
+  found.instant = select(isolation.at_once, isolation.left, t);
+  found.lost = isolation.at_once || isolation.once;
+  found.unclear = wanted && !(isolation.clear && is_refined);
 }
 
 }  // namespace

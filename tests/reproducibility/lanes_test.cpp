@@ -63,6 +63,9 @@ std::vector<Condition> crowd() {
     conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
     conditions.back().scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
   }
+  conditions.push_back(shaken(6.6, rough));  // friction held at 0, and at the static
+  conditions.back().scene.fluctuation.kinetic_friction = 0.3;
+  conditions.back().scene.fluctuation.refreshes_per_period = 200;
   conditions.push_back(shaken(5.0));
   conditions.back().scene.fluctuation.amplitude = 0.5;
   conditions.push_back(shaken(8.0, rough));  // needs companions to be named

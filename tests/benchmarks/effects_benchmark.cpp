@@ -128,9 +128,9 @@ void print_effects() {
 }
 
 void print_scaling() {
-  std::printf("\nthreads: wall time of 4000 realisations without sliding\n");
+  std::printf("\nthreads: wall time of 16000 realisations without sliding\n");
   Condition many = no_sliding();
-  many.realisations = 4000;
+  many.realisations = 16000;
   double one = 0.0;
   for (const unsigned threads : {1U, 2U}) {
     double least = 1e300;

@@ -122,8 +122,8 @@ EndState follow_by_ours(const Question& question, double tolerance) {
 
 class SideBySide::Implementation {
  public:
-  Implementation(const Case& c, double tolerance)
-      : case_(c), tolerance_(tolerance), crew_(lanes::available_kernels().back()), runs_(crew_.wanted_size()) {
+  Implementation(const Case& c, double tolerance, const lanes::Kernels& kernels)
+      : case_(c), tolerance_(tolerance), crew_(kernels), runs_(crew_.wanted_size()) {
     for (auto& run : runs_) begin(run);
   }
 
@@ -156,8 +156,8 @@ class SideBySide::Implementation {
   int begun_ = 0;
 };
 
-SideBySide::SideBySide(const Case& c, double tolerance)
-    : implementation_(std::make_unique<Implementation>(c, tolerance)) {}
+SideBySide::SideBySide(const Case& c, double tolerance, const lanes::Kernels& kernels)
+    : implementation_(std::make_unique<Implementation>(c, tolerance, kernels)) {}
 SideBySide::~SideBySide() = default;
 int SideBySide::finish(int count) { return implementation_->finish(count); }
 

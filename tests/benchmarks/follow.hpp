@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
 
 #include "differential/random_scene.hpp"
+#include "rocking/lanes/kernels.hpp"
 
 namespace rocking::benchmarks {
 
@@ -15,6 +17,11 @@ struct Case {
   bool slides;   ///< with friction 0.40/0.35
   double sigma;  ///< of static and kinetic friction
 };
+
+/// Those of lib/docs/performance.md.
+[[nodiscard]] inline std::array<Case, 3> usual_cases() {
+  return {{{"no sliding", 4.5, false, 0.0}, {"sliding", 7.0, true, 0.0}, {"fluctuating friction", 7.0, true, 0.03}}};
+}
 
 inline constexpr int starts = 16;   ///< initial tilts, each a realisation
 inline constexpr int periods = 20;  ///< of the excitation
@@ -35,11 +42,10 @@ using Follow = std::function<EndState(const differential::Question&, double)>;
 [[nodiscard]] EndState follow_by_odeint(const differential::Question& question, double tolerance);
 [[nodiscard]] EndState follow_by_arkode(const differential::Question& question, double tolerance);
 
-/// Realisations from all starts in turn, side by side in the lanes that the machine has; one that has ended makes room for the
-/// next.
+/// Realisations from all starts in turn, side by side in lanes; one that has ended makes room for the next.
 class SideBySide {
  public:
-  SideBySide(const Case& c, double tolerance);
+  SideBySide(const Case& c, double tolerance, const lanes::Kernels& kernels);
   ~SideBySide();
 
   /// Goes on until `count` more have ended; returns how many of them reached their last period.

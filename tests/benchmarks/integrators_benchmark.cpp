@@ -43,7 +43,7 @@ void follow_all(benchmark::State& state, const Case& c, const Follow& follow, co
 
 void follow_in_lanes(benchmark::State& state, const Case& c, const Calibration& calibration) {
   constexpr int at_a_time = 128;
-  SideBySide realisations(c, calibration.tolerance);
+  SideBySide realisations(c, calibration.tolerance, lanes::available_kernels().back());
   for (auto _ : state) benchmark::DoNotOptimize(realisations.finish(at_a_time));
   state.SetItemsProcessed(state.iterations() * at_a_time * periods);
 }
@@ -117,8 +117,7 @@ class Table : public benchmark::ConsoleReporter {
 void register_all(Table& table) {
   const std::array<Integrator, 3> integrators{
       {{"ours alone", follow_by_ours}, {"odeint", follow_by_odeint}, {"ARKODE", follow_by_arkode}}};
-  for (const Case& c : {Case{"no sliding", 4.5, false, 0.0}, Case{"sliding", 7.0, true, 0.0},
-                        Case{"fluctuating friction", 7.0, true, 0.03}}) {
+  for (const Case& c : usual_cases()) {
     const auto enlist = [&](const std::string& name, const Calibration& calibration, auto run) {
       table.expect(c.name, name, calibration);
       benchmark::RegisterBenchmark((c.name + ": " + name).c_str(), run)->Unit(benchmark::kMicrosecond);

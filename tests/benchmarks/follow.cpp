@@ -72,9 +72,7 @@ class LaneRun {
   [[nodiscard]] auto& motion() { return motion_; }
   [[nodiscard]] integrate::LoopCounts& counts() { return counts_; }
   [[nodiscard]] static bool go_on() { return false; }
-  [[nodiscard]] bool reached_horizon() const {
-    return motion_.termination() == dynamics::Termination::reached_horizon;
-  }
+  [[nodiscard]] bool reached_horizon() const { return motion_.termination() == dynamics::Termination::reached_horizon; }
 
  private:
   static experiment::Beginning beginning_of(const Question& question) {

@@ -18,8 +18,8 @@ void follow_in_lanes(benchmark::State& state, const Case& c, const lanes::Kernel
   constexpr double tolerance = 1e-11;
   SideBySide realisations(c, tolerance, kernels);
   for (auto _ : state) benchmark::DoNotOptimize(realisations.finish(at_a_time));
-  state.counters["a period"] = benchmark::Counter(
-      static_cast<double>(state.iterations()) * at_a_time * periods, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["a period"] = benchmark::Counter(static_cast<double>(state.iterations()) * at_a_time * periods,
+                                                  benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 }  // namespace
@@ -30,9 +30,9 @@ int main(int count, char** arguments) {
   for (const Case& c : usual_cases()) {
     for (const lanes::Kernels& kernels : lanes::available_kernels()) {
       const std::string name = c.name + ": " + std::to_string(kernels.lanes) + " (" + std::string(kernels.name) + ")";
-      benchmark::RegisterBenchmark(
-          name.c_str(), [c, &kernels](benchmark::State& state) { follow_in_lanes(state, c, kernels); })
-          ->Unit(benchmark::kMicrosecond);
+      benchmark::RegisterBenchmark(name.c_str(), [c, &kernels](benchmark::State& state) {
+        follow_in_lanes(state, c, kernels);
+      })->Unit(benchmark::kMicrosecond);
     }
   }
   benchmark::RunSpecifiedBenchmarks();

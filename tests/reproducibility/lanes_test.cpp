@@ -108,9 +108,8 @@ std::string spelled(const Record& record) {
   return base::to_hex(digest_of(record, 0)) + " " + std::to_string(effort.steps) + " steps, " +
          std::to_string(effort.slip_steps) + " with slip, " + std::to_string(effort.root_isolations) + " isolations, " +
          std::to_string(effort.kinetic_friction_draws) + " draws, " + std::to_string(effort.companion_periods) +
-         " periods of companions, " + std::to_string(record.losses_of_contact) +
-         " losses, " + std::to_string(record.contradictions) + " contradictions, margin " +
-         std::to_string(record.verdict.margin);
+         " periods of companions, " + std::to_string(record.losses_of_contact) + " losses, " +
+         std::to_string(record.contradictions) + " contradictions, margin " + std::to_string(record.verdict.margin);
 }
 
 std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<Task>& tasks) {

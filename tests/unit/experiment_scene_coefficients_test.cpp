@@ -174,7 +174,8 @@ TEST(KineticFriction, IsForeseenAsItComes) {
       for (std::size_t k = 0; k < passed; ++k) {
         ASSERT_EQ(dynamics::grid_boundary(clock, end.period, boundary, per_period), end) << i << " " << k;
         clock.set(end);
-        ASSERT_EQ(std::clamp(wanted[k + 1], 0.0, told.static_friction()), asked.kinetic_friction(clock)) << i << " " << k;
+        ASSERT_EQ(std::clamp(wanted[k + 1], 0.0, told.static_friction()), asked.kinetic_friction(clock))
+            << i << " " << k;
         if (++boundary == per_period) boundary = 0;
         end = *asked.next_change(clock, true);
       }

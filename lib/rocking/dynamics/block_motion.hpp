@@ -82,7 +82,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   void move_to_last_strobe() {
     const double past = clock_.until({.period = next_strobe_.period - 1, .time = next_strobe_.time});
     if (past <= clock_.resolution()) return;
-    static_cast<void>(length_of_series(time_to_breakpoint()));  // of the step in which the run ended; perhaps done elsewhere
+    static_cast<void>(
+        length_of_series(time_to_breakpoint()));  // of the step in which the run ended; perhaps done elsewhere
     move(past);
     settle();
   }

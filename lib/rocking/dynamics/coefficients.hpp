@@ -43,10 +43,9 @@ concept CoefficientSource = requires(Source source, const Clock& clock, bool sli
 
 /// A source that can tell beforehand what will be in force, so that a motion may go on elsewhere (module lanes).
 template <class Source>
-concept ForeseesCoefficients = CoefficientSource<Source> &&
-    requires(Source source, const Clock& clock) {
+concept ForeseesCoefficients = CoefficientSource<Source> && requires(Source source, const Clock& clock) {
   { source.constant_restitution() } -> std::same_as<std::optional<double>>;  // absent: every impact asks for its own
-  { source.foresee() } -> std::same_as<FrictionForesight>;  // until the next change of the source
+  { source.foresee() } -> std::same_as<FrictionForesight>;                   // until the next change of the source
   source.pass_intervals(clock, std::size_t{});  // the clock has gone on by as many, the block slipping
 };
 

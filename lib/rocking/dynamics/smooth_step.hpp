@@ -23,13 +23,13 @@ struct SmoothStep {
   const Setting* setting;
   const Clock* clock;
   SmoothState state;
-  double amplitude;        ///< of S alpha
-  double static_friction;  ///< mu_s in force
-  double kinetic_friction; ///< mu_k in force
-  double restitution;      ///< e of every impact; NaN where each has its own
-  double impact_loss;      ///< of the tilt rate, as a share, in a sticking impact
-  double least_rebound;    ///< a slower one may be the last of a chatter
-  double slip_sign;        ///< S s
+  double amplitude;         ///< of S alpha
+  double static_friction;   ///< mu_s in force
+  double kinetic_friction;  ///< mu_k in force
+  double restitution;       ///< e of every impact; NaN where each has its own
+  double impact_loss;       ///< of the tilt rate, as a share, in a sticking impact
+  double least_rebound;     ///< a slower one may be the last of a chatter
+  double slip_sign;         ///< S s
   Instant next_strobe;
   std::int64_t strobes_left;
   std::int64_t steps_since_strobe;

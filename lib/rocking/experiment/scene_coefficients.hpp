@@ -80,8 +80,8 @@ class SceneCoefficients {
   std::int64_t interval_ = -1;  ///< of the kinetic friction held below
   dynamics::Instant begin_;
   dynamics::Instant end_;
-  std::int64_t end_number_ = 0;                         ///< of the boundary at its end, within its period
-  std::int64_t drawn_from_ = none_drawn;                ///< of the first of them
+  std::int64_t end_number_ = 0;                    ///< of the boundary at its end, within its period
+  std::int64_t drawn_from_ = none_drawn;           ///< of the first of them
   std::array<double, intervals_at_once> drawn_{};  ///< kinetic friction, before it is held between 0 and the static
   double kinetic_friction_ = 0.0;
   bool held_at_static_ = false;  ///< this interval's (or, on a constant mean, this static draw's) clamp is counted

@@ -135,7 +135,8 @@ class Advance : Losses<kind, Real> {
     mark(b_.at_a_loss, bits_of(quiet && known == Real(0.0)));
     store(b_.intervals.known, known - Real(1.0));
     for (std::size_t lane = Base::first_; lane < Base::first_ + Row<Real>::lanes; ++lane) {
-      b_.intervals.present[lane] = (b_.intervals.present[lane] + 1) % static_cast<std::int64_t>(dynamics::most_foreseen);
+      b_.intervals.present[lane] =
+          (b_.intervals.present[lane] + 1) % static_cast<std::int64_t>(dynamics::most_foreseen);
     }
     const Real per_period = load(b_.intervals.per_period);
     const Real next = load(b_.intervals.next_boundary) + Real(1.0);

@@ -31,25 +31,25 @@ struct alignas(64) Block {
   LaneRow root_isolations;  ///< in those steps, and in the last if it is left to the motion
 
   // What stays as it is while nothing happens.
-  LaneRow occupied;         ///< 1 in the lanes that are, else 0
-  LaneRow strobe_time;      ///< within its period
-  LaneRow break_period;     ///< of the instant until which the equations hold
-  LaneRow break_time;       ///< within that; infinite if there is none
-  LaneRow amplitude;        ///< S times that of the base acceleration over g
-  LaneRow frequency;        ///< Omega_h
-  LaneRow period_length;    ///< 2 pi/Omega_h
-  LaneRow resolution;       ///< instants closer than this are one
-  LaneRow shape_angle;      ///< psi
-  LaneRow sine;             ///< of psi
-  LaneRow cosine;           ///< of psi
-  LaneRow largest;          ///< of the last terms of a series: tolerance times psi
-  LaneRow static_friction;  ///< mu_s
-  LaneRow inertia;          ///< J
-  LaneRow kinetic_friction; ///< mu_k
-  LaneRow restitution;      ///< e; NaN where no impact is done here
-  LaneRow impact_loss;      ///< of the tilt rate, as a share, in a sticking impact
-  LaneRow least_rebound;    ///< after an impact that is done here
-  LaneRow slip_sign;        ///< S s
+  LaneRow occupied;          ///< 1 in the lanes that are, else 0
+  LaneRow strobe_time;       ///< within its period
+  LaneRow break_period;      ///< of the instant until which the equations hold
+  LaneRow break_time;        ///< within that; infinite if there is none
+  LaneRow amplitude;         ///< S times that of the base acceleration over g
+  LaneRow frequency;         ///< Omega_h
+  LaneRow period_length;     ///< 2 pi/Omega_h
+  LaneRow resolution;        ///< instants closer than this are one
+  LaneRow shape_angle;       ///< psi
+  LaneRow sine;              ///< of psi
+  LaneRow cosine;            ///< of psi
+  LaneRow largest;           ///< of the last terms of a series: tolerance times psi
+  LaneRow static_friction;   ///< mu_s
+  LaneRow inertia;           ///< J
+  LaneRow kinetic_friction;  ///< mu_k
+  LaneRow restitution;       ///< e; NaN where no impact is done here
+  LaneRow impact_loss;       ///< of the tilt rate, as a share, in a sticking impact
+  LaneRow least_rebound;     ///< after an impact that is done here
+  LaneRow slip_sign;         ///< S s
 
   // The intervals of the friction grid, in the block of brief steps, each of which ends with one. A lane's are in a row.
   struct Intervals {

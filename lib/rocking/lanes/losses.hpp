@@ -128,7 +128,7 @@ class Losses : public Step<kind, Real> {
   [[nodiscard]] Truth is_in_reach(const InReach&) const { return occupied_; }
   [[nodiscard]] Truth is_in_reach(const Truth& out_of_reach) const { return occupied_ && !out_of_reach; }
 
-  std::array<Truth, guards> doubts_;  ///< for each guard the lanes in which a cheap bound does not clear it
+  std::array<Truth, guards> doubts_;        ///< for each guard the lanes in which a cheap bound does not clear it
   std::array<std::size_t, guards> places_;  ///< of the answers
 };
 

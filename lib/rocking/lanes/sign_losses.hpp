@@ -32,7 +32,8 @@ template <class Real>
 
 /// integrate::refine from t on within [low, high], in the lanes where `active`; true where it has come to its end.
 template <class Real>
-[[gnu::noinline]] TruthOf<Real> refine(const Real* c, std::size_t count, TruthOf<Real> active, Real low, Real high, Real& t) {
+[[gnu::noinline]] TruthOf<Real> refine(const Real* c, std::size_t count, TruthOf<Real> active, Real low, Real high,
+                                       Real& t) {
   using base::fused, base::select;
   constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most_iterations = 20;

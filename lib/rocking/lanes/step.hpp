@@ -64,7 +64,8 @@ class Step {
       m_.slip_rate[0] = load(b_.slip_rate);
       m_.slip[0] = load(b_.slip);
       dynamics::expand_rock_slide<order_of(kind), false>(
-          m_, {.inertia = load(b_.inertia), .drag = load(b_.slip_sign) * kinetic_friction(), .first_rate_gate = Real(1.0)});
+          m_,
+          {.inertia = load(b_.inertia), .drag = load(b_.slip_sign) * kinetic_friction(), .first_rate_gate = Real(1.0)});
       length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
     } else {
       dynamics::expand_rock<order_of(kind), false>(m_, Real(1.0));

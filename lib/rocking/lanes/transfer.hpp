@@ -39,7 +39,8 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
 }
 
 /// What is known of the intervals of the friction grid.
-inline void load_intervals(Block& block, std::size_t lane, const dynamics::FrictionForesight& coming, double grid_start) {
+inline void load_intervals(Block& block, std::size_t lane, const dynamics::FrictionForesight& coming,
+                           double grid_start) {
   auto& intervals = block.intervals;
   const auto known = coming.wanted.empty() ? std::span(&block.kinetic_friction[lane], 1) : coming.wanted;
   std::ranges::copy(known, intervals.kinetic_friction[lane].begin());

@@ -28,11 +28,12 @@ int errno_of(int code) {
   throw std::system_error(errno_of(code), std::generic_category(), path + ": " + message);
 }
 
+/// SQLite need not lock: see Database.
 int flags_of(Access access) {
   switch (access) {
-    case Access::read: return SQLITE_OPEN_READONLY;
-    case Access::write: return SQLITE_OPEN_READWRITE;
-    case Access::create: return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+    case Access::read: return SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_READONLY;
+    case Access::write: return SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_READWRITE;
+    case Access::create: return SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
   }
   return 0;
 }

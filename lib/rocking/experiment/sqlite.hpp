@@ -59,6 +59,7 @@ class Statement {
 
 enum class Access : std::uint8_t { read, write, create };
 
+/// A database, to be used by one thread at a time.
 class Database {
  public:
   Database(const std::filesystem::path& path, Access access);

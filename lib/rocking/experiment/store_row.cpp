@@ -1,7 +1,9 @@
 #include "rocking/experiment/store_row.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
+#include <cstddef>
 #include <string_view>
 
 #include "rocking/base/digest.hpp"
@@ -98,7 +100,9 @@ class Summer {
   void add(bool flag) { add(std::uint64_t{flag}); }
   void add(std::int64_t number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(std::uint64_t number) {
-    for (int shift = 0; shift < 64; shift += 8) text_ += static_cast<char>(number >> shift & 0xff);
+    std::array<char, 8> bytes;
+    for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<char>(number >> 8 * i & 0xff);
+    text_.append(bytes.data(), bytes.size());
   }
   void add(double number) { add(std::bit_cast<std::uint64_t>(number)); }
   void add(const base::Sha256& digest) {

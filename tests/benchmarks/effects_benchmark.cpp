@@ -133,7 +133,8 @@ void print_scaling() {
   many.realisations = 16000;
   double one = 1e300;
   double two = 1e300;
-  for (int repetition = 0; repetition < 5; ++repetition) {  // in turns: the machine may change from one minute to the next
+  for (int repetition = 0; repetition < 5;
+       ++repetition) {  // in turns: the machine may change from one minute to the next
     one = std::min(one, measure(many, 1).wall);
     two = std::min(two, measure(many, 2).wall);
   }

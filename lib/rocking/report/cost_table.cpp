@@ -74,7 +74,8 @@ std::string realisations_table(const MeasuredCost& measured) {
   }
   return text +
          "half-widths in per cent, of each condition's widest simultaneous interval, if modes keep their shares; "
-         "time of one\nprocessor at the experiment's tolerance, without repeats and checks\n";
+         "time of one\nprocessor at the experiment's tolerance, one realisation after another, without repeats and checks: "
+         "a run, which\nadvances several side by side, takes less\n";
 }
 
 std::string part_of_half_width(const Cost& cost) {

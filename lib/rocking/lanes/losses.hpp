@@ -19,7 +19,7 @@ class Losses : public Step<kind, Real> {
   using Base = Step<kind, Real>;
 
  protected:
-  using Base::b_, Base::first_, Base::is_brief, Base::load, Base::mark, Base::length_;
+  using Base::b_, Base::length_, Base::load, Base::mark;
   using typename Base::Point;
   using Truth = TruthOf<Real>;
   static constexpr std::size_t guards = Base::guards;
@@ -30,7 +30,7 @@ class Losses : public Step<kind, Real> {
   /// Of all the lanes of a block.
   using Search = RootSearch<Base::order + 2, most_lanes * guards, Real>;
 
-  /// Which guards may lose their sign in the step, and the state at its end if none does.
+  /// Which guards may lose their sign in the step.
   [[gnu::noinline]] void look() {
     occupied_ = load(b_.occupied) == Real(1.0);
     doubts_ = guards_in_doubt();
@@ -65,7 +65,6 @@ class Losses : public Step<kind, Real> {
 
  protected:
   void find_losses(const Search& search) {
-    using base::select;
     duration_ = length_;
     isolations_ = Real(0.0);
     unclear_ = lost_ = Real(0.0) < Real(0.0);

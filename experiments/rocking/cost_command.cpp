@@ -48,13 +48,15 @@ std::vector<double> tolerances_of(const CostRequest& request, const experiment::
   return {all.begin(), all.end()};
 }
 
-/// What is measured, as far as the time allowed; absent if interrupted.
-std::optional<std::vector<experiment::MeasuredRealisation>> measured(const experiment::Experiment& experiment,
-                                                                     const CostRequest& request,
-                                                                     const std::vector<double>& tolerances,
-                                                                     Progress& progress) {
+/// Of the time that measuring the sample took: for taking times. So both together take what was asked for.
+constexpr double timing_share = 1.0 / 3.0;
+
+/// Absent if interrupted.
+std::optional<experiment::Cost> measured(const experiment::Experiment& experiment, const CostRequest& request,
+                                         const std::vector<double>& tolerances, Progress& progress) {
+  const double time = request.time / (1.0 + timing_share);
   const auto at_this_rate = [&](std::uint64_t done) {
-    const double all = static_cast<double>(done) * request.time / std::max(progress.elapsed(), 1e-9);
+    const double all = static_cast<double>(done) * time / std::max(progress.elapsed(), 1e-9);
     return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_sample))));
   };
   experiment::RunOptions options;
@@ -62,13 +64,16 @@ std::optional<std::vector<experiment::MeasuredRealisation>> measured(const exper
   options.stop_requested = &stop_on_interrupt();
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)));
-    if (!request.sample && progress.elapsed() >= request.time) stop_for_time();
   };
-  auto found = experiment::measure_cost(experiment,
-                                        {.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)},
-                                        {.processor_seconds = thread_seconds}, options);
+  experiment::CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
+  if (!request.sample) plan.is_enough = [&] { return progress.elapsed() >= time; };
+  const auto sample = experiment::measure_cost(experiment, plan, options);
+  const double end = (1.0 + timing_share) * progress.elapsed();
+  auto timing = experiment::time_cost(
+      experiment, tolerances,
+      {.processor_seconds = thread_seconds, .seconds_left = [&] { return end - progress.elapsed(); }}, options);
   if (why_stopped() == StopReason::signal) return std::nullopt;
-  return found;
+  return experiment::cost_of(experiment, tolerances, sample, std::move(timing));
 }
 
 std::filesystem::path cost_file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
@@ -89,19 +94,17 @@ ExitCode cost(const CostRequest& request) {
     expect_room(request);
   }
   report::SystemFacts system = system_facts(request.labour.threads);
-  std::optional<std::vector<experiment::MeasuredRealisation>> sample;
+  std::optional<experiment::Cost> found;
   {
     Progress progress(suitable_progress_style(request.labour.loudness), "realisations");
-    sample = measured(experiment, request, tolerances, progress);
+    found = measured(experiment, request, tolerances, progress);
     system.duration_s = progress.elapsed();
   }
-  if (!sample) {
+  if (!found) {
     print_notice(fmt::format("interrupted; nothing is written: `rocking cost {}` begins anew", request.file));
     return ExitCode::interrupted;
   }
-  const report::MeasuredCost result{.experiment = &experiment,
-                                    .cost = experiment::cost_of(experiment, tolerances, *sample),
-                                    .system = std::move(system)};
+  const report::MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
   const std::string text = report::cost_text(result);
   std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + report::cost_table(result);
   if (folder) {

@@ -57,12 +57,12 @@ void run_pipeline(benchmark::State& state, const Case& c, const Calibration& cal
     conditions.push_back(question_of(c, start).condition);
     conditions.back().tolerance = calibration.tolerance;
   }
-  experiment::RealisationCrew crew(lanes::available_kernels().back());
+  experiment::RealisationCrew crew(0x2012, lanes::available_kernels().back());
   std::size_t ticket = 0;
   std::int64_t done = 0;
   for (auto _ : state) {  // the crew stays full from one to the next
     for (std::size_t finished = 0; finished < at_a_time;) {
-      for (; crew.wants_more(); ++ticket) crew.start(conditions[ticket % starts], 0x2012, ticket, ticket);
+      for (; crew.wants_more(); ++ticket) crew.start({&conditions[ticket % starts], ticket}, ticket);
       for (const auto& [number, record] : crew.work()) {
         store.add({.condition = 0, .realisation = number}, experiment::summarise(record, number));
         done += static_cast<std::int64_t>(record.strobe.size());

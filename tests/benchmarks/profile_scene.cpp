@@ -36,9 +36,9 @@ int main(int count, char** arguments) {
   const experiment::Condition condition = condition_of(arguments[1]);
   auto store = experiment::Store::in_memory({});
   std::size_t periods = 0;
-  RealisationCrew crew(lanes::available_kernels().back());
+  RealisationCrew crew(0x2012, lanes::available_kernels().back());
   for (std::uint64_t next = 0; next < realisations || !crew.is_idle();) {
-    for (; next < realisations && crew.wants_more(); ++next) crew.start(condition, 0x2012, next, next);
+    for (; next < realisations && crew.wants_more(); ++next) crew.start({&condition, next}, next);
     for (const auto& [number, record] : crew.work()) {
       store.add({.condition = 0, .realisation = number}, experiment::summarise(record, number));
       periods += record.strobe.size();

@@ -45,11 +45,11 @@ bool have_same_bits(const Record& a, const Record& b) {
 /// Whether realisations side by side in lanes have other bits than alone.
 bool differ_in_lanes(const rocking::lanes::Kernels& kernels, const Experiment& experiment,
                      const std::vector<Record>& alone) {
-  RealisationCrew crew(kernels);
+  RealisationCrew crew(experiment.seed, kernels);
   std::size_t tickets = 0;
   for (const Condition& condition : experiment.conditions) {
     for (std::uint64_t number = 0; number < count_of(condition); ++number) {
-      crew.start(condition, experiment.seed, number, tickets++);
+      crew.start({&condition, number}, tickets++);
     }
   }
   bool differ = false;

@@ -84,11 +84,6 @@ std::vector<Condition> crowd() {
   return conditions;
 }
 
-struct Task {
-  const Condition* condition;
-  std::uint64_t realisation;
-};
-
 /// All of the crowd, those of one condition far apart.
 std::vector<Task> mixed(const std::vector<Condition>& conditions) {
   std::vector<Task> tasks;
@@ -114,11 +109,9 @@ std::string spelled(const Record& record) {
 
 std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<Task>& tasks) {
   std::vector<std::string> spellings(tasks.size());
-  RealisationCrew crew(kernels);
+  RealisationCrew crew(seed, kernels);
   for (std::size_t next = 0; next < tasks.size() || !crew.is_idle();) {
-    for (; next < tasks.size() && crew.wants_more(); ++next) {
-      crew.start(*tasks[next].condition, seed, tasks[next].realisation, next);
-    }
+    for (; next < tasks.size() && crew.wants_more(); ++next) crew.start(tasks[next], next);
     for (const auto& [ticket, record] : crew.work()) spellings[ticket] = spelled(record);
   }
   return spellings;

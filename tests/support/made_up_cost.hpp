@@ -12,6 +12,7 @@ namespace rocking::support {
 using experiment::Condition;
 using experiment::Departure;
 using experiment::Experiment;
+using experiment::Horizon;
 using experiment::MeasuredRealisation;
 using experiment::ToleranceCost;
 using section::ResponseMode;
@@ -35,13 +36,27 @@ inline Experiment experiment_of(const std::vector<bool>& random) {
   return experiment;
 }
 
+/// Three blocks that rock from a random tilt, for so many periods and as many realisations of each.
+inline Experiment shaken_experiment(Horizon horizon, std::uint64_t realisations) {
+  Experiment experiment = experiment_of({true, true, true});
+  experiment.seed = 0x2012;
+  double amplitude = 3.0;
+  for (Condition& condition : experiment.conditions) {
+    condition.scene.excitation.amplitude = amplitude += 0.7;
+    condition.scene.excitation.frequency_ratio = 10.0;
+    condition.scene.initial.tilt = experiment::Uniform{.low = -0.4, .high = 0.4};
+    condition.horizon = horizon;
+    condition.realisations = realisations;
+  }
+  return experiment;
+}
+
 /// One realisation whose modes at the tolerances are these, and whose errors.
 inline MeasuredRealisation realisation(const std::vector<ResponseMode>& modes, double error = 0.0,
                                        std::uint64_t condition = 0) {
   MeasuredRealisation measured{.key = {.condition = condition, .realisation = 0}, .runs = {}};
   for (const ResponseMode& mode : modes) {
-    measured.runs.push_back(
-        {.mode = mode, .periods = 20, .steps = 100, .seconds = 0.5, .error = error, .parted = false});
+    measured.runs.push_back({.mode = mode, .periods = 20, .steps = 100, .error = error, .parted = false});
   }
   measured.runs.back().error.reset();
   return measured;
@@ -55,7 +70,6 @@ inline std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& fli
     curve[i].tolerance = std::vector{1e-6, 1e-8, 1e-10, 1e-12, 1e-14}[i];
     curve[i].periods = 1000;
     curve[i].steps = steps.empty() ? std::uint64_t{1000} << i : steps[i];
-    curve[i].seconds = static_cast<double>(curve[i].steps) * 1e-6;
     if (i == flips.size()) break;
     Departure& departure = curve[i].departure.emplace();
     departure.median_error = 1e-7;
@@ -68,6 +82,15 @@ inline std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& fli
     departure.beyond_floor = stats::paired_difference_exact(*departure.beside_floor, 0.95);
   }
   return curve;
+}
+
+/// Times that go with the steps.
+inline experiment::CostTiming timing_of(const std::vector<ToleranceCost>& curve) {
+  experiment::CostTiming timing{.seconds_per_period = {}, .realisations = 384, .periods = 64};
+  for (const ToleranceCost& cost : curve) {
+    timing.seconds_per_period.push_back(1e-6 * static_cast<double>(cost.steps) / static_cast<double>(cost.periods));
+  }
+  return timing;
 }
 
 }  // namespace rocking::support

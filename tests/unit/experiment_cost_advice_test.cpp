@@ -184,6 +184,7 @@ report::MeasuredCost cost_with(const Experiment& experiment, const std::vector<T
   cost.sampled_conditions = experiment.conditions.size();
   cost.curve = curve;
   cost.own = 3;
+  cost.timing = support::timing_of(curve);
   cost.yardstick = yardstick;
   cost.recommendation = recommend(curve, yardstick, 0.95);
   return {.experiment = &experiment,
@@ -227,11 +228,13 @@ TEST(CostText, KeepsToItsSchemaAlsoWhereThereIsNothingToTell) {
   const Experiment random = experiment_of({true, false, true});
   const Experiment still = experiment_of({false});
   const std::vector<MeasuredRealisation> one_only{realisation({one, one, one})};
+  const std::vector ladder{1e-4, 1e-8, 1e-10};
+  const CostTiming no_times{.seconds_per_period = {0.0, 0.0, 0.0}, .realisations = 1, .periods = 1};
   for (const auto& measured : {cost_with(random, curve_of({9, 0, 0, 0}, 1000), {.half_width = 0.04}),
                                cost_with(random, curve_of({0, 0, 0, 0}, 5), {.half_width = 0.04}),
                                cost_with(still, curve_of({9, 1, 1, 0}, 10), {.half_width = {}, .is_everything = true}),
                                report::MeasuredCost{.experiment = &still,
-                               .cost = cost_of(still, std::vector{1e-4, 1e-8, 1e-10}, one_only),
+                               .cost = cost_of(still, ladder, one_only, no_times),
                                .system = {.build = {}, .machine = "", .start = "2012-02-01T12:00:00Z"}}}) {
     EXPECT_EQ(support::objections("cost", report::cost_text(measured)), "");
   }
@@ -240,16 +243,17 @@ TEST(CostText, KeepsToItsSchemaAlsoWhereThereIsNothingToTell) {
 TEST(CostText, DiffersInSystemOnlyWhereTimesDo) {
   const Experiment experiment = experiment_of({true, false, true});
   auto measured = two_conditions();
+  CostTiming timing{.seconds_per_period = {1.0, 2.0, 3.0}, .realisations = 1, .periods = 1};
   const auto text = [&] {
-    auto json =
-        report::Json::parse(report::cost_text({.experiment = &experiment,
-                                               .cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured),
-                                               .system = {}}));
+    auto json = report::Json::parse(
+        report::cost_text({.experiment = &experiment,
+                           .cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured, timing),
+                           .system = {}}));
     json.erase("system");
     return json.dump();
   };
   const std::string before = text();
-  measured[1].runs[0].seconds = 100.0;
+  timing = {.seconds_per_period = {3.0, 2.0, 1.0}, .realisations = 5, .periods = 7};
   EXPECT_EQ(text(), before);
   measured[1].runs[0].mode = three;
   EXPECT_NE(text(), before);

@@ -3,12 +3,15 @@
 #include "rocking/experiment/cost.hpp"
 
 #include <atomic>
+#include <functional>
+#include <limits>
 #include <set>
-#include <stdexcept>
+#include <span>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/base/error.hpp"
 #include "rocking/experiment/cost_sample.hpp"
 #include "support/made_up_cost.hpp"
 
@@ -17,10 +20,10 @@ namespace {
 
 using section::ResponseKind;
 using section::ResponseMode;
-using support::condition_of;
 using support::experiment_of;
 using support::one;
 using support::realisation;
+using support::shaken_experiment;
 using support::three;
 using ::testing::ElementsAre;
 
@@ -47,70 +50,84 @@ TEST(CostSample, HasADeterministicConditionOnce) {
   EXPECT_EQ(CostSample(experiment_of({true})).at(7).condition, 0U);
 }
 
-/// A motion of 20 periods that is off by its tolerance; one realisation in seven is another response at 1e-6.
-Record made_up(const Condition& condition, std::uint64_t, std::uint64_t realisation) {
-  Record record;
-  record.verdict.mode = condition.tolerance >= 1e-6 && realisation % 7 == 0 ? three : one;
-  for (int k = 1; k <= 20; ++k) record.strobe.push_back({.tilt = 0.5, .tilt_rate = k * condition.tolerance});
-  record.effort.steps = 100;
-  return record;
+const std::vector<double> ladder{1e-4, 1e-8, 1e-13, 1e-14};
+
+Experiment three_blocks() { return shaken_experiment({.transient_periods = 2, .sampled_periods = 48}, 4); }
+
+std::vector<MeasuredRealisation> measure(std::uint64_t sample, const RunOptions& options = {},
+                                         const std::function<bool()>& is_enough = {}) {
+  return measure_cost(three_blocks(), {.tolerances = ladder, .sample = sample, .is_enough = is_enough}, options);
 }
 
-const std::vector<double> ladder{1e-4, 1e-6, 1e-10, 1e-13, 1e-14};
-
-std::vector<MeasuredRealisation> measure(std::uint64_t sample, const RunOptions& options, const CostTools& tools) {
-  return measure_cost(experiment_of({true, true, true}), {.tolerances = ladder, .sample = sample}, tools, options);
-}
-
-/// A clock that goes on by a second each time it is read.
-CostTools made_up_tools() {
-  return {.realise = made_up, .processor_seconds = [now = 0.0]() mutable { return now += 1.0; }};
+Record alone(const RealisationKey& key, double tolerance) {
+  Condition condition = three_blocks().conditions[key.condition];
+  condition.tolerance = tolerance;
+  return realise(condition, three_blocks().seed, key.realisation);
 }
 
 TEST(MeasureCost, RunsEachRealisationAtAllTolerancesWithItsOwnDraws) {
-  const auto measured = measure(8, {}, made_up_tools());
+  const auto measured = measure(8);
   ASSERT_EQ(measured.size(), 8U);
   for (std::uint64_t i = 0; i < 8; ++i) {
-    EXPECT_EQ(measured[i].key.realisation, i);
+    EXPECT_EQ(measured[i].key, CostSample(three_blocks()).at(i));
     ASSERT_EQ(measured[i].runs.size(), ladder.size());
-    EXPECT_EQ(measured[i].runs[1].mode, i % 7 == 0 ? three : one);
-    EXPECT_EQ(measured[i].runs[2].mode, one);
-    EXPECT_EQ(measured[i].runs[2].periods, 20U);
-    EXPECT_EQ(measured[i].runs[2].steps, 100U);
-    EXPECT_EQ(measured[i].runs[2].seconds, 1.0);
-    EXPECT_DOUBLE_EQ(*measured[i].runs[0].error, 10 * (1e-4 - 1e-14)) << "of the first ten periods";
-    EXPECT_FALSE(measured[i].runs.back().error.has_value());
+    const Record reference = alone(measured[i].key, ladder.back());
+    for (std::size_t t = 0; t < ladder.size(); ++t) {
+      const ToleranceRun& run = measured[i].runs[t];
+      const Record record = alone(measured[i].key, ladder[t]);
+      EXPECT_EQ(run.mode, record.verdict.mode);
+      EXPECT_EQ(run.periods, record.strobe.size());
+      EXPECT_EQ(run.steps, record.effort.steps);
+      EXPECT_EQ(run.error, t + 1 < ladder.size() ? error_beside(record, reference) : std::nullopt);
+      EXPECT_EQ(run.parted, parting_period(record, reference).has_value());
+    }
+    EXPECT_GT(measured[i].runs[0].error, measured[i].runs[1].error);
   }
 }
 
-TEST(MeasureCost, FindsTheSameOnAnyNumberOfThreads) {
-  CostTools tools{.realise = made_up, .processor_seconds = [] { return 0.0; }};
-  const auto alone = measure(60, {}, tools);
-  const auto together = measure(60, {.threads = 4, .on_progress = {}}, tools);
-  ASSERT_EQ(together.size(), 60U);
-  for (std::size_t i = 0; i < 60; ++i) {
-    EXPECT_EQ(together[i].key, alone[i].key);
-    EXPECT_EQ(together[i].runs[1].mode, alone[i].runs[1].mode);
-    EXPECT_EQ(together[i].runs[1].error, alone[i].runs[1].error);
+void expect_same(std::span<const MeasuredRealisation> some, std::span<const MeasuredRealisation> others) {
+  ASSERT_EQ(some.size(), others.size());
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    EXPECT_EQ(some[i].key, others[i].key);
+    for (std::size_t t = 0; t < ladder.size(); ++t) {
+      EXPECT_EQ(some[i].runs[t].mode, others[i].runs[t].mode);
+      EXPECT_EQ(some[i].runs[t].steps, others[i].runs[t].steps);
+      EXPECT_EQ(some[i].runs[t].error, others[i].runs[t].error);
+    }
   }
 }
 
-TEST(MeasureCost, StopsWhenAskedButNotBeforeTheFirst) {
-  std::atomic<bool> stop = true;
-  EXPECT_EQ(measure(60, {.on_progress = {}, .stop_requested = &stop}, made_up_tools()).size(), 1U);
-  stop = false;
-  const RunOptions after_five{.on_progress = [&](std::uint64_t done, std::uint64_t) { stop = done == 5; },
-                              .stop_requested = &stop};
-  EXPECT_EQ(measure(60, after_five, made_up_tools()).size(), 5U);
+TEST(MeasureCost, FindsTheSameOnAnyNumberOfThreadsAndLanes) {
+  const auto one_thread = measure(60);
+  ASSERT_EQ(one_thread.size(), 60U);
+  expect_same(one_thread, measure(60, {.threads = 4, .on_progress = {}}));
+  expect_same(one_thread, measure(60, {.on_progress = {}, .lanes = lanes::available_kernels().front()}));
+}
+
+TEST(MeasureCost, EndsWhenThereAreEnoughButNotBeforeTheFirst) {
+  EXPECT_EQ(measure(60, {}, [] { return true; }).size(), 1U);
+  std::atomic<bool> is_enough = false;
+  const RunOptions until_five{.threads = 2,
+                              .on_progress = [&](std::uint64_t done, std::uint64_t) { is_enough = done >= 5; }};
+  const auto some = measure(1000, until_five, [&] { return is_enough.load(); });
+  EXPECT_GE(some.size(), 5U);
+  EXPECT_LE(some.size(), 5U + 3U + 2U) << "no more than half as many are under way, and one for each thread";
+  expect_same(some, measure(some.size()));
+}
+
+TEST(MeasureCost, IsEmptyWhereItIsAskedToStop) {
+  const std::atomic<bool> stop = true;
+  EXPECT_TRUE(measure(60, {.threads = 2, .on_progress = {}, .stop_requested = &stop}).empty());
 }
 
 TEST(MeasureCost, PassesOnWhatWentWrong) {
-  CostTools broken = made_up_tools();
-  broken.realise = [](const Condition&, std::uint64_t, std::uint64_t number) -> Record {
-    if (number == 3) throw std::runtime_error("number 3");
-    return made_up(condition_of(true), 0, number);
-  };
-  EXPECT_THROW(static_cast<void>(measure(60, {.threads = 2, .on_progress = {}}, broken)), std::runtime_error);
+  Experiment experiment = three_blocks();
+  experiment.conditions[1].scene.restitution = std::numeric_limits<double>::quiet_NaN();
+  for (const unsigned threads : {1U, 2U}) {
+    const RunOptions options{.threads = threads, .on_progress = {}};
+    EXPECT_THROW(static_cast<void>(measure_cost(experiment, {.tolerances = ladder, .sample = 60}, options)),
+                 base::InputError);
+  }
 }
 
 TEST(ErrorBeside, IsTheLargestOfAllStatesAndPeriodsThatBothReached) {
@@ -161,7 +178,6 @@ TEST(CostCurve, CountsFlipsAndThoseThatTheFloorDoesNotHave) {
   EXPECT_FALSE(curve[2].departure.has_value()) << "it is the reference";
   EXPECT_EQ(curve[2].periods, 100U);
   EXPECT_EQ(curve[2].steps, 500U);
-  EXPECT_EQ(curve[2].seconds, 2.5);
 }
 
 }  // namespace

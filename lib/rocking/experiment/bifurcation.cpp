@@ -3,12 +3,11 @@
 #include <algorithm>
 #include <atomic>
 #include <charconv>
-#include <exception>
 #include <mutex>
 #include <string>
-#include <thread>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/on_threads.hpp"
 #include "rocking/experiment/continuation.hpp"
 
 namespace rocking::experiment {
@@ -57,24 +56,14 @@ class DiagramWorkers {
   [[nodiscard]] bool run(std::vector<Diagram>& diagrams) {
     chains_ = chains_of(diagrams);
     for (const Chain& chain : chains_) all_ += chain.count;
-    {
-      std::vector<std::jthread> others;
-      for (unsigned i = 1; i < std::max(1U, options_->threads); ++i) others.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
+    base::on_threads(
+        options_->threads, [this](unsigned) { work(); }, [this] { has_failed_ = true; });
     return done_ == all_;
   }
 
  private:
   void work() {
-    try {
-      for (std::size_t i = next_++; i < chains_.size() && !is_to_stop(); i = next_++) follow(chains_[i]);
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      has_failed_ = true;
-    }
+    for (std::size_t i = next_++; i < chains_.size() && !is_to_stop(); i = next_++) follow(chains_[i]);
   }
 
   void follow(const Chain& chain) {
@@ -105,7 +94,6 @@ class DiagramWorkers {
   std::mutex mutex_;
   std::uint64_t done_ = 0;
   std::uint64_t all_ = 0;
-  std::exception_ptr failure_;
   std::atomic<bool> has_failed_ = false;
 };
 

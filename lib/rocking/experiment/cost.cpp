@@ -4,6 +4,7 @@
 #include <array>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/experiment/cost_sample.hpp"
@@ -50,7 +51,8 @@ std::vector<double> tolerance_ladder(const Experiment& experiment) {
 }
 
 Cost cost_of(const Experiment& experiment, std::span<const double> tolerances,
-             std::span<const MeasuredRealisation> measured) {
+             std::span<const MeasuredRealisation> measured, CostTiming timing) {
+  ROCKING_EXPECT(timing.seconds_per_period.size() == tolerances.size());
   const Condition& first = experiment.conditions.front();
   const auto own = std::ranges::find(tolerances, first.tolerance);
   ROCKING_EXPECT(own != tolerances.end());
@@ -62,6 +64,7 @@ Cost cost_of(const Experiment& experiment, std::span<const double> tolerances,
   cost.sampled_conditions = conditions.size();
   cost.curve = cost_curve(tolerances, measured, first.confidence);
   cost.own = static_cast<std::size_t>(own - tolerances.begin());
+  cost.timing = std::move(timing);
   cost.yardstick = {.half_width = forecast.aim(), .is_everything = CostSample(experiment).size() == measured.size()};
   cost.recommendation = recommend(cost.curve, cost.yardstick, first.confidence);
   add_plans(cost, experiment, forecast);

@@ -7,6 +7,7 @@
 
 #include "rocking/experiment/cost_curve.hpp"
 #include "rocking/experiment/cost_recommendation.hpp"
+#include "rocking/experiment/cost_timing.hpp"
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/half_width_forecast.hpp"
 
@@ -36,14 +37,16 @@ struct Cost {
   std::uint64_t sampled_conditions = 0;  ///< that they are spread over
   std::vector<ToleranceCost> curve;      ///< by falling tolerance
   std::size_t own = 0;                   ///< place of the experiment's own tolerance in it
+  CostTiming timing;                     ///< of the tolerances of the curve
   Yardstick yardstick;
   Recommendation recommendation;
   std::vector<PlannedRealisations> planned;  ///< 1, 4 and 16 times; none where nothing is drawn
   std::vector<HalfWidthGoal> goals;          ///< 0.05, 0.02, 0.01; likewise
 };
 
-/// `tolerances` are those of the measurement and hold that of the first condition.
+/// `tolerances` are those of the measurements and hold that of the first condition. All but the timing is a function of the
+/// experiment, the tolerances and how many realisations are measured.
 [[nodiscard]] Cost cost_of(const Experiment& experiment, std::span<const double> tolerances,
-                           std::span<const MeasuredRealisation> measured);
+                           std::span<const MeasuredRealisation> measured, CostTiming timing);
 
 }  // namespace rocking::experiment

@@ -71,7 +71,6 @@ std::vector<ToleranceCost> cost_curve(std::span<const double> tolerances, std::s
     for (const MeasuredRealisation& realisation : measured) {
       cost.periods += realisation.runs[i].periods;
       cost.steps += realisation.runs[i].steps;
-      cost.seconds += realisation.runs[i].seconds;
     }
     if (i + 1 < tolerances.size()) cost.departure = departure_of(measured, i, confidence);
     curve.push_back(std::move(cost));

@@ -40,11 +40,10 @@ struct ToleranceCost {
   double tolerance = 0.0;
   std::uint64_t periods = 0;           ///< of all realisations
   std::uint64_t steps = 0;             ///< the same
-  double seconds = 0.0;                ///< processor time, the same
   std::optional<Departure> departure;  ///< absent: the reference
 };
 
-/// One entry for each tolerance. All but the seconds is a function of the realisations' motions.
+/// One entry for each tolerance.
 [[nodiscard]] std::vector<ToleranceCost> cost_curve(std::span<const double> tolerances,
                                                     std::span<const MeasuredRealisation> measured, double confidence);
 

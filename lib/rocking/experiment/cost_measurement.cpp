@@ -1,13 +1,17 @@
 #include "rocking/experiment/cost_measurement.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <exception>
+#include <memory>
 #include <mutex>
-#include <thread>
+#include <span>
+#include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/on_threads.hpp"
 #include "rocking/experiment/cost_sample.hpp"
+#include "rocking/experiment/job_crew.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -20,82 +24,116 @@ double distance(const section::StrobePoint& a, const section::StrobePoint& b) {
   return largest_of({a.tilt - b.tilt, a.tilt_rate - b.tilt_rate, a.slip_rate - b.slip_rate});
 }
 
+/// A realisation under way at all tolerances. Stays where it is: its tasks point into it.
+class CostJob {
+ public:
+  CostJob(const Condition& condition, std::span<const double> tolerances, std::uint64_t index,
+          const RealisationKey& key)
+      : index_(index), key_(key), conditions_(tolerances.size(), condition), records_(tolerances.size()) {
+    for (std::size_t i = 0; i < tolerances.size(); ++i) {
+      conditions_[i].tolerance = tolerances[i];
+      tasks_.push_back({.condition = &conditions_[i], .realisation = key.realisation});
+    }
+    open_ = tasks_.size();
+  }
+  CostJob(const CostJob&) = delete;
+  CostJob& operator=(const CostJob&) = delete;
+
+  /// In the sample.
+  [[nodiscard]] std::uint64_t index() const { return index_; }
+  [[nodiscard]] std::span<const Task> tasks() const { return tasks_; }
+
+  bool accept(std::size_t task, Record record) {
+    records_[task] = std::move(record);
+    return --open_ == 0;
+  }
+
+  /// Once all is accepted.
+  [[nodiscard]] MeasuredRealisation measured() const {
+    MeasuredRealisation measured{.key = key_, .runs = {}};
+    const Record& reference = records_.back();
+    for (const Record& record : records_) {
+      ToleranceRun& run = measured.runs.emplace_back();
+      run.mode = record.verdict.mode;
+      run.periods = record.strobe.size();
+      run.steps = record.effort.steps;
+      if (&record == &reference) break;
+      run.error = error_beside(record, reference);
+      run.parted = parting_period(record, reference).has_value();
+    }
+    return measured;
+  }
+
+ private:
+  std::uint64_t index_;
+  RealisationKey key_;
+  std::vector<Condition> conditions_;  ///< by tolerance
+  std::vector<Task> tasks_;
+  std::vector<Record> records_;
+  std::size_t open_ = 0;
+};
+
 class CostWorkers {
  public:
-  CostWorkers(const Experiment& experiment, const CostPlan& plan, const CostTools& tools, const RunOptions& options)
-      : experiment_(&experiment), plan_(&plan), tools_(&tools), options_(&options), sample_(experiment) {
+  CostWorkers(const Experiment& experiment, const CostPlan& plan, const RunOptions& options)
+      : experiment_(&experiment), plan_(&plan), options_(&options), sample_(experiment) {
     all_ = std::min(plan.sample, sample_.size().value_or(plan.sample));
   }
 
   [[nodiscard]] std::vector<MeasuredRealisation> run() {
-    {
-      std::vector<std::jthread> others;
-      for (unsigned i = 1; i < std::max(1U, options_->threads); ++i) others.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
+    base::on_threads(
+        options_->threads, [this](unsigned) { work(); }, [this] { has_failed_ = true; });
+    if (is_asked_to_stop()) return {};
     return std::move(measured_);
   }
 
  private:
   void work() {
-    try {
-      while (const auto index = next()) accept(*index, measure(sample_.at(*index)));
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
+    JobCrew<CostJob> crew(experiment_->seed, options_->lanes);
+    while (true) {
+      while (crew.wants_more()) {
+        const auto index = next(crew.is_idle());
+        if (!index) break;
+        const RealisationKey key = sample_.at(*index);
+        crew.start(std::make_unique<CostJob>(experiment_->conditions[key.condition], plan_->tolerances, *index, key));
+      }
+      if (crew.is_idle() || has_failed_ || is_asked_to_stop()) return;
+      for (const auto& job : crew.work()) accept(*job);
     }
   }
 
-  // What has been handed out is finished, so that those measured are always the first ones.
-  [[nodiscard]] std::optional<std::uint64_t> next() {
+  // What is under way is finished when there are enough. So a thread that has something to do takes more only while that is
+  // little beside what is done.
+  [[nodiscard]] std::optional<std::uint64_t> next(bool is_idle) {
     const std::lock_guard lock(mutex_);
-    const bool asked_to_stop = options_->stop_requested != nullptr && options_->stop_requested->load();
-    if (failure_ || measured_.size() == all_ || (asked_to_stop && !measured_.empty())) return std::nullopt;
+    const std::uint64_t taken = measured_.size();
+    if (taken == all_ || (taken > 0 && plan_->is_enough && plan_->is_enough())) return std::nullopt;
+    if (!is_idle && 2 * (taken - done_) > done_) return std::nullopt;
     measured_.emplace_back();
-    return measured_.size() - 1;
+    return taken;
   }
 
-  void accept(std::uint64_t index, MeasuredRealisation realisation) {
+  void accept(const CostJob& job) {
+    MeasuredRealisation measured = job.measured();
     const std::lock_guard lock(mutex_);
-    measured_[index] = std::move(realisation);
+    measured_[job.index()] = std::move(measured);
     ++done_;
     if (options_->on_progress) options_->on_progress(done_, all_);
   }
 
-  [[nodiscard]] MeasuredRealisation measure(const RealisationKey& key) const {
-    Condition condition = experiment_->conditions[key.condition];
-    MeasuredRealisation measured{.key = key, .runs = std::vector<ToleranceRun>(plan_->tolerances.size())};
-    std::optional<Record> reference;
-    for (std::size_t i = plan_->tolerances.size(); i-- > 0;) {
-      condition.tolerance = plan_->tolerances[i];
-      ToleranceRun& run = measured.runs[i];
-      const double before = tools_->processor_seconds();
-      Record record = tools_->realise(condition, experiment_->seed, key.realisation);
-      run.seconds = tools_->processor_seconds() - before;
-      run.mode = record.verdict.mode;
-      run.periods = record.strobe.size();
-      run.steps = record.effort.steps;
-      if (reference) {
-        run.error = error_beside(record, *reference);
-        run.parted = parting_period(record, *reference).has_value();
-      } else {
-        reference = std::move(record);
-      }
-    }
-    return measured;
+  [[nodiscard]] bool is_asked_to_stop() const {
+    return options_->stop_requested != nullptr && options_->stop_requested->load();
   }
 
   const Experiment* experiment_;
   const CostPlan* plan_;
-  const CostTools* tools_;
   const RunOptions* options_;
   CostSample sample_;
   std::uint64_t all_ = 0;
   std::mutex mutex_;
-  std::vector<MeasuredRealisation> measured_;
+  std::vector<MeasuredRealisation> measured_;  ///< those taken, in the order of the sample
   std::uint64_t done_ = 0;
-  std::exception_ptr failure_;
+  std::atomic<bool> has_failed_ = false;
 };
 
 }  // namespace
@@ -114,11 +152,11 @@ std::optional<double> error_beside(const Record& record, const Record& reference
 }
 
 std::vector<MeasuredRealisation> measure_cost(const Experiment& experiment, const CostPlan& plan,
-                                              const CostTools& tools, const RunOptions& options) {
+                                              const RunOptions& options) {
   ROCKING_EXPECT(plan.sample > 0);
   ROCKING_EXPECT(plan.tolerances.size() >= 3);
   ROCKING_EXPECT(std::ranges::is_sorted(plan.tolerances, std::ranges::greater_equal{}));
-  return CostWorkers(experiment, plan, tools, options).run();
+  return CostWorkers(experiment, plan, options).run();
 }
 
 }  // namespace rocking::experiment

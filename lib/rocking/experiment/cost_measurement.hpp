@@ -20,12 +20,8 @@ inline constexpr std::int64_t cost_error_periods = 10;
 struct CostPlan {
   std::vector<double> tolerances;  ///< falling, at least three; the last is the reference
   std::uint64_t sample = 0;        ///< realisations at most
-};
-
-/// What the measuring calls.
-struct CostTools {
-  std::function<Record(const Condition&, std::uint64_t seed, std::uint64_t realisation)> realise = experiment::realise;
-  std::function<double()> processor_seconds;  ///< that the calling thread has used so far [s]
+  /// Whether there are enough, those under way counted in; asked on all threads, often. Empty: `sample` of them are.
+  std::function<bool()> is_enough = {};
 };
 
 /// One realisation at one tolerance.
@@ -33,7 +29,6 @@ struct ToleranceRun {
   section::ResponseMode mode;
   std::uint64_t periods = 0;  ///< of the excitation that it reached
   std::uint64_t steps = 0;
-  double seconds = 0.0;         ///< processor time, naming included
   std::optional<double> error;  ///< see error_beside; of the reference absent
   bool parted = false;          ///< from the reference, before the horizon; see parting_period
 };
@@ -48,10 +43,10 @@ struct MeasuredRealisation {
 /// came. Absent where they have no period in common, and where the reference did not move: no error is to be had there.
 [[nodiscard]] std::optional<double> error_beside(const Record& record, const Record& reference);
 
-/// Runs realisations of `CostSample` in their order, each at all tolerances, until there are as many as planned or it is
-/// asked to stop; at least one. All but the seconds is a function of the experiment, the tolerances and how many are
-/// returned: threads have no say.
+/// Runs the first realisations of `CostSample`, each at all tolerances, until there are as many as planned, or enough; at least
+/// one. What is returned is a function of the experiment, the tolerances and how many there are: threads have no say. Empty if
+/// it is asked to stop.
 [[nodiscard]] std::vector<MeasuredRealisation> measure_cost(const Experiment& experiment, const CostPlan& plan,
-                                                            const CostTools& tools, const RunOptions& options);
+                                                            const RunOptions& options);
 
 }  // namespace rocking::experiment

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/experiment/experiment.hpp"
+#include "rocking/experiment/realisation_crew.hpp"
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/summary.hpp"
 #include "rocking/experiment/work.hpp"
@@ -22,10 +23,6 @@ class PairJob {
   PairJob(const PairJob&) = delete;
   PairJob& operator=(const PairJob&) = delete;
 
-  struct Task {
-    const Condition* condition;
-    std::uint64_t realisation;
-  };
   [[nodiscard]] const Pair& pair() const { return pair_; }
   [[nodiscard]] std::span<const Task> tasks() const { return tasks_; }
 

@@ -1,66 +1,15 @@
 #include "rocking/experiment/pair_workers.hpp"
 
-#include <algorithm>
 #include <condition_variable>
-#include <exception>
-#include <map>
 #include <memory>
 #include <mutex>
-#include <thread>
-#include <utility>
 
+#include "rocking/base/on_threads.hpp"
+#include "rocking/experiment/job_crew.hpp"
 #include "rocking/experiment/pair_job.hpp"
-#include "rocking/experiment/realisation_crew.hpp"
 
 namespace rocking::experiment {
 namespace {
-
-/// The pairs that a thread is at.
-class ThreadsShare {
- public:
-  ThreadsShare(const Experiment& experiment, const lanes::Kernels& kernels)
-      : experiment_(&experiment), crew_(kernels) {}
-
-  [[nodiscard]] bool wants_more() const { return crew_.wants_more(); }
-  [[nodiscard]] bool is_idle() const { return jobs_.empty(); }
-  [[nodiscard]] std::size_t size() const { return jobs_.size(); }
-
-  void start(const Pair& pair) {
-    const Condition& condition = experiment_->conditions[pair.condition];
-    auto& job = jobs_.emplace_back(std::make_unique<PairJob>(*experiment_, pair, effective_realisations(condition)));
-    for (std::size_t task = 0; task < job->tasks().size(); ++task) {
-      const PairJob::Task& run = job->tasks()[task];
-      tickets_[next_ticket_] = {job.get(), task};
-      crew_.start(*run.condition, experiment_->seed, run.realisation, next_ticket_++);
-    }
-  }
-
-  /// Goes on for a while; returns the pairs that are done.
-  [[nodiscard]] std::vector<std::unique_ptr<PairJob>> work() {
-    std::vector<std::unique_ptr<PairJob>> done;
-    for (auto& [ticket, record] : crew_.work()) {
-      const auto entry = tickets_.extract(ticket);
-      const auto [job, task] = entry.mapped();
-      if (!job->accept(task, std::move(record))) continue;
-      const auto place = std::ranges::find(jobs_, job, &std::unique_ptr<PairJob>::get);
-      done.push_back(std::move(*place));
-      jobs_.erase(place);
-    }
-    return done;
-  }
-
- private:
-  struct TaskOfJob {
-    PairJob* job;
-    std::size_t task;
-  };
-
-  const Experiment* experiment_;
-  std::vector<std::unique_ptr<PairJob>> jobs_;
-  std::map<std::size_t, TaskOfJob> tickets_;
-  std::size_t next_ticket_ = 0;
-  RealisationCrew crew_;
-};
 
 class PairWorkers {
  public:
@@ -68,33 +17,30 @@ class PairWorkers {
       : experiment_(&experiment), options_(&options), flow_(&flow) {}
 
   void run() {
-    {
-      std::vector<std::jthread> others;
-      for (unsigned i = 1; i < std::max(1U, options_->threads); ++i) others.emplace_back([this] { work(); });
-      work();
-    }
-    if (failure_) std::rethrow_exception(failure_);
+    base::on_threads(
+        options_->threads, [this](unsigned) { work(); }, [this] { fail(); });
   }
 
  private:
   void work() {
-    try {
-      ThreadsShare share(*experiment_, options_->lanes);
-      while (true) {
-        while (share.wants_more()) {
-          const auto pair = next(share.is_idle());
-          if (!pair) break;
-          share.start(*pair);
-        }
-        if (share.is_idle() || is_asked_to_stop()) break;
-        for (const auto& job : share.work()) accept(*job);
+    JobCrew<PairJob> crew(experiment_->seed, options_->lanes);
+    while (true) {
+      while (crew.wants_more()) {
+        const auto pair = next(crew.is_idle());
+        if (!pair) break;
+        const std::uint64_t count = effective_realisations(experiment_->conditions[pair->condition]);
+        crew.start(std::make_unique<PairJob>(*experiment_, *pair, count));
       }
-      give_up(share.size());
-    } catch (...) {
-      const std::lock_guard lock(mutex_);
-      if (!failure_) failure_ = std::current_exception();
-      changed_.notify_all();
+      if (crew.is_idle() || is_asked_to_stop()) break;
+      for (const auto& job : crew.work()) accept(*job);
     }
+    give_up(crew.size());
+  }
+
+  void fail() {
+    const std::lock_guard lock(mutex_);
+    has_failed_ = true;
+    changed_.notify_all();
   }
 
   void accept(const PairJob& job) {
@@ -120,7 +66,7 @@ class PairWorkers {
   [[nodiscard]] std::optional<Pair> next(bool may_wait) {
     std::unique_lock lock(mutex_);
     while (true) {
-      if (is_asked_to_stop() || failure_) return std::nullopt;
+      if (is_asked_to_stop() || has_failed_) return std::nullopt;
       if (const auto pair = flow_->next()) {
         ++under_way_;
         return pair;
@@ -136,7 +82,7 @@ class PairWorkers {
   std::mutex mutex_;
   std::condition_variable changed_;
   std::size_t under_way_ = 0;
-  std::exception_ptr failure_;
+  bool has_failed_ = false;
 };
 
 }  // namespace

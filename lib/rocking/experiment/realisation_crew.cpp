@@ -25,18 +25,19 @@ struct TicketedRun : HorizonRun<HarmonicExcitation> {
 
 class RealisationCrew::Implementation {
  public:
-  explicit Implementation(const lanes::Kernels& kernels) : crew_(kernels) {}
+  Implementation(std::uint64_t seed, const lanes::Kernels& kernels) : seed_(seed), crew_(kernels) {}
   ~Implementation() = default;
 
   [[nodiscard]] bool wants_more() const { return crew_.size() < crew_.wanted_size(); }
   [[nodiscard]] bool is_idle() const { return runs_.empty() && finished_.empty(); }
 
-  void start(const Condition& condition, std::uint64_t seed, std::uint64_t realisation, std::size_t ticket) {
+  void start(const Task& task, std::size_t ticket) {
+    const Condition& condition = *task.condition;
     if (condition.scene.excitation.record != nullptr) {
-      finished_.push_back({ticket, realise(condition, seed, realisation)});
+      finished_.push_back({ticket, realise(condition, seed_, task.realisation)});
       return;
     }
-    const random::Draws draws(seed, realisation);
+    const random::Draws draws(seed_, task.realisation);
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
@@ -59,20 +60,18 @@ class RealisationCrew::Implementation {
   }
 
  private:
+  std::uint64_t seed_;
   lanes::Crew<TicketedRun> crew_;
   std::vector<std::unique_ptr<TicketedRun>> runs_;
   std::vector<Finished> finished_;
 };
 
-RealisationCrew::RealisationCrew(const lanes::Kernels& kernels)
-    : implementation_(std::make_unique<Implementation>(kernels)) {}
+RealisationCrew::RealisationCrew(std::uint64_t seed, const lanes::Kernels& kernels)
+    : implementation_(std::make_unique<Implementation>(seed, kernels)) {}
 RealisationCrew::~RealisationCrew() = default;
 bool RealisationCrew::wants_more() const { return implementation_->wants_more(); }
 bool RealisationCrew::is_idle() const { return implementation_->is_idle(); }
-void RealisationCrew::start(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
-                            std::size_t ticket) {
-  implementation_->start(condition, seed, realisation, ticket);
-}
+void RealisationCrew::start(const Task& task, std::size_t ticket) { implementation_->start(task, ticket); }
 std::vector<RealisationCrew::Finished> RealisationCrew::work() { return implementation_->work(); }
 
 }  // namespace rocking::experiment

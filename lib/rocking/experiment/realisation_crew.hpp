@@ -10,19 +10,24 @@
 
 namespace rocking::experiment {
 
+/// A realisation of a condition, which must last until its record is there.
+struct Task {
+  const Condition* condition;
+  std::uint64_t realisation;
+};
+
 /// Runs realisations side by side, on one thread. What comes of one is what realise() returns for it, to the bit, whoever
 /// is beside it and however many lanes there are.
 class RealisationCrew {
  public:
-  explicit RealisationCrew(const lanes::Kernels& kernels);
+  RealisationCrew(std::uint64_t seed, const lanes::Kernels& kernels);
   ~RealisationCrew();
 
   /// Whether another realisation would be done beside those that are here.
   [[nodiscard]] bool wants_more() const;
   [[nodiscard]] bool is_idle() const;
 
-  /// `condition` must last until the record is there.
-  void start(const Condition& condition, std::uint64_t seed, std::uint64_t realisation, std::size_t ticket);
+  void start(const Task& task, std::size_t ticket);
 
   struct Finished {
     std::size_t ticket;

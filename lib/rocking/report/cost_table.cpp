@@ -15,23 +15,21 @@ using experiment::ToleranceCost;
 double ratio(std::uint64_t part, std::uint64_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
 
 /// Processor time a period [s].
-double time_of(const ToleranceCost& cost) {
-  return cost.periods == 0 ? 0.0 : cost.seconds / static_cast<double>(cost.periods);
-}
+double time_of(const Cost& cost, std::size_t place) { return cost.timing.seconds_per_period[place]; }
 
 /// How many times as fast as at the experiment's own tolerance; 1 where the clock was too coarse to tell.
-double speed_of(const ToleranceCost& tolerance, const Cost& cost) {
-  const double time = time_of(tolerance);
-  return time > 0.0 ? time_of(cost.curve[cost.own]) / time : 1.0;
+double speed_of(const Cost& cost, std::size_t place) {
+  const double time = time_of(cost, place);
+  return time > 0.0 ? time_of(cost, cost.own) / time : 1.0;
 }
 
 std::string tolerance_name(const ToleranceCost& cost) { return significant(cost.tolerance, 3); }
 
 std::string error_cell(const std::optional<double>& error) { return error ? significant(*error, 1) : "."; }
 
-TextRow row_of(const ToleranceCost& tolerance, const Cost& cost) {
-  const bool is_own = &tolerance == &cost.curve[cost.own];
-  TextRow row{tolerance_name(tolerance) + (is_own ? " *" : "  ")};
+TextRow row_of(const Cost& cost, std::size_t place) {
+  const ToleranceCost& tolerance = cost.curve[place];
+  TextRow row{tolerance_name(tolerance) + (place == cost.own ? " *" : "  ")};
   if (const auto& departure = tolerance.departure) {
     row.insert(
         row.end(),
@@ -43,8 +41,8 @@ TextRow row_of(const ToleranceCost& tolerance, const Cost& cost) {
     row.insert(row.end(), 6, ".");
   }
   row.push_back(fixed_point(tolerance.periods == 0 ? 0.0 : ratio(tolerance.steps, tolerance.periods), 1));
-  row.push_back(significant(1e6 * time_of(tolerance), 3));
-  row.push_back(fixed_point(speed_of(tolerance, cost), 2));
+  row.push_back(significant(1e6 * time_of(cost, place), 3));
+  row.push_back(fixed_point(speed_of(cost, place), 2));
   return row;
 }
 
@@ -58,7 +56,7 @@ std::string spoken_time(double seconds) {
 std::string realisations_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   if (cost.planned.empty()) return "nothing is drawn at random: one realisation of each condition says all\n";
-  const double time = time_of(cost.curve[cost.own]);
+  const double time = time_of(cost, cost.own);
   const auto run_time = [&](std::uint64_t periods) { return spoken_time(static_cast<double>(periods) * time); };
   const std::uint64_t asked_for = measured.experiment->conditions.front().realisations;
   std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
@@ -74,8 +72,7 @@ std::string realisations_table(const MeasuredCost& measured) {
   }
   return text +
          "half-widths in per cent, of each condition's widest simultaneous interval, if modes keep their shares; "
-         "time of one\nprocessor at the experiment's tolerance, one realisation after another, without repeats and checks: "
-         "a run, which\nadvances several side by side, takes less\n";
+         "time of one\nprocessor at the experiment's tolerance, without repeats and checks\n";
 }
 
 std::string part_of_half_width(const Cost& cost) {
@@ -99,7 +96,7 @@ std::string changes(const Cost& cost, const Departure& departure) {
 
 std::string speed_words(const Cost& cost, std::size_t place) {
   if (place == cost.own) return "It is the experiment's own.";
-  const double speed = speed_of(cost.curve[place], cost);
+  const double speed = speed_of(cost, place);
   const std::string own = tolerance_name(cost.curve[cost.own]) + ", the experiment's own";
   if (speed >= 1.005) return "It is " + fixed_point(speed, 2) + " times faster than " + own + '.';
   return "It takes " + fixed_point(1.0 / speed, 2) + " times as long as " + own + '.';
@@ -160,7 +157,7 @@ std::string cost_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "parted", "changed", "interval",
                              "beyond " + tolerance_name(cost.curve[cost.curve.size() - 2]), "steps", "us", "speed"}};
-  for (const ToleranceCost& tolerance : cost.curve) rows.push_back(row_of(tolerance, cost));
+  for (std::size_t i = 0; i < cost.curve.size(); ++i) rows.push_back(row_of(cost, i));
   const double confidence = measured.experiment->conditions.front().confidence;
   return aligned(rows) + '\n' + std::to_string(cost.sample) + " realisations of " +
          std::to_string(cost.sampled_conditions) +
@@ -170,7 +167,9 @@ std::string cost_table(const MeasuredCost& measured) {
          significant(100.0 * confidence, 4) +
          " % interval of their\nshare, and of how much larger it is than at the second tightest, per cent; steps and "
          "processor "
-         "time a period; speed as a\nmultiple of that at the experiment's own tolerance (*)\n\n" +
+         "time a period, " +
+         std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
+         " periods together;\nspeed as a multiple of that at the experiment's own tolerance (*)\n\n" +
          realisations_table(measured) + '\n' + cost_recommendation(measured) + '\n';
 }
 

@@ -16,8 +16,8 @@ Json or_null(const std::optional<Number>& number) {
   return number ? Json(*number) : Json();
 }
 
-double per_period(const ToleranceCost& cost, double amount) {
-  return cost.periods == 0 ? 0.0 : amount / static_cast<double>(cost.periods);
+double steps_per_period(const ToleranceCost& cost) {
+  return cost.periods == 0 ? 0.0 : static_cast<double>(cost.steps) / static_cast<double>(cost.periods);
 }
 
 Json flip_json(const experiment::Flip& flip) {
@@ -53,7 +53,7 @@ Json tolerance_json(const ToleranceCost& cost) {
   Json json = Json::object();
   json["tolerance"] = cost.tolerance;
   json["periods"] = cost.periods;
-  json["steps_per_period"] = per_period(cost, static_cast<double>(cost.steps));
+  json["steps_per_period"] = steps_per_period(cost);
   json["departure"] = cost.departure ? departure_json(*cost.departure) : Json();
   return json;
 }
@@ -100,8 +100,9 @@ Json result_json(const Cost& cost) {
 
 Json times_json(const MeasuredCost& measured) {
   Json json = system_json(measured.system);
-  Json& times = json["processor_s_per_period"] = Json::array();
-  for (const ToleranceCost& cost : measured.cost.curve) times.push_back(per_period(cost, cost.seconds));
+  const experiment::CostTiming& timing = measured.cost.timing;
+  json["processor_s_per_period"] = timing.seconds_per_period;
+  json["timed"] = {{"realisations", timing.realisations}, {"periods", timing.periods}};
   json["recommendation"] = cost_recommendation(measured);
   return json;
 }

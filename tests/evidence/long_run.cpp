@@ -46,8 +46,9 @@ const experiment::CompanionRun& LongRun::exponent(int periods) {
   const auto known =
       std::find_if(exponents_.begin(), exponents_.end(), [&](const auto& entry) { return entry.first == periods; });
   if (known != exponents_.end()) return known->second;
-  return exponents_.emplace_back(periods, experiment::companion_exponent(*after_transient_, shape_angle_, periods))
-      .second;
+  experiment::CompanionPair pair(*after_transient_, shape_angle_, periods);
+  experiment::run_alone(pair);
+  return exponents_.emplace_back(periods, pair.result()).second;
 }
 
 }  // namespace rocking::evidence

@@ -10,24 +10,11 @@
 namespace rocking::experiment {
 namespace {
 
-using HarmonicMotion = Motion<dynamics::HarmonicExcitation>;
-
 constexpr double start_distance = 1e-7;   ///< well above the tolerance, well below the attractor
 constexpr double least_distance = 1e-16;  ///< what arithmetic can tell apart
 constexpr std::size_t batches = 8;
 constexpr std::size_t shortest_batch = 4;  ///< periods
 constexpr std::int64_t longest_run = 8;    ///< times the periods asked for
-
-/// Keeps the last strobe state.
-class LastStrobe final : public dynamics::Observer {
- public:
-  void event(dynamics::EventKind, double, const dynamics::State&) override {}
-  void strobe(const dynamics::State& state) override { state_ = state; }
-  [[nodiscard]] const dynamics::State& state() const { return state_; }
-
- private:
-  dynamics::State state_;
-};
 
 double length_of(const dynamics::Displacement& d) {
   return std::sqrt(d.tilt * d.tilt + d.tilt_rate * d.tilt_rate + d.slip_rate * d.slip_rate);
@@ -51,8 +38,8 @@ std::optional<section::ExponentEstimate> estimate_from(const std::vector<double>
   const double mean = std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(batches);
   double squares = 0.0;
   for (const double value : means) squares += (value - mean) * (value - mean);
-  return section::ExponentEstimate{
-      .exponent = mean, .standard_error = std::sqrt(squares / static_cast<double>(batches * (batches - 1)))};
+  return section::ExponentEstimate{.exponent = mean,
+                                   .standard_error = std::sqrt(squares / static_cast<double>(batches * (batches - 1)))};
 }
 
 /// Five standard errors of a mean of eight batches: chance gives that to an exponent of zero once in six hundred looks.
@@ -60,71 +47,60 @@ bool is_sure(const std::optional<section::ExponentEstimate>& estimate) {
   return estimate && std::abs(estimate->exponent) >= 5.0 * estimate->standard_error;
 }
 
-/// A realisation and its companion, side by side from strobe point to strobe point.
-class Companion {
- public:
-  Companion(const HarmonicMotion& from, double shape_angle) : leader_(from), shape_angle_(shape_angle) {}
-
-  /// Goes on until `periods` in all are done. False if the run ended before.
-  [[nodiscard]] bool run_until(std::int64_t periods) {
-    while (done_ < periods) {
-      if (!run_period()) return false;
-    }
-    return true;
-  }
-
-  /// ln of the growth of the distance over each period in which there was one.
-  [[nodiscard]] const std::vector<double>& growths() const { return growths_; }
-  [[nodiscard]] std::uint64_t periods_run() const { return 2 * static_cast<std::uint64_t>(done_); }
-
- private:
-  [[nodiscard]] bool run_period() {
-    LastStrobe leader_strobe;
-    LastStrobe companion_strobe;
-    leader_.observe_with(leader_strobe);
-    leader_.move_to_last_strobe();
-    HarmonicMotion companion = leader_;
-    companion.observe_with(companion_strobe);
-    const double before = length_of(companion.displace(direction_));
-    leader_.extend(1);
-    companion.extend(1);
-    integrate::advance(leader_);
-    integrate::advance(companion);
-    ++done_;
-    if (leader_.termination() != dynamics::Termination::reached_horizon) return false;
-    if (companion.termination() != dynamics::Termination::reached_horizon) return false;
-    if (before == 0.0) return true;  // at rest in full contact there is nothing to displace
-    const dynamics::Displacement apart = difference(companion_strobe.state(), leader_strobe.state(), shape_angle_);
-    const double after = length_of(apart);
-    growths_.push_back(base::natural_logarithm(std::fmax(after, least_distance) / before));
-    if (after > least_distance) {
-      const double scale = start_distance / after;
-      direction_ = {
-          .tilt = apart.tilt * scale, .tilt_rate = apart.tilt_rate * scale, .slip_rate = apart.slip_rate * scale};
-    }
-    return true;
-  }
-
-  HarmonicMotion leader_;
-  double shape_angle_;
-  dynamics::Displacement direction_{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0};
-  std::vector<double> growths_;
-  std::int64_t done_ = 0;
-};
-
 }  // namespace
 
-CompanionRun companion_exponent(const HarmonicMotion& from, double shape_angle, std::int64_t periods) {
-  Companion companion(from, shape_angle);
-  CompanionRun run;
-  std::int64_t goal = periods;
-  while (companion.run_until(goal)) {
-    run.exponent = estimate_from(companion.growths());
-    if (is_sure(run.exponent) || goal >= longest_run * periods) break;
-    goal *= 2;
+CompanionPair::CompanionPair(const Motion& from, double shape_angle, std::int64_t periods)
+    : leader_(from),
+      companion_(from),
+      shape_angle_(shape_angle),
+      longest_(longest_run * periods),
+      goal_(periods),
+      direction_{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0} {
+  leader_.observe_with(leader_strobe_);
+  begin_period();
+}
+
+void CompanionPair::begin_period() {
+  leader_.move_to_last_strobe();
+  companion_ = leader_;
+  companion_.observe_with(companion_strobe_);
+  distance_ = length_of(companion_.displace(direction_));
+  leader_.extend(1);
+  companion_.extend(1);
+}
+
+bool CompanionPair::go_on() {
+  ++done_;
+  if (leader_.termination() != dynamics::Termination::reached_horizon) return false;
+  if (companion_.termination() != dynamics::Termination::reached_horizon) return false;
+  if (distance_ > 0.0) measure_growth();  // at rest in full contact there is nothing to displace
+  if (done_ == goal_) {
+    exponent_ = estimate_from(growths_);
+    if (is_sure(exponent_) || goal_ >= longest_) return false;
+    goal_ *= 2;
   }
-  run.periods = companion.periods_run();
-  return run;
+  begin_period();
+  return true;
+}
+
+void CompanionPair::measure_growth() {
+  const dynamics::Displacement apart = difference(companion_strobe_.state(), leader_strobe_.state(), shape_angle_);
+  const double after = length_of(apart);
+  growths_.push_back(base::natural_logarithm(std::fmax(after, least_distance) / distance_));
+  if (after <= least_distance) return;
+  const double scale = start_distance / after;
+  direction_ = {.tilt = apart.tilt * scale, .tilt_rate = apart.tilt_rate * scale, .slip_rate = apart.slip_rate * scale};
+}
+
+CompanionRun CompanionPair::result() const {
+  return {.exponent = exponent_, .periods = 2 * static_cast<std::uint64_t>(done_)};
+}
+
+void run_alone(CompanionPair& pair) {
+  do {
+    integrate::advance(pair.leader());
+    integrate::advance(pair.companion());
+  } while (pair.go_on());
 }
 
 }  // namespace rocking::experiment

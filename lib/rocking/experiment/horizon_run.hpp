@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rocking/experiment/exponent.hpp"
@@ -85,7 +86,11 @@ class HorizonRun {
     return !motion_.ended();
   }
 
-  /// What came of it, once it does not go on.
+  /// Once the motion does not go on: names the response, unless that takes companions. These are to be run then, until they do
+  /// not go on.
+  [[nodiscard]] CompanionPair* name();
+
+  /// What came of it, once all is run.
   [[nodiscard]] Record finish();
 
  private:
@@ -94,41 +99,52 @@ class HorizonRun {
   integrate::LoopCounts counts_;
   Motion<Excitation> motion_;
   std::optional<Motion<Excitation>> after_transient_;
+  Record record_;
+  section::Classification classification_;
+  std::optional<CompanionPair> companions_;
 };
 
 template <class Excitation>
-Record HorizonRun<Excitation>::finish() {
-  const std::int64_t sampled = condition_->horizon.sampled_periods;
-  Record record;
-  add(record.effort, counts_);
-  collect(record, motion_, recorder_);
-  if (record.termination == dynamics::Termination::overturned) {
-    record.verdict.mode = {.kind = section::ResponseKind::overturned};
-    return record;
+CompanionPair* HorizonRun<Excitation>::name() {
+  add(record_.effort, counts_);
+  collect(record_, motion_, recorder_);
+  if (record_.termination == dynamics::Termination::overturned) {
+    record_.verdict.mode = {.kind = section::ResponseKind::overturned};
+    return nullptr;
   }
-  if (record.termination != dynamics::Termination::reached_horizon) return record;
+  if (record_.termination != dynamics::Termination::reached_horizon) return nullptr;
   if constexpr (std::is_same_v<Excitation, dynamics::HarmonicExcitation>) {
-    const auto exponent = [&]() -> std::optional<section::ExponentEstimate> {
-      const double shape_angle = dynamics::geometry_of(condition_->scene.block).shape_angle;
-      const CompanionRun run = companion_exponent(*after_transient_, shape_angle, sampled);
-      record.effort.companion_periods += run.periods;
-      return run.exponent;
-    };
-    record.verdict =
+    const std::int64_t sampled = condition_->horizon.sampled_periods;
+    classification_ =
         section::classify({.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
                            .random = is_random(condition_->scene),
-                           .resolution = resolution_of(condition_->tolerance)},
-                          exponent);
+                           .resolution = resolution_of(condition_->tolerance)});
+    if (!classification_.verdict) {
+      const double shape_angle = dynamics::geometry_of(condition_->scene.block).shape_angle;
+      return &companions_.emplace(*after_transient_, shape_angle, sampled);
+    }
+    record_.verdict = *classification_.verdict;
   } else {
-    record.verdict = verdict_after_record(recorder_.periods());
+    record_.verdict = verdict_after_record(recorder_.periods());
   }
-  return record;
+  return nullptr;
+}
+
+template <class Excitation>
+Record HorizonRun<Excitation>::finish() {
+  if (companions_) {
+    const CompanionRun run = companions_->result();
+    record_.effort.companion_periods += run.periods;
+    record_.verdict = classification_.with_exponent(run.exponent);
+  }
+  return std::move(record_);
 }
 
 /// Runs it on one lane.
 template <class Excitation>
 [[nodiscard]] Record run_alone(HorizonRun<Excitation>& run) {
   while (!run.motion().ended() || run.go_on()) integrate::step(run.motion(), run.counts());
+  if (CompanionPair* companions = run.name()) run_alone(*companions);
   return run.finish();
 }
 

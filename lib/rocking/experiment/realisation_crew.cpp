@@ -1,5 +1,6 @@
 #include "rocking/experiment/realisation_crew.hpp"
 
+#include <array>
 #include <utility>
 
 #include "rocking/experiment/horizon_run.hpp"
@@ -11,6 +12,19 @@ namespace {
 
 using dynamics::HarmonicExcitation;
 
+struct TicketedRun;
+
+/// A motion in the crew: that of a realisation, or one of its companions.
+struct Passenger {
+  [[nodiscard]] Motion<HarmonicExcitation>& motion() const { return *its_motion; }
+  [[nodiscard]] integrate::LoopCounts& counts() { return *its_counts; }
+  [[nodiscard]] bool go_on() const;
+
+  TicketedRun* run;
+  Motion<HarmonicExcitation>* its_motion;
+  integrate::LoopCounts* its_counts;
+};
+
 /// A realisation in the crew, and who asked for it.
 struct TicketedRun : HorizonRun<HarmonicExcitation> {
   template <class MakeMotion>
@@ -19,7 +33,14 @@ struct TicketedRun : HorizonRun<HarmonicExcitation> {
 
   std::size_t ticket;
   std::uint64_t initial_draws;
+  Passenger itself{.run = this, .its_motion = &motion(), .its_counts = &counts()};
+  CompanionPair* companions = nullptr;  ///< once they are on their way
+  std::array<Passenger, 2> pair{};
+  integrate::LoopCounts companion_counts;  ///< nobody asks for them
+  int under_way = 0;                       ///< of the pair
 };
+
+bool Passenger::go_on() const { return this == &run->itself && run->go_on(); }
 
 }  // namespace
 
@@ -44,24 +65,49 @@ class RealisationCrew::Implementation {
     runs_.push_back(std::make_unique<TicketedRun>(condition, ticket, start.draws, [&](dynamics::Observer& observer) {
       return motion_of(beginning, observer, HarmonicExcitation{});
     }));
-    crew_.add(*runs_.back());
+    crew_.add(runs_.back()->itself);
   }
 
   [[nodiscard]] std::vector<Finished> work() {
     constexpr int most_steps = 4096;
-    for (int i = 0; i < most_steps && crew_.size() > 0 && !crew_.has_finished(); ++i) crew_.step();
-    for (TicketedRun* run : crew_.take_finished()) {
-      Record record = run->finish();
-      record.effort.initial_draws = run->initial_draws;
-      finished_.push_back({run->ticket, std::move(record)});
-      std::erase_if(runs_, [run](const auto& owned) { return owned.get() == run; });
-    }
+    for (int i = 0; i < most_steps && is_under_way(); ++i) crew_.step();
     return std::exchange(finished_, {});
   }
 
  private:
+  /// Whether there is a step to be made before something is finished.
+  [[nodiscard]] bool is_under_way() {
+    while (crew_.has_finished()) {
+      for (const Passenger* passenger : crew_.take_finished()) go_on(*passenger);
+    }
+    return finished_.empty() && crew_.size() > 0;
+  }
+
+  /// With what comes after a motion that has finished.
+  void go_on(const Passenger& passenger) {
+    TicketedRun& run = *passenger.run;
+    if (&passenger == &run.itself) {
+      run.companions = run.name();
+      if (run.companions == nullptr) return finish(run);
+      run.pair = {Passenger{&run, &run.companions->leader(), &run.companion_counts},
+                  Passenger{&run, &run.companions->companion(), &run.companion_counts}};
+    } else {
+      if (--run.under_way > 0) return;
+      if (!run.companions->go_on()) return finish(run);
+    }
+    run.under_way = 2;
+    for (Passenger& companion : run.pair) crew_.add(companion);
+  }
+
+  void finish(TicketedRun& run) {
+    Record record = run.finish();
+    record.effort.initial_draws = run.initial_draws;
+    finished_.push_back({run.ticket, std::move(record)});
+    std::erase_if(runs_, [&run](const auto& owned) { return owned.get() == &run; });
+  }
+
   std::uint64_t seed_;
-  lanes::Crew<TicketedRun> crew_;
+  lanes::Crew<Passenger> crew_;
   std::vector<std::unique_ptr<TicketedRun>> runs_;
   std::vector<Finished> finished_;
 };

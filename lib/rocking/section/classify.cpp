@@ -23,60 +23,76 @@ struct ExponentVerdict {
 
 /// An exponent is clear of zero beyond some standard errors, and if it grows or shrinks a distance by more than a factor
 /// over the window: below that the window itself could not have shown it.
-ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, const ClassifierInput& input) {
+ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, double periods, const Thresholds& thresholds) {
   if (!estimate) return {};
-  const auto periods = static_cast<double>(input.periods.size());
-  const double needed = std::max(input.thresholds.clear_standard_errors * estimate->standard_error,
-                                 input.thresholds.clear_growth / periods);
+  const double needed =
+      std::max(thresholds.clear_standard_errors * estimate->standard_error, thresholds.clear_growth / periods);
   const double margin = std::min(std::max(estimate->exponent, -estimate->exponent) / needed, largest_margin);
   if (estimate->exponent > needed) return {Sign::positive, margin};
   if (estimate->exponent < -needed) return {Sign::negative, margin};
   return {};
 }
 
+/// decide(judged) gives the name.
+template <class Decide>
+Classification by_exponent(const ClassifierInput& input, Decide decide) {
+  const auto periods = static_cast<double>(input.periods.size());
+  return {.verdict = std::nullopt,
+          .with_exponent = [periods, thresholds = input.thresholds,
+                            decide](const std::optional<ExponentEstimate>& estimate) -> Verdict {
+            return decide(judge(estimate, periods, thresholds));
+          }};
+}
+
+Classification named(const Verdict& verdict) { return {.verdict = verdict, .with_exponent = {}}; }
+
 Verdict chaotic(const ExponentVerdict& exponent) {
   return {{ResponseKind::chaotic, 0, 0}, Reason::positive_exponent, false, exponent.margin};
 }
 
-Verdict classify_noise_free(const ClassifierInput& input, const ExponentSource& exponent) {
-  if (input.periods.size() < fewest_noise_free) return unresolved(Reason::too_few_points);
-  if (const auto verdict = find_recurrence(input.periods, input.resolution, input.thresholds)) return *verdict;
-  const ExponentVerdict judged = judge(exponent(), input);
-  switch (judged.sign) {
-    case Sign::positive: return chaotic(judged);
-    case Sign::negative: return unresolved(Reason::not_periodic);
-    case Sign::unclear: break;
-  }
-  return unresolved(Reason::exponent_unclear);
+Classification classify_noise_free(const ClassifierInput& input) {
+  if (input.periods.size() < fewest_noise_free) return named(unresolved(Reason::too_few_points));
+  if (const auto verdict = find_recurrence(input.periods, input.resolution, input.thresholds)) return named(*verdict);
+  return by_exponent(input, [](const ExponentVerdict& judged) {
+    switch (judged.sign) {
+      case Sign::positive: return chaotic(judged);
+      case Sign::negative: return unresolved(Reason::not_periodic);
+      case Sign::unclear: break;
+    }
+    return unresolved(Reason::exponent_unclear);
+  });
 }
 
 /// The verdict on a response that is not one of n clouds all through the window.
-Verdict classify_unsteady(const ClassifierInput& input, const Finding& finding, const ExponentSource& exponent) {
+Classification classify_unsteady(const ClassifierInput& input, const Finding& finding) {
   // Where the clouds are there all the time and only the impacts are irregular, no part tells more than the whole.
   const bool clouds_stay = finding.verdict.reason == Reason::impacts_irregular;
   const ChangeOfMind change =
       clouds_stay ? ChangeOfMind{} : find_regimes(input.periods, input.resolution, input.thresholds);
   Verdict doubt = finding.verdict;
   if (change.reason) doubt = unresolved(*change.reason, *change.reason == Reason::changed_regime);
-  if (!change.last_regime && finding.need == ExponentNeed::none) return doubt;
-  const ExponentVerdict judged = judge(exponent(), input);
-  if (judged.sign == Sign::positive && finding.need == ExponentNeed::to_find_chaos) return chaotic(judged);
-  if (judged.sign != Sign::negative || !change.last_regime) return doubt;
-  Verdict settled = *change.last_regime;
-  settled.margin = std::min(settled.margin, judged.margin);
-  return settled;
+  if (!change.last_regime && finding.need == ExponentNeed::none) return named(doubt);
+  return by_exponent(input, [doubt, need = finding.need, last = change.last_regime](const ExponentVerdict& judged) {
+    if (judged.sign == Sign::positive && need == ExponentNeed::to_find_chaos) return chaotic(judged);
+    if (judged.sign != Sign::negative || !last) return doubt;
+    Verdict settled = *last;
+    settled.margin = std::min(settled.margin, judged.margin);
+    return settled;
+  });
 }
 
-Verdict classify_random(const ClassifierInput& input, const ExponentSource& exponent) {
-  if (input.periods.size() < fewest_random) return unresolved(Reason::too_few_points);
-  Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
-  if (finding.verdict.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding, exponent);
-  if (finding.need == ExponentNeed::none) return finding.verdict;
-  const ExponentVerdict judged = judge(exponent(), input);
-  if (judged.sign == Sign::positive) return chaotic(judged);
-  if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, finding.verdict.in_transient);
-  finding.verdict.margin = std::min(finding.verdict.margin, judged.margin);
-  return finding.verdict;
+Classification classify_random(const ClassifierInput& input) {
+  if (input.periods.size() < fewest_random) return named(unresolved(Reason::too_few_points));
+  const Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
+  if (finding.verdict.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding);
+  if (finding.need == ExponentNeed::none) return named(finding.verdict);
+  return by_exponent(input, [verdict = finding.verdict](const ExponentVerdict& judged) {
+    if (judged.sign == Sign::positive) return chaotic(judged);
+    if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, verdict.in_transient);
+    Verdict settled = verdict;
+    settled.margin = std::min(settled.margin, judged.margin);
+    return settled;
+  });
 }
 
 }  // namespace
@@ -107,13 +123,18 @@ std::string_view to_string(Reason reason) {
   return "";
 }
 
-Verdict classify(const ClassifierInput& input, const ExponentSource& exponent) {
+Classification classify(const ClassifierInput& input) {
   ROCKING_EXPECT(input.resolution > 0.0);
   const bool moved = std::ranges::any_of(input.periods, [](const Period& p) { return p.moved || p.impacts != 0; });
   if (!moved && !input.periods.empty()) {
-    return {{ResponseKind::rest, 0, 0}, Reason::never_moved, false, largest_margin};
+    return named({{ResponseKind::rest, 0, 0}, Reason::never_moved, false, largest_margin});
   }
-  return input.random ? classify_random(input, exponent) : classify_noise_free(input, exponent);
+  return input.random ? classify_random(input) : classify_noise_free(input);
+}
+
+Verdict classify(const ClassifierInput& input, const ExponentSource& exponent) {
+  const Classification found = classify(input);
+  return found.verdict ? *found.verdict : found.with_exponent(exponent());
 }
 
 }  // namespace rocking::section

@@ -19,6 +19,12 @@ struct ExponentEstimate {
 /// Gives the exponent of the response in question, or nothing where the run could not be made. Expensive.
 using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 
+/// A name, or one that depends on the exponent.
+struct Classification {
+  std::optional<Verdict> verdict;  ///< absent: `with_exponent` gives it
+  std::function<Verdict(const std::optional<ExponentEstimate>&)> with_exponent;
+};
+
 struct ClassifierInput {
   std::span<const Period> periods;  ///< the sampled ones, in order, without a gap
   bool random = false;              ///< whether anything in the scene is drawn at random
@@ -30,10 +36,13 @@ struct ClassifierInput {
 ///
 /// Noise-free: the smallest n <= 12 at which strobe points repeat. Random: the number of clouds that are visited in
 /// cyclic order, from spectral lines that stand out of their neighbourhood. m from the impacts. Where that leaves doubt the
-/// exponent is asked for, once at most. A random response that settles within the window is named by the part since then.
+/// exponent decides. A random response that settles within the window is named by the part since then.
 /// Conservative: what is not clear is unresolved.
 /// The thresholds are derived in lib/docs/methods-classification.md. The same input gives the same bits everywhere.
 /// Cost: linear memory; time O(N) with about 200 passes if random, a few times that if it changes its mind.
+[[nodiscard]] Classification classify(const ClassifierInput& input);
+
+/// The same with the exponent, which is asked for once at most.
 [[nodiscard]] Verdict classify(const ClassifierInput& input, const ExponentSource& exponent);
 
 }  // namespace rocking::section

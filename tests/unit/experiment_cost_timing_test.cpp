@@ -49,13 +49,23 @@ TEST(CostTiming, DoublesThePeriodsUntilTheyAreTheExperimentsOwnAndKeepsToTheTime
   for (const double seconds : timing.seconds_per_period) EXPECT_DOUBLE_EQ(seconds, 1.0 / (6 * 60));
 }
 
-TEST(CostTiming, CountsTheLastLengthOnly) {
+TEST(CostTiming, CountsTheLastSizeOnly) {
   Clocks clocks;
   const Experiment experiment = shaken_experiment({.transient_periods = 500, .sampled_periods = 500}, 1);
-  const CostTiming timing = time_cost(experiment, timed_tolerances, clocks.with_time(5.0), {});
-  EXPECT_EQ(clocks.rounds(), 2);
-  EXPECT_EQ(timing.periods, 32);
-  for (const double seconds : timing.seconds_per_period) EXPECT_DOUBLE_EQ(seconds, 1.0 / (3 * 32));
+  const CostTiming timing = time_cost(experiment, timed_tolerances, clocks.with_time(12.0), {});
+  EXPECT_EQ(clocks.rounds(), 6);
+  EXPECT_EQ(timing.periods, 128) << "16, 32, 64, and three times 128";
+  for (const double seconds : timing.seconds_per_period) EXPECT_DOUBLE_EQ(seconds, 1.0 / (3 * 128));
+}
+
+TEST(CostTiming, IsTheMedianOfRounds) {
+  int reads = 0;  // the third round is disturbed
+  const TimingPlan plan{.processor_seconds = [&] { return ++reads > 12 && reads <= 18 ? 100.0 * reads : reads; },
+                        .seconds_left = [left = 6.0]() mutable { return left -= 1.0; }};
+  const Experiment experiment = shaken_experiment({.transient_periods = 4, .sampled_periods = 8}, 1);
+  const CostTiming timing = time_cost(experiment, timed_tolerances, plan, {});
+  EXPECT_EQ(reads, 18);
+  for (const double seconds : timing.seconds_per_period) EXPECT_DOUBLE_EQ(seconds, 1.0 / (3 * 12));
 }
 
 TEST(CostTiming, GivesEachThreadAsManyRealisationsAsARunDoesAndNoMoreThanFillTheLanes) {
@@ -66,16 +76,17 @@ TEST(CostTiming, GivesEachThreadAsManyRealisationsAsARunDoesAndNoMoreThanFillThe
   EXPECT_EQ(timing.periods, 4);
   EXPECT_EQ(clocks.rounds(), 4);
   const Experiment many = shaken_experiment({.transient_periods = 2, .sampled_periods = 2}, 100'000);
-  EXPECT_EQ(time_cost(many, timed_tolerances, clocks.with_time(0.0), {}).realisations, 384U);
+  EXPECT_EQ(time_cost(many, timed_tolerances, clocks.with_time(0.0), {}).realisations, 96U);
+  clocks.wall = 0;
+  EXPECT_EQ(time_cost(many, timed_tolerances, clocks.with_time(100.0), {}).realisations, 768U);
 }
 
 TEST(CostTiming, BeginsAnewWhereTheSampleHasAnEnd) {
   Clocks clocks;
   Experiment still = shaken_experiment({.transient_periods = 10, .sampled_periods = 20}, 4);
   for (Condition& condition : still.conditions) condition.scene.initial.tilt = 0.2;
-  const CostTiming timing =
-      time_cost(still, timed_tolerances, clocks.with_time(12.0), {.threads = 2, .on_progress = {}});
-  EXPECT_EQ(timing.realisations, 1U);
+  const CostTiming timing = time_cost(still, timed_tolerances, clocks.with_time(12.0), {});
+  EXPECT_EQ(timing.realisations, 3U);
   EXPECT_EQ(timing.periods, 30);
 }
 

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 #include <ranges>
+#include <utility>
 
 #include "rocking/base/on_threads.hpp"
 #include "rocking/experiment/cost_sample.hpp"
@@ -15,42 +16,47 @@
 namespace rocking::experiment {
 namespace {
 
-/// Several times as many as are advanced side by side on the widest lanes.
-constexpr std::uint64_t most_in_round = 384;
-constexpr int fewest_periods = 16;
+/// A round takes the time of so many realisations, side by side.
+struct RoundSize {
+  int periods;  ///< of the longest horizon; the others in proportion
+  std::uint64_t realisations;
 
-int periods_of(const Horizon& horizon) { return horizon.transient_periods + horizon.sampled_periods; }
+  [[nodiscard]] double work() const { return static_cast<double>(periods) * static_cast<double>(realisations); }
+};
+
+/// Enough to fill the widest lanes; then the more, the less of the time goes into emptying them at the end.
+constexpr RoundSize smallest_round{.periods = 16, .realisations = 96};
+constexpr std::uint64_t most_realisations = 768;
+/// Of a size: so many tell what is usual on a machine that does other things too.
+constexpr int wanted_rounds = 3;
 
 int longest_horizon(const Experiment& experiment) {
-  const auto periods = [](const Condition& condition) { return periods_of(condition.horizon); };
-  return std::ranges::max(experiment.conditions | std::views::transform(periods));
+  return std::ranges::max(experiment.conditions | std::views::transform([](const Condition& condition) {
+                            return condition.horizon.transient_periods + condition.horizon.sampled_periods;
+                          }));
 }
 
-/// Parts of the horizon in proportion; something is sampled.
+/// For each thread of the run.
+std::uint64_t realisations_of(const Experiment& experiment, unsigned threads) {
+  std::uint64_t all = 0;
+  for (const Condition& condition : experiment.conditions) all += effective_realisations(condition);
+  return std::max<std::uint64_t>(all / threads, 1);
+}
+
+/// Its parts in proportion; something is sampled.
 Horizon shortened(const Horizon& horizon, double share) {
   const auto part = [share](int periods) { return static_cast<int>(std::lround(share * periods)); };
   return {.transient_periods = part(horizon.transient_periods),
           .sampled_periods = std::max(1, part(horizon.sampled_periods))};
 }
 
-/// Of some realisations at one tolerance.
-struct TimedPeriods {
-  double seconds = 0.0;
-  std::uint64_t periods = 0;
-};
-
-/// By tolerance.
-struct Round {
-  std::vector<TimedPeriods> tolerances;
-  int periods = 0;  ///< of the longest horizon
-
-  void add(const Round& other) {
-    for (std::size_t i = 0; i < tolerances.size(); ++i) {
-      tolerances[i].seconds += other.tolerances[i].seconds;
-      tolerances[i].periods += other.tolerances[i].periods;
-    }
-  }
-};
+/// Of an even number the lower one; of none 0.
+double median_of(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
+}
 
 class Timekeeper {
  public:
@@ -60,99 +66,105 @@ class Timekeeper {
         tolerances_(tolerances),
         plan_(&plan),
         options_(&options),
-        sample_(experiment),
         threads_(std::max(1U, options.threads)),
-        longest_(longest_horizon(experiment)) {
-    std::uint64_t all = 0;
-    for (const Condition& condition : experiment.conditions) all += effective_realisations(condition);
-    in_round_ = std::clamp<std::uint64_t>(all / threads_, 1, most_in_round);
-  }
+        sample_(experiment),
+        largest_{longest_horizon(experiment), std::min(realisations_of(experiment, threads_), most_realisations)},
+        size_(largest_),
+        times_(tolerances.size()) {}
 
   [[nodiscard]] CostTiming run() {
     base::on_threads(
-        threads_, [this](unsigned thread) { keep(time_on(thread)); }, [] {});
-    CostTiming timing{.seconds_per_period = {}, .realisations = in_round_, .periods = all_.periods};
-    for (const auto& [seconds, periods] : all_.tolerances) {
-      timing.seconds_per_period.push_back(periods == 0 ? 0.0 : seconds / static_cast<double>(periods));
-    }
+        threads_, [this](unsigned thread) { take_times(thread); }, [] {});
+    CostTiming timing{.seconds_per_period = {}, .realisations = size_.realisations, .periods = size_.periods};
+    for (const std::vector<double>& times : times_) timing.seconds_per_period.push_back(median_of(times));
     return timing;
   }
 
  private:
-  /// All rounds of the last length.
-  [[nodiscard]] Round time_on(unsigned thread) const {
-    Round last{.tolerances = std::vector<TimedPeriods>(tolerances_.size())};
-    int periods = std::min(fewest_periods, longest_);
+  /// By tolerance.
+  using Round = std::vector<double>;
+
+  /// Rounds that grow while there is time for some of the next size, and then are of a size.
+  void take_times(unsigned thread) {
+    RoundSize size{.periods = std::min(smallest_round.periods, largest_.periods),
+                   .realisations = std::min(smallest_round.realisations, largest_.realisations)};
+    std::vector<Round> rounds;
     for (std::uint64_t number = thread;; number += threads_) {
       const double left_before = plan_->seconds_left();
-      const auto round = time_round(number, periods);
-      if (!round) return last;
-      if (last.periods == periods) {
-        last.add(*round);
-      } else {
-        last = *round;
-      }
+      auto round = time_round(number, size);
+      if (!round) return;
+      rounds.push_back(*std::move(round));
       const double left = plan_->seconds_left();
-      const int next = std::min(2 * periods, longest_);
-      if ((left_before - left) * next / periods > left) return last;
-      periods = next;
+      const double took = left_before - left;
+      const RoundSize larger = larger_than(size);
+      if (larger.work() > size.work() && wanted_rounds * took * larger.work() / size.work() <= left) {
+        size = larger;
+        rounds.clear();
+      } else if (took > left) {
+        return keep(rounds, size);
+      }
     }
   }
 
-  [[nodiscard]] std::optional<Round> time_round(std::uint64_t number, int periods) const {
-    Round round{.tolerances = {}, .periods = periods};
+  /// Longer before more: what is cut off a horizon may be what takes time.
+  [[nodiscard]] RoundSize larger_than(const RoundSize& size) const {
+    if (size.periods < largest_.periods) return {std::min(2 * size.periods, largest_.periods), size.realisations};
+    return {size.periods, std::min(2 * size.realisations, largest_.realisations)};
+  }
+
+  /// Absent if it is asked to stop.
+  [[nodiscard]] std::optional<Round> time_round(std::uint64_t number, const RoundSize& size) const {
+    Round round;
     for (const double tolerance : tolerances_) {
       std::vector<Condition> conditions = experiment_->conditions;
       for (Condition& condition : conditions) {
         condition.tolerance = tolerance;
-        condition.horizon = shortened(condition.horizon, static_cast<double>(periods) / longest_);
+        condition.horizon = shortened(condition.horizon, static_cast<double>(size.periods) / largest_.periods);
       }
-      const auto timed = time_realisations(conditions, number * in_round_);
-      if (!timed) return std::nullopt;
-      round.tolerances.push_back(*timed);
+      const auto time = time_realisations(conditions, number * size.realisations, size.realisations);
+      if (!time) return std::nullopt;
+      round.push_back(*time);
     }
     return round;
   }
 
-  /// `first`: the first of them in the sample. Where that has an end, it begins anew.
-  [[nodiscard]] std::optional<TimedPeriods> time_realisations(const std::vector<Condition>& conditions,
-                                                              std::uint64_t first) const {
-    TimedPeriods timed;
+  /// Processor time a period of `count` of the sample from the `first` on; where that has an end, it begins anew.
+  [[nodiscard]] std::optional<double> time_realisations(const std::vector<Condition>& conditions, std::uint64_t first,
+                                                        std::uint64_t count) const {
+    std::uint64_t periods = 0;
     const double before = plan_->processor_seconds();
     RealisationCrew crew(experiment_->seed, options_->lanes);
-    for (std::uint64_t next = 0; next < in_round_ || !crew.is_idle();) {
+    for (std::uint64_t next = 0; next < count || !crew.is_idle();) {
       if (options_->stop_requested != nullptr && options_->stop_requested->load()) return std::nullopt;
-      for (; next < in_round_ && crew.wants_more(); ++next) {
-        const std::uint64_t place = first + next;
-        const RealisationKey key = sample_.at(sample_.size() ? place % *sample_.size() : place);
+      for (; next < count && crew.wants_more(); ++next) {
+        const std::uint64_t index = first + next;
+        const RealisationKey key = sample_.at(sample_.size() ? index % *sample_.size() : index);
         crew.start({&conditions[key.condition], key.realisation}, next);
       }
-      for (const auto& [ticket, record] : crew.work()) timed.periods += record.strobe.size();
+      for (const auto& [ticket, record] : crew.work()) periods += record.strobe.size();
     }
-    timed.seconds = plan_->processor_seconds() - before;
-    return timed;
+    const double seconds = plan_->processor_seconds() - before;
+    return periods == 0 ? 0.0 : seconds / static_cast<double>(periods);
   }
 
-  void keep(const Round& round) {
+  void keep(const std::vector<Round>& rounds, const RoundSize& size) {
     const std::lock_guard lock(mutex_);
-    if (all_.tolerances.empty()) {
-      all_ = round;
-      return;
+    for (const Round& round : rounds) {
+      for (std::size_t i = 0; i < round.size(); ++i) times_[i].push_back(round[i]);
     }
-    all_.add(round);
-    all_.periods = std::min(all_.periods, round.periods);
+    if (size.work() < size_.work()) size_ = size;
   }
 
   const Experiment* experiment_;
   std::span<const double> tolerances_;
   const TimingPlan* plan_;
   const RunOptions* options_;
-  CostSample sample_;
   unsigned threads_;
-  int longest_;
-  std::uint64_t in_round_ = 0;
+  CostSample sample_;
+  RoundSize largest_;
   std::mutex mutex_;
-  Round all_;  ///< of all threads
+  RoundSize size_;                          ///< the smallest of those kept
+  std::vector<std::vector<double>> times_;  ///< those kept, of all threads, for each tolerance
 };
 
 }  // namespace

@@ -14,8 +14,8 @@ namespace rocking::experiment {
 /// them, repeats and checks of labels.
 struct CostTiming {
   std::vector<double> seconds_per_period;  ///< processor time, by tolerance [s]; 0 where no period was reached
-  std::uint64_t realisations = 0;          ///< side by side and one after another, on each thread at a time
-  int periods = 0;                         ///< that each of them was given
+  std::uint64_t realisations = 0;          ///< of a round, on each thread
+  int periods = 0;                         ///< of the longest horizon of a round
 };
 
 /// How to take the time.
@@ -24,10 +24,10 @@ struct TimingPlan {
   std::function<double()> seconds_left;  ///< by the clock, for all of it [s]; the first round takes longer if it must
 };
 
-/// Takes the time of rounds of realisations of `CostSample` on each thread, a round at all tolerances in turn. There are as
-/// many in a round as fill the lanes for most of it, if a thread of the run has as many; in the first their horizons are cut to
-/// a few periods, and while there is time for it, the next has twice as many. The last rounds of a length count. If it is
-/// asked to stop before one is over, all times are 0.
+/// Takes the time of rounds of realisations of `CostSample` on each thread, a round at all tolerances in turn. The first are of
+/// a few periods, their horizons cut short, and of as many realisations as fill the lanes, if a thread of the run has as many.
+/// As long as there is time for some larger ones, they grow, to full horizons first. Medians of those of the last size
+/// count. If it is asked to stop, times are of no use.
 [[nodiscard]] CostTiming time_cost(const Experiment& experiment, std::span<const double> tolerances,
                                    const TimingPlan& plan, const RunOptions& options);
 

@@ -167,9 +167,9 @@ std::string cost_table(const MeasuredCost& measured) {
          significant(100.0 * confidence, 4) +
          " % interval of their\nshare, and of how much larger it is than at the second tightest, per cent; steps and "
          "processor "
-         "time a period, " +
+         "time a period, with\n" +
          std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
-         " periods together;\nspeed as a multiple of that at the experiment's own tolerance (*)\n\n" +
+         " periods on each thread; speed as a multiple of that at the experiment's own tolerance (*)\n\n" +
          realisations_table(measured) + '\n' + cost_recommendation(measured) + '\n';
 }
 

@@ -1,0 +1,164 @@
+// No guard crossing is missed: a million steps of random motions, made as the product makes them, against a close look at every
+// guard over all of the time that a step went on.
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rocking/experiment/horizon_run.hpp"
+#include "rocking/experiment/realisation_crew.hpp"
+#include "support/guard_watch.hpp"
+#include "support/random_scene.hpp"
+#include "support/watched_motion.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+using support::GuardTally;
+using support::SplitMix;
+
+constexpr std::array<std::string_view, dynamics::guard_count> guard_names{
+    "overturn",         "determinant", "tilt",       "slip",         "friction_inward",
+    "friction_outward", "leave_right", "leave_left", "past_balance", "normal"};
+
+constexpr int horizon_periods = 34;
+#if ROCKING_CONTRACTS  // and sanitizers: five times as long a step
+constexpr std::uint64_t watched_steps = 200'000;
+#else
+constexpr std::uint64_t watched_steps = 1'000'000;
+#endif
+
+/// A broken line, its knots unevenly spaced, now and then a jump; two in three with a vertical motion.
+std::shared_ptr<const GroundMotion> random_ground_motion(const Scene& scene, SplitMix& draw) {
+  GroundMotion motion{.samples = {}, .has_vertical = draw.below(3) != 0};
+  const dynamics::Geometry block = dynamics::geometry_of(scene.block);
+  const double period = 2.0 * std::numbers::pi / scene.excitation.frequency_ratio / block.frequency_parameter;
+  const double strongest = draw.uniform(0.05, 0.4);
+  for (double time = 0.0; time < horizon_periods * period;) {
+    motion.samples.push_back({time, block.shape_angle * draw.uniform(-1.0, 1.0), draw.uniform(-strongest, strongest)});
+    if (draw.below(5) != 0) time += draw.uniform(0.05, 0.6) * period;
+  }
+  return std::make_shared<const GroundMotion>(std::move(motion));
+}
+
+/// A squat block on rubber, thrown over the edge that slips: D may vanish on the way.
+void throw_over(Scene& scene, SplitMix& draw) {
+  const double side = draw.below(2) == 0 ? 1.0 : -1.0;
+  scene.block.height = draw.uniform(1.0, 1.6);
+  scene.slide_inertia = dynamics::SlideInertia::centroidal;
+  scene.excitation.amplitude = support::spread(draw, 0.01, 2.0);
+  scene.friction = Friction{.static_coefficient = 2.0, .kinetic_coefficient = draw.uniform(1.3, 1.7)};
+  scene.initial.tilt = side * draw.uniform(0.0, 0.3);
+  scene.initial.slip_rate = -side * draw.uniform(2.0, 6.0);
+}
+
+/// Squat and slender, all formulations, every effect on and off, tolerances of ten decades; every fourth base recorded.
+Condition random_condition(std::uint64_t number) {
+  SplitMix draw(number);
+  Condition condition;
+  Scene& scene = condition.scene;
+  scene = support::random_scene(draw, 0.5, 16.0);
+  condition.tolerance = support::spread(draw, 1e-15, 1e-5);
+  condition.horizon = {.transient_periods = 4, .sampled_periods = horizon_periods - 4};
+  scene.fluctuation.refreshes_per_period = std::array{1, 8, 100, 200}[static_cast<std::size_t>(draw.below(4))];
+  if (draw.below(8) == 0) throw_over(scene, draw);
+  if (draw.below(4) == 0) {
+    scene.excitation.phase = 0.0;
+    scene.excitation.record = random_ground_motion(scene, draw);
+  }
+  return condition;
+}
+
+/// Runs realisation 0 of a condition as run_alone does, watched.
+Record run_watched(const Condition& condition, std::uint64_t seed, GuardTally& tally,
+                   const integrate::FiredGuards& overlooked = {}) {
+  const random::Draws draws(seed, 0);
+  const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
+                                                strobes_before_copy(condition));
+  return with_excitation(condition.scene, beginning, [&]<class Excitation>(const Excitation& excitation) {
+    HorizonRun<Excitation> run(
+        condition, [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
+    support::GuardWatch<Motion<Excitation>> watch(beginning.setting, Excitation::has_vertical, tally);
+    support::WatchedMotion watched(run.motion(), watch, overlooked);
+    while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
+    return run.finish();
+  });
+}
+
+/// What a realisation came to, and the steps and searches that it took.
+std::string outcome_of(const Record& record) {
+  return base::to_hex(digest_of(record, 0)) + " " + std::to_string(record.effort.steps) + " steps, " +
+         std::to_string(record.effort.root_isolations) + " isolations";
+}
+
+std::string spelled(const GuardTally& tally) {
+  std::string text = std::to_string(tally.steps) + " steps, " + std::to_string(tally.ended_by_event) + " to an event\n";
+  for (std::size_t guard = 0; guard < guard_names.size(); ++guard) {
+    const support::GuardSteps& seen = tally.guards[guard];
+    text += std::string(guard_names[guard]) + ": armed " + std::to_string(seen.armed) + ", spared " +
+            std::to_string(seen.spared) + ", fired " + std::to_string(seen.fired) + ", missed " +
+            std::to_string(seen.missed) + ", unarmed " + std::to_string(seen.unarmed) + ", unlike " +
+            std::to_string(seen.unlike) + ", made up " + std::to_string(seen.made_up) + "\n";
+  }
+  return text;
+}
+
+/// The same realisations side by side in lanes, where the base motion is one that they take.
+void expect_the_same_in_lanes(const lanes::Kernels& kernels, const std::vector<Condition>& conditions,
+                              const std::vector<std::string>& outcomes) {
+  RealisationCrew crew(kernels);
+  for (std::size_t next = 0; next < conditions.size() || !crew.is_idle();) {
+    for (; next < conditions.size() && crew.wants_more(); ++next) {
+      if (conditions[next].scene.excitation.record == nullptr) crew.start(conditions[next], next, 0, next);
+    }
+    for (const auto& [ticket, record] : crew.work()) {
+      ASSERT_EQ(outcome_of(record), outcomes[ticket]) << "random_condition(" << ticket << "), " << kernels.name;
+    }
+  }
+}
+
+// Lanes cannot be watched step by step. They make the same steps if they come to the same strobe points and counts.
+TEST(GuardCrossing, IsNeverMissedInAMillionStepsOfRandomMotions) {
+  GuardTally tally;
+  std::vector<Condition> conditions;
+  std::vector<std::string> outcomes;
+  while (tally.steps < watched_steps) {
+    const std::uint64_t number = conditions.size();
+    conditions.push_back(random_condition(number));
+    outcomes.push_back(outcome_of(run_watched(conditions.back(), number, tally)));
+    ASSERT_EQ(tally.offences(), 0U) << "random_condition(" << number << ")\n" << spelled(tally);
+  }
+  for (std::size_t guard = 0; guard < guard_names.size(); ++guard) {
+    EXPECT_GE(tally.guards[guard].armed, watched_steps / 2'000) << spelled(tally);
+    EXPECT_GE(tally.guards[guard].fired, watched_steps / 50'000) << spelled(tally);
+  }
+  EXPECT_GE(tally.ended_by_event, watched_steps / 10) << spelled(tally);
+  expect_the_same_in_lanes(lanes::available_kernels().front(), conditions, outcomes);
+  expect_the_same_in_lanes(lanes::available_kernels().back(), conditions, outcomes);
+}
+
+/// Of an integrator that does not see one guard.
+class OverlookedGuard : public testing::TestWithParam<std::size_t> {};
+
+TEST_P(OverlookedGuard, IsNoticed) {
+  const integrate::FiredGuards overlooked(1U << GetParam());
+  GuardTally tally;
+  for (std::uint64_t number = 0; number < 1'000 && tally.offences() == 0; ++number) {
+    static_cast<void>(run_watched(random_condition(number), number, tally, overlooked));
+  }
+  EXPECT_GT(tally.guards[GetParam()].missed, 0U) << guard_names[GetParam()];
+}
+
+INSTANTIATE_TEST_SUITE_P(GuardCrossing, OverlookedGuard, testing::Range<std::size_t>(0, dynamics::guard_count));
+
+}  // namespace
+}  // namespace rocking::experiment

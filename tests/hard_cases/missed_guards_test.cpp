@@ -78,10 +78,12 @@ Condition random_condition(std::uint64_t number) {
   return condition;
 }
 
-/// Runs realisation 0 of a condition as run_alone does, watched.
-Record run_watched(const Condition& condition, std::uint64_t seed, GuardTally& tally,
+constexpr std::uint64_t seed = 0x2012;
+
+/// Runs a realisation of a condition as run_alone does, watched but for its companions.
+Record run_watched(const Condition& condition, std::uint64_t realisation, GuardTally& tally,
                    const integrate::FiredGuards& overlooked = {}) {
-  const random::Draws draws(seed, 0);
+  const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                 strobes_before_copy(condition));
   return with_excitation(condition.scene, beginning, [&]<class Excitation>(const Excitation& excitation) {
@@ -90,6 +92,7 @@ Record run_watched(const Condition& condition, std::uint64_t seed, GuardTally& t
     support::GuardWatch<Motion<Excitation>> watch(beginning.setting, Excitation::has_vertical, tally);
     support::WatchedMotion watched(run.motion(), watch, overlooked);
     while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
+    if (CompanionPair* companions = run.name()) run_alone(*companions);
     return run.finish();
   });
 }
@@ -115,10 +118,10 @@ std::string spelled(const GuardTally& tally) {
 /// The same realisations side by side in lanes, where the base motion is one that they take.
 void expect_the_same_in_lanes(const lanes::Kernels& kernels, const std::vector<Condition>& conditions,
                               const std::vector<std::string>& outcomes) {
-  RealisationCrew crew(kernels);
+  RealisationCrew crew(seed, kernels);
   for (std::size_t next = 0; next < conditions.size() || !crew.is_idle();) {
     for (; next < conditions.size() && crew.wants_more(); ++next) {
-      if (conditions[next].scene.excitation.record == nullptr) crew.start(conditions[next], next, 0, next);
+      if (conditions[next].scene.excitation.record == nullptr) crew.start({&conditions[next], next}, next);
     }
     for (const auto& [ticket, record] : crew.work()) {
       ASSERT_EQ(outcome_of(record), outcomes[ticket]) << "random_condition(" << ticket << "), " << kernels.name;

@@ -48,8 +48,10 @@ std::vector<double> tolerances_of(const CostRequest& request, const experiment::
   return {all.begin(), all.end()};
 }
 
-/// Of the time that measuring the sample took: for taking times. So both together take what was asked for.
+/// Of the time that measuring the sample took: for taking times. So both together take what was asked for; where the sample
+/// takes less, times take a few seconds of that.
 constexpr double timing_share = 1.0 / 3.0;
+constexpr double few_seconds = 5.0;
 
 /// Absent if interrupted.
 std::optional<experiment::Cost> measured(const experiment::Experiment& experiment, const CostRequest& request,
@@ -68,7 +70,9 @@ std::optional<experiment::Cost> measured(const experiment::Experiment& experimen
   experiment::CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
   if (!request.sample) plan.is_enough = [&] { return progress.elapsed() >= time; };
   const auto sample = experiment::measure_cost(experiment, plan, options);
-  const double end = (1.0 + timing_share) * progress.elapsed();
+  const double spent = progress.elapsed();
+  const double spare = request.sample ? few_seconds : std::min(few_seconds, request.time - spent);
+  const double end = spent + std::max(timing_share * spent, spare);
   auto timing = experiment::time_cost(
       experiment, tolerances,
       {.processor_seconds = thread_seconds, .seconds_left = [&] { return end - progress.elapsed(); }}, options);

@@ -49,6 +49,14 @@ TEST(CostTiming, DoublesThePeriodsUntilTheyAreTheExperimentsOwnAndKeepsToTheTime
   for (const double seconds : timing.seconds_per_period) EXPECT_DOUBLE_EQ(seconds, 1.0 / (6 * 60));
 }
 
+TEST(CostTiming, EndsWhenThereAreEnoughRoundsOfTheLargest) {
+  Clocks clocks;
+  const Experiment experiment = shaken_experiment({.transient_periods = 10, .sampled_periods = 50}, 2);
+  const CostTiming timing = time_cost(experiment, timed_tolerances, clocks.with_time(1e6), {});
+  EXPECT_EQ(timing.periods, 60);
+  EXPECT_EQ(clocks.rounds(), 2 + 9);
+}
+
 TEST(CostTiming, CountsTheLastSizeOnly) {
   Clocks clocks;
   const Experiment experiment = shaken_experiment({.transient_periods = 500, .sampled_periods = 500}, 1);

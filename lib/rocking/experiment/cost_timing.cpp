@@ -27,8 +27,10 @@ struct RoundSize {
 /// Enough to fill the widest lanes; then the more, the less of the time goes into emptying them at the end.
 constexpr RoundSize smallest_round{.periods = 16, .realisations = 96};
 constexpr std::uint64_t most_realisations = 768;
-/// Of a size: so many tell what is usual on a machine that does other things too.
+/// Of a size, on each thread: so many tell what is usual on a machine that does other things too.
 constexpr int wanted_rounds = 3;
+/// Of the largest: more would tell nothing new.
+constexpr std::size_t most_rounds = 9;
 
 int longest_horizon(const Experiment& experiment) {
   return std::ranges::max(experiment.conditions | std::views::transform([](const Condition& condition) {
@@ -100,7 +102,7 @@ class Timekeeper {
       if (larger.work() > size.work() && wanted_rounds * took * larger.work() / size.work() <= left) {
         size = larger;
         rounds.clear();
-      } else if (took > left) {
+      } else if (took > left || rounds.size() == most_rounds) {
         return keep(rounds, size);
       }
     }

@@ -27,7 +27,7 @@ struct TimingPlan {
 /// Takes the time of rounds of realisations of `CostSample` on each thread, a round at all tolerances in turn. The first are of
 /// a few periods, their horizons cut short, and of as many realisations as fill the lanes, if a thread of the run has as many.
 /// As long as there is time for some larger ones, they grow, to full horizons first. Medians of those of the last size
-/// count. If it is asked to stop, times are of no use.
+/// count; a few are enough. If it is asked to stop, times are of no use.
 [[nodiscard]] CostTiming time_cost(const Experiment& experiment, std::span<const double> tolerances,
                                    const TimingPlan& plan, const RunOptions& options);
 

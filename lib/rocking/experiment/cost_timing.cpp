@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "rocking/base/on_threads.hpp"
@@ -33,9 +32,11 @@ constexpr int wanted_rounds = 3;
 constexpr std::size_t most_rounds = 9;
 
 int longest_horizon(const Experiment& experiment) {
-  return std::ranges::max(experiment.conditions | std::views::transform([](const Condition& condition) {
-                            return condition.horizon.transient_periods + condition.horizon.sampled_periods;
-                          }));
+  int longest = 0;
+  for (const Condition& condition : experiment.conditions) {
+    longest = std::max(longest, condition.horizon.transient_periods + condition.horizon.sampled_periods);
+  }
+  return longest;
 }
 
 /// For each thread of the run.

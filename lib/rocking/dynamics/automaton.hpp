@@ -21,7 +21,7 @@ namespace rocking::dynamics {
 /// What a scene fixes for a realisation.
 struct Setting {
   Geometry block;
-  double inertia;    ///< J
+  double inertia;  ///< J
   ImpactSlipRule impact_slip_rule;
   double tolerance;  ///< of a step, in Theta and Theta'; of a hop, see Automaton::hop_is_too_small
 };
@@ -34,11 +34,7 @@ class Automaton {
  public:
   Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const Excitation& excitation,
             Observer& observer)
-      : setting_(setting),
-        clock_(clock),
-        coefficients_(coefficients),
-        excitation_(excitation),
-        observer_(&observer) {}
+      : setting_(setting), clock_(clock), coefficients_(coefficients), excitation_(excitation), observer_(&observer) {}
 
   [[nodiscard]] const State& state() const { return state_; }
   [[nodiscard]] const Clock& clock() const { return clock_; }
@@ -69,9 +65,7 @@ class Automaton {
     return hop_limit() * (excitation_.most_horizontal(base_amplitude()) + 1.0);
   }
   [[nodiscard]] Observer& observer() const { return *observer_; }
-  [[nodiscard]] bool is_slipping() const {
-    return state_.contact == ContactState::slide || state_.contact == ContactState::rock_slide;
-  }
+  [[nodiscard]] bool is_slipping() const { return is_sliding(state_.contact); }
 
   /// The initial state and what follows from it at once.
   void enter(const State& initial) {
@@ -225,9 +219,9 @@ class Automaton {
   Excitation excitation_;
   State state_;
   bool was_past_balance_ = false;
-  bool lift_starts_flat_ = false;  ///< w' = 0 exactly at the start of the coming step
-  bool slip_starts_flat_ = false;  ///< V' = 0 exactly at the start of the coming step
-  double limit_sign_ = 0.0;  ///< of S F, if abs(F) = mu_s N exactly at the start of the coming step; else 0
+  bool lift_starts_flat_ = false;        ///< w' = 0 exactly at the start of the coming step
+  bool slip_starts_flat_ = false;        ///< V' = 0 exactly at the start of the coming step
+  double limit_sign_ = 0.0;              ///< of S F, if abs(F) = mu_s N exactly at the start of the coming step; else 0
   bool sticks_beyond_friction_ = false;  ///< until the next event; see start_slipping
   std::optional<Instant> accelerated_at_;  ///< when the base acceleration below was
 
@@ -243,9 +237,7 @@ class Automaton {
     return coefficients_.kinetic_friction(clock_) == coefficients_.static_friction();
   }
 
-  [[nodiscard]] bool is_centroidal() const {
-    return setting_.inertia == inertia_ratio(SlideInertia::centroidal);
-  }
+  [[nodiscard]] bool is_centroidal() const { return setting_.inertia == inertia_ratio(SlideInertia::centroidal); }
 
   /// Friction is tested only while the block presses on the base.
   [[nodiscard]] bool friction_holds(const Forces& forces) const {

@@ -11,8 +11,8 @@
 
 #include "rocking/dynamics/automaton.hpp"
 #include "rocking/dynamics/guards.hpp"
-#include "rocking/dynamics/motion_series.hpp"
 #include "rocking/dynamics/smooth_step.hpp"
+#include "rocking/dynamics/step_series.hpp"
 
 namespace rocking::dynamics {
 
@@ -20,12 +20,6 @@ namespace rocking::dynamics {
 struct Schedule {
   Instant first_strobe;      ///< the following ones come a period apart
   std::int64_t strobes = 0;  ///< after the last the run ends
-};
-
-/// Base accelerations over g.
-struct BaseMotion {
-  double horizontal;  ///< alpha
-  double weight;      ///< 1 + alpha_v
 };
 
 /// A small change of state: Theta, Theta', V.
@@ -55,7 +49,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
       : Base(setting, clock, coefficients, excitation, observer),
         schedule_(schedule),
         next_strobe_(schedule.first_strobe),
-        steps_(steps) {
+        series_(steps) {
     this->enter(initial);
     settle();
   }
@@ -125,7 +119,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     const bool knows_more = Base::sticks_beyond_friction_ || normal_starts_at_zero_ || Base::lift_starts_flat_ ||
                             Base::slip_starts_flat_ || Base::limit_sign_ != 0.0 ||
                             (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
-    return rocks() && !ended() && !knows_more && !Base::was_past_balance_ && !off_ground_ &&
+    return is_rocking(state_.contact) && !ended() && !knows_more && !Base::was_past_balance_ && !off_ground_ &&
            !(this->is_slipping() && determinant_may_vanish());
   }
 
@@ -229,35 +223,9 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   /// The state x into the step that `expand` has prepared.
-  [[nodiscard]] State state_at(double x) const {
-    const double side = frame();
-    const auto value = [x, side](const auto& row, int degree) {
-      double sum = row[static_cast<std::size_t>(degree)];
-      for (int k = degree - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
-      return side * sum;
-    };
-    State state = state_;
-    if (rocks()) {
-      state.tilt = value(series_.tilt, order_ + 1);
-      state.tilt_rate = value(series_.tilt_rate, order_);
-    }
-    if (this->is_slipping()) {
-      state.slip_rate = value(series_.slip_rate, order_);
-      state.slip = value(series_.slip, order_ + 1);
-    }
-    return state;
-  }
-
+  [[nodiscard]] State state_at(double x) const { return series_.state_at(x, state_); }
   /// The base's motion x into the step that `expand` has prepared.
-  [[nodiscard]] BaseMotion base_at(double x) const {
-    const auto value = [x, this](const auto& row) {
-      double sum = row[static_cast<std::size_t>(order_)];
-      for (int k = order_ - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
-      return sum;
-    };
-    return {.horizontal = frame() * value(series_.base),
-            .weight = Excitation::has_vertical ? value(series_.weight) : 1.0};
-  }
+  [[nodiscard]] BaseMotion base_at(double x) const { return series_.template base_at<Excitation>(x, state_); }
 
   /// mu_k in force over the coming step while the block slips; else 0.
   [[nodiscard]] double kinetic_friction() const { return kinetic_friction_; }
@@ -266,7 +234,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   template <class Guards, class Visitor>
   void for_each_guard(const Guards& wanted, Visitor&& visit) const {
     visit_guards(
-        guard_context(), series_, [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
+        guard_context(), series_.rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
   }
 
   void strobe(double x) {
@@ -374,9 +342,6 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     return std::numeric_limits<double>::quiet_NaN();
   }
 
-  /// In full contact the frame of the series is the fixed one.
-  [[nodiscard]] double frame() const { return state_.contact == ContactState::slide ? 1.0 : state_.side; }
-
   [[nodiscard]] std::optional<Instant> earlier(const std::optional<Instant>& a, const std::optional<Instant>& b) const {
     if (!a || !b) return a ? a : b;
     return clock_.until(*a) < clock_.until(*b) ? a : b;
@@ -401,10 +366,6 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
 
   [[nodiscard]] bool is_brief(double reach) const { return reach <= brief_step * clock_.period_length(); }
 
-  [[nodiscard]] bool rocks() const {
-    return state_.contact == ContactState::rock || state_.contact == ContactState::rock_slide;
-  }
-
   /// After events: what the coming steps need to know.
   void settle() {
     if (ended()) return;
@@ -419,7 +380,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
       this->end(Termination::painleve);
     }
-    if (!normal_starts_at_zero_) set_off_ground(rocks() ? series_.normal[0] <= 0.0 : has_no_weight());
+    if (!normal_starts_at_zero_)
+      set_off_ground(is_rocking(state_.contact) ? series_.rows().normal[0] <= 0.0 : has_no_weight());
   }
 
   /// N has become 0.
@@ -430,14 +392,14 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   /// In full contact N = (4/3)(1 + alpha_v).
-  [[nodiscard]] bool has_no_weight() const { return Excitation::has_vertical && series_.weight[0] <= 0.0; }
+  [[nodiscard]] bool has_no_weight() const { return Excitation::has_vertical && series_.rows().weight[0] <= 0.0; }
 
   void set_off_ground(bool off) {
     if (off && !off_ground_ && losses_of_contact_++ == 0) first_loss_of_contact_ = clock_.tau();
     off_ground_ = off;
   }
 
-  [[nodiscard]] double determinant() const { return setting_.inertia + series_.sine[0] * series_.arm[0]; }
+  [[nodiscard]] double determinant() const { return setting_.inertia + series_.rows().sine[0] * series_.rows().arm[0]; }
 
   [[nodiscard]] bool determinant_may_vanish() const { return determinant_may_vanish(kinetic_friction_); }
 
@@ -448,13 +410,14 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   [[nodiscard]] GuardContext guard_context() const {
+    const double side = frame_side(state_);
     return {.contact = state_.contact,
             .block = setting_.block,
-            .order = order_,
-            .side = frame(),
+            .order = series_.order(),
+            .side = side,
             .static_friction = coefficients_.static_friction(),
             .inertia = setting_.inertia,
-            .slip_sign = frame() * state_.slip_direction,
+            .slip_sign = side * state_.slip_direction,
             .tilt_zeros = state_.tilt != 0.0        ? 0U
                           : state_.tilt_rate != 0.0 ? 1U
                           : Base::lift_starts_flat_ ? 3U
@@ -480,43 +443,16 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
                         setting_.block.shape_angle, setting_.block.sine);
   }
 
-  /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
   template <int order>
   double expand_to() {
-    order_ = order;
-    const double side = frame();
-    constexpr bool vertical = Excitation::has_vertical;
-    excitation_.template expand<order>(series_, clock_, side * this->base_amplitude());
-    const double largest = setting_.tolerance * setting_.block.shape_angle;
-    const SlipParameters<double> slip{.inertia = setting_.inertia,
-                                      .drag = side * state_.slip_direction * kinetic_friction_,
-                                      .first_rate_gate = Base::slip_starts_flat_ ? 0.0 : 1.0};
-    const auto length = [this, largest](const auto& row) { return steps_(row[order - 1], row[order], order, largest); };
-    series_.slip_rate[0] = side * state_.slip_rate;
-    series_.slip[0] = side * state_.slip;
-    switch (state_.contact) {
-      case ContactState::rest: return length(series_.base);
-      case ContactState::slide: expand_slide<order, vertical>(series_, slip); return length(series_.slip_rate);
-      case ContactState::rock:
-        begin_rocking(side);
-        expand_rock<order, vertical>(series_, Base::lift_starts_flat_ ? 0.0 : 1.0);
-        expand_normal<order, vertical>(series_);
-        return length(series_.tilt_rate);
-      case ContactState::rock_slide:
-        begin_rocking(side);
-        expand_rock_slide<order, vertical>(series_, slip);
-        return std::min(length(series_.tilt_rate), length(series_.slip_rate));
-      case ContactState::overturned: break;
-    }
-    return 0.0;
-  }
-
-  void begin_rocking(double side) {
-    const auto [sine, cosine] = edge_angle(state_, setting_.block);
-    series_.tilt[0] = side * state_.tilt;
-    series_.tilt_rate[0] = side * state_.tilt_rate;
-    series_.sine[0] = sine;
-    series_.cosine[0] = cosine;
+    return series_.template expand<order>({.setting = setting_,
+                                           .state = state_,
+                                           .clock = clock_,
+                                           .amplitude = this->base_amplitude(),
+                                           .kinetic_friction = kinetic_friction_,
+                                           .lift_starts_flat = Base::lift_starts_flat_,
+                                           .slip_starts_flat = Base::slip_starts_flat_},
+                                          excitation_);
   }
 
   Schedule schedule_;
@@ -528,15 +464,13 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   std::uint64_t slip_steps_ = 0;
   std::optional<Instant> breakpoint_;
   double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step, while slipping
-  MotionSeries<double> series_{};
-  int order_ = full_order;
+  StepSeries<Steps> series_;
   OutOfReach<bool> out_of_reach_{};  ///< over the coming step
   bool after_reset_ = true;
   bool off_ground_ = false;  ///< N <= 0
   bool normal_starts_at_zero_ = false;
   std::uint64_t losses_of_contact_ = 0;
   double first_loss_of_contact_ = 0.0;
-  Steps steps_;
 };
 
 }  // namespace rocking::dynamics

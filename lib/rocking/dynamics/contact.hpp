@@ -9,6 +9,14 @@ namespace rocking::dynamics {
 /// How the block touches the base: the discrete state of the hybrid automaton.
 enum class ContactState : std::uint8_t { rest, slide, rock, rock_slide, overturned };
 
+[[nodiscard]] inline bool is_rocking(ContactState contact) {
+  return contact == ContactState::rock || contact == ContactState::rock_slide;
+}
+
+[[nodiscard]] inline bool is_sliding(ContactState contact) {
+  return contact == ContactState::slide || contact == ContactState::rock_slide;
+}
+
 /// Everything that can happen to a block at an instant.
 enum class EventKind : std::uint8_t {
   lift,          ///< full contact to rocking without slip

@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "rocking/dynamics/automaton.hpp"
+#include "rocking/dynamics/motion_series.hpp"
+
+namespace rocking::dynamics {
+
+/// Base accelerations over g.
+struct BaseMotion {
+  double horizontal;  ///< alpha
+  double weight;      ///< 1 + alpha_v
+};
+
+/// Of the frame in which a motion is expanded: that of the block's side; in full contact the fixed one.
+[[nodiscard]] inline double frame_side(const State& state) {
+  return state.contact == ContactState::slide ? 1.0 : state.side;
+}
+
+/// What the series of a step begin with.
+struct StepStart {
+  const Setting& setting;
+  const State& state;
+  const Clock& clock;
+  double amplitude;         ///< of alpha
+  double kinetic_friction;  ///< mu_k in force while the block slips
+  bool lift_starts_flat;    ///< the tilt's acceleration is 0
+  bool slip_starts_flat;    ///< the slip's is
+};
+
+/// The Taylor series of the coming step. `Steps`: see BlockMotion.
+template <class Steps>
+class StepSeries {
+ public:
+  explicit StepSeries(Steps steps) : steps_(steps) {}
+
+  [[nodiscard]] const MotionSeries<double>& rows() const { return rows_; }
+  [[nodiscard]] int order() const { return order_; }
+
+  /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
+  template <int order, BaseExcitation Excitation>
+  double expand(const StepStart& start, Excitation& excitation) {
+    order_ = order;
+    const State& state = start.state;
+    const double side = frame_side(state);
+    constexpr bool vertical = Excitation::has_vertical;
+    excitation.template expand<order>(rows_, start.clock, side * start.amplitude);
+    const double largest = start.setting.tolerance * start.setting.block.shape_angle;
+    const SlipParameters<double> slip{.inertia = start.setting.inertia,
+                                      .drag = side * state.slip_direction * start.kinetic_friction,
+                                      .first_rate_gate = start.slip_starts_flat ? 0.0 : 1.0};
+    const auto length = [this, largest](const auto& row) { return steps_(row[order - 1], row[order], order, largest); };
+    rows_.slip_rate[0] = side * state.slip_rate;
+    rows_.slip[0] = side * state.slip;
+    switch (state.contact) {
+      case ContactState::rest: return length(rows_.base);
+      case ContactState::slide: expand_slide<order, vertical>(rows_, slip); return length(rows_.slip_rate);
+      case ContactState::rock:
+        begin_rocking(state, start.setting.block);
+        expand_rock<order, vertical>(rows_, start.lift_starts_flat ? 0.0 : 1.0);
+        expand_normal<order, vertical>(rows_);
+        return length(rows_.tilt_rate);
+      case ContactState::rock_slide:
+        begin_rocking(state, start.setting.block);
+        expand_rock_slide<order, vertical>(rows_, slip);
+        return std::min(length(rows_.tilt_rate), length(rows_.slip_rate));
+      case ContactState::overturned: break;
+    }
+    return 0.0;
+  }
+
+  /// The state x after `start`, where the series begin.
+  [[nodiscard]] State state_at(double x, const State& start) const {
+    const double side = frame_side(start);
+    State state = start;
+    if (is_rocking(start.contact)) {
+      state.tilt = side * value(rows_.tilt, order_ + 1, x);
+      state.tilt_rate = side * value(rows_.tilt_rate, order_, x);
+    }
+    if (is_sliding(start.contact)) {
+      state.slip_rate = side * value(rows_.slip_rate, order_, x);
+      state.slip = side * value(rows_.slip, order_ + 1, x);
+    }
+    return state;
+  }
+
+  /// The base's motion then.
+  template <BaseExcitation Excitation>
+  [[nodiscard]] BaseMotion base_at(double x, const State& start) const {
+    return {.horizontal = frame_side(start) * value(rows_.base, order_, x),
+            .weight = Excitation::has_vertical ? value(rows_.weight, order_, x) : 1.0};
+  }
+
+ private:
+  template <class Row>
+  [[nodiscard]] static double value(const Row& row, int degree, double x) {
+    double sum = row[static_cast<std::size_t>(degree)];
+    for (int k = degree - 1; k >= 0; --k) sum = std::fma(sum, x, row[static_cast<std::size_t>(k)]);
+    return sum;
+  }
+
+  void begin_rocking(const State& state, const Geometry& block) {
+    const auto [sine, cosine] = edge_angle(state, block);
+    rows_.tilt[0] = state.side * state.tilt;
+    rows_.tilt_rate[0] = state.side * state.tilt_rate;
+    rows_.sine[0] = sine;
+    rows_.cosine[0] = cosine;
+  }
+
+  MotionSeries<double> rows_{};
+  int order_ = full_order;
+  Steps steps_;
+};
+
+}  // namespace rocking::dynamics

@@ -1,0 +1,98 @@
+// The Lyapunov exponent that two companions tell, against what is known of it.
+
+#include <cmath>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+#include "rocking/experiment/exponent.hpp"
+
+namespace rocking::experiment {
+namespace {
+
+using dynamics::HarmonicExcitation;
+
+constexpr std::int64_t transient = 300;
+constexpr std::int64_t periods = 120;
+
+class CountedImpacts final : public dynamics::Observer {
+ public:
+  void event(dynamics::EventKind kind, double, const dynamics::State&) override {
+    if (kind == dynamics::EventKind::impact_stick) ++impacts_;
+  }
+  void strobe(const dynamics::State&) override {}
+  [[nodiscard]] int impacts() const { return impacts_; }
+
+ private:
+  int impacts_ = 0;
+};
+
+Condition rocking_block(double amplitude) {
+  Condition condition;
+  condition.scene.excitation.amplitude = amplitude;
+  condition.scene.excitation.frequency_ratio = 10.0;
+  condition.scene.initial.tilt = 0.2;
+  return condition;
+}
+
+Motion<HarmonicExcitation> after_transient(const Condition& condition, dynamics::Observer& observer) {
+  const random::Draws draws(0x2012, 0);
+  const Beginning beginning =
+      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, transient);
+  auto motion = motion_of(beginning, observer, HarmonicExcitation{});
+  integrate::advance(motion);
+  return motion;
+}
+
+CompanionRun companions_of(const Condition& condition) {
+  CountedImpacts impacts;
+  CompanionPair pair(after_transient(condition, impacts), dynamics::geometry_of(condition.scene.block).shape_angle,
+                     periods);
+  run_alone(pair);
+  return pair.result();
+}
+
+/// Between impacts the motion keeps areas of (theta, w). An impact that takes w to r w leaves r^2 of them: once as a map, once
+/// since it comes sooner the faster. Where the multipliers of an orbit are a complex pair, each has half of the loss.
+class LyapunovExponent : public testing::TestWithParam<double> {};
+
+TEST_P(LyapunovExponent, OfAPeriodicMotionIsTheLossOfItsImpacts) {
+  const Condition condition = rocking_block(GetParam());
+  CountedImpacts impacts;
+  Motion<HarmonicExcitation> motion = after_transient(condition, impacts);
+  const int before = impacts.impacts();
+  motion.extend(periods);
+  integrate::advance(motion);
+  const double each_period = static_cast<double>(impacts.impacts() - before) / static_cast<double>(periods);
+  const double kept = 1.0 - dynamics::impact_loss(0.0, dynamics::geometry_of(condition.scene.block));
+  const auto exponent = companions_of(condition).exponent;
+  ASSERT_TRUE(exponent.has_value());
+  EXPECT_NEAR(exponent->exponent, each_period * std::log(kept), 2.0 * exponent->standard_error);
+  EXPECT_LT(exponent->standard_error, 0.2 * std::abs(exponent->exponent));
+}
+
+INSTANTIATE_TEST_SUITE_P(LyapunovExponent, LyapunovExponent, testing::Values(2.0, 2.5, 3.0, 3.5, 4.0, 4.5, 5.0));
+
+TEST(Companions, GoOnForEightTimesAsLongWhereNothingMoves) {
+  Condition condition = rocking_block(0.5);
+  condition.scene.initial.tilt = 0.0;
+  const CompanionRun run = companions_of(condition);
+  EXPECT_FALSE(run.exponent.has_value());
+  EXPECT_EQ(run.periods, 2U * 8U * periods);
+}
+
+TEST(Companions, EndWithTheMotion) {
+  Condition condition = rocking_block(4.0);
+  CountedImpacts impacts;
+  Motion<HarmonicExcitation> motion = after_transient(condition, impacts);
+  const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
+  static_cast<void>(motion.displace({.tilt_rate = 5.0}));
+  CompanionPair pair(motion, shape_angle, periods);
+  run_alone(pair);
+  EXPECT_EQ(pair.leader().termination(), dynamics::Termination::overturned);
+  EXPECT_FALSE(pair.result().exponent.has_value());
+  EXPECT_LT(pair.result().periods, 2U * periods);
+}
+
+}  // namespace
+}  // namespace rocking::experiment

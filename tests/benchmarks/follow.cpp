@@ -129,8 +129,7 @@ class SideBySide::Implementation {
     int reached = 0;
     for (int finished = 0; finished < count;) {
       crew_.step();
-      if (!crew_.has_finished()) continue;
-      for (const LaneRun* ended : crew_.take_finished()) {
+      while (const LaneRun* ended = crew_.take_finished()) {
         reached += ended->reached_horizon() ? 1 : 0;
         ++finished;
         begin(*std::ranges::find_if(runs_, [ended](const auto& run) { return &*run == ended; }));

@@ -182,7 +182,37 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
   const std::uint64_t before = allocations;
   steps(20'000);
   EXPECT_EQ(allocations - before, 0U);
-  EXPECT_THAT(crew.take_finished(), testing::IsEmpty()) << "a run that ends allocates, and is not what is tested here";
+  EXPECT_EQ(crew.take_finished(), nullptr) << "a run that ends allocates, and is not what is tested here";
+}
+
+struct Work {
+  std::uint64_t companion_periods = 0;
+  std::uint64_t allocations = 0;
+};
+
+/// Of realisations whose names need companions, over as many periods as are sampled or more.
+Work work_of_companions(int sampled_periods) {
+  Condition condition = shaken(8.0, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
+  condition.scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+  condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.02;
+  condition.horizon = {.transient_periods = 100, .sampled_periods = sampled_periods};
+  const std::uint64_t before = allocations;
+  Work work;
+  RealisationCrew crew(seed, lanes::available_kernels().back());
+  for (std::uint64_t number = 0; number < 60 || !crew.is_idle();) {
+    for (; number < 60 && crew.wants_more(); ++number) crew.start({&condition, number}, number);
+    for (const auto& [ticket, record] : crew.work()) work.companion_periods += record.effort.companion_periods;
+  }
+  work.allocations = allocations - before;
+  return work;
+}
+
+TEST(Lanes, AllocateForNoPeriodOfCompanions) {
+  const Work some = work_of_companions(400);
+  const Work more = work_of_companions(800);
+  const std::uint64_t more_periods = more.companion_periods - some.companion_periods;
+  EXPECT_GT(more_periods, 10'000U);
+  EXPECT_LT(more.allocations - some.allocations, more_periods / 4) << "those of naming twice as many points are fewer";
 }
 
 /// The lines that a command prints.

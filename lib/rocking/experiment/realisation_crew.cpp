@@ -77,9 +77,7 @@ class RealisationCrew::Implementation {
  private:
   /// Whether there is a step to be made before something is finished.
   [[nodiscard]] bool is_under_way() {
-    while (crew_.has_finished()) {
-      for (const Passenger* passenger : crew_.take_finished()) go_on(*passenger);
-    }
+    while (const Passenger* passenger = crew_.take_finished()) go_on(*passenger);
     return finished_.empty() && crew_.size() > 0;
   }
 

@@ -43,9 +43,13 @@ class Crew {
   /// One step of the lanes of a kind, of which there are most.
   void step() { advance(*std::ranges::max_element(groups_, {}, &Group::size)); }
 
-  [[nodiscard]] bool has_finished() const { return !finished_.empty(); }
-  /// Those that have finished since the last call.
-  [[nodiscard]] std::vector<Run*> take_finished() { return std::exchange(finished_, {}); }
+  /// One that has finished and was not taken yet; null if there is none.
+  [[nodiscard]] Run* take_finished() {
+    if (finished_.empty()) return nullptr;
+    Run* run = finished_.back();
+    finished_.pop_back();
+    return run;
+  }
 
  private:
   /// Runs of a kind: those in the lanes of a block, and those that wait for one.

@@ -65,7 +65,8 @@ std::optional<experiment::Cost> measured(const experiment::Experiment& experimen
   options.threads = request.labour.threads;
   options.stop_requested = &stop_on_interrupt();
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-    progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)));
+    progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)),
+                  [] { return "then times are taken"; });
   };
   experiment::CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
   if (!request.sample) plan.is_enough = [&] { return progress.elapsed() >= time; };

@@ -6,7 +6,10 @@
 top=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 logs=$top/build/log
 
-# Everything that comes from the system, by Debian 12's names. Boost stands apart: see boost_version_below.
+# The systems that all of this is tested on. README.md and `rocking doctor` name the same.
+supported_systems=("Debian 12" "Debian 13" "Ubuntu 24.04")
+
+# Everything that comes from the system, by names that are the same on all of these. Boost differs: see boost_packages.
 build_packages=(
   g++ cmake make pkg-config git
   nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev
@@ -15,8 +18,12 @@ build_packages=(
   python3  # writes reports/jeong_yang_2012 from its results
   libjs-dygraphs  # charts of report.html
 )
-boost_package=libboost1.81-dev
-oldest_boost=107400
+# The packages of Boost by preference; the first that the system offers in a version that will do is installed. Debian 12
+# has 1.74 as libboost-dev, and 1.81 beside it, which the published intervals were computed with. Later systems have 1.83 or
+# newer as libboost-dev.
+boost_packages=(libboost1.81-dev libboost-dev)
+oldest_boost=107400  # 1.74, as BOOST_VERSION writes it
+# For `tests/all --full`. What needs one that the system does not offer is skipped by name.
 full_packages=(
   clang libbenchmark-dev
   valgrind  # for a profile
@@ -80,14 +87,43 @@ boost_version_below() {
   [[ -n $version ]] && ((version >= oldest_boost)) && printf '%s\n' "$version"
 }
 
-# missing_boost [FOLDER...]: prints the package to install unless one of the folders holds a Boost that will do. Debian's
-# Boost packages exclude each other, so none is ever installed beside one that is there.
-missing_boost() {
+# has_boost FOLDER...: whether one of the folders holds a Boost that will do. Debian's Boost packages exclude each other, so
+# none is ever installed beside one that is there.
+has_boost() {
   local folder
   for folder in "$@"; do
     if boost_version_below "$folder" >/dev/null; then return; fi
   done
-  printf '%s\n' "$boost_package"
+  return 1
+}
+
+# candidate_of PACKAGE: prints the version that apt-get would install; fails where the system does not offer the package.
+candidate_of() {
+  local version
+  version=$(LC_ALL=C apt-cache policy "$1" 2>/dev/null | sed -n 's/^  Candidate: //p')
+  [[ -n $version && $version != '(none)' ]] && printf '%s\n' "$version"
+}
+
+# boost_package: prints the package to install for Boost; fails where the system offers none that will do.
+boost_package() {
+  local package version
+  for package in "${boost_packages[@]}"; do
+    version=$(candidate_of "$package") || continue
+    [[ $version =~ ^([0-9]+)\.([0-9]+) ]] || continue
+    if ((BASH_REMATCH[1] * 100000 + BASH_REMATCH[2] * 100 >= oldest_boost)); then
+      printf '%s\n' "$package"
+      return
+    fi
+  done
+  return 1
+}
+
+# offered PACKAGE...: prints those that the system offers.
+offered() {
+  local package
+  for package in "$@"; do
+    if candidate_of "$package" >/dev/null; then printf '%s\n' "$package"; fi
+  done
 }
 
 # missing_of PACKAGE...: prints those that are not installed.
@@ -105,27 +141,62 @@ missing_browser() {
   command -v chromium >/dev/null || printf '%s\n' chromium
 }
 
-# install_missing PACKAGE...: installs what is not there of these and of Boost. Touches nothing where all is there.
+# choose_packages: writes to the array `missing` what is to be installed of `required`, `optional` and, if `boost` is not
+# empty, of Boost's packages; says which optional ones the system does not offer.
+choose_packages() {
+  local package
+  mapfile -t missing < <(missing_of "${optional[@]}")
+  mapfile -t optional < <(offered "${missing[@]}")
+  for package in "${missing[@]}"; do
+    [[ " ${optional[*]} " == *" $package "* ]] || say "-- $package: not offered here; the tests that need it are skipped by name"
+  done
+  mapfile -t missing < <(missing_of "${required[@]}")
+  missing+=("${optional[@]}")
+  if [[ $boost ]]; then
+    package=$(boost_package) ||
+      fail "this system offers no Boost 1.74 or later (looked for: ${boost_packages[*]}). Supported: $(list_of_systems)"
+    missing+=("$package")
+  fi
+}
+
+# list_of_systems: prints the supported systems as a sentence has them.
+list_of_systems() {
+  local list
+  list=$(printf '%s, ' "${supported_systems[@]}")
+  printf '%s\n' "${list%, }"
+}
+
+# install_missing REQUIRED... [-- OPTIONAL...]: installs what is not there of these packages and of Boost. Optional packages
+# that the system does not offer are left out. Touches nothing where all is there.
 install_missing() {
+  local required=() optional=() missing=() boost=
+  while (($#)) && [[ $1 != -- ]]; do required+=("$1"); shift; done
+  optional=("${@:2}")
   if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
-    say "-- no apt-get here: going on with what is installed. Needed, by Debian's names: $* $boost_package"
+    say "-- no apt-get here: going on with what is installed. Needed, by Debian's names: ${required[*]} ${optional[*]} libboost-dev"
     return
   fi
-  local missing
-  mapfile -t missing < <(missing_of "$@" && missing_boost /usr/local/include /usr/include)
-  if ((${#missing[@]} == 0)); then
+  has_boost /usr/local/include /usr/include || boost=missing
+  mapfile -t missing < <(missing_of "${required[@]}" "${optional[@]}")
+  if ((${#missing[@]} == 0)) && [[ ! $boost ]]; then
     say "-- packages: all there"
     return
   fi
   local as_root=()
   if ((EUID != 0)); then
-    command -v sudo >/dev/null ||
-      fail "not installed: ${missing[*]}. As root: apt-get install --no-install-recommends ${missing[*]}"
+    if ! command -v sudo >/dev/null; then
+      choose_packages
+      ((${#missing[@]} == 0)) ||
+        fail "not installed: ${missing[*]}. As root: apt-get install --no-install-recommends ${missing[*]}"
+      return
+    fi
     as_root=(sudo)
     say "-- sudo is asked to install packages; it may want your password"
   fi
   local apt=(${as_root[@]+"${as_root[@]}"} env DEBIAN_FRONTEND=noninteractive apt-get -q -o DPkg::Lock::Timeout=300)
   step package-lists "reading the package lists" "${apt[@]}" update
+  choose_packages
+  if ((${#missing[@]} == 0)); then return; fi
   # --no-remove: rather fail than take something away from the machine.
   step packages "installing ${missing[*]}" "${apt[@]}" install -y --no-install-recommends --no-remove "${missing[@]}"
 }

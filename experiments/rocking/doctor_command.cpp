@@ -3,6 +3,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "commands.hpp"
@@ -53,6 +54,9 @@ std::string elementary_digest() {
 constexpr std::string_view expected_elementary_digest =
     "2a846a212407852e70922205ec897b9328975dfad54ef39934e185e96718351c";
 
+// tests/support/setup.sh has the same list, and README.md.
+constexpr std::string_view supported_systems = "Debian 12, Debian 13, Ubuntu 24.04";
+
 // How many realisations a thread advances side by side, and with which instructions.
 std::string lanes_description() {
   const lanes::Kernels best = lanes::available_kernels().back();
@@ -64,6 +68,7 @@ std::vector<Fact> build_facts() {
   return {{"version", std::string(build.version)},       {"revision", std::string(build.revision)},
           {"compiler", std::string(build.compiler)},     {"flags", std::string(build.flags)},
           {"build_type", std::string(build.build_type)}, {"machine", machine_description()},
+          {"system", system_name()},                     {"supported_systems", std::string(supported_systems)},
           {"lanes", lanes_description()}};
 }
 

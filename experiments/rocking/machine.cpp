@@ -35,6 +35,18 @@ std::string machine_description() {
   return fmt::format("{}, {} threads, {}", processor_name(), available_threads(), name);
 }
 
+std::string system_name() {
+  std::ifstream facts("/etc/os-release");
+  const std::string key = "PRETTY_NAME=";
+  for (std::string line; std::getline(facts, line);) {
+    if (!line.starts_with(key)) continue;
+    line.erase(0, key.size());
+    std::erase(line, '"');
+    return line;
+  }
+  return "unknown system";
+}
+
 std::string utc_now() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now));

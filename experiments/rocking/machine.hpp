@@ -7,6 +7,9 @@ namespace rocking::program {
 /// Processor, its threads and the operating system, as they call themselves.
 [[nodiscard]] std::string machine_description();
 
+/// The operating system's name and version from /etc/os-release: `Debian GNU/Linux 13 (trixie)`.
+[[nodiscard]] std::string system_name();
+
 /// The time now, ISO 8601 in UTC: `2012-02-01T12:00:00Z`.
 [[nodiscard]] std::string utc_now();
 

@@ -205,6 +205,12 @@ TEST_F(Command, SchemaPrintsWhatIsPublished) {
   }
 }
 
+TEST_F(Command, DoctorNamesTheSystemsThatTheSetUpSupports) {
+  const auto listed = shell("bash -c 'source " ROCKING_SOURCE_DIR "/tests/support/setup.sh; list_of_systems'");
+  ASSERT_THAT(listed.output, HasSubstr("Debian 13"));
+  EXPECT_EQ(Json::parse(rocking("doctor --json").output)["supported_systems"].get<std::string>() + "\n", listed.output);
+}
+
 TEST_F(Command, DoctorFindsTheArithmeticSound) {
   const auto outcome = rocking("doctor --json");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.output;

@@ -1,7 +1,9 @@
 #include "analysis/data_file.hpp"
 
+#include <algorithm>
 #include <charconv>
 
+#include "analysis/gnuplot_text.hpp"
 #include "rocking/base/error.hpp"
 
 namespace rocking::analysis {
@@ -9,8 +11,8 @@ namespace {
 
 /// One line, without the marks that would end a quoted text.
 std::string harmless(const std::string& text) {
-  std::string line;
-  for (const char c : text) line += static_cast<unsigned char>(c) < ' ' ? ' ' : c == '"' ? '\'' : c;
+  std::string line = printable(text);
+  std::replace(line.begin(), line.end(), '"', '\'');
   return line;
 }
 
@@ -29,9 +31,9 @@ std::string header_of(const Table& table) {
   }
   std::string names = "#";
   for (std::size_t i = 0; i < table.columns.size(); ++i) {
-    text +=
-        "# " + std::to_string(i + 1) + ' ' + table.columns[i].name + ": " + harmless(table.columns[i].meaning) + '\n';
-    names += (i == 0 ? " " : "\t") + table.columns[i].name;
+    text += "# " + std::to_string(i + 1) + ' ' + harmless(table.columns[i].name) + ": " +
+            harmless(table.columns[i].meaning) + '\n';
+    names += (i == 0 ? " " : "\t") + harmless(table.columns[i].name);
   }
   return text + names + '\n';
 }

@@ -42,33 +42,71 @@ const std::vector<std::string>& picture_formats() {
 
 namespace {
 
+namespace fs = std::filesystem;
+
+/// The end of a picture's name while gnuplot draws it.
+const std::string unfinished = ".unfinished";
+
+/// Whether a file of this format is whole, by how it ends.
+bool is_whole(std::string_view picture, std::string_view format) {
+  const std::size_t last = picture.find_last_not_of("\r\n");
+  const std::string_view end = format == "svg" ? "</svg>" : format == "png" ? "IEND\xAE\x42\x60\x82" : "%%EOF";
+  return last != std::string_view::npos && picture.substr(0, last + 1).ends_with(end);
+}
+
 /// Sets back the day on which gnuplot's pdf says it was made, digit for digit, so that no place in the file moves.
-void forget_the_day(const std::filesystem::path& pdf) {
+void forget_the_day(std::string& pdf) {
   constexpr std::string_view key = "/CreationDate (D:";
   constexpr std::string_view day = "20000101000000";
-  std::string content = report::read_file(pdf);
-  const std::size_t place = content.find(key);
-  if (place == std::string::npos || content.size() < place + key.size() + day.size()) return;
-  content.replace(place + key.size(), day.size(), day);
-  report::write_atomically(pdf, content);
+  const std::size_t place = pdf.find(key);
+  if (place == std::string::npos || pdf.size() < place + key.size() + day.size()) return;
+  pdf.replace(place + key.size(), day.size(), day);
+}
+
+fs::path picture(const fs::path& folder, const Figure& figure, const std::string& format) {
+  return folder / (figure.name + '.' + format);
+}
+
+/// Puts a picture that gnuplot finished in its place; false where it is cut short, as on a full disk.
+bool keep_picture(const fs::path& drawn, const fs::path& kept, const std::string& format) {
+  if (!fs::exists(drawn)) return false;
+  std::string content = report::read_file(drawn);
+  if (!is_whole(content, format)) return false;
+  if (format == "pdf") forget_the_day(content);
+  report::write_atomically(kept, content);
+  return true;
+}
+
+/// Keeps all pictures that gnuplot drew, or takes away those that are there: they do not show these data.
+void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
+                    Drawing& drawing) {
+  for (const std::string& format : formats) {
+    const fs::path kept = picture(folder, figure, format);
+    const fs::path drawn = kept.string() + unfinished;
+    if (drawing.is_drawn() && !keep_picture(drawn, kept, format)) {
+      drawing = {.end = DrawingEnd::broken_off,
+                 .reason = kept.string() + ": gnuplot left it unfinished; is the disk full?"};
+    }
+    fs::remove(drawn);
+  }
+  if (drawing.is_drawn()) return;
+  for (const std::string& format : formats) fs::remove(picture(folder, figure, format));
 }
 
 }  // namespace
 
-Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
-                     const std::vector<std::string>& formats) {
+Drawing write_figure(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats) {
   report::write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
   report::write_atomically(folder / (figure.name + ".gp"), script_text(figure));
-  Drawing drawing = run_gnuplot(folder, figure.name, formats);
-  const std::filesystem::path pdf = folder / (figure.name + ".pdf");
-  if (drawing.drawn && std::filesystem::exists(pdf)) forget_the_day(pdf);
+  Drawing drawing = run_gnuplot(folder, figure.name, formats, unfinished);
+  keep_or_remove(figure, folder, formats, drawing);
   return drawing;
 }
 
 std::string svg_of(const Figure& figure, Drawing& drawing) {
   const TemporaryFolder folder;
   drawing = write_figure(figure, folder.path(), {"svg"});
-  return drawing.drawn ? report::read_file(folder.path() / (figure.name + ".svg")) : std::string();
+  return drawing.is_drawn() ? report::read_file(folder.path() / (figure.name + ".svg")) : std::string();
 }
 
 }  // namespace rocking::analysis

@@ -13,12 +13,12 @@ namespace rocking::analysis {
 [[nodiscard]] const std::vector<std::string>& picture_formats();
 
 /// Writes NAME.tsv and NAME.gp into `folder`, which must be there, and draws the pictures in these formats beside them.
-/// Without gnuplot the two files are written all the same, and the drawing says so. Equal figures give equal bytes.
-/// Throws std::system_error with the path.
+/// Where a picture cannot be drawn, the two files are there all the same, no picture of the figure is (one of before would
+/// show other data), and the drawing says why. Equal figures give equal bytes. Throws std::system_error with the path.
 [[nodiscard]] Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
                                    const std::vector<std::string>& formats = picture_formats());
 
-/// The figure as SVG text, drawn in a temporary folder; empty without gnuplot, `drawing` says why.
+/// The figure as SVG text, drawn in a temporary folder; empty where it cannot be drawn, `drawing` says why.
 [[nodiscard]] std::string svg_of(const Figure& figure, Drawing& drawing);
 
 }  // namespace rocking::analysis

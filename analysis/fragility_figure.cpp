@@ -102,15 +102,6 @@ Panel panel_for(const Json& curve) {
           .layers = {}};
 }
 
-/// As much of a title as a panel has room for.
-std::string cut(const std::string& title) {
-  constexpr std::size_t room = 46;
-  if (title.size() <= room) return title;
-  std::size_t end = room;
-  while (end > 0 && (static_cast<unsigned char>(title[end]) & 0xc0U) == 0x80U) --end;  // not within a letter
-  return title.substr(0, end) + "…";
-}
-
 /// `2.31 [2.20, 2.43]`.
 std::string value_and_interval(const Json& bounded) {
   const Json& interval = bounded.at("interval");
@@ -146,7 +137,6 @@ Figure drawn(const Json& output) {
     figure.description += (figure.description.empty() ? "" : " ") + description_of(curve);
   }
   if (figure.panels.size() == 1) figure.subtitle = std::exchange(figure.panels.front().title, "");
-  for (Panel& panel : figure.panels) panel.title = cut(panel.title);
   return figure;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
@@ -47,12 +48,14 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// The environment of this process in the plain language, without what would set gnuplot up otherwise.
+/// The environment of this process in the plain language and in universal time, without what would set gnuplot up otherwise.
+/// The day is for libraries that date a PDF by SOURCE_DATE_EPOCH: 2000-01-01, as draw.cpp has it.
 std::vector<std::string> plain_environment() {
-  std::vector<std::string> entries{"LC_ALL=C.UTF-8"};
+  std::vector<std::string> entries{"LC_ALL=C.UTF-8", "TZ=UTC0", "SOURCE_DATE_EPOCH=946684800"};
   for (char** entry = environ; *entry != nullptr; ++entry) {
     const std::string text = *entry;
-    const bool ours = text.starts_with("LC_") || text.starts_with("GNUPLOT_");
+    const bool ours = text.starts_with("LC_") || text.starts_with("GNUPLOT_") || text.starts_with("TZ=") ||
+                      text.starts_with("SOURCE_DATE_EPOCH=");
     if (!ours) entries.push_back(text);
   }
   return entries;
@@ -63,6 +66,29 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   for (std::string& text : texts) pointers.push_back(text.data());
   pointers.push_back(nullptr);
   return pointers;
+}
+
+/// What gnuplot said, on one line.
+std::string on_one_line(const std::string& words) {
+  std::istringstream stream(words);
+  std::string line;
+  for (std::string word; stream >> word;) line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+/// What an exit status and gnuplot's words mean.
+Drawing drawing_from(int status, const std::string& words, const std::string& script) {
+  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {.end = DrawingEnd::drawn, .reason = {}};
+  if (WIFSIGNALED(status)) {
+    return {.end = DrawingEnd::broken_off,
+            .reason = script + ": gnuplot was ended by signal " + std::to_string(WTERMSIG(status))};
+  }
+  if (words.find("unknown or ambiguous terminal type") != std::string::npos) {
+    return {.end = DrawingEnd::broken_off,
+            .reason = script + ": this gnuplot cannot draw a format: " + on_one_line(words) +
+                      "; install one that has svg, pngcairo and pdfcairo (Debian: gnuplot-nox)"};
+  }
+  return {.end = DrawingEnd::refused, .reason = script + ": gnuplot failed: " + on_one_line(words)};
 }
 
 int wait_for(pid_t process) {
@@ -76,10 +102,10 @@ int wait_for(pid_t process) {
 }  // namespace
 
 Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name,
-                    const std::vector<std::string>& formats) {
+                    const std::vector<std::string>& formats, const std::string& ending) {
   std::string wanted = "formats='";
   for (const std::string& format : formats) wanted += (wanted.back() == '\'' ? "" : " ") + format;
-  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + '\'', name + ".gp"};
+  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + "'; ending='" + ending + '\'', name + ".gp"};
   std::vector<std::string> environment = plain_environment();
   Pipe said;
   posix_spawn_file_actions_t actions;
@@ -93,13 +119,13 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name
                                    pointers_to(environment).data());
   posix_spawn_file_actions_destroy(&actions);
   if (error == ENOENT) {
-    return {.reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
+    return {.end = DrawingEnd::no_gnuplot,
+            .reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
   }
   if (error != 0) throw std::system_error(error, std::generic_category(), "gnuplot: cannot be started");
   said.close_writing();
   const std::string words = said.read_all();
-  if (wait_for(process) == 0) return {.drawn = true, .reason = {}};
-  return {.reason = "gnuplot failed on " + (folder / (name + ".gp")).string() + ": " + words};
+  return drawing_from(wait_for(process), words, (folder / (name + ".gp")).string());
 }
 
 }  // namespace rocking::analysis

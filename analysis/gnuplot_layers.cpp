@@ -53,15 +53,6 @@ std::vector<std::string> filled(const std::string& what, const Style& style) {
 
 }  // namespace
 
-std::string in_quotes(std::string_view text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') result += '\'';
-    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return result + '\'';
-}
-
 std::string fill_of(const Style& style) {
   const std::string fill = "fc rgb '" + style.colour + "' fs transparent solid " + number_text(style.opacity);
   // A border in the same colour closes the seams between neighbours; through a sheer one it would show.

@@ -1,15 +1,11 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/figure.hpp"
 
 namespace rocking::analysis {
-
-/// A text as gnuplot reads it: in single quotes, on one line.
-[[nodiscard]] std::string in_quotes(std::string_view text);
 
 /// `fc ... fs transparent solid ...` of a filled shape; with a hatch there is another to be laid over it.
 [[nodiscard]] std::string fill_of(const Style& style);

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <utility>
 #include <vector>
 
 #include "analysis/data_file.hpp"
+#include "analysis/gnuplot_axes.hpp"
 #include "analysis/gnuplot_layers.hpp"
+#include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"
-#include "rocking/report/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -27,14 +26,14 @@ std::string size_of(const Layout& layout, double scale) {
 
 // Fonts and sizes are named, and nothing of the day or the machine enters, so that equal data give equal bytes.
 std::string terminals(const Figure& figure, const Layout& layout) {
-  const std::string stem = in_quotes(figure.name);
+  const std::string stem = quoted(figure.name);
   return "  if (format eq 'svg') {\n    set terminal svg enhanced size " + size_of(layout, 1.0) +
          " font 'DejaVu Sans,12' background '#ffffff' name " + stem +
          "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " + size_of(layout, 2.0) +
          " font 'DejaVu Sans,9' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'"
          "\n  }\n  if (format eq 'pdf') {\n    set terminal pdfcairo enhanced size " +
          size_of(layout, 0.01) + " font 'DejaVu Sans,9' linewidth 1 background '#ffffff'\n  }\n  set output " + stem +
-         ".'.'.format\n";
+         ".'.'.format.ending\n";
 }
 
 std::string rectangle(const Layout& layout, const LegendEntry& entry) {
@@ -74,99 +73,18 @@ std::string sample(const Layout& layout, const LegendEntry& entry) {
 }
 
 std::string heading(const Figure& figure, const Layout& layout) {
-  std::string text = "  set label " + in_quotes(figure.title) + " at " + at(layout, 0.5 * layout.width, layout.title) +
-                     " center noenhanced font ',13' front\n";
+  std::string text = "  set label " + quoted(cut(printable(figure.title), letters_across)) + " at " +
+                     at(layout, 0.5 * layout.width, layout.title) + " center noenhanced font ',13' front\n";
   if (!figure.subtitle.empty()) {
-    text += "  set label " + in_quotes(figure.subtitle) + " at " + at(layout, 0.5 * layout.width, layout.subtitle) +
-            " center noenhanced textcolor rgb '#404040' front\n";
+    text += "  set label " + quoted(cut(printable(figure.subtitle), letters_across)) + " at " +
+            at(layout, 0.5 * layout.width, layout.subtitle) + " center noenhanced textcolor rgb '#404040' front\n";
   }
   for (const LegendEntry& entry : layout.legend) {
     text += sample(layout, entry);
-    text += "  set label " + in_quotes(entry.text) + " at " + at(layout, entry.left + 37.0, entry.middle) +
+    text += "  set label " + quoted(entry.text) + " at " + at(layout, entry.left + 37.0, entry.middle) +
             " noenhanced front\n";
   }
   return text;
-}
-
-std::string range_of(const Axis& axis) {
-  const auto end = [](const std::optional<double>& value) { return value ? number_text(*value) : std::string("*"); };
-  return '[' + end(axis.low) + ':' + end(axis.high) + "] noextend";
-}
-
-/// Ticks with their words, or without any where the axis shares those of a panel below.
-std::string ticks_of(const Axis& axis, bool labelled) {
-  if (axis.ticks.empty()) return labelled ? "autofreq format '%g'" : "autofreq format ''";
-  std::string text;
-  for (const Tick& tick : axis.ticks)
-    text += (text.empty() ? "(" : ", ") + in_quotes(labelled ? tick.text : "") + ' ' + number_text(tick.place);
-  return text + ')';
-}
-
-std::string axis_text(const Axis& axis, const std::string& letter, bool labelled) {
-  std::string text = (axis.logarithmic ? "  set logscale " : "  unset logscale ") + letter + '\n';
-  text += "  set " + letter + "range " + range_of(axis) + '\n';
-  text += "  set " + letter + "tics " + ticks_of(axis, labelled) + " nomirror out\n";
-  if (labelled) return text + "  set " + letter + "label " + in_quotes(label_of(axis)) + '\n';
-  return text + "  set " + letter + "label\n";
-}
-
-/// Widens the ranges of a panel to scale until both axes have the same one.
-Panel fitted(Panel panel, const Place& place) {
-  const double width = *panel.x.high - *panel.x.low;
-  const double height = *panel.y.high - *panel.y.low;
-  const double scale = std::max(width / (place.right - place.left), height / (place.top - place.bottom));
-  const auto widen = [](Axis& axis, double by) {
-    *axis.low -= 0.5 * by;
-    *axis.high += 0.5 * by;
-  };
-  widen(panel.x, scale * (place.right - place.left) - width);
-  widen(panel.y, scale * (place.top - place.bottom) - height);
-  return panel;
-}
-
-/// The least and the largest positive number that the layers of a panel show along an axis; first > second: none.
-std::pair<double, double> span_of(const Figure& figure, const Panel& panel, bool along_x) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
-  for (const Layer& layer : panel.layers) {
-    for (std::size_t place = along_x ? 0 : 1; place < (along_x ? 1 : layer.columns.size()); ++place) {
-      for (const auto& row : figure.tables[layer.table].rows) {
-        const double* number = std::get_if<double>(&row[layer.columns[place]]);
-        if (number == nullptr || !(*number > 0.0)) continue;
-        least = std::min(least, *number);
-        most = std::max(most, *number);
-      }
-    }
-  }
-  return {least, most};
-}
-
-/// Ticks of a logarithmic axis from `least` to `most`: along a few decades also 2 and 5, along many some of them.
-std::vector<Tick> logarithmic_ticks(double least, double most) {
-  const bool few = most <= 1e4 * least;
-  const int first = static_cast<int>(std::floor(std::log10(least)));
-  const int last = static_cast<int>(std::floor(std::log10(most)));
-  const int stride = few ? 1 : (last - first) / 6 + 1;
-  std::vector<Tick> ticks;
-  for (int decade = first; decade <= last; ++decade) {
-    if (decade % stride != 0) continue;
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double place = digit * std::pow(10.0, decade);
-      if (place < 0.8 * least || 1.25 * most < place || (!few && digit > 1.0)) continue;
-      ticks.push_back({place, few ? report::significant(place, 6) : "10^{" + std::to_string(decade) + '}'});
-    }
-  }
-  return ticks;
-}
-
-void name_decades(const Figure& figure, Panel& panel) {
-  for (Axis* axis : {&panel.x, &panel.y}) {
-    if (!axis->logarithmic || !axis->ticks.empty()) continue;
-    auto [least, most] = span_of(figure, panel, axis == &panel.x);
-    least = axis->low.value_or(least);
-    most = axis->high.value_or(most);
-    if (least < most) axis->ticks = logarithmic_ticks(least, most);
-  }
 }
 
 std::string margins(const Layout& layout, const Place& place) {
@@ -176,33 +94,27 @@ std::string margins(const Layout& layout, const Place& place) {
          "\n  set tmargin at screen " + share(place.top, layout.height) + '\n';
 }
 
-std::string axes_text(const Panel& panel, bool with_x) {
-  const std::string frame = panel.to_scale ? "  unset border\n" : "  set border 3 lw 0.8\n";
-  std::string text = frame + axis_text(panel.x, "x", with_x) + axis_text(panel.y, "y", true);
-  if (panel.to_scale) text += "  unset xtics\n  unset ytics\n  set xlabel\n  set ylabel\n";
-  return text;
-}
-
+/// gnuplot refuses a plot of nothing: NaN draws the axes alone.
 std::string plot_text(const Figure& figure, const Panel& panel) {
-  std::string text = "  plot ";
-  bool first = true;
+  std::string elements;
   for (const Layer& layer : panel.layers) {
     for (const std::string& element : plot_elements(figure, layer)) {
-      text += (first ? "" : ", \\\n    ") + element + " notitle";
-      first = false;
+      elements += (elements.empty() ? "" : ", \\\n    ") + element + " notitle";
     }
   }
-  return text + '\n';
+  return "  plot " + (elements.empty() ? "NaN notitle" : elements) + '\n';
 }
 
 std::string panel_text(const Figure& figure, const Layout& layout, std::size_t number) {
   const Place& place = layout.panels[number];
-  const Panel& as_given = figure.panels[number];
-  Panel panel = as_given.to_scale ? fitted(as_given, place) : as_given;
-  name_decades(figure, panel);
+  const Panel panel = with_settled_axes(figure, figure.panels[number], place);
   const bool with_x = figure.arrangement == Arrangement::grid || number + 1 == figure.panels.size();
-  return margins(layout, place) + axes_text(panel, with_x) + "  set title " + in_quotes(panel.title) +
-         " noenhanced offset 0,-0.6\n" + plot_text(figure, panel) + "  unset label\n  unset object\n  unset arrow\n";
+  std::string text = margins(layout, place) + axes_text(panel, with_x) + "  set title " +
+                     quoted(cut(printable(panel.title), letters_above(place))) + " noenhanced offset 0,-0.6\n";
+  if (shows_nothing(figure, panel)) {
+    text += "  set label 'nothing to show' at graph 0.5, graph 0.5 center noenhanced textcolor rgb '#404040' front\n";
+  }
+  return text + plot_text(figure, panel) + "  unset label\n  unset object\n  unset arrow\n";
 }
 
 /// The logarithm of the largest number of an image; 1 where there is none.
@@ -224,8 +136,9 @@ std::string script_text(const Figure& figure) {
   std::string text = "# Draws " + figure.name + " from " + figure.name +
                      ".tsv, with gnuplot 5.4 or later:\n#   gnuplot " + figure.name +
                      ".gp\n#   gnuplot -e \"formats='svg'\" " + figure.name + ".gp\n" +
-                     "if (!exists(\"formats\")) formats = 'svg png pdf'\nset encoding utf8\ndata = " +
-                     in_quotes(figure.name + ".tsv") +
+                     "if (!exists(\"formats\")) formats = 'svg png pdf'\nif (!exists(\"ending\")) ending = ''\nset "
+                     "encoding utf8\ndata = " +
+                     quoted(figure.name + ".tsv") +
                      "\nset datafile separator tab\nset key off\nset minussign\n"
                      "set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.05\nset y2range [0:1]\n"
                      "unset colorbox\nset palette defined (0 '#b0b0b0', 1 '#000000')\nset cbrange [0:" +

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/gnuplot_text.hpp"
+#include "rocking/report/text_table.hpp"
+
 namespace rocking::analysis {
 namespace {
 
@@ -10,25 +13,22 @@ constexpr double full_width = 720.0;
 constexpr double line_height = 21.0;
 constexpr double letter_width = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
 constexpr double sample_width = 42.0;  // of a legend's entry, with the gap before its words
+constexpr std::size_t letters_of_a_legend = 80;
 constexpr double left_margin = 84.0;
 constexpr double wide_left_margin = 100.0;  // room for the ticks of a slip that hardly changes: -0.00486
 constexpr double right_margin = 18.0;
 constexpr double below_axes = 68.0;
 constexpr double above_axes = 26.0;
 
-/// Letters of UTF-8 text.
-double letters(const std::string& text) {
-  return static_cast<double>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
-}
-
 /// Each legend once, in the order of the panels.
 std::vector<LegendEntry> entries_of(const Figure& figure) {
   std::vector<LegendEntry> entries;
   for (const Panel& panel : figure.panels) {
     for (const Layer& layer : panel.layers) {
-      const auto same = [&layer](const LegendEntry& entry) { return entry.text == layer.legend; };
+      const std::string text = cut(printable(layer.legend), letters_of_a_legend);
+      const auto same = [&text](const LegendEntry& entry) { return entry.text == text; };
       if (layer.legend.empty() || std::any_of(entries.begin(), entries.end(), same)) continue;
-      entries.push_back({.kind = layer.kind, .style = layer.style, .text = layer.legend, .left = 0.0, .middle = 0.0});
+      entries.push_back({.kind = layer.kind, .style = layer.style, .text = text, .left = 0.0, .middle = 0.0});
     }
   }
   return entries;
@@ -43,7 +43,8 @@ double set_in_rows(std::vector<LegendEntry>& entries, double top) {
     double width = 0.0;
     std::size_t last = first;
     for (; last < entries.size(); ++last) {
-      const double wanted = sample_width + letter_width * letters(entries[last].text) + 18.0;
+      const double wanted =
+          sample_width + letter_width * static_cast<double>(report::letters_in(entries[last].text)) + 18.0;
       if (last > first && width + wanted > widest) break;
       entries[last].left = width;
       entries[last].middle = top + 0.5 * line_height;
@@ -93,6 +94,12 @@ double place_panels(const Figure& figure, double top, std::vector<Place>& places
 }
 
 }  // namespace
+
+static_assert(static_cast<double>(letters_across) <= full_width / letter_width);
+
+std::size_t letters_above(const Place& panel) {
+  return static_cast<std::size_t>((panel.right - panel.left + left_margin + right_margin) / letter_width);
+}
 
 Layout layout_of(const Figure& figure) {
   Layout layout{.width = full_width, .height = 0.0, .title = 18.0, .subtitle = 38.0, .panels = {}, .legend = {}};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct Layout {
   std::vector<Place> panels;  ///< within the axes
   std::vector<LegendEntry> legend;
 };
+
+/// How many characters of a line across the figure, and of a panel's title, there is room for.
+inline constexpr std::size_t letters_across = 97;
+[[nodiscard]] std::size_t letters_above(const Place& panel);
 
 [[nodiscard]] Layout layout_of(const Figure& figure);
 

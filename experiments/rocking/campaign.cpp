@@ -163,11 +163,11 @@ ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experim
                   const experiment::ExperimentResult& result, const Conclusion& how) {
   const std::string text = report::report_text(experiment, result, how.system);
   report::write_atomically(folder.report_path(), text);
-  write_page(folder, analysis::read_run_report(text), how.loudness);
+  const DrawingFailures failures = write_page(folder, analysis::read_run_report(text));
   const std::string where =
       fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string());
   print_result(how.loudness.json ? text : summary_of(experiment, result) + where);
-  return ExitCode::done;
+  return failures.tell(no_page_picture);
 }
 
 report::SystemFacts system_facts(unsigned threads) {

@@ -1,6 +1,6 @@
 #include "drawing.hpp"
 
-#include <set>
+#include <fmt/format.h>
 
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
@@ -15,20 +15,34 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis
   return analysis::run_figures(report, &store);
 }
 
-std::vector<std::string> write_figures(const std::vector<analysis::Figure>& figures,
-                                       const std::filesystem::path& folder) {
+void DrawingFailures::add(const analysis::Drawing& drawing) {
+  if (!drawing.is_drawn()) reasons_.emplace(drawing.reason, drawing.end);
+}
+
+ExitCode DrawingFailures::tell(std::string_view consequence) const {
+  ExitCode code = ExitCode::done;
+  for (const auto& [reason, end] : reasons_) {
+    print_notice(fmt::format("{}: {}", consequence, reason));
+    if (end == analysis::DrawingEnd::refused) {
+      print_notice("this is a bug of ours, please report it with the output of `rocking doctor`");
+      code = ExitCode::our_bug;
+    }
+    if (end == analysis::DrawingEnd::broken_off && code == ExitCode::done) code = ExitCode::input_output;
+  }
+  return code;
+}
+
+WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const std::filesystem::path& folder) {
   report::ensure_writable(folder);
-  std::vector<std::string> written;
-  std::set<std::string> reasons;
+  WrittenFigures written;
   for (const analysis::Figure& figure : figures) {
     const analysis::Drawing drawing = analysis::write_figure(figure, folder);
-    if (!drawing.drawn) reasons.insert(drawing.reason);
+    written.failures.add(drawing);
     const std::string stem = (folder / figure.name).string();
-    for (const char* ending : {".tsv", ".gp"}) written.push_back(stem + ending);
-    if (!drawing.drawn) continue;
-    for (const std::string& format : analysis::picture_formats()) written.push_back(stem + '.' + format);
+    for (const char* ending : {".tsv", ".gp"}) written.files.push_back(stem + ending);
+    if (!drawing.is_drawn()) continue;
+    for (const std::string& format : analysis::picture_formats()) written.files.push_back(stem + '.' + format);
   }
-  for (const std::string& reason : reasons) print_notice(reason);
   return written;
 }
 

@@ -41,21 +41,23 @@ ExitCode draw(const FigureRequest& request) {
     throw UsageError(fmt::format("--from {:g}: must lie before --to {:g}", request.window.from, request.window.to));
   }
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
-  const std::vector<std::string> written = write_figures(figures, request.folder);
-  print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
-                                     : fmt::format("{}\n", fmt::join(written, "\n")));
-  return ExitCode::done;
+  const WrittenFigures written = write_figures(figures, request.folder);
+  print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written.files}})
+                                     : fmt::format("{}\n", fmt::join(written.files, "\n")));
+  return written.failures.tell(no_figure);
 }
 
 }  // namespace
 
 void add_figure(CLI::App& app, Action& action) {
   const auto request = std::make_shared<FigureRequest>();
-  CLI::App* command = app.add_subcommand("figure", "Draw what trajectory, bifurcation, cost and check-normal print");
+  CLI::App* command =
+      app.add_subcommand("figure", "Draw what trajectory, bifurcation, cost, fragility and check-normal print");
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
       "draws two files that `rocking trajectory --samples 100` printed: each against time, both over one another, and\n"
-      "their Poincare section. Also draws bifurcation.json, cost.json and what `rocking check-normal --json` prints.");
+      "their Poincare section. Also draws bifurcation.json, cost.json, fragility.json and what\n"
+      "`rocking check-normal --json` prints.");
   command->add_option("FILE", request->files, "JSON files that rocking printed")->required();
   command->add_option("-o,--output", request->folder, "Folder for the figures; made if need be")
       ->required()

@@ -1,6 +1,5 @@
 #include "page.hpp"
 
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,18 +11,17 @@
 
 namespace rocking::program {
 
-void write_page(const RunFolder& folder, const analysis::RunReport& report, const Loudness& loudness) {
+DrawingFailures write_page(const RunFolder& folder, const analysis::RunReport& report) {
   std::vector<analysis::DrawnFigure> figures;
-  std::set<std::string> reasons;
+  DrawingFailures failures;
   for (analysis::Figure& figure : figures_of(folder, report)) {
     analysis::Drawing drawing;
     std::string svg = analysis::svg_of(figure, drawing);
-    if (!drawing.drawn) reasons.insert(drawing.reason);
+    failures.add(drawing);
     figures.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }
   report::write_atomically(folder.page_path(), analysis::page_text(report, figures));
-  if (loudness.quiet) return;
-  for (const std::string& reason : reasons) print_notice("report.html has no pictures for paper: " + reason);
+  return failures;
 }
 
 }  // namespace rocking::program

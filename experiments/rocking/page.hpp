@@ -1,12 +1,12 @@
 #pragma once
 
 #include "analysis/run_report.hpp"
-#include "output.hpp"
+#include "drawing.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 
-/// Writes the page of a report into its folder; says where its pictures could not be drawn, unless it is to be quiet.
-void write_page(const RunFolder& folder, const analysis::RunReport& report, const Loudness& loudness);
+/// Writes the page of a report into its folder. Says which of its pictures could not be drawn; the page is then without them.
+[[nodiscard]] DrawingFailures write_page(const RunFolder& folder, const analysis::RunReport& report);
 
 }  // namespace rocking::program

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <memory>
 #include <set>
 #include <string>
@@ -74,15 +76,17 @@ ExitCode report_again(const ReportRequest& request) {
   const analysis::RunReport report = load_report(folder);
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
   std::vector<std::string> written;
+  DrawingFailures of_the_page;
+  DrawingFailures of_figures;
   if (formats.contains("html")) {
     report::ensure_writable(request.folder);
-    write_page(folder, report, request.loudness);
+    of_the_page = write_page(folder, report);
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    for (std::string& file : write_figures(figures_of(folder, report), fs::path(request.folder) / "figures")) {
-      written.push_back(std::move(file));
-    }
+    WrittenFigures figures = write_figures(figures_of(folder, report), fs::path(request.folder) / "figures");
+    of_figures = std::move(figures.failures);
+    std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
   const fs::path tables = fs::path(request.folder) / "tables";
   const auto write = [&](const std::string& name, const std::string& text) {
@@ -99,7 +103,9 @@ ExitCode report_again(const ReportRequest& request) {
   print_result(request.loudness.json
                    ? report::facts_text(std::vector<report::Fact>{{"written", written}})
                    : fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n"));
-  return ExitCode::done;
+  const ExitCode page_code = of_the_page.tell(no_page_picture);
+  const ExitCode figure_code = of_figures.tell(no_figure);
+  return figure_code == ExitCode::done ? page_code : figure_code;
 }
 
 }  // namespace

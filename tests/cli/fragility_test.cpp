@@ -77,6 +77,23 @@ TEST_F(Fragility, IsDiagnosedWhereThereIsNoLaw) {
   EXPECT_EQ(fragility_of(certain, "certain")["curves"][0]["outcome"], "too_little");
 }
 
+TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
+  auto scattered = shaken();  // friction that is random but never slips: common random numbers, equal outcomes
+  scattered["excitation"]["phase_rad"] = 0.0;
+  scattered["friction"] = {{"static", 0.9}, {"kinetic", 0.85}};
+  scattered["fluctuation"] = {{"friction", {{"sigma", 0.0001}, {"refreshes_per_period", 4}}}};
+  Json& values = scattered["sweep"][1]["values"] = Json::array();
+  for (int i = 0; i < 30; ++i) values.push_back(1.5 + 0.1 * i);
+  scattered["realisations"] = 3;
+  for (const Json& curve : fragility_of(scattered, "out")["curves"]) {
+    EXPECT_EQ(curve["outcome"], "no_scatter");
+    EXPECT_TRUE(curve["law"].is_null());
+  }
+  const auto told = rocking("fragility out -o kept");
+  EXPECT_THAT(told.output, HasSubstr("the realisations overturn at the same levels"));
+  EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
+}
+
 TEST_F(Fragility, RefusesRunsThatItCannotRead) {
   auto other = shaken();
   other["sweep"].erase(1);

@@ -1,5 +1,8 @@
 // Figures of a run: their numbers are the report's, equal figures give equal files, and a file cannot break out of a script.
 
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <regex>
 #include <sstream>
 #include <string>
@@ -9,7 +12,7 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/draw.hpp"
-#include "analysis/gnuplot_script.hpp"
+#include "analysis/gnuplot_text.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/run_figures.hpp"
 #include "rocking/base/error.hpp"
@@ -111,13 +114,6 @@ TEST(DataFile, HasItsColumnsNamesAndEveryNumberInFull) {
             "# second\n# 1 y: P\n# y\nNaN\n0.3333333333333333\n");
 }
 
-TEST(Script, QuotesWhatAnExperimentIsCalled) {
-  Json text = sample_report();
-  text["input"]["experiment"]["title"] = "it's '.system(\"touch x\").' `ls`\nplot x";
-  const std::string script = script_text(figure_named(read_run_report(text.dump()), "mode_bands"));
-  EXPECT_THAT(script, HasSubstr("'it''s ''.system(\"touch x\").'' `ls` plot x'"));
-}
-
 TEST(RunReport, IsRefusedByName) {
   const auto refusal = [](const Json& json) -> std::string {
     try {
@@ -151,7 +147,7 @@ TEST_F(Drawn, TwiceGivesTheSameBytes) {
   for (const Figure& figure : figures) {
     for (const auto* folder : {&first, &second}) {
       const auto drawing = write_figure(figure, *folder / "");
-      EXPECT_TRUE(drawing.drawn) << drawing.reason;
+      EXPECT_TRUE(drawing.is_drawn()) << drawing.reason;
       EXPECT_EQ(drawing.reason, "");
     }
     for (const char* ending : {".tsv", ".gp", ".svg", ".png", ".pdf"}) {
@@ -163,13 +159,156 @@ TEST_F(Drawn, TwiceGivesTheSameBytes) {
   }
 }
 
+/// A figure of one point with these texts wherever a figure has any from outside.
+Figure figure_with(const std::string& text) {
+  Figure figure;
+  figure.name = "texts";
+  figure.title = text;
+  figure.subtitle = text;
+  figure.tables = {{.name = text, .columns = {{text, text}, {"y", text}}, .rows = {{0.0, 0.5}}}};
+  figure.panels.push_back(
+      {.title = text,
+       .x = {.quantity = text, .symbol = "", .unit = text, .low = -1.0, .high = 1.0, .ticks = {{0.0, text}}},
+       .y = {.quantity = "y", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
+       .layers = {{.kind = rocking::analysis::LayerKind::points, .table = 0, .columns = {0, 1}, .legend = text}}});
+  return figure;
+}
+
+/// The words that stand in an SVG, without marks of setting and without entities.
+std::string words_in(const std::string& svg) {
+  std::string words = std::regex_replace(svg, std::regex("<[^>]*>"), "");
+  for (const auto& [entity, letter] : {std::pair("&lt;", "<"), std::pair("&gt;", ">"), std::pair("&amp;", "&")}) {
+    words = std::regex_replace(words, std::regex(entity), letter);
+  }
+  return std::regex_replace(words, std::regex("\xE2\x80\x8B"), "");  // the space of no width in `]]>`
+}
+
+std::size_t count_of(const std::string& part, const std::string& whole) {
+  std::size_t count = 0;
+  for (std::size_t place = whole.find(part); place != std::string::npos; place = whole.find(part, place + 1)) ++count;
+  return count;
+}
+
+TEST_F(Drawn, ShowsEveryTextAsItIsWhereverItStands) {
+  std::vector<std::string> texts{"'Tis rocking",
+                                 "''",
+                                 "it's '.system(\"touch x\").' `touch x`",
+                                 "} {x; do for [",
+                                 "\\n \\047 \\",
+                                 "%g %s 5%",
+                                 "a_b^c{d}@e~f&g",
+                                 "&amp; &lt; &#60;",
+                                 "x ]]> &#x1; y",
+                                 "'0 \"1 #23 {7",
+                                 "$1 @x !ls",
+                                 "µ₀ \xF0\x9F\x98\x80"};
+  for (char c = '!'; c < 127; ++c) texts.push_back(std::string("<") + c + "08>");
+  for (const std::string& text : texts) {
+    rocking::analysis::Drawing drawing;
+    const std::string svg = svg_of(figure_with(text), drawing);
+    ASSERT_TRUE(drawing.is_drawn()) << text << ": " << drawing.reason;
+    // title, subtitle, title of the panel, tick, legend; quantity and unit of the axis
+    EXPECT_EQ(count_of(text, words_in(svg)), 7U) << text << '\n' << words_in(svg);
+    EXPECT_EQ(svg.find("]]>", svg.find("<text")), std::string::npos) << text;
+    EXPECT_EQ(svg.find("&#x1;"), std::string::npos) << text;
+  }
+}
+
+TEST_F(Drawn, ShowsWhatIsNoTextAtAll) {
+  for (const std::string& text : {std::string("a\0b", 3), std::string("\x01\x1b[2J\x7f"), std::string("\xff\xfe \xc3"),
+                                  std::string("\xED\xA0\x80"), std::string("\xEF\xBF\xBF"), std::string(100'000, '\''),
+                                  std::string("two\nlines\r\n")}) {
+    rocking::analysis::Drawing drawing;
+    const std::string svg = svg_of(figure_with(text), drawing);
+    ASSERT_TRUE(drawing.is_drawn()) << drawing.reason;
+    EXPECT_EQ(rocking::analysis::printable(svg).size(), svg.size());  // valid UTF-8; new lines became spaces
+    EXPECT_TRUE(
+        std::none_of(svg.begin(), svg.end(), [](char c) { return 0 <= c && c < ' ' && c != '\n' && c != '\t'; }));
+  }
+}
+
+TEST_F(Drawn, ShowsAxesAndAWordWhereThereIsNothing) {
+  Figure figure = figure_with("nothing");
+  figure.tables.front().rows.clear();
+  for (rocking::analysis::Axis* axis : {&figure.panels[0].x, &figure.panels[0].y}) {
+    axis->low.reset();
+    axis->high.reset();
+    axis->ticks.clear();
+  }
+  for (const bool logarithmic : {false, true}) {
+    figure.panels[0].y.logarithmic = logarithmic;
+    rocking::analysis::Drawing drawing;
+    EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
+  }
+  figure.panels[0].layers.clear();
+  rocking::analysis::Drawing drawing;
+  EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
+}
+
+/// Replaces gnuplot by a script while it lives.
+class OtherGnuplot {
+ public:
+  explicit OtherGnuplot(const std::string& script) : path_(std::getenv("PATH")) {
+    rocking::report::write_atomically(folder_ / "gnuplot", "#!/bin/sh\n" + script);
+    std::filesystem::permissions(folder_ / "gnuplot", std::filesystem::perms::owner_all);
+    ::setenv("PATH", ((folder_ / "").string() + ":" + path_).c_str(), 1);
+  }
+  OtherGnuplot(const OtherGnuplot&) = delete;
+  OtherGnuplot& operator=(const OtherGnuplot&) = delete;
+  ~OtherGnuplot() { ::setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  rocking::support::TemporaryFolder folder_;
+  std::string path_;
+};
+
+TEST(Drawing, LeavesNoPictureBehindWhereGnuplotFails) {
+  using rocking::analysis::DrawingEnd;
+  struct Case {
+    std::string script;
+    DrawingEnd end;
+    std::string reason;
+  };
+  const std::string half = "for format in svg png pdf; do echo half >texts.$format.unfinished; done\n";
+  for (const auto& [script, end, reason] :
+       {Case{half + "echo no such word >&2; exit 1", DrawingEnd::refused, "no such word"},
+        Case{half + "kill -9 $$", DrawingEnd::broken_off, "signal 9"}, Case{half, DrawingEnd::broken_off, "unfinished"},
+        Case{"exit 0", DrawingEnd::broken_off, "unfinished"},
+        Case{"echo unknown or ambiguous terminal type; exit 1", DrawingEnd::broken_off, "gnuplot-nox"}}) {
+    const rocking::support::TemporaryFolder folder;
+    for (const char* ending : {".svg", ".png", ".pdf"}) {
+      rocking::report::write_atomically(folder / (std::string("texts") + ending), "of before");
+    }
+    const OtherGnuplot gnuplot(script);
+    const auto drawing = write_figure(figure_with("x"), folder / "");
+    EXPECT_EQ(drawing.end, end) << script;
+    EXPECT_THAT(drawing.reason, HasSubstr(reason));
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "")) left.push_back(entry.path().filename());
+    EXPECT_THAT(left, ::testing::UnorderedElementsAre("texts.tsv", "texts.gp")) << script;
+  }
+}
+
+TEST_F(Drawn, GivesTheSameBytesInEveryTimeZone) {
+  std::vector<std::string> pictures;
+  for (const char* zone : {"UTC0", "Asia/Tokyo", "XYZ+7:30"}) {
+    const rocking::support::TemporaryFolder folder;
+    ::setenv("TZ", zone, 1);
+    static_cast<void>(write_figure(figure_with("x"), folder / ""));
+    ::unsetenv("TZ");
+    pictures.push_back(rocking::report::read_file(folder / "texts.pdf"));
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+  EXPECT_EQ(pictures[0], pictures[2]);
+}
+
 TEST(Drawing, SaysWhatIsMissingAndLeavesTheData) {
   const rocking::support::TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
   const auto drawing = write_figure(figure_named(read_run_report(sample_report().dump()), "mode_bands"), folder / "");
   ::setenv("PATH", path.c_str(), 1);
-  EXPECT_FALSE(drawing.drawn);
+  EXPECT_FALSE(drawing.is_drawn());
   EXPECT_THAT(drawing.reason, HasSubstr("gnuplot-nox"));
   EXPECT_THAT(rocking::report::read_file(folder / "mode_bands.tsv"), HasSubstr("amplitude"));
 }

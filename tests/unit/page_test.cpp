@@ -191,7 +191,7 @@ TEST(Page, HasPicturesThatCutNoWordOff) {
   for (const Figure& figure : run_figures(read_run_report(quick_report().dump()))) {
     Drawing drawing;
     const std::string svg = svg_of(figure, drawing);
-    if (!drawing.drawn) GTEST_SKIP() << "skipped: " << drawing.reason;
+    if (!drawing.is_drawn()) GTEST_SKIP() << "skipped: " << drawing.reason;
     const double height = std::stod(matches(svg, "viewBox=\"0 0 [0-9.]+ ([0-9.]+)\"").at(0));
     const auto baselines = matches(svg, R"re(transform="translate\([0-9.]+,([0-9.]+)\)[^"]*"[^>]*font-family)re");
     EXPECT_GT(baselines.size(), 2U) << figure.name;

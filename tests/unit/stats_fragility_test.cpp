@@ -90,9 +90,33 @@ TEST(Fragility, IsNamedWhereThereIsNoLaw) {
   EXPECT_EQ(outcome_of({"110", "110"}), does_not_rise);
   EXPECT_EQ(outcome_of({"010"}), too_little);
   EXPECT_EQ(outcome_of({"0", "1", "0", "1"}), too_little);
-  EXPECT_EQ(outcome_of({"010", "101"}), does_not_rise);
+  EXPECT_EQ(outcome_of({"010", "101"}), no_scatter);
   EXPECT_EQ(outcome_of({"100000000000000", "010101010101010", "111111111111110"}), fitted);
   EXPECT_FALSE(fit_lognormal(levels_of({"000", "111"})).law);
+}
+
+TEST(Fragility, HasNoLawWhereTrialsDifferInOneWayAtMost) {
+  using enum FragilityOutcome;
+  const std::string never(12, '0');
+  const std::string always(12, '1');
+  EXPECT_EQ(outcome_of({never, never, never, always, never, never, always, always}), no_scatter);
+  const std::string some = "000111000000";
+  EXPECT_EQ(outcome_of({never, always, never, some, always}), no_scatter);              // at one level
+  EXPECT_EQ(outcome_of({never, some, never, some, always, some, always}), no_scatter);  // together at several
+  auto levels = levels_of({never, always, never, some, some, always});
+  levels[4].intensity = levels[3].intensity;
+  EXPECT_EQ(fit_lognormal(levels).outcome, no_scatter);
+}
+
+TEST(Fragility, HasALawOfPositiveWidthWhereTrialsDifferInTwoWays) {
+  std::vector<IntensityLevel> levels = levels_of({"100000000000", "000000000000", "110111101111", std::string(12, '1')});
+  levels[3].intensity = levels[2].intensity * (1.0 + 1e-6);  // levels that nearly are one
+  levels[1].intensity = levels[0].intensity * (1.0 + 1e-6);
+  const auto law = fit_lognormal(levels).law;
+  ASSERT_TRUE(law);
+  for (const double intensity : {1.0, 1.3, 1.7, 2.0, 3.0}) {
+    EXPECT_LT(law->band(intensity, 0.95).low, law->band(intensity, 0.95).high);
+  }
 }
 
 TEST(Fragility, IsFittedWhereOneTrialOfAThousandKeepsTheLikelihoodFromHavingNoMaximum) {

@@ -21,6 +21,7 @@ std::string_view name_of(FragilityOutcome outcome) {
     case FragilityOutcome::always_happened: return "always_happened";
     case FragilityOutcome::separated: return "separated";
     case FragilityOutcome::does_not_rise: return "does_not_rise";
+    case FragilityOutcome::no_scatter: return "no_scatter";
     case FragilityOutcome::too_little: break;
   }
   return "too_little";
@@ -36,6 +37,10 @@ std::string_view words_for(FragilityOutcome outcome) {
       return "no law is fitted: it never overturned below an amplitude and always did above; add amplitudes between";
     case FragilityOutcome::does_not_rise:
       return "no law is fitted: it does not clearly overturn more often the harder it is shaken";
+    case FragilityOutcome::no_scatter:
+      return "no law is fitted: the realisations overturn at the same levels, or differ in one way only, so nothing "
+             "shows "
+             "how uncertain a law is; let more be random, or add realisations and amplitudes";
     case FragilityOutcome::too_little: break;
   }
   return "no law is fitted: that takes two amplitudes, and two realisations that differ by their draws";
@@ -182,7 +187,8 @@ std::string fragility_table(const std::vector<RunFragility>& runs) {
   }
   return text +
          "per cent of n realisations [exact interval of each level alone]; law: lognormal of the largest likelihood "
-         "with its\nband; intervals count realisations of one number, which share their draws, as one\n";
+         "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
+         "them as one\ncluster\n";
 }
 
 }  // namespace rocking::report

@@ -144,23 +144,49 @@ std::size_t trial_numbers(const std::vector<IntensityLevel>& levels) {
   return numbers;
 }
 
-/// Scores of each trial number, added up over the levels; their squares, added up, with the correction for few numbers.
-Matrix evidence(const std::vector<IntensityLevel>& levels, const LognormalFragility& law) {
-  const std::size_t numbers = trial_numbers(levels);
-  Matrix sum;
-  for (std::size_t j = 0; j < numbers; ++j) {
-    double a = 0.0;
-    double b = 0.0;
-    for (const IntensityLevel& level : levels) {
-      if (j >= level.happened.size()) continue;
-      const double u = std::log(level.intensity) - law.centre;
+/// The derivatives of a trial number's likelihood by (a, b), added up over the levels.
+struct Score {
+  double a = 0.0, b = 0.0;
+};
+
+std::vector<Score> scores_of(const std::vector<IntensityLevel>& levels, const LognormalFragility& law) {
+  std::vector<Score> scores(trial_numbers(levels));
+  for (const IntensityLevel& level : levels) {
+    const double u = std::log(level.intensity) - law.centre;
+    for (std::size_t j = 0; j < level.happened.size(); ++j) {
       const double slope = term_of(level.happened[j], law.intercept + law.slope * u).slope;
-      a += slope;
-      b += slope * u;
+      scores[j].a += slope;
+      scores[j].b += slope * u;
     }
-    sum.add_square(a, b, 1.0);
   }
-  const double correction = static_cast<double>(numbers) / static_cast<double>(numbers - 1);
+  return scores;
+}
+
+/// Whether the scores lie on one line: all equal, or of two kinds as where trials differ at one level only. Their covariance
+/// is then singular, and some interval of the law would have no width. Equal trials have equal scores to the bit.
+bool are_on_a_line(const std::vector<Score>& scores) {
+  const auto from_first = [&scores](const Score& score) {
+    return Score{.a = score.a - scores.front().a, .b = score.b - scores.front().b};
+  };
+  const auto length = [](const Score& score) { return std::hypot(score.a, score.b); };
+  Score longest;
+  for (const Score& score : scores) {
+    if (length(from_first(score)) > length(longest)) longest = from_first(score);
+  }
+  // Rounding turns a difference of scores by some 1e-16 times their size; levels a millionth apart turn it by more than this.
+  constexpr double least_sine = 1e-9;
+  return std::all_of(scores.begin(), scores.end(), [&](const Score& score) {
+    const Score other = from_first(score);
+    return std::abs(longest.a * other.b - longest.b * other.a) <= least_sine * length(longest) * length(other);
+  });
+}
+
+/// The squares of the scores, added up, with the correction for few numbers.
+Matrix evidence(const std::vector<Score>& scores) {
+  Matrix sum;
+  for (const Score& score : scores) sum.add_square(score.a, score.b, 1.0);
+  const auto numbers = static_cast<double>(scores.size());
+  const double correction = numbers / (numbers - 1.0);
   return {.aa = correction * sum.aa, .ab = correction * sum.ab, .bb = correction * sum.bb};
 }
 
@@ -231,9 +257,12 @@ FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels) {
   const auto [a, b] = largest_likelihood(counts);
   law.intercept = a;
   law.slope = b;
-  const Matrix found = sandwich(likelihood_at(counts, a, b).information.inverse(), evidence(levels, law));
+  if (!(b > 1.0 / largest_dispersion)) return {.outcome = FragilityOutcome::does_not_rise, .law = std::nullopt};
+  const std::vector<Score> scores = scores_of(levels, law);
+  if (are_on_a_line(scores)) return {.outcome = FragilityOutcome::no_scatter, .law = std::nullopt};
+  const Matrix found = sandwich(likelihood_at(counts, a, b).information.inverse(), evidence(scores));
   law.covariance = {.aa = found.aa, .ab = found.ab, .bb = found.bb};
-  if (!(b > std::max(least_standard_errors * std::sqrt(found.bb), 1.0 / largest_dispersion))) {
+  if (!(b > least_standard_errors * std::sqrt(found.bb))) {
     return {.outcome = FragilityOutcome::does_not_rise, .law = std::nullopt};
   }
   return {.outcome = FragilityOutcome::fitted, .law = law};

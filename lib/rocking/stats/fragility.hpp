@@ -26,7 +26,8 @@ enum class FragilityOutcome : std::uint8_t {
   always_happened,  ///< at every intensity: it lies lower
   separated,      ///< never below some intensity, always above: the dispersion may be 0, the likelihood has no maximum
   does_not_rise,  ///< more frequent with the intensity by less than two standard errors, or at a dispersion above 10
-  too_little,     ///< fewer than two intensities, or no more than one trial at each
+  no_scatter,  ///< trials of different numbers differ in one way at most: nothing to estimate the covariance of two numbers from
+  too_little,  ///< fewer than two intensities, or no more than one trial at each
 };
 
 /// A number with an interval for it.

@@ -1,0 +1,162 @@
+#include "analysis/gnuplot_axes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
+
+#include "analysis/data_file.hpp"
+#include "analysis/gnuplot_text.hpp"
+#include "rocking/report/text_table.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+constexpr std::size_t most_letters_of_a_tick = 40;
+constexpr std::size_t most_letters_of_a_quantity = 60;
+
+std::string range_of(const Axis& axis) {
+  const auto end = [](const std::optional<double>& value) { return value ? number_text(*value) : std::string("*"); };
+  return '[' + end(axis.low) + ':' + end(axis.high) + "] noextend";
+}
+
+/// Ticks with their words, or without any where the axis shares those of a panel below. Only those of a logarithmic axis
+/// have marks of setting, as in `10^{3}`.
+std::string ticks_of(const Axis& axis, bool labelled) {
+  if (axis.ticks.empty()) return labelled ? "autofreq format '%g'" : "autofreq format ''";
+  std::string text;
+  for (const Tick& tick : axis.ticks) {
+    const std::string words = labelled ? cut(printable(tick.text), most_letters_of_a_tick) : "";
+    text += (text.empty() ? "(" : ", ") + quoted(without_formats(words)) + ' ' + number_text(tick.place);
+  }
+  return text + (axis.logarithmic ? ") enhanced" : ") noenhanced");
+}
+
+/// As label_of says, with the symbol alone set by its marks.
+std::string quoted_label(const Axis& axis) {
+  const Axis shown{.quantity = without_marks(cut(printable(axis.quantity), most_letters_of_a_quantity)),
+                   .symbol = axis.symbol,
+                   .unit = without_marks(axis.unit)};
+  return quoted(label_of(shown));
+}
+
+std::string axis_text(const Axis& axis, const std::string& letter, bool labelled) {
+  std::string text = (axis.logarithmic ? "  set logscale " : "  unset logscale ") + letter + '\n';
+  text += "  set " + letter + "range " + range_of(axis) + '\n';
+  text += "  set " + letter + "tics " + ticks_of(axis, labelled) + " nomirror out\n";
+  if (labelled) return text + "  set " + letter + "label " + quoted_label(axis) + '\n';
+  return text + "  set " + letter + "label\n";
+}
+
+/// Widens the ranges of a panel to scale until both axes have the same one.
+Panel fitted(Panel panel, const Place& place) {
+  const double width = *panel.x.high - *panel.x.low;
+  const double height = *panel.y.high - *panel.y.low;
+  const double scale = std::max(width / (place.right - place.left), height / (place.top - place.bottom));
+  const auto widen = [](Axis& axis, double by) {
+    *axis.low -= 0.5 * by;
+    *axis.high += 0.5 * by;
+  };
+  widen(panel.x, scale * (place.right - place.left) - width);
+  widen(panel.y, scale * (place.top - place.bottom) - height);
+  return panel;
+}
+
+/// The least and the largest positive number that the layers of a panel show along an axis; first > second: none.
+std::pair<double, double> span_of(const Figure& figure, const Panel& panel, bool along_x) {
+  double least = std::numeric_limits<double>::infinity();
+  double most = 0.0;
+  for (const Layer& layer : panel.layers) {
+    for (std::size_t place = along_x ? 0 : 1; place < (along_x ? 1 : layer.columns.size()); ++place) {
+      for (const auto& row : figure.tables[layer.table].rows) {
+        const double* number = std::get_if<double>(&row[layer.columns[place]]);
+        if (number == nullptr || !(*number > 0.0)) continue;
+        least = std::min(least, *number);
+        most = std::max(most, *number);
+      }
+    }
+  }
+  return {least, most};
+}
+
+/// Ticks of a logarithmic axis from `least` to `most`: along a few decades also 2 and 5, along many some of them.
+std::vector<Tick> logarithmic_ticks(double least, double most) {
+  const bool few = most <= 1e4 * least;
+  const int first = static_cast<int>(std::floor(std::log10(least)));
+  const int last = static_cast<int>(std::floor(std::log10(most)));
+  const int stride = few ? 1 : (last - first) / 6 + 1;
+  std::vector<Tick> ticks;
+  for (int decade = first; decade <= last; ++decade) {
+    if (decade % stride != 0) continue;
+    for (const double digit : {1.0, 2.0, 5.0}) {
+      const double place = digit * std::pow(10.0, decade);
+      if (place < 0.8 * least || 1.25 * most < place || (!few && digit > 1.0)) continue;
+      ticks.push_back({place, few ? report::significant(place, 6) : "10^{" + std::to_string(decade) + '}'});
+    }
+  }
+  return ticks;
+}
+
+void name_decades(const Figure& figure, Panel& panel) {
+  for (Axis* axis : {&panel.x, &panel.y}) {
+    if (!axis->logarithmic || !axis->ticks.empty()) continue;
+    auto [least, most] = span_of(figure, panel, axis == &panel.x);
+    least = axis->low.value_or(least);
+    most = axis->high.value_or(most);
+    if (least < most) axis->ticks = logarithmic_ticks(least, most);
+  }
+}
+
+bool is_finite(const Cell& cell) {
+  if (std::holds_alternative<std::string>(cell)) return true;
+  const double* number = std::get_if<double>(&cell);
+  return number != nullptr && std::isfinite(*number);
+}
+
+/// Whether a layer has a row that is drawn.
+bool shows_something(const Figure& figure, const Layer& layer) {
+  const Table& table = figure.tables.at(layer.table);
+  return std::any_of(table.rows.begin(), table.rows.end(), [&layer](const std::vector<Cell>& row) {
+    return std::all_of(layer.columns.begin(), layer.columns.end(),
+                       [&row](std::size_t column) { return is_finite(row.at(column)); });
+  });
+}
+
+/// Gives an axis a range that gnuplot can draw: of data where `has_data`, otherwise one of its own; never an empty one.
+void settle_range(Axis& axis, bool has_data) {
+  if (!has_data) {
+    if (!axis.low) axis.low = axis.logarithmic ? 1.0 : 0.0;
+    if (!axis.high) axis.high = *axis.low + (axis.logarithmic ? 9.0 * *axis.low : 1.0);
+  }
+  if (axis.low && axis.high && !(*axis.low < *axis.high))
+    axis.high = *axis.low + std::max(1.0, 1e-6 * std::abs(*axis.low));
+}
+
+}  // namespace
+
+bool shows_nothing(const Figure& figure, const Panel& panel) {
+  return std::none_of(panel.layers.begin(), panel.layers.end(),
+                      [&figure](const Layer& layer) { return shows_something(figure, layer); });
+}
+
+Panel with_settled_axes(const Figure& figure, const Panel& panel, const Place& place) {
+  if (panel.to_scale) return fitted(panel, place);
+  Panel settled = panel;
+  const auto scales_y = [&figure](const Layer& layer) {
+    return layer.kind != LayerKind::spans && shows_something(figure, layer);
+  };
+  settle_range(settled.x, !shows_nothing(figure, panel));
+  settle_range(settled.y, std::any_of(panel.layers.begin(), panel.layers.end(), scales_y));
+  name_decades(figure, settled);
+  return settled;
+}
+
+std::string axes_text(const Panel& panel, bool with_x) {
+  const std::string frame = panel.to_scale ? "  unset border\n" : "  set border 3 lw 0.8\n";
+  std::string text = frame + axis_text(panel.x, "x", with_x) + axis_text(panel.y, "y", true);
+  if (panel.to_scale) text += "  unset xtics\n  unset ytics\n  set xlabel\n  set ylabel\n";
+  return text;
+}
+
+}  // namespace rocking::analysis

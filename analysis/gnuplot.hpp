@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
+
 namespace rocking::analysis {
 
 /// How an attempt to draw ended.
@@ -13,8 +15,8 @@ struct Drawing {
 };
 
 /// Lets gnuplot carry out `folder/NAME.gp` for these formats (of `svg`, `png`, `pdf`); waits for it. gnuplot is sought as a
-/// shell would. Throws std::system_error where no process can be started.
+/// shell would. Once it is asked to stop, gnuplot is killed and base::Stopped is thrown.
 [[nodiscard]] Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name,
-                                  const std::vector<std::string>& formats);
+                                  const std::vector<std::string>& formats, base::StopRequest stop = {});
 
 }  // namespace rocking::analysis

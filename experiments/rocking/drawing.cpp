@@ -4,6 +4,7 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "rocking/report/files.hpp"
 
@@ -21,7 +22,7 @@ std::vector<std::string> write_figures(const std::vector<analysis::Figure>& figu
   std::vector<std::string> written;
   std::set<std::string> reasons;
   for (const analysis::Figure& figure : figures) {
-    const analysis::Drawing drawing = analysis::write_figure(figure, folder);
+    const analysis::Drawing drawing = analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal());
     if (!drawing.drawn) reasons.insert(drawing.reason);
     const std::string stem = (folder / figure.name).string();
     for (const char* ending : {".tsv", ".gp"}) written.push_back(stem + ending);

@@ -8,6 +8,7 @@
 #include "analysis/draw.hpp"
 #include "analysis/page/page.hpp"
 #include "drawing.hpp"
+#include "interrupt.hpp"
 #include "rocking/report/files.hpp"
 
 namespace rocking::program {
@@ -17,7 +18,7 @@ void write_page(const RunFolder& folder, const analysis::RunReport& report, cons
   std::set<std::string> reasons;
   for (analysis::Figure& figure : figures_of(folder, report)) {
     analysis::Drawing drawing;
-    std::string svg = analysis::svg_of(figure, drawing);
+    std::string svg = analysis::svg_of(figure, drawing, stop_on_signal());
     if (!drawing.drawn) reasons.insert(drawing.reason);
     figures.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }

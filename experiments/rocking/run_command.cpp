@@ -30,13 +30,12 @@ ExitCode show_plan(const RunRequest& request, const experiment::Experiment& expe
   return ExitCode::done;
 }
 
-void make_room(const RunFolder& folder, bool overwrite) {
-  if (overwrite) {
-    folder.clear();
-  } else if (folder.has_report()) {
+void expect_no_run(const RunFolder& folder) {
+  if (folder.has_report()) {
     throw InTheWay(folder.report_path().string() +
                    ": is already there; choose another folder, or add --overwrite to replace it");
-  } else if (folder.has_store()) {
+  }
+  if (folder.has_store() || folder.has_replacement()) {
     throw InTheWay(
         fmt::format("{0}: holds a run; `rocking resume {0}` goes on with it. Otherwise choose another folder, "
                     "or add --overwrite to lose it",
@@ -81,10 +80,12 @@ ExitCode run(const RunRequest& request) {
   if (shard) expect_fixed_numbers(experiment);
   RunFolder folder(request.folder);
   folder.claim();
-  make_room(folder, request.overwrite);
+  folder.tidy_up();
+  if (!request.overwrite) expect_no_run(folder);
   const Plan plan = plan_of(experiment);
   if (request.labour.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan)));
   if (!plan.at_most) folder.expect_room(disk_need(plan.realisations / (shard ? shard->parts : 1)));
+  if (folder.has_store() || folder.has_report()) folder.begin_replacement();
   experiment::Store store = folder.create_store({.experiment = experiment.canonical_text,
                                                  .code = code_identity(),
                                                  .files = folder_of(request.file),
@@ -119,7 +120,7 @@ void add_run(CLI::App& app, Action& action, const Crew& crew) {
   add_max_time(*command, request->labour);
   const auto dry_run =
       command->add_flag("--dry-run", request->dry_run, "Say what would be done, and stop; writes nothing");
-  command->add_flag("--overwrite", request->overwrite, "Replace what an earlier run left in the folder");
+  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, once this one is complete");
   add_loudness(*command, request->labour.loudness);
   command->final_callback([&action, request, folder, dry_run] {
     if (folder->empty() && dry_run->empty()) throw CLI::RequiredError("-o DIR (the folder for the results)");

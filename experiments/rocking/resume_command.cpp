@@ -53,8 +53,11 @@ ExitCode resume(const ResumeRequest& request) {
   }
   const experiment::Experiment experiment = experiment_of(store.identity());
   store = sound_store(folder, experiment, std::move(store));
-  const auto [done, all] = experiment::completeness(experiment, store);
-  if (!plan_of(experiment).at_most) folder.expect_room(disk_need(all - done));
+  const Plan plan = plan_of(experiment, {.threads = request.labour.threads,
+                                         .shard = store.identity().shard,
+                                         .stored = experiment::completeness(experiment, store).done});
+  if (!request.labour.max_time) expect_memory(plan.needs.memory_bytes);
+  if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
   return carry_through(folder, experiment, store, request.labour);
 }
 

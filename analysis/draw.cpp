@@ -1,40 +1,13 @@
 #include "analysis/draw.hpp"
 
-#include <cerrno>
-#include <cstdlib>
 #include <system_error>
 
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_script.hpp"
+#include "analysis/temporary_folder.hpp"
 #include "rocking/report/files.hpp"
 
 namespace rocking::analysis {
-namespace {
-
-/// A folder of its own that goes with this object.
-class TemporaryFolder {
- public:
-  TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "rocking-figure-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), name + ": cannot be made");
-    }
-    path_ = name;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
-}  // namespace
-
 const std::vector<std::string>& picture_formats() {
   static const std::vector<std::string> formats{"svg", "png", "pdf"};
   return formats;
@@ -95,18 +68,26 @@ void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vec
 
 }  // namespace
 
-Drawing write_figure(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats) {
+Drawing write_figure(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
+                     base::StopRequest stop) {
   report::write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
   report::write_atomically(folder / (figure.name + ".gp"), script_text(figure));
-  Drawing drawing = run_gnuplot(folder, figure.name, formats, unfinished);
+  Drawing drawing = run_gnuplot(folder, figure.name, {.formats = formats, .ending = unfinished}, stop);
   keep_or_remove(figure, folder, formats, drawing);
   return drawing;
 }
 
-std::string svg_of(const Figure& figure, Drawing& drawing) {
-  const TemporaryFolder folder;
-  drawing = write_figure(figure, folder.path(), {"svg"});
-  return drawing.is_drawn() ? report::read_file(folder.path() / (figure.name + ".svg")) : std::string();
+std::string svg_of(const Figure& figure, Drawing& drawing, base::StopRequest stop) {
+  try {
+    const TemporaryFolder folder;
+    drawing = write_figure(figure, folder.path(), {"svg"}, stop);
+    return drawing.is_drawn() ? report::read_file(folder.path() / (figure.name + ".svg")) : std::string();
+  } catch (const std::system_error& error) {
+    drawing = {.end = DrawingEnd::broken_off,
+               .reason = std::string(error.what()) + "; set TMPDIR to a folder that can be written to, and see that the disk "
+                                                     "is not full"};
+    return {};
+  }
 }
 
 }  // namespace rocking::analysis

@@ -2,11 +2,13 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <sstream>
 #include <system_error>
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -33,10 +35,15 @@ class Pipe {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
   }
-  [[nodiscard]] std::string read_all() const {
+  /// All that is written into it, until its last writer ends. Throws base::Stopped once it is asked to stop.
+  [[nodiscard]] std::string read_all(base::StopRequest stop) const {
+    constexpr int between_looks_ms = 50;
     std::string text;
     char buffer[4096];
     for (;;) {
+      stop.check();
+      pollfd reading{.fd = ends_[0], .events = POLLIN, .revents = 0};
+      if (::poll(&reading, 1, between_looks_ms) <= 0) continue;
       const auto count = ::read(ends_[0], buffer, sizeof buffer);
       if (count < 0 && errno == EINTR) continue;
       if (count <= 0) return text;
@@ -101,11 +108,11 @@ int wait_for(pid_t process) {
 
 }  // namespace
 
-Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name,
-                    const std::vector<std::string>& formats, const std::string& ending) {
+Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name, const Pictures& pictures,
+                    base::StopRequest stop) {
   std::string wanted = "formats='";
-  for (const std::string& format : formats) wanted += (wanted.back() == '\'' ? "" : " ") + format;
-  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + "'; ending='" + ending + '\'', name + ".gp"};
+  for (const std::string& format : pictures.formats) wanted += (wanted.back() == '\'' ? "" : " ") + format;
+  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + "'; ending='" + pictures.ending + '\'', name + ".gp"};
   std::vector<std::string> environment = plain_environment();
   Pipe said;
   posix_spawn_file_actions_t actions;
@@ -122,9 +129,16 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name
     return {.end = DrawingEnd::no_gnuplot,
             .reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
   }
-  if (error != 0) throw std::system_error(error, std::generic_category(), "gnuplot: cannot be started");
+  if (error != 0) return {.end = DrawingEnd::broken_off, .reason = "gnuplot cannot be started: " + std::generic_category().message(error)};
   said.close_writing();
-  const std::string words = said.read_all();
+  std::string words;
+  try {
+    words = said.read_all(stop);
+  } catch (const base::Stopped&) {
+    ::kill(process, SIGKILL);
+    wait_for(process);
+    throw;
+  }
   return drawing_from(wait_for(process), words, (folder / (name + ".gp")).string());
 }
 

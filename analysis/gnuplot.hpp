@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
+
 namespace rocking::analysis {
 
 /// How an attempt to draw ended.
@@ -22,10 +24,15 @@ struct Drawing {
   [[nodiscard]] bool is_drawn() const { return end == DrawingEnd::drawn; }
 };
 
-/// Lets gnuplot carry out `folder/NAME.gp` for these formats (of `svg`, `png`, `pdf`); waits for it. The pictures are called
-/// NAME.FORMAT with `ending` behind it. gnuplot is sought as a shell would. Throws std::system_error where no process can be
-/// started.
-[[nodiscard]] Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name,
-                                  const std::vector<std::string>& formats, const std::string& ending);
+/// Which pictures to draw.
+struct Pictures {
+  std::vector<std::string> formats;  ///< of `svg`, `png`, `pdf`
+  std::string ending;                ///< behind each name NAME.FORMAT
+};
+
+/// Lets gnuplot carry out `folder/NAME.gp` for these pictures; waits for it. gnuplot is sought as a shell would. Once it is
+/// asked to stop, gnuplot is killed and base::Stopped is thrown.
+[[nodiscard]] Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name, const Pictures& pictures,
+                                  base::StopRequest stop = {});
 
 }  // namespace rocking::analysis

@@ -1,9 +1,12 @@
 #include "analysis/run_report.hpp"
 
+#include <utility>
+
 #include "rocking/base/error.hpp"
 #include "rocking/experiment/mode_family.hpp"
 #include "rocking/report/parse_json.hpp"
 #include "rocking/report/read_report.hpp"
+#include "rocking/report/result_json.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -52,16 +55,44 @@ ConditionReport condition_from(const Json& json) {
   return condition;
 }
 
+/// What RunReport::text keeps of a condition. The other numbers are in its ConditionReport, which takes less memory.
+Json kept_of(const Json& condition) {
+  return {{"validity", condition.at("validity")}, {"stopped_because", condition.at("stopped_because")}};
+}
+
+/// Takes a report without its conditions, and these one by one.
+class RunReportBuilder {
+ public:
+  /// `text` has `input`, `result` and `system`.
+  explicit RunReportBuilder(Json text) {
+    report_.experiment = text.at("input").at("experiment");
+    report_.title = report_.experiment.at("title");
+    report_.confidence = report_.experiment.at("confidence");
+    report_.text = std::move(text);
+    report_.text["result"]["conditions"] = Json::array();
+  }
+
+  void add(const Json& condition) {
+    if (report_.conditions.empty()) {
+      for (const auto& [pointer, value] : condition.at("parameters").items()) report_.swept.push_back(pointer);
+    }
+    report_.conditions.push_back(condition_from(condition));
+    report_.text["result"]["conditions"].push_back(kept_of(condition));
+  }
+
+  [[nodiscard]] RunReport take() { return std::move(report_); }
+
+ private:
+  RunReport report_;
+};
+
 RunReport run_report_from(Json json) {
-  RunReport report;
-  report.experiment = json.at("input").at("experiment");
-  report.title = report.experiment.at("title");
-  report.confidence = report.experiment.at("confidence");
-  const Json& conditions = json.at("result").at("conditions");
-  for (const auto& [pointer, value] : conditions.at(0).at("parameters").items()) report.swept.push_back(pointer);
-  for (const Json& condition : conditions) report.conditions.push_back(condition_from(condition));
-  report.text = std::move(json);
-  return report;
+  const Json conditions = std::exchange(json.at("result").at("conditions"), Json::array());
+  static_cast<void>(conditions.at(0));  // there is one
+  json.erase("internal");
+  RunReportBuilder builder(std::move(json));
+  for (const Json& condition : conditions) builder.add(condition);
+  return builder.take();
 }
 
 }  // namespace
@@ -93,6 +124,15 @@ AnyShare share_of(const RunReport& report, const ConditionReport& condition, con
   return {.count = 0,
           .estimate = 0.0,
           .interval = stats::exact_interval({.successes = 0, .trials = condition.realisations}, doubt)};
+}
+
+RunReport run_report_of(const experiment::Experiment& experiment, const experiment::ExperimentResult& result,
+                        const report::SystemFacts& system) {
+  RunReportBuilder builder(report::report_frame(experiment, result, system));
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    builder.add(report::condition_json(experiment.conditions[i], result.conditions[i]));
+  }
+  return builder.take();
 }
 
 RunReport read_run_report(std::string_view text) {

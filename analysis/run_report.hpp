@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rocking/report/json.hpp"
+#include "rocking/report/write_report.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 
@@ -55,7 +56,7 @@ struct RunReport {
   std::vector<std::string> swept;  ///< JSON pointers, in the order of the sweep
   std::vector<ConditionReport> conditions;
   double confidence = 0.95;
-  report::Json text;  ///< the whole report
+  report::Json text;  ///< the report without `internal`; of result.conditions only what a page tells in words
 
   /// Periods of a realisation, dropped and sampled; absent where a record and each condition's block decide.
   [[nodiscard]] std::optional<std::uint64_t> periods() const;
@@ -67,6 +68,10 @@ struct RunReport {
 /// that the report of such a mode would have.
 [[nodiscard]] AnyShare share_of(const RunReport& report, const ConditionReport& condition,
                                 const section::ResponseMode& mode);
+
+/// What reading a run's report.json would give, without its text.
+[[nodiscard]] RunReport run_report_of(const experiment::Experiment& experiment,
+                                      const experiment::ExperimentResult& result, const report::SystemFacts& system);
 
 /// Reads the text of a report.json. Throws base::InputError where it is none.
 [[nodiscard]] RunReport read_run_report(std::string_view text);

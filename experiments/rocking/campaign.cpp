@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <exception>
+#include <functional>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -12,6 +14,7 @@
 #include "progress.hpp"
 #include "progress_file.hpp"
 #include "rocking/base/build_info.hpp"
+#include "rocking/base/stop_request.hpp"
 #include "rocking/experiment/noise_floor.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/report/files.hpp"
@@ -84,11 +87,9 @@ std::string summary_of(const experiment::Experiment& experiment, const experimen
   return text + noise_line(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
 }
 
-/// How far a run came.
+/// How a run ended, and how long it took.
 struct Stretch {
   experiment::RunEnd end;
-  std::uint64_t done = 0;
-  std::uint64_t all = 0;
   double duration_s = 0.0;
 };
 
@@ -116,10 +117,9 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, all, [&] { return estimate.text(); });
     file.note(done, all);
-    stretch.done = done;
-    stretch.all = all;
-    if (labour.max_time && progress.elapsed() >= *labour.max_time) stop_for_time();
   };
+  std::optional<TimeLimit> limit;
+  if (labour.max_time) limit.emplace(*labour.max_time);
   try {
     stretch.end = experiment::run(experiment, store, options);
   } catch (const std::system_error&) {
@@ -131,18 +131,39 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
   return stretch;
 }
 
-ExitCode explain_stop(const RunFolder& folder, const Stretch& stretch) {
+ExitCode explain_stop(const RunFolder& folder, const experiment::Completeness& reached) {
   const bool interrupted = why_stopped() == StopReason::signal;
-  print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` goes on",
-                           interrupted ? "interrupted" : "the time is up", stretch.done, stretch.all, folder.name()));
+  print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` goes on{}",
+                           interrupted ? "interrupted" : "the time is up", reached.done, reached.all, folder.name(),
+                           folder.has_earlier_run() ? ". Until it is complete the earlier run stays in place" : ""));
   return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
 }
 
-ExitCode explain_shard(const RunFolder& folder, const experiment::Shard& shard) {
+ExitCode explain_shard(RunFolder& folder, const experiment::Shard& shard) {
+  folder.install_replacement();
   print_notice(fmt::format(
       "shard {} of {} is done; with the others in their folders, `rocking merge DIR {} ...` makes the report",
       shard.part, shard.parts, folder.name()));
   return ExitCode::done;
+}
+
+void write_unless_stopped(const std::filesystem::path& path, const std::function<void(const report::TextSink&)>& write) {
+  report::write_atomically(path, [&write](const report::TextSink& sink) {
+    write([&sink, stop = stop_on_signal()](std::string_view piece) {
+      stop.check();
+      sink(piece);
+    });
+  });
+}
+
+/// What the environment has against it; null where nothing. The table is printed before it is told.
+std::exception_ptr failure_of(const std::function<void()>& act) {
+  try {
+    act();
+  } catch (const std::system_error&) {
+    return std::current_exception();
+  }
+  return nullptr;
 }
 
 }  // namespace
@@ -159,14 +180,30 @@ void add_max_time(CLI::App& command, Labour& labour) {
                "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on");
 }
 
-ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
+ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
                   const experiment::ExperimentResult& result, const Conclusion& how) {
-  const std::string text = report::report_text(experiment, result, how.system);
-  report::write_atomically(folder.report_path(), text);
-  const DrawingFailures failures = write_page(folder, analysis::read_run_report(text));
-  const std::string where =
-      fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string());
-  print_result(how.loudness.json ? text : summary_of(experiment, result) + where);
+  const auto write = [&](const report::TextSink& sink) { report::write_report(sink, experiment, result, how.system); };
+  std::exception_ptr failure;
+  DrawingFailures failures;
+  try {
+    write_unless_stopped(folder.report_path(), write);
+    failure = failure_of([&] {
+      failures = write_page(folder, analysis::run_report_of(experiment, result, how.system));
+      folder.install_replacement();
+    });
+  } catch (const base::Stopped&) {
+    print_notice(fmt::format("interrupted; all realisations are done and kept. `rocking resume {}` writes the report and "
+                             "its page",
+                             folder.name()));
+    return ExitCode::interrupted;
+  }
+  if (how.loudness.json) {
+    print_result(write);
+  } else {
+    print_result(summary_of(experiment, result) +
+                 fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string()));
+  }
+  if (failure) std::rethrow_exception(failure);
   return failures.tell(no_page_picture);
 }
 
@@ -174,7 +211,7 @@ report::SystemFacts system_facts(unsigned threads) {
   return {.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = threads};
 }
 
-ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
+ExitCode carry_through(RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
                        const Labour& labour) {
   report::SystemFacts system = system_facts(labour.threads * labour.crew.processes);
   if (store.journalling() == experiment::Journalling::rollback) {
@@ -184,12 +221,19 @@ ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& ex
                     folder.name()));
   }
   const Stretch stretch = work(folder, experiment, store, labour);
-  if (stretch.end == experiment::RunEnd::stopped) return explain_stop(folder, stretch);
+  if (stretch.end == experiment::RunEnd::stopped) {
+    return explain_stop(folder, experiment::completeness(experiment, store));
+  }
   if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
   system.duration_s = stretch.duration_s;
-  const auto result = experiment::result_of(experiment, store);
+  std::optional<experiment::ExperimentResult> result;
+  try {
+    result = experiment::result_of(experiment, store, stop_on_signal());
+  } catch (const base::Stopped&) {
+    return explain_stop(folder, experiment::completeness(experiment, store));
+  }
   const ExitCode code = conclude(folder, experiment, result.value(), {.system = system, .loudness = labour.loudness});
-  if (!labour.loudness.quiet) {
+  if (code == ExitCode::done && !labour.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }
   return code;

@@ -29,7 +29,7 @@ void add_max_time(CLI::App& command, Labour& labour);
 
 /// Runs what the store lacks. When nothing is missing any more it writes the report and prints the table; otherwise it says
 /// how to go on.
-[[nodiscard]] ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& experiment,
+[[nodiscard]] ExitCode carry_through(RunFolder& folder, const experiment::Experiment& experiment,
                                      experiment::Store& store, const Labour& labour);
 
 /// What a report says of where it was made, and how loudly that is told.
@@ -41,8 +41,8 @@ struct Conclusion {
 /// Facts of this process, at this time.
 [[nodiscard]] report::SystemFacts system_facts(unsigned threads);
 
-/// Writes the report and its page, and prints the table.
-[[nodiscard]] ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
+/// Writes the report and its page, lets them take the place of an earlier run, and prints the table.
+[[nodiscard]] ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
                                 const experiment::ExperimentResult& result, const Conclusion& how);
 
 }  // namespace rocking::program

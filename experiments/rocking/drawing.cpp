@@ -4,6 +4,7 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "rocking/report/files.hpp"
 
@@ -36,7 +37,7 @@ WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const
   report::ensure_writable(folder);
   WrittenFigures written;
   for (const analysis::Figure& figure : figures) {
-    const analysis::Drawing drawing = analysis::write_figure(figure, folder);
+    const analysis::Drawing drawing = analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal());
     written.failures.add(drawing);
     const std::string stem = (folder / figure.name).string();
     for (const char* ending : {".tsv", ".gp"}) written.files.push_back(stem + ending);

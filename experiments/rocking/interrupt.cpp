@@ -1,5 +1,7 @@
 #include "interrupt.hpp"
 
+#include <algorithm>
+#include <chrono>
 #include <csignal>
 
 namespace rocking::program {
@@ -7,13 +9,20 @@ namespace {
 
 // A signal handler takes no context with it: what must outlive every scope of the program.
 std::atomic<bool> stop_requested{false};
-std::atomic<StopReason> reason{StopReason::none};
-static_assert(std::atomic<bool>::is_always_lock_free && std::atomic<StopReason>::is_always_lock_free,
-              "a signal handler must not wait for a lock");
+std::atomic<bool> signal_came{false};
+std::atomic<bool> time_is_up{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler must not wait for a lock");
 
 extern "C" void request_stop(int) {
-  reason.store(StopReason::signal);
+  signal_came.store(true);
   stop_requested.store(true);
+}
+
+// A signal that is ignored stays ignored: who started this process (nohup, a shell without job control) wants that.
+void catch_unless_ignored(int number, const struct sigaction& action) {
+  struct sigaction before {};
+  if (sigaction(number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) return;
+  sigaction(number, &action, nullptr);
 }
 
 }  // namespace
@@ -24,7 +33,7 @@ const std::atomic<bool>& stop_on_interrupt() {
   action.sa_flags = SA_RESTART;
   action.sa_flags |= static_cast<int>(SA_RESETHAND);  // the second signal finds the default again
   sigemptyset(&action.sa_mask);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) sigaction(number, &action, nullptr);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) catch_unless_ignored(number, action);
   return stop_requested;
 }
 
@@ -33,10 +42,27 @@ void meet_limits_as_errors() {
 }
 
 void stop_for_time() {
-  if (why_stopped() == StopReason::none) reason.store(StopReason::time);
+  time_is_up.store(true);
   stop_requested.store(true);
 }
 
-StopReason why_stopped() { return reason.load(); }
+base::StopRequest stop_on_signal() {
+  static_cast<void>(stop_on_interrupt());
+  return &signal_came;
+}
+
+StopReason why_stopped() {
+  if (signal_came.load()) return StopReason::signal;
+  return time_is_up.load() ? StopReason::time : StopReason::none;
+}
+
+TimeLimit::TimeLimit(double seconds)
+    : watch_([this, seconds](const std::stop_token& token) {
+        std::unique_lock lock(mutex_);
+        const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(std::min(seconds, 1e9));
+        woken_.wait_until(lock, token, std::chrono::time_point_cast<std::chrono::nanoseconds>(end),
+                          [] { return false; });
+        if (!token.stop_requested()) stop_for_time();
+      }) {}
 
 }  // namespace rocking::program

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <chrono>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <system_error>
@@ -11,7 +12,9 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <sys/utsname.h>
+#include <unistd.h>
 
 namespace rocking::program {
 namespace {
@@ -23,6 +26,47 @@ std::string processor_name() {
     if (line.starts_with("model name") && colon != std::string::npos) return line.substr(colon + 2);
   }
   return "unknown processor";
+}
+
+/// The number in the first line of a file that is one: `max` in place of it is no limit.
+std::optional<std::uint64_t> number_in(const std::filesystem::path& path) {
+  std::uint64_t number = 0;
+  if (std::ifstream file(path); file >> number) return number;
+  return std::nullopt;
+}
+
+/// What the kernel would give without taking it from others.
+std::optional<std::uint64_t> free_on_machine() {
+  std::ifstream facts("/proc/meminfo");
+  std::string name;
+  std::uint64_t kilobytes = 0;
+  for (std::string unit; facts >> name >> kilobytes && std::getline(facts, unit);) {
+    if (name == "MemAvailable:") return 1024 * kilobytes;
+  }
+  return std::nullopt;
+}
+
+/// Of the control group (version 2) of this process and all that it lies in, as a scheduler or a container sets it.
+std::optional<std::uint64_t> free_in_control_group() {
+  std::ifstream file("/proc/self/cgroup");
+  std::string line;
+  while (std::getline(file, line) && !line.starts_with("0::/")) {}
+  if (!line.starts_with("0::/")) return std::nullopt;
+  const std::filesystem::path root("/sys/fs/cgroup");
+  std::optional<std::uint64_t> least;
+  for (std::filesystem::path group = root / line.substr(4);; group = group.parent_path()) {
+    const auto most = number_in(group / "memory.max");
+    const auto used = number_in(group / "memory.current");
+    if (most && used) least = std::min(least.value_or(*most), *most - std::min(*most, *used));
+    if (group == root || !group.has_relative_path()) return least;
+  }
+}
+
+std::optional<std::uint64_t> free_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
+  const std::uint64_t used = number_in("/proc/self/statm").value_or(0) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 
 }  // namespace
@@ -58,6 +102,14 @@ double thread_seconds() {
     throw std::system_error(errno, std::generic_category(), "the processor time of a thread cannot be read");
   }
   return static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec);
+}
+
+std::optional<std::uint64_t> available_memory() {
+  std::optional<std::uint64_t> least;
+  for (const auto& free : {free_on_machine(), free_in_control_group(), free_address_space()}) {
+    if (free) least = std::min(least.value_or(*free), *free);
+  }
+  return least;
 }
 
 unsigned available_threads() { return std::max(1U, std::thread::hardware_concurrency()); }

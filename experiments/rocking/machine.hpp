@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace rocking::program {
@@ -15,6 +17,10 @@ namespace rocking::program {
 
 /// Processor time that the calling thread has used [s].
 [[nodiscard]] double thread_seconds();
+
+/// Bytes of memory that this process may still have: what the machine, its control group and its limit of address space leave;
+/// absent where none of them tells.
+[[nodiscard]] std::optional<std::uint64_t> available_memory();
 
 /// How many threads this process may run at once; at least 1.
 [[nodiscard]] unsigned available_threads();

@@ -1,5 +1,7 @@
 #include <filesystem>
+#include <exception>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,10 +59,29 @@ ExitCode explain_conflicts(const Source& source, const std::vector<experiment::D
   return ExitCode::check_failed;
 }
 
+/// Discards what was begun beside the earlier run, unless it came to an end.
+class DiscardUnlessJoined {
+ public:
+  explicit DiscardUnlessJoined(RunFolder& folder) : folder_(&folder) {}
+  DiscardUnlessJoined(const DiscardUnlessJoined&) = delete;
+  DiscardUnlessJoined& operator=(const DiscardUnlessJoined&) = delete;
+  ~DiscardUnlessJoined() {
+    if (folder_ == nullptr) return;
+    try {
+      folder_->discard_replacement();
+    } catch (const std::exception&) {
+      // It stays in its subfolder, where the next merge removes it.
+    }
+  }
+  void keep() { folder_ = nullptr; }
+
+ private:
+  RunFolder* folder_;
+};
+
 // The whole takes at most as much room as its parts.
-void make_room(const RunFolder& folder, const MergeRequest& request) {
-  if (request.overwrite) folder.clear();
-  if (folder.has_store() || folder.has_report()) {
+void expect_room(const RunFolder& folder, const MergeRequest& request) {
+  if (!request.overwrite && (folder.has_store() || folder.has_report() || folder.has_replacement())) {
     throw InTheWay(request.folder + ": holds a run already; choose another folder for the whole, or add --overwrite");
   }
   std::uintmax_t need = 0;
@@ -76,32 +97,43 @@ void expect_shards_elsewhere(const MergeRequest& request) {
   }
 }
 
+// Puts all rows together beside what the folder holds. Empty where no two shards contradict each other.
+std::optional<ExitCode> join(experiment::Store& whole, const std::vector<Source>& sources) {
+  for (const Source& source : sources) {
+    const auto conflicts = experiment::merge(whole, source.store);
+    if (!conflicts.empty()) return explain_conflicts(source, conflicts);
+  }
+  whole.close_up();
+  return std::nullopt;
+}
+
+ExitCode explain_missing(RunFolder& folder, const experiment::Completeness& found) {
+  const bool replaces = folder.has_earlier_run();
+  if (!replaces) folder.install_replacement();
+  print_notice(fmt::format("{} of {} realisations are there; `rocking resume {}` runs the rest{}", found.done, found.all,
+                           folder.name(), replaces ? ". Until then the earlier run stays in place" : ""));
+  return ExitCode::stopped_early;
+}
+
 ExitCode merge(const MergeRequest& request) {
   const std::vector<Source> sources = open_sources(request);
   for (const Source& source : sources) expect_kin(sources.front(), source);
   expect_shards_elsewhere(request);
   RunFolder folder(request.folder);
   folder.claim();
-  make_room(folder, request);
+  folder.tidy_up();
+  expect_room(folder, request);
   const report::SystemFacts system = system_facts(1);
   experiment::Identity identity = sources.front().store.identity();
   identity.shard.reset();
+  folder.begin_replacement();
+  DiscardUnlessJoined unfinished(folder);
   experiment::Store whole = folder.create_store(identity);
-  for (const Source& source : sources) {
-    const auto conflicts = experiment::merge(whole, source.store);
-    if (!conflicts.empty()) {
-      folder.clear();
-      return explain_conflicts(source, conflicts);
-    }
-  }
-  whole.close_up();
+  if (const auto failure = join(whole, sources)) return *failure;
+  unfinished.keep();
   const experiment::Experiment experiment = experiment_of(identity);
-  const auto [done, all] = experiment::completeness(experiment, whole);
-  if (done < all) {
-    print_notice(
-        fmt::format("{} of {} realisations are there; `rocking resume {}` runs the rest", done, all, request.folder));
-    return ExitCode::stopped_early;
-  }
+  const auto found = experiment::completeness(experiment, whole);
+  if (found.done < found.all) return explain_missing(folder, found);
   return conclude(folder, experiment, experiment::result_of(experiment, whole).value(),
                   {.system = system, .loudness = request.loudness});
 }
@@ -118,7 +150,7 @@ void add_merge(CLI::App& app, Action& action) {
       "order does not matter; shards may overlap where they agree.");
   command->add_option("DIR", request->folder, "Folder for the whole; made if need be")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
-  command->add_flag("--overwrite", request->overwrite, "Replace what an earlier merge left in the folder");
+  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, once all shards are joined");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return merge(*request); }; });
 }

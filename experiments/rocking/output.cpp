@@ -19,8 +19,15 @@ void add_loudness(CLI::App& command, Loudness& loudness) {
 }
 
 void print_result(std::string_view text) {
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
-  if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
+  print_result([text](const report::TextSink& sink) { sink(text); });
+}
+
+void print_result(const std::function<void(const report::TextSink& sink)>& write) {
+  const auto expect = [](bool written) {
+    if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
+  };
+  write([&](std::string_view piece) { expect(std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size()); });
+  expect(std::fflush(stdout) == 0);
 }
 
 void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", text)); }

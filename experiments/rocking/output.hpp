@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -8,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/report/json_writer.hpp"
 #include "rocking/report/read_experiment.hpp"
 
 namespace rocking::program {
@@ -32,6 +34,8 @@ CLI::Option* add_duration(CLI::App& command, const std::string& name, Seconds& s
 
 /// Writes to standard output and makes sure that it got there. Throws std::system_error.
 void print_result(std::string_view text);
+/// The same of a text that comes piece by piece.
+void print_result(const std::function<void(const report::TextSink& sink)>& write);
 
 /// Writes `rocking: text` to standard error.
 void print_notice(std::string_view text);

@@ -7,6 +7,7 @@
 #include "analysis/draw.hpp"
 #include "analysis/page/page.hpp"
 #include "drawing.hpp"
+#include "interrupt.hpp"
 #include "rocking/report/files.hpp"
 
 namespace rocking::program {
@@ -16,7 +17,7 @@ DrawingFailures write_page(const RunFolder& folder, const analysis::RunReport& r
   DrawingFailures failures;
   for (analysis::Figure& figure : figures_of(folder, report)) {
     analysis::Drawing drawing;
-    std::string svg = analysis::svg_of(figure, drawing);
+    std::string svg = analysis::svg_of(figure, drawing, stop_on_signal());
     failures.add(drawing);
     figures.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }

@@ -38,11 +38,7 @@ constexpr std::array<Effect, 11> effects{{
 
 }  // namespace
 
-// A row takes 200 to 270 bytes (lib/docs/scale.md); what is open when a run is stopped, and the report, take less than the
-// fixed part.
-std::uint64_t disk_need(std::uint64_t realisations) { return 1'000'000 + 300 * realisations; }
-
-Plan plan_of(const experiment::Experiment& experiment) {
+Plan plan_of(const experiment::Experiment& experiment, const Means& means) {
   Plan plan;
   plan.title = experiment.title;
   plan.conditions = experiment.conditions.size();
@@ -54,7 +50,7 @@ Plan plan_of(const experiment::Experiment& experiment) {
     const auto [transient, sampled] = condition.horizon;
     plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
   }
-  plan.disk_bytes = disk_need(plan.realisations);
+  plan.needs = needs_of(experiment, means);
   for (const Effect& effect : effects) {
     for (const experiment::Condition& condition : experiment.conditions) {
       if (!effect.is_on(condition.scene)) continue;
@@ -70,7 +66,8 @@ std::string to_text(const Plan& plan) {
   text += fmt::format("{}, {}{}, {} of the {}\n", counted(plan.conditions, "condition"), plan.at_most ? "at most " : "",
                       counted(plan.realisations, "realisation"), counted(plan.periods, "period"),
                       plan.has_record ? "strobe" : "excitation");
-  text += fmt::format("less than {} on the disk\n", spoken_size(plan.disk_bytes));
+  text += fmt::format("{} {} on the disk, {} of memory\n", plan.at_most ? "at most" : "about",
+                      spoken_size(plan.needs.disk_bytes), spoken_size(plan.needs.memory_bytes));
   if (plan.effects.empty()) return text + "rocking only: nothing slides and nothing is random\n";
   text += "beside rocking:\n";
   for (const std::string& effect : plan.effects) text += "  " + effect + '\n';
@@ -78,8 +75,13 @@ std::string to_text(const Plan& plan) {
 }
 
 std::vector<report::Fact> facts_of(const Plan& plan) {
-  return {{"title", plan.title},     {"conditions", plan.conditions}, {"realisations", plan.realisations},
-          {"periods", plan.periods}, {"disk_bytes", plan.disk_bytes}, {"effects", plan.effects}};
+  return {{"title", plan.title},
+          {"conditions", plan.conditions},
+          {"realisations", plan.realisations},
+          {"periods", plan.periods},
+          {"disk_bytes", plan.needs.disk_bytes},
+          {"memory_bytes", plan.needs.memory_bytes},
+          {"effects", plan.effects}};
 }
 
 }  // namespace rocking::program

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "needs.hpp"
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/report/write_facts.hpp"
 
@@ -17,14 +18,11 @@ struct Plan {
   bool at_most = false;              ///< some conditions may stop before
   std::uint64_t periods = 0;         ///< of all realisations together
   bool has_record = false;           ///< a period is then that of the strobe, not of an excitation
-  std::uint64_t disk_bytes = 0;      ///< for the store, at most
+  Needs needs;
   std::vector<std::string> effects;  ///< that are on in at least one condition
 };
 
-/// Bytes that a store of so many realisations takes on the disk, rather too many than too few.
-[[nodiscard]] std::uint64_t disk_need(std::uint64_t realisations);
-
-[[nodiscard]] Plan plan_of(const experiment::Experiment& experiment);
+[[nodiscard]] Plan plan_of(const experiment::Experiment& experiment, const Means& means);
 [[nodiscard]] std::string to_text(const Plan& plan);
 [[nodiscard]] std::vector<report::Fact> facts_of(const Plan& plan);
 

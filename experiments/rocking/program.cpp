@@ -13,7 +13,9 @@
 #include "program.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/stop_request.hpp"
 #include "rocking/experiment/sqlite.hpp"
+#include "standard_streams.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -63,6 +65,8 @@ ExitCode code_of(const base::InputError& error) {
 ExitCode carry_out(const Action& action) {
   try {
     return action();
+  } catch (const base::Stopped&) {
+    return fail(ExitCode::interrupted, "interrupted; the same command begins anew");
   } catch (const base::InputError& error) {
     return fail(code_of(error), "the experiment cannot be used: " + listed_problems(error));
   } catch (const UsageError& error) {
@@ -86,6 +90,7 @@ ExitCode carry_out(const Action& action) {
 }  // namespace
 
 ExitCode carry_out_command_line(int argc, const char* const* argv, const Crew& crew) {
+  hold_standard_streams();
   meet_limits_as_errors();
   CLI::App app("How likely is each response of a rocking block?", "rocking");
   Action action;

@@ -37,6 +37,7 @@ struct ReportRequest {
 };
 
 analysis::RunReport load_report(const RunFolder& folder) {
+  folder.expect_installed();
   if (!folder.has_report()) {
     throw MissingInput(
         folder.has_store()

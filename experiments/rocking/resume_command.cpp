@@ -9,6 +9,7 @@
 #include "plan.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/experiment/salvage.hpp"
+#include "rocking/report/files.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -18,6 +19,10 @@ struct ResumeRequest {
   std::string folder;
   Labour labour;
 };
+
+bool holds_run(const RunFolder& folder) {
+  return folder.has_store() || folder.has_replacement() || folder.is_half_installed();
+}
 
 // Whatever is damaged is found before anything is added to it.
 experiment::Store sound_store(const RunFolder& folder, const experiment::Experiment& experiment,
@@ -32,9 +37,12 @@ experiment::Store sound_store(const RunFolder& folder, const experiment::Experim
 }
 
 ExitCode resume(const ResumeRequest& request) {
-  if (!RunFolder(request.folder).has_store()) throw MissingInput(request.folder + ": holds no run to go on with");
+  if (!holds_run(RunFolder(request.folder))) throw MissingInput(request.folder + ": holds no run to go on with");
   RunFolder folder(request.folder);
   folder.claim();
+  folder.tidy_up();
+  if (folder.has_replacement()) folder.enter_replacement();
+  report::expect_regular_file(folder.store_path());
   experiment::restore_length(folder.store_path());
   experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
   if (store.identity().code != code_identity()) {
@@ -45,8 +53,11 @@ ExitCode resume(const ResumeRequest& request) {
   }
   const experiment::Experiment experiment = experiment_of(store.identity());
   store = sound_store(folder, experiment, std::move(store));
-  const auto [done, all] = experiment::completeness(experiment, store);
-  if (!plan_of(experiment).at_most) folder.expect_room(disk_need(all - done));
+  const Plan plan = plan_of(experiment, {.threads = request.labour.threads,
+                                         .shard = store.identity().shard,
+                                         .stored = experiment::completeness(experiment, store).done});
+  if (!request.labour.max_time) expect_memory(plan.needs.memory_bytes);
+  if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
   return carry_through(folder, experiment, store, request.labour);
 }
 

@@ -24,26 +24,6 @@ struct RunRequest {
   bool overwrite = false;
 };
 
-ExitCode show_plan(const RunRequest& request, const experiment::Experiment& experiment) {
-  const Plan plan = plan_of(experiment);
-  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : to_text(plan));
-  return ExitCode::done;
-}
-
-void make_room(const RunFolder& folder, bool overwrite) {
-  if (overwrite) {
-    folder.clear();
-  } else if (folder.has_report()) {
-    throw InTheWay(folder.report_path().string() +
-                   ": is already there; choose another folder, or add --overwrite to replace it");
-  } else if (folder.has_store()) {
-    throw InTheWay(
-        fmt::format("{0}: holds a run; `rocking resume {0}` goes on with it. Otherwise choose another folder, "
-                    "or add --overwrite to lose it",
-                    folder.name()));
-  }
-}
-
 /// `2/5` as a shard.
 experiment::Shard shard_from(const std::string& text) {
   experiment::Shard shard;
@@ -59,6 +39,30 @@ experiment::Shard shard_from(const std::string& text) {
     if (1 <= shard.part && shard.part <= shard.parts) return shard;
   }
   throw UsageError(fmt::format("--shard {}: is no part of a whole; give i/n with 1 <= i <= n, as 2/5", text));
+}
+
+Means means_of(const RunRequest& request) {
+  return {.threads = request.labour.threads,
+          .shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt};
+}
+
+ExitCode show_plan(const RunRequest& request, const experiment::Experiment& experiment) {
+  const Plan plan = plan_of(experiment, means_of(request));
+  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : to_text(plan));
+  return ExitCode::done;
+}
+
+void expect_no_run(const RunFolder& folder) {
+  if (folder.has_report()) {
+    throw InTheWay(folder.report_path().string() +
+                   ": is already there; choose another folder, or add --overwrite to replace it");
+  }
+  if (folder.has_store() || folder.has_replacement()) {
+    throw InTheWay(
+        fmt::format("{0}: holds a run; `rocking resume {0}` goes on with it. Otherwise choose another folder, "
+                    "or add --overwrite to lose it",
+                    folder.name()));
+  }
 }
 
 void expect_fixed_numbers(const experiment::Experiment& experiment) {
@@ -78,13 +82,17 @@ ExitCode run(const RunRequest& request) {
   const auto shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt;
   const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
   if (request.dry_run) return show_plan(request, experiment);
+  const Plan plan = plan_of(experiment, means_of(request));
+  // Where the time is limited, strobe points may be few when it is up.
+  if (!request.labour.max_time) expect_memory(plan.needs.memory_bytes);
   if (shard) expect_fixed_numbers(experiment);
   RunFolder folder(request.folder);
   folder.claim();
-  make_room(folder, request.overwrite);
-  const Plan plan = plan_of(experiment);
+  folder.tidy_up();
+  if (!request.overwrite) expect_no_run(folder);
   if (request.labour.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan)));
-  if (!plan.at_most) folder.expect_room(disk_need(plan.realisations / (shard ? shard->parts : 1)));
+  if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
+  if (folder.has_store() || folder.has_report()) folder.begin_replacement();
   experiment::Store store = folder.create_store({.experiment = experiment.canonical_text,
                                                  .code = code_identity(),
                                                  .files = folder_of(request.file),
@@ -119,7 +127,7 @@ void add_run(CLI::App& app, Action& action, const Crew& crew) {
   add_max_time(*command, request->labour);
   const auto dry_run =
       command->add_flag("--dry-run", request->dry_run, "Say what would be done, and stop; writes nothing");
-  command->add_flag("--overwrite", request->overwrite, "Replace what an earlier run left in the folder");
+  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, once this one is complete");
   add_loudness(*command, request->labour.loudness);
   command->final_callback([&action, request, folder, dry_run] {
     if (folder->empty() && dry_run->empty()) throw CLI::RequiredError("-o DIR (the folder for the results)");

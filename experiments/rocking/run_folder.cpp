@@ -22,10 +22,6 @@
 namespace rocking::program {
 namespace {
 
-void remove_database(const std::filesystem::path& path) {
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) std::filesystem::remove(path.string() + suffix);
-}
-
 std::filesystem::path first_free_name(const std::filesystem::path& folder) {
   for (int number = 1;; ++number) {
     std::filesystem::path name = folder / fmt::format("damaged-{}.sqlite", number);
@@ -97,12 +93,14 @@ experiment::Store RunFolder::create_store(const experiment::Identity& identity) 
 }
 
 experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const {
+  expect_installed();
   if (!has_store()) throw MissingInput(name() + ": holds no run (there is no realisations.sqlite)");
+  report::expect_regular_file(store_path());
   return experiment::Store::open(store_path(), access);
 }
 
 RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const {
-  const std::filesystem::path mended = path_ / "mended.sqlite";
+  const std::filesystem::path mended = files_.folder / "mended.sqlite";
   remove_database(mended);
   Mending mending;
   {
@@ -124,9 +122,39 @@ RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experi
   return mending;
 }
 
-void RunFolder::clear() const {
-  for (const auto& path : {report_path(), page_path(), progress_path()}) std::filesystem::remove(path);
-  remove_database(store_path());
+void RunFolder::begin_replacement() {
+  replacement().begin();
+  enter_replacement();
+}
+
+void RunFolder::enter_replacement() { files_.folder = replacement().path(); }
+
+bool RunFolder::has_earlier_run() const {
+  const RunFiles earlier{path_};
+  return is_replacement() && (std::filesystem::exists(earlier.store()) || std::filesystem::exists(earlier.report()));
+}
+
+void RunFolder::discard_replacement() {
+  replacement().discard();
+  files_.folder = path_;
+}
+
+void RunFolder::install_replacement() {
+  if (!is_replacement()) return;
+  replacement().install();
+  files_.folder = path_;
+}
+
+void RunFolder::tidy_up() const {
+  report::remove_abandoned_files(path_);
+  replacement().finish_installing();
+}
+
+void RunFolder::expect_installed() const {
+  if (!is_half_installed()) return;
+  throw InTheWay(fmt::format("{0}: a run that replaces the one here was interrupted on its way into its place; `rocking "
+                             "resume {0}` moves the rest",
+                             name()));
 }
 
 std::string code_identity() {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <string>
 
+#include "replacement.hpp"
 #include "rocking/experiment/store.hpp"
 
 namespace rocking::program {
@@ -11,7 +12,7 @@ namespace rocking::program {
 /// A folder with the outcome of a run: the store of its realisations and, once all are done, its report.
 class RunFolder {
  public:
-  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit RunFolder(std::filesystem::path path) : path_(std::move(path)), files_{path_} {}
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
   ~RunFolder();
@@ -23,6 +24,25 @@ class RunFolder {
   [[nodiscard]] bool is_at_work() const;
   /// Throws std::system_error where the disk has not that many bytes free.
   void expect_room(std::uint64_t bytes) const;
+
+  /// From here on the paths below are those of a run that is to replace the one in the folder, if there is one. begin_replacement
+  /// begins with an empty subfolder, enter_replacement goes on with one that was begun.
+  void begin_replacement();
+  void enter_replacement();
+  [[nodiscard]] bool has_replacement() const { return replacement().has_begun(); }
+  [[nodiscard]] bool is_replacement() const { return files_.folder != path_; }
+  /// Whether there is one for it to replace.
+  [[nodiscard]] bool has_earlier_run() const;
+  /// Gives up a run that was to replace another.
+  void discard_replacement();
+  /// Lets a complete run take its place; nothing to do for one that replaces none.
+  void install_replacement();
+  /// Does what processes that were killed left to be done: installs a complete replacement, removes temporary files. For whoever
+  /// has claimed the folder.
+  void tidy_up() const;
+  [[nodiscard]] bool is_half_installed() const { return replacement().is_half_installed(); }
+  /// Throws InTheWay where that is still to be done: what the folder holds then belongs to two runs.
+  void expect_installed() const;
 
   [[nodiscard]] bool has_store() const { return std::filesystem::exists(store_path()); }
   [[nodiscard]] bool has_report() const { return std::filesystem::exists(report_path()); }
@@ -36,20 +56,20 @@ class RunFolder {
     std::filesystem::path damaged_file;  ///< where the damaged file is now
   };
   Mending mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const;
-  /// Removes store, report and page.
-  void clear() const;
-
   [[nodiscard]] std::string name() const { return path_.string(); }
-  [[nodiscard]] std::filesystem::path store_path() const { return path_ / "realisations.sqlite"; }
-  [[nodiscard]] std::filesystem::path report_path() const { return path_ / "report.json"; }
-  [[nodiscard]] std::filesystem::path page_path() const { return path_ / "report.html"; }
-  [[nodiscard]] std::filesystem::path progress_path() const { return path_ / "progress.json"; }
+  [[nodiscard]] std::filesystem::path store_path() const { return files_.store(); }
+  [[nodiscard]] std::filesystem::path report_path() const { return files_.report(); }
+  [[nodiscard]] std::filesystem::path page_path() const { return files_.page(); }
+  [[nodiscard]] std::filesystem::path progress_path() const { return files_.progress(); }
 
  private:
   void wait_for_lock();
   [[nodiscard]] std::filesystem::path lock_path() const { return path_ / ".lock"; }
 
+  [[nodiscard]] Replacement replacement() const { return Replacement(path_); }
+
   std::filesystem::path path_;
+  RunFiles files_;
   int lock_ = -1;
 };
 

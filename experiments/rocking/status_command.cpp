@@ -26,6 +26,7 @@ struct Standing {
   std::string part;   ///< `2/5` of a shard; empty: the whole
   experiment::Completeness realisations;
   std::uint64_t failed = 0;  ///< of those that are done: the model or a budget gave no answer
+  bool replaces = false;     ///< an earlier run in the folder, once it is complete
   double rate = 0.0;         ///< realisations a second of the run at work; 0 where none is, or it has just begun
 
   [[nodiscard]] std::uint64_t missing() const { return realisations.all - realisations.done; }
@@ -47,14 +48,16 @@ std::uint64_t failures_in(const experiment::Store& store) {
   return count(dynamics::Termination::painleve) + count(dynamics::Termination::stopped);
 }
 
-Standing standing_of(const RunFolder& folder) {
+Standing standing_of(RunFolder& folder) {
   const bool running = folder.is_at_work();
+  if (folder.has_replacement()) folder.enter_replacement();
   const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
   Standing standing;
+  standing.replaces = folder.is_replacement();
   if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);
   standing.realisations = experiment::completeness(experiment_of(store.identity()), store);
   standing.failed = failures_in(store);
-  const bool complete = standing.missing() == 0 && (folder.has_report() || !standing.part.empty());
+  const bool complete = standing.missing() == 0 && !standing.replaces && (folder.has_report() || !standing.part.empty());
   standing.state = running ? "running" : complete ? "finished" : "stopped";
   if (running) standing.rate = rate_of(folder);
   return standing;
@@ -67,6 +70,7 @@ std::string to_text(const StatusRequest& request, const Standing& standing) {
                                  standing.part.empty() ? "" : ", shard " + standing.part);
   text += fmt::format("done     {} of {} realisations ({:.1f} %)\n", done, all, share);
   text += fmt::format("missing  {}\nfailed   {}\n", standing.missing(), standing.failed);
+  if (standing.replaces) text += "the earlier run in this folder is kept until this one is complete\n";
   if (standing.rate > 0.0) {
     text += fmt::format("rate     {:.3g}/s\nto go    {}\n", standing.rate,
                         spoken_duration(static_cast<double>(standing.missing()) / standing.rate));
@@ -82,6 +86,7 @@ std::vector<report::Fact> facts_of(const Standing& standing) {
                                   {"missing", standing.missing()},
                                   {"failed", standing.failed}};
   if (!standing.part.empty()) facts.push_back({"shard", standing.part});
+  if (standing.replaces) facts.push_back({"replaces_earlier_run", true});
   if (standing.rate > 0.0) {
     facts.push_back({"realisations_per_s", standing.rate});
     facts.push_back({"to_go_s", static_cast<double>(standing.missing()) / standing.rate});
@@ -90,7 +95,8 @@ std::vector<report::Fact> facts_of(const Standing& standing) {
 }
 
 ExitCode status(const StatusRequest& request) {
-  const Standing standing = standing_of(RunFolder(request.folder));
+  RunFolder folder(request.folder);
+  const Standing standing = standing_of(folder);
   print_result(request.loudness.json ? report::facts_text(facts_of(standing)) : to_text(request, standing));
   return ExitCode::done;
 }

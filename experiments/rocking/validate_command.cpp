@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "machine.hpp"
 #include "output.hpp"
 #include "plan.hpp"
 #include "rocking/report/write_facts.hpp"
@@ -21,7 +22,7 @@ ExitCode validate(const ValidateRequest& request) {
     if (request.loudness.json) {
       print_result(report::validation_text(experiment));
     } else if (!request.loudness.quiet) {
-      const Plan plan = plan_of(experiment);
+      const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
       print_result(fmt::format("{}: valid: {}\n", request.file, to_text(plan)));
     }
     return ExitCode::done;

@@ -52,6 +52,7 @@ class Verifier {
         claims_(report::read_report(report_)) {}
 
   Findings check() {
+    folder_.expect_installed();
     check_input();
     if (!findings_.wrong.empty()) return findings_;  // what it asks is in doubt: nothing to run
     if (folder_.has_store()) {

@@ -131,7 +131,7 @@ class Coordinator {
   }
 
   void give_blocks() {
-    if (options_->stop_requested != nullptr && options_->stop_requested->load()) stopping_ = true;
+    if (options_->stop_requested.is_made()) stopping_ = true;
     while (!free_.empty() && !stopping_) {
       const int rank = *free_.begin();
       const std::vector<Pair> block = take_block(lengths_[rank].pairs);

@@ -63,11 +63,15 @@ class DiagramWorkers {
 
  private:
   void work() {
-    for (std::size_t i = next_++; i < chains_.size() && !is_to_stop(); i = next_++) follow(chains_[i]);
+    try {
+      for (std::size_t i = next_++; i < chains_.size() && !is_to_stop(); i = next_++) follow(chains_[i]);
+    } catch (const base::Stopped&) {
+      // That steps are missing tells run() of it.
+    }
   }
 
   void follow(const Chain& chain) {
-    Continuation continuation(draws_);
+    Continuation continuation(draws_, options_->stop_requested);
     for (std::size_t i = 0; i < chain.count && !is_to_stop(); ++i) {
       const std::size_t place = chain.branch == Branch::downwards ? chain.count - 1 - i : chain.first + i;
       const std::size_t index = chain.diagram->conditions[place];
@@ -83,7 +87,7 @@ class DiagramWorkers {
   }
 
   [[nodiscard]] bool is_to_stop() const {
-    return has_failed_ || (options_->stop_requested != nullptr && options_->stop_requested->load());
+    return has_failed_ || options_->stop_requested.is_made();
   }
 
   const Experiment* experiment_;

@@ -25,7 +25,7 @@ Record Continuation::run(const Condition& condition) {
                          motion_->coefficients().under(condition.scene), strobes);
     return *motion_;
   });
-  Record record = run_alone(run);
+  Record record = run_alone(run, stop_);
   motion_.reset();
   if (record.termination == dynamics::Termination::reached_horizon) {
     motion_ = run.motion();

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/experiment/realisation.hpp"
 #include "rocking/experiment/record.hpp"
 #include "rocking/random/draws.hpp"
@@ -11,7 +12,8 @@ namespace rocking::experiment {
 /// Runs of harmonically shaken conditions, each from where the one before it ended, under the same draws.
 class Continuation {
  public:
-  explicit Continuation(const random::Draws& draws) : draws_(draws) {}
+  /// Once it is asked to stop, run() throws base::Stopped.
+  explicit Continuation(const random::Draws& draws, base::StopRequest stop = {}) : draws_(draws), stop_(stop) {}
 
   /// Whether the coming run goes on from the one before it. The first one does not, nor one after a run that ended before
   /// its horizon: they begin from the initial state of their condition.
@@ -25,6 +27,7 @@ class Continuation {
 
  private:
   random::Draws draws_;
+  base::StopRequest stop_;
   std::optional<Motion<dynamics::HarmonicExcitation>> motion_;
 };
 

@@ -83,13 +83,21 @@ class CostWorkers {
   [[nodiscard]] std::vector<MeasuredRealisation> run() {
     base::on_threads(
         options_->threads, [this](unsigned) { work(); }, [this] { has_failed_ = true; });
-    if (is_asked_to_stop()) return {};
+    if (options_->stop_requested.is_made()) return {};
     return std::move(measured_);
   }
 
  private:
   void work() {
-    JobCrew<CostJob> crew(experiment_->seed, options_->lanes);
+    JobCrew<CostJob> crew(experiment_->seed, options_->lanes, options_->stop_requested);
+    try {
+      work_with(crew);
+    } catch (const base::Stopped&) {
+      // run() looks at the request itself.
+    }
+  }
+
+  void work_with(JobCrew<CostJob>& crew) {
     while (true) {
       while (crew.wants_more()) {
         const auto index = next(crew.is_idle());
@@ -97,7 +105,7 @@ class CostWorkers {
         const RealisationKey key = sample_.at(*index);
         crew.start(std::make_unique<CostJob>(experiment_->conditions[key.condition], plan_->tolerances, *index, key));
       }
-      if (crew.is_idle() || has_failed_ || is_asked_to_stop()) return;
+      if (crew.is_idle() || has_failed_ || options_->stop_requested.is_made()) return;
       for (const auto& job : crew.work()) accept(*job);
     }
   }
@@ -119,10 +127,6 @@ class CostWorkers {
     measured_[job.index()] = std::move(measured);
     ++done_;
     if (options_->on_progress) options_->on_progress(done_, all_);
-  }
-
-  [[nodiscard]] bool is_asked_to_stop() const {
-    return options_->stop_requested != nullptr && options_->stop_requested->load();
   }
 
   const Experiment* experiment_;

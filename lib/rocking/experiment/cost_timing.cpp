@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstddef>
 #include <mutex>
-#include <optional>
 #include <utility>
 
 #include "rocking/base/on_threads.hpp"
@@ -77,7 +76,15 @@ class Timekeeper {
 
   [[nodiscard]] CostTiming run() {
     base::on_threads(
-        threads_, [this](unsigned thread) { take_times(thread); }, [] {});
+        threads_,
+        [this](unsigned thread) {
+          try {
+            take_times(thread);
+          } catch (const base::Stopped&) {
+            // A median needs all rounds: the thread has kept none.
+          }
+        },
+        [] {});
     CostTiming timing{.seconds_per_period = {}, .realisations = size_.realisations, .periods = size_.periods};
     for (const std::vector<double>& times : times_) timing.seconds_per_period.push_back(median_of(times));
     return timing;
@@ -94,9 +101,7 @@ class Timekeeper {
     std::vector<Round> rounds;
     for (std::uint64_t number = thread;; number += threads_) {
       const double left_before = plan_->seconds_left();
-      auto round = time_round(number, size);
-      if (!round) return;
-      rounds.push_back(*std::move(round));
+      rounds.push_back(time_round(number, size));
       const double left = plan_->seconds_left();
       const double took = left_before - left;
       const RoundSize larger = larger_than(size);
@@ -115,8 +120,7 @@ class Timekeeper {
     return {size.periods, std::min(2 * size.realisations, largest_.realisations)};
   }
 
-  /// Absent if it is asked to stop.
-  [[nodiscard]] std::optional<Round> time_round(std::uint64_t number, const RoundSize& size) const {
+  [[nodiscard]] Round time_round(std::uint64_t number, const RoundSize& size) const {
     Round round;
     for (const double tolerance : tolerances_) {
       std::vector<Condition> conditions = experiment_->conditions;
@@ -124,21 +128,19 @@ class Timekeeper {
         condition.tolerance = tolerance;
         condition.horizon = shortened(condition.horizon, static_cast<double>(size.periods) / largest_.periods);
       }
-      const auto time = time_realisations(conditions, number * size.realisations, size.realisations);
-      if (!time) return std::nullopt;
-      round.push_back(*time);
+      round.push_back(time_realisations(conditions, number * size.realisations, size.realisations));
     }
     return round;
   }
 
   /// Processor time a period of `count` of the sample from the `first` on; where that has an end, it begins anew.
-  [[nodiscard]] std::optional<double> time_realisations(const std::vector<Condition>& conditions, std::uint64_t first,
-                                                        std::uint64_t count) const {
+  [[nodiscard]] double time_realisations(const std::vector<Condition>& conditions, std::uint64_t first,
+                                         std::uint64_t count) const {
     std::uint64_t periods = 0;
     const double before = plan_->processor_seconds();
-    RealisationCrew crew(experiment_->seed, options_->lanes);
+    RealisationCrew crew(experiment_->seed, options_->lanes, options_->stop_requested);
     for (std::uint64_t next = 0; next < count || !crew.is_idle();) {
-      if (options_->stop_requested != nullptr && options_->stop_requested->load()) return std::nullopt;
+      options_->stop_requested.check();
       for (; next < count && crew.wants_more(); ++next) {
         const std::uint64_t index = first + next;
         const RealisationKey key = sample_.at(sample_.size() ? index % *sample_.size() : index);

@@ -96,8 +96,9 @@ CompanionRun CompanionPair::result() const {
   return {.exponent = exponent_, .periods = 2 * static_cast<std::uint64_t>(done_)};
 }
 
-void run_alone(CompanionPair& pair) {
+void run_alone(CompanionPair& pair, base::StopRequest stop) {
   do {
+    stop.check();
     integrate::advance(pair.leader());
     integrate::advance(pair.companion());
   } while (pair.go_on());

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/experiment/realisation.hpp"
 #include "rocking/section/classify.hpp"
 
@@ -69,7 +70,7 @@ class CompanionPair {
   std::optional<section::ExponentEstimate> exponent_;
 };
 
-/// Runs both on one lane, until they do not go on.
-void run_alone(CompanionPair& pair);
+/// Runs both on one lane, until they do not go on. Throws base::Stopped once it is asked to stop.
+void run_alone(CompanionPair& pair, base::StopRequest stop = {});
 
 }  // namespace rocking::experiment

@@ -140,11 +140,14 @@ Record HorizonRun<Excitation>::finish() {
   return std::move(record_);
 }
 
-/// Runs it on one lane.
+/// Runs it on one lane. Throws base::Stopped once it is asked to stop.
 template <class Excitation>
-[[nodiscard]] Record run_alone(HorizonRun<Excitation>& run) {
-  while (!run.motion().ended() || run.go_on()) integrate::step(run.motion(), run.counts());
-  if (CompanionPair* companions = run.name()) run_alone(*companions);
+[[nodiscard]] Record run_alone(HorizonRun<Excitation>& run, base::StopRequest stop) {
+  while (!run.motion().ended() || run.go_on()) {
+    stop.check();
+    integrate::step(run.motion(), run.counts());
+  }
+  if (CompanionPair* companions = run.name()) run_alone(*companions, stop);
   return run.finish();
 }
 

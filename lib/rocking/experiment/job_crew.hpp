@@ -19,7 +19,8 @@ namespace rocking::experiment {
 template <class Job>
 class JobCrew {
  public:
-  JobCrew(std::uint64_t seed, const lanes::Kernels& kernels) : crew_(seed, kernels) {}
+  /// As RealisationCrew.
+  JobCrew(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop) : crew_(seed, kernels, stop) {}
 
   /// Whether the tasks of another job would be done beside those that are here.
   [[nodiscard]] bool wants_more() const { return crew_.wants_more(); }

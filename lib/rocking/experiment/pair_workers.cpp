@@ -23,7 +23,16 @@ class PairWorkers {
 
  private:
   void work() {
-    JobCrew<PairJob> crew(experiment_->seed, options_->lanes);
+    JobCrew<PairJob> crew(experiment_->seed, options_->lanes, options_->stop_requested);
+    try {
+      work_with(crew);
+    } catch (const base::Stopped&) {
+      // What is under way is given up, as where the request is seen between two steps.
+    }
+    give_up(crew.size());
+  }
+
+  void work_with(JobCrew<PairJob>& crew) {
     while (true) {
       while (crew.wants_more()) {
         const auto pair = next(crew.is_idle());
@@ -31,10 +40,9 @@ class PairWorkers {
         const std::uint64_t count = effective_realisations(experiment_->conditions[pair->condition]);
         crew.start(std::make_unique<PairJob>(*experiment_, *pair, count));
       }
-      if (crew.is_idle() || is_asked_to_stop()) break;
+      if (crew.is_idle() || options_->stop_requested.is_made()) return;
       for (const auto& job : crew.work()) accept(*job);
     }
-    give_up(crew.size());
   }
 
   void fail() {
@@ -58,15 +66,11 @@ class PairWorkers {
     changed_.notify_all();
   }
 
-  [[nodiscard]] bool is_asked_to_stop() const {
-    return options_->stop_requested != nullptr && options_->stop_requested->load();
-  }
-
   // Whatever is under way may bring more: a thread that has nothing else to do waits for it.
   [[nodiscard]] std::optional<Pair> next(bool may_wait) {
     std::unique_lock lock(mutex_);
     while (true) {
-      if (is_asked_to_stop() || has_failed_) return std::nullopt;
+      if (options_->stop_requested.is_made() || has_failed_) return std::nullopt;
       if (const auto pair = flow_->next()) {
         ++under_way_;
         return pair;

@@ -46,7 +46,8 @@ bool Passenger::go_on() const { return this == &run->itself && run->go_on(); }
 
 class RealisationCrew::Implementation {
  public:
-  Implementation(std::uint64_t seed, const lanes::Kernels& kernels) : seed_(seed), crew_(kernels) {}
+  Implementation(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop)
+      : seed_(seed), stop_(stop), crew_(kernels, stop) {}
   ~Implementation() = default;
 
   [[nodiscard]] bool wants_more() const { return crew_.size() < crew_.wanted_size(); }
@@ -55,7 +56,7 @@ class RealisationCrew::Implementation {
   void start(const Task& task, std::size_t ticket) {
     const Condition& condition = *task.condition;
     if (condition.scene.excitation.record != nullptr) {
-      finished_.push_back({ticket, realise(condition, seed_, task.realisation)});
+      finished_.push_back({ticket, realise(condition, seed_, task.realisation, stop_)});
       return;
     }
     const random::Draws draws(seed_, task.realisation);
@@ -105,13 +106,14 @@ class RealisationCrew::Implementation {
   }
 
   std::uint64_t seed_;
+  base::StopRequest stop_;
   lanes::Crew<Passenger> crew_;
   std::vector<std::unique_ptr<TicketedRun>> runs_;
   std::vector<Finished> finished_;
 };
 
-RealisationCrew::RealisationCrew(std::uint64_t seed, const lanes::Kernels& kernels)
-    : implementation_(std::make_unique<Implementation>(seed, kernels)) {}
+RealisationCrew::RealisationCrew(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop)
+    : implementation_(std::make_unique<Implementation>(seed, kernels, stop)) {}
 RealisationCrew::~RealisationCrew() = default;
 bool RealisationCrew::wants_more() const { return implementation_->wants_more(); }
 bool RealisationCrew::is_idle() const { return implementation_->is_idle(); }

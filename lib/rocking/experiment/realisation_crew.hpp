@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/experiment/record.hpp"
 #include "rocking/lanes/kernels.hpp"
 
@@ -20,7 +21,8 @@ struct Task {
 /// is beside it and however many lanes there are.
 class RealisationCrew {
  public:
-  RealisationCrew(std::uint64_t seed, const lanes::Kernels& kernels);
+  /// Once it is asked to stop, start() and work() throw base::Stopped where they would take longer than a moment.
+  RealisationCrew(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop = {});
   ~RealisationCrew();
 
   /// Whether another realisation would be done beside those that are here.

@@ -7,7 +7,7 @@
 
 namespace rocking::experiment {
 
-Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation) {
+Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation, base::StopRequest stop) {
   const random::Draws draws(seed, realisation);
   const Start start = start_of(condition.scene, draws);
   const Beginning beginning =
@@ -15,7 +15,7 @@ Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t rea
   return with_excitation(condition.scene, beginning, [&]<class Excitation>(const Excitation& excitation) {
     HorizonRun<Excitation> run(
         condition, [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
-    Record record = run_alone(run);
+    Record record = run_alone(run, stop);
     record.effort.initial_draws = start.draws;
     return record;
   });

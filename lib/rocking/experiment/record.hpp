@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rocking/base/digest.hpp"
+#include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/termination.hpp"
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
@@ -26,8 +27,9 @@ struct Record {
   Clamps clamps;
 };
 
-/// Runs one realisation: a pure function of its arguments.
-[[nodiscard]] Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation);
+/// Runs one realisation: a pure function of its first three arguments. Throws base::Stopped once it is asked to stop.
+[[nodiscard]] Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                             base::StopRequest stop = {});
 
 /// SHA-256 over the bits of a record: realisation, termination, response mode, strobe points, counts of events.
 [[nodiscard]] base::Sha256 digest_of(const Record& record, std::uint64_t realisation);

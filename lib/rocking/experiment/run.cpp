@@ -95,15 +95,17 @@ Completeness completeness(const Experiment& experiment, const Store& store) {
   return {.done = work.done(), .all = work.all()};
 }
 
-std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store) {
+std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store, base::StopRequest stop) {
   std::vector<Reduction> reductions(experiment.conditions.begin(), experiment.conditions.end());
   store.for_each([&](const RealisationKey& key, const Summary& summary) {
+    stop.check();
     Reduction& reduction = reductions.at(key.condition);
     if (key.realisation == reduction.realisations()) reduction.add(summary);  // else one before it is missing
   });
   ExperimentResult result;
   base::Sha256Builder digest;
   for (std::size_t i = 0; i < reductions.size(); ++i) {
+    stop.check();
     if (!reductions[i].is_complete()) return std::nullopt;
     digest.add(reductions[i].digest());
     result.conditions.push_back(reductions[i].result());

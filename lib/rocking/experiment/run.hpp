@@ -1,12 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
 #include "rocking/experiment/store.hpp"
@@ -25,8 +25,8 @@ struct RunOptions {
   unsigned threads = 1;
   /// Called now and then, from one thread at a time, with the realisations done so far of all.
   std::function<void(std::uint64_t done, std::uint64_t all)> on_progress;
-  /// Set from outside (a signal handler, a clock) to stop; realisations under way are left unfinished.
-  const std::atomic<bool>* stop_requested = nullptr;
+  /// Looked at within realisations too; those under way are left unfinished.
+  base::StopRequest stop_requested = nullptr;
   /// Called before `on_progress`, with what was just put into the store.
   std::function<void(std::size_t condition, const std::vector<Summary>& summaries)> on_realisations = nullptr;
   /// Whether what was added since it last said so is to be made durable; asked after each pair. Empty: after a fixed number
@@ -50,8 +50,10 @@ struct Completeness {
 [[nodiscard]] Completeness completeness(const Experiment& experiment, const Store& store);
 
 /// The result of an experiment of which the store holds every realisation; absent where some are missing. What was computed
-/// where and when has no say in it.
-[[nodiscard]] std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store);
+/// where and when does not change it.
+/// Throws base::Stopped once it is asked to stop.
+[[nodiscard]] std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store,
+                                                        base::StopRequest stop = {});
 
 /// Both at once, with a store in memory. Absent if it was asked to stop before the end.
 [[nodiscard]] std::optional<ExperimentResult> run(const Experiment& experiment, const RunOptions& options);

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/smooth_step.hpp"
 #include "rocking/integrate/hybrid.hpp"
 #include "rocking/lanes/block.hpp"
@@ -28,7 +29,9 @@ namespace rocking::lanes {
 template <class Run>
 class Crew {
  public:
-  explicit Crew(const Kernels& kernels) : kernels_(kernels) {}
+  /// Once it is asked to stop, add() and step() throw base::Stopped from among the steps that a run does alone, of which there
+  /// may be any number; the runs are of no further use then.
+  explicit Crew(const Kernels& kernels, base::StopRequest stop = {}) : kernels_(kernels), stop_(stop) {}
 
   /// Runs that are neither finished nor taken away.
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -111,6 +114,7 @@ class Crew {
         return std::nullopt;
       }
       if (const auto kind = kind_of(motion)) return kind;
+      stop_.check();
       integrate::step(motion, run.counts());
     }
   }
@@ -189,6 +193,7 @@ class Crew {
   [[nodiscard]] std::uint32_t all_lanes() const { return (1U << static_cast<unsigned>(kernels_.lanes)) - 1U; }
 
   const Kernels& kernels_;
+  base::StopRequest stop_;
   std::array<Group, kind_count> groups_;
   std::vector<Run*> finished_;
   std::size_t size_ = 0;

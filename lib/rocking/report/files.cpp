@@ -5,6 +5,7 @@
 #include <utility>
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -30,12 +31,15 @@ class FileDescriptor {
   int number_;
 };
 
-// A file under a name of its own, removed again unless it is renamed.
+constexpr std::string_view temporary_name = ".rocking-";
+
+// A file under a name of its own, removed again unless it is renamed. Its lock tells that its process lives.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& folder)
-      : name_((folder / ".rocking-XXXXXX").string()), descriptor_(::mkstemp(name_.data())) {
+      : name_((folder / (std::string(temporary_name) + "XXXXXX")).string()), descriptor_(::mkostemp(name_.data(), O_CLOEXEC)) {
     if (descriptor_.number() < 0) fail(folder, "cannot make a file here");
+    static_cast<void>(::flock(descriptor_.number(), LOCK_EX | LOCK_NB));
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -73,7 +77,17 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 
 }  // namespace
 
+void expect_regular_file(const std::filesystem::path& path) {
+  std::error_code unknown;
+  const auto status = std::filesystem::status(path, unknown);
+  if (unknown || status.type() == std::filesystem::file_type::not_found || is_regular_file(status)) return;
+  const bool is_folder = is_directory(status);
+  throw std::system_error(std::make_error_code(is_folder ? std::errc::is_a_directory : std::errc::not_supported),
+                          path.string() + (is_folder ? ": is no file" : ": is a pipe or a device; give a regular file"));
+}
+
 std::string read_file(const std::filesystem::path& path, std::size_t most) {
+  expect_regular_file(path);
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail(path, "cannot be opened");
   std::string content;
@@ -93,9 +107,13 @@ FileSource files_seen_from(const std::filesystem::path& folder) {
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
+  write_atomically(path, [content](const TextSink& sink) { sink(content); });
+}
+
+void write_atomically(const std::filesystem::path& path, const std::function<void(const TextSink& sink)>& write) {
   const std::filesystem::path folder = folder_of(path);
   TemporaryFile file(folder);
-  file.write(content);
+  write([&file](std::string_view piece) { file.write(piece); });
   file.rename_to(path);
   // The new name is on the disk only when the folder is.
   const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
@@ -110,6 +128,16 @@ void ensure_writable(const std::filesystem::path& folder) {
     throw std::system_error(std::make_error_code(std::errc::not_a_directory), folder.string() + ": is not a folder");
   }
   const TemporaryFile probe(folder);
+}
+
+void remove_abandoned_files(const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    if (!entry.path().filename().string().starts_with(temporary_name)) continue;
+    const FileDescriptor file(::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file.number() < 0 || ::flock(file.number(), LOCK_EX | LOCK_NB) != 0) continue;
+    ::unlink(entry.path().c_str());
+  }
 }
 
 }  // namespace rocking::report

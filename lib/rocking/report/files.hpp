@@ -7,9 +7,15 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/report/json_writer.hpp"
+
 namespace rocking::report {
 
-/// All bytes of a file, but not much more than `most`: of a longer one at least `most` + 1. Throws std::system_error with
+/// Throws std::system_error with the path where there is something of this name that is no regular file: to open a pipe, or to
+/// read a terminal or a device, may wait or go on for ever. A path that leads nowhere is left to whoever opens it.
+void expect_regular_file(const std::filesystem::path& path);
+
+/// All bytes of a regular file, but not much more than `most`: of a longer one at least `most` + 1. Throws std::system_error with
 /// the path.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path,
                                     std::size_t most = std::numeric_limits<std::size_t>::max());
@@ -24,6 +30,11 @@ using FileSource = std::function<std::string(const std::string& name, std::size_
 /// temporary file in the same folder is written, flushed to the disk and renamed. Throws std::system_error with the path;
 /// the temporary file is then gone.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
+/// The same with content that comes piece by piece: write(sink) is called once.
+void write_atomically(const std::filesystem::path& path, const std::function<void(const TextSink& sink)>& write);
+
+/// Removes the temporary files that processes which were killed left in a folder. Those of living processes stay.
+void remove_abandoned_files(const std::filesystem::path& folder);
 
 /// Makes `folder` if need be and checks that files can be made in it. Throws std::system_error with the path.
 void ensure_writable(const std::filesystem::path& folder);

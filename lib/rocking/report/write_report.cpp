@@ -8,45 +8,72 @@
 namespace rocking::report {
 namespace {
 
-Json all_conditions_json(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
-  Json json = Json::object();
-  json["digest"] = base::to_hex(result.digest);
-  json["noise_floor"] =
-      noise_floor_json(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
-  Json& conditions = json["conditions"] = Json::array();
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    conditions.push_back(condition_json(experiment.conditions[i], result.conditions[i]));
-  }
-  return json;
+Json floor_json(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
+  return noise_floor_json(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
 }
 
-Json internal_json(const experiment::ExperimentResult& result) {
+void write_result(JsonWriter& out, const experiment::Experiment& experiment,
+                  const experiment::ExperimentResult& result) {
+  out.begin_object("result");
+  out.member("digest", base::to_hex(result.digest));
+  out.member("noise_floor", floor_json(experiment, result));
+  out.begin_list("conditions");
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    out.element(condition_json(experiment.conditions[i], result.conditions[i]));
+  }
+  out.end();
+  out.end();
+}
+
+void write_internal(JsonWriter& out, const experiment::ExperimentResult& result) {
   experiment::Effort effort;
   experiment::Clamps clamps;
-  Json conditions = Json::array();
   for (const experiment::ConditionResult& condition : result.conditions) {
-    conditions.push_back(effort_json(condition.effort, condition.validity.clamps));
     effort += condition.effort;
     clamps += condition.validity.clamps;
   }
-  Json json = Json::object();
-  json["total"] = effort_json(effort, clamps);
-  json["conditions"] = std::move(conditions);
-  return json;
+  out.begin_object("internal");
+  out.member("total", effort_json(effort, clamps));
+  out.begin_list("conditions");
+  for (const experiment::ConditionResult& condition : result.conditions) {
+    out.element(effort_json(condition.effort, condition.validity.clamps));
+  }
+  out.end();
+  out.end();
 }
 
 }  // namespace
 
+void write_report(const TextSink& sink, const experiment::Experiment& experiment,
+                  const experiment::ExperimentResult& result, const SystemFacts& system) {
+  ROCKING_EXPECT(experiment.conditions.size() == result.conditions.size());
+  JsonWriter out(sink);
+  out.begin_object();
+  out.member("format", report_format);
+  out.member("input", input_json(experiment));
+  write_result(out, experiment, result);
+  out.member("system", system_json(system));
+  write_internal(out, result);
+  out.end();
+  sink("\n");
+}
+
+Json report_frame(const experiment::Experiment& experiment, const experiment::ExperimentResult& result,
+                  const SystemFacts& system) {
+  Json frame = Json::object();
+  frame["format"] = report_format;
+  frame["input"] = input_json(experiment);
+  frame["result"]["digest"] = base::to_hex(result.digest);
+  frame["result"]["noise_floor"] = floor_json(experiment, result);
+  frame["system"] = system_json(system);
+  return frame;
+}
+
 std::string report_text(const experiment::Experiment& experiment, const experiment::ExperimentResult& result,
                         const SystemFacts& system) {
-  ROCKING_EXPECT(experiment.conditions.size() == result.conditions.size());
-  Json report = Json::object();
-  report["format"] = report_format;
-  report["input"] = input_json(experiment);
-  report["result"] = all_conditions_json(experiment, result);
-  report["system"] = system_json(system);
-  report["internal"] = internal_json(result);
-  return report.dump(2) + '\n';
+  std::string text;
+  write_report([&text](std::string_view piece) { text += piece; }, experiment, result, system);
+  return text;
 }
 
 }  // namespace rocking::report

@@ -7,6 +7,7 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/experiment/experiment.hpp"
 #include "rocking/experiment/result.hpp"
+#include "rocking/report/json_writer.hpp"
 
 namespace rocking::report {
 
@@ -22,7 +23,16 @@ struct SystemFacts {
   unsigned threads = 1;
 };
 
-/// The report of a run as JSON text. All but `system` are the same bytes for equal input.
+/// Writes the report of a run as JSON text, piece by piece. All but `system` are the same bytes for equal input. Its memory does
+/// not grow with the number of conditions.
+void write_report(const TextSink& sink, const experiment::Experiment& experiment,
+                  const experiment::ExperimentResult& result, const SystemFacts& system);
+
+/// The same without `result.conditions` and `internal`, which grow with the number of conditions.
+[[nodiscard]] Json report_frame(const experiment::Experiment& experiment, const experiment::ExperimentResult& result,
+                                const SystemFacts& system);
+
+/// The text as a whole.
 [[nodiscard]] std::string report_text(const experiment::Experiment& experiment,
                                       const experiment::ExperimentResult& result, const SystemFacts& system);
 

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <filesystem>
+
+namespace rocking::program {
+
+/// Names of a run's files within a folder.
+struct RunFiles {
+  std::filesystem::path folder;
+
+  [[nodiscard]] std::filesystem::path store() const { return folder / "realisations.sqlite"; }
+  [[nodiscard]] std::filesystem::path report() const { return folder / "report.json"; }
+  [[nodiscard]] std::filesystem::path page() const { return folder / "report.html"; }
+  [[nodiscard]] std::filesystem::path progress() const { return folder / "progress.json"; }
+};
+
+/// Removes a database and the files that SQLite keeps beside it.
+void remove_database(const std::filesystem::path& path);
+
+/// A run that is to take the place of the one in a folder. It is written into the subfolder `replacement`; the earlier run stays
+/// as it is until the new one is complete. A kill at any moment leaves the earlier run, the new one, or a subfolder
+/// `replacement-complete` from which finish_installing() goes on. The caller has claimed the folder.
+class Replacement {
+ public:
+  explicit Replacement(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  [[nodiscard]] std::filesystem::path path() const { return folder_ / "replacement"; }
+  /// Whether a new run was begun and is not complete.
+  [[nodiscard]] bool has_begun() const;
+  /// Whether a process was killed between the first and the last step of install().
+  [[nodiscard]] bool is_half_installed() const;
+
+  /// Makes the subfolder, empty.
+  void begin() const;
+  void discard() const;
+  /// Puts the files of the new run into the place of those of the earlier one. A page or report that the new run does not
+  /// have is removed.
+  void install() const;
+  /// Does what a killed install() left to be done.
+  void finish_installing() const;
+
+ private:
+  [[nodiscard]] std::filesystem::path complete() const { return folder_ / "replacement-complete"; }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace rocking::program

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -101,7 +102,11 @@ experiment::RunOptions options_of(const experiment::Store& store, const Labour& 
     last = Clock::now();
     return true;
   };
-  if (labour.crew.hire) options.workforce = labour.crew.hire(store.identity(), labour.threads);
+  if (labour.crew.hire) {
+    experiment::Identity identity = store.identity();
+    identity.code = code_identity();  // of the processes at work, whoever began the store
+    options.workforce = labour.crew.hire(identity, labour.threads);
+  }
   return options;
 }
 
@@ -159,6 +164,15 @@ void add_max_time(CLI::App& command, Labour& labour) {
                "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on");
 }
 
+experiment::ExperimentResult complete_result(const RunFolder& folder, const experiment::Experiment& experiment,
+                                             const experiment::Store& store) {
+  if (auto result = experiment::result_of(experiment, store)) return std::move(*result);
+  throw experiment::sqlite::UnusableFile(
+      fmt::format("{}: is damaged: realisations that were stored are no longer there; `rocking resume {}` runs them "
+                  "again",
+                  folder.store_path().string(), folder.name()));
+}
+
 ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
                   const experiment::ExperimentResult& result, const Conclusion& how) {
   const std::string text = report::report_text(experiment, result, how.system);
@@ -187,8 +201,8 @@ ExitCode carry_through(const RunFolder& folder, const experiment::Experiment& ex
   if (stretch.end == experiment::RunEnd::stopped) return explain_stop(folder, stretch);
   if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
   system.duration_s = stretch.duration_s;
-  const auto result = experiment::result_of(experiment, store);
-  const ExitCode code = conclude(folder, experiment, result.value(), {.system = system, .loudness = labour.loudness});
+  const ExitCode code = conclude(folder, experiment, complete_result(folder, experiment, store),
+                                 {.system = system, .loudness = labour.loudness});
   if (!labour.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }

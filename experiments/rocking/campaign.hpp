@@ -41,6 +41,11 @@ struct Conclusion {
 /// Facts of this process, at this time.
 [[nodiscard]] report::SystemFacts system_facts(unsigned threads);
 
+/// The result of a run of which the store should hold every realisation. Throws sqlite::UnusableFile where it does not.
+[[nodiscard]] experiment::ExperimentResult complete_result(const RunFolder& folder,
+                                                           const experiment::Experiment& experiment,
+                                                           const experiment::Store& store);
+
 /// Writes the report and its page, and prints the table.
 [[nodiscard]] ExitCode conclude(const RunFolder& folder, const experiment::Experiment& experiment,
                                 const experiment::ExperimentResult& result, const Conclusion& how);

@@ -10,7 +10,8 @@
 
 namespace rocking::program {
 
-/// The figures of a run, with its realisations where its folder has them. Throws as RunFolder::open_store does.
+/// The figures of a run, with its realisations where its folder has them. Throws as RunFolder::open_sound_store
+/// does.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
 
 /// Writes figures into a folder, which is made if need be; returns the files. Without gnuplot says so on standard error, and

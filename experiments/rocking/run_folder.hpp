@@ -24,18 +24,24 @@ class RunFolder {
   /// Throws std::system_error where the disk has not that many bytes free.
   void expect_room(std::uint64_t bytes) const;
 
-  [[nodiscard]] bool has_store() const { return std::filesystem::exists(store_path()); }
+  /// An empty file, as a full disk or a cut may leave, is none: nothing is lost where a run begins anew.
+  [[nodiscard]] bool has_store() const;
   [[nodiscard]] bool has_report() const { return std::filesystem::exists(report_path()); }
   /// A new store. Throws as experiment::Store does.
   [[nodiscard]] experiment::Store create_store(const experiment::Identity& identity) const;
   /// The store that is there. Throws MissingInput where none is, otherwise as experiment::Store does.
   [[nodiscard]] experiment::Store open_store(experiment::sqlite::Access access) const;
-  /// Puts a store with all that is sound in a damaged one into its place, and keeps the damaged file beside it.
-  struct Mending {
-    std::uint64_t kept = 0;              ///< realisations taken over
-    std::filesystem::path damaged_file;  ///< where the damaged file is now
+  /// The same for reading, after a check of every page and row: throws sqlite::UnusableFile where one is damaged.
+  [[nodiscard]] experiment::Store open_sound_store() const;
+  /// What becomes of the file of a store that is renewed.
+  enum class FormerFile : std::uint8_t { kept, removed };
+  struct Renewal {
+    std::uint64_t realisations = 0;     ///< taken over
+    std::filesystem::path former_file;  ///< where the former file is now, if it is kept
   };
-  Mending mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const;
+  /// Puts a store of the current layout and results version into the place of another, with all that is sound in that and
+  /// has the bits that this program gives.
+  Renewal renew_store(experiment::Store former, const experiment::Experiment& experiment, FormerFile file) const;
   /// Removes store, report and page.
   void clear() const;
 
@@ -47,7 +53,10 @@ class RunFolder {
 
  private:
   void wait_for_lock();
+  void remove_leftovers() const;
+  [[nodiscard]] std::filesystem::path keep_store_file() const;
   [[nodiscard]] std::filesystem::path lock_path() const { return path_ / ".lock"; }
+  [[nodiscard]] std::filesystem::path renewed_path() const { return path_ / "mended.sqlite"; }
 
   std::filesystem::path path_;
   int lock_ = -1;

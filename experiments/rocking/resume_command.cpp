@@ -32,7 +32,7 @@ void expect_known_results(const RunFolder& folder, const experiment::Identity& i
 
 // Whatever is damaged is found before anything is added to it. A store of an earlier layout or results version is renewed.
 experiment::Store usable_store(const RunFolder& folder, const experiment::Experiment& experiment,
-                               experiment::Store store) {
+                               experiment::Store store, const Loudness& loudness) {
   const auto damage = store.damage();
   const bool is_current = store.is_of_current_layout() && store.identity().results == experiment::results_version;
   if (!damage && is_current) return store;
@@ -40,6 +40,7 @@ experiment::Store usable_store(const RunFolder& folder, const experiment::Experi
   const RunFolder::Renewal renewal = folder.renew_store(std::move(store), experiment, file);
   experiment::Store renewed = folder.open_store(experiment::sqlite::Access::write);
   if (!damage) {
+    if (loudness.quiet) return renewed;
     print_notice(fmt::format("{}: was written in an earlier layout or by an earlier program; {} taken over",
                              folder.store_path().string(), counted(renewal.realisations, "realisation")));
     return renewed;
@@ -62,7 +63,7 @@ ExitCode resume(const ResumeRequest& request) {
   experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
   expect_known_results(folder, store.identity());
   const experiment::Experiment experiment = experiment_of(store.identity());
-  store = usable_store(folder, experiment, std::move(store));
+  store = usable_store(folder, experiment, std::move(store), request.labour.loudness);
   const auto [done, all] = experiment::completeness(experiment, store);
   if (!plan_of(experiment).at_most) folder.expect_room(disk_need(all - done));
   return carry_through(folder, experiment, store, request.labour);

@@ -45,6 +45,16 @@ bool is_empty_file_at(int descriptor, const std::filesystem::path& path) {
          facts.st_size == 0;
 }
 
+bool has_rows(const experiment::Store& store) {
+  bool any = false;
+  try {
+    store.for_each_key([&any](const experiment::RealisationKey&) { any = true; });
+  } catch (const experiment::sqlite::UnusableFile&) {
+    // What was found before counts.
+  }
+  return any;
+}
+
 }  // namespace
 
 RunFolder::~RunFolder() {
@@ -132,6 +142,13 @@ RunFolder::Renewal RunFolder::renew_store(experiment::Store former, const experi
     identity.results = experiment::results_version;
     experiment::Store store = experiment::Store::create(renewed_path(), identity);
     renewal.realisations = experiment::salvage(experiment, former, store);
+    const bool same_results = former.identity().results == identity.results;
+    if (renewal.realisations == 0 && same_results && has_rows(former)) {
+      throw experiment::sqlite::UnusableFile(
+          fmt::format("{}: is damaged: not one of its realisations belongs to the experiment that it names, which may be "
+                      "that of another store; run the experiment anew, with --overwrite",
+                      store_path().string()));
+    }
     store.close_up();
   }
   { const experiment::Store closed = std::move(former); }

@@ -40,7 +40,8 @@ class RunFolder {
     std::filesystem::path former_file;  ///< where the former file is now, if it is kept
   };
   /// Puts a store of the current layout and results version into the place of another, with all that is sound in that and
-  /// has the bits that this program gives.
+  /// has the bits that this program gives. Throws sqlite::UnusableFile where none of its rows is sound: its identity may
+  /// then be that of another store.
   Renewal renew_store(experiment::Store former, const experiment::Experiment& experiment, FormerFile file) const;
   /// Removes store, report and page.
   void clear() const;

@@ -109,7 +109,6 @@ TEST_F(DamagedRun, TakesNoPageOfAnotherExperiment) {
     std::string changed = sound;
     changed.replace(page * page_size, page_size, other, page * page_size, page_size);
     put_run(changed);
-    if (page == 0) continue;  // the header with the schema: the same
     expect_right_or_refused(std::to_string(page));
   }
 }
@@ -184,7 +183,9 @@ TEST_F(DamagedRun, DoesNotGrowWhereItsHeaderCountsTooManyPages) {
   put_run(changed);
   EXPECT_EQ(plainly("resume out -q").exit_code, 0);
   for (const auto& entry : std::filesystem::directory_iterator(folder_ / "out")) {
-    if (entry.path().extension() == ".sqlite") EXPECT_LE(entry.file_size(), 2 * changed.size()) << entry.path();
+    if (entry.path().extension() == ".sqlite") {
+      EXPECT_LE(entry.file_size(), 2 * changed.size()) << entry.path();
+    }
   }
   expect_right_report("out", "");
 }

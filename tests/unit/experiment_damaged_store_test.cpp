@@ -20,7 +20,7 @@ using sqlite::Access;
 using ::testing::HasSubstr;
 
 const Identity the_identity{.experiment = "{\"a\": 1}", .code = "1 abc", .files = "/records", .shard = {}};
-constexpr std::uint64_t stored = 120;
+constexpr std::uint64_t stored = 300;
 
 Experiment small_experiment() {
   Experiment question;
@@ -42,10 +42,12 @@ Summary summary_of(const RealisationKey& key) {
 
 class DamagedStore : public ::testing::Test {
  protected:
-  DamagedStore() {
+  DamagedStore() { write_store(stored); }
+
+  void write_store(std::uint64_t realisations) const {
     Store store = Store::create(path_, the_identity);
     for (std::uint64_t condition = 0; condition < 2; ++condition) {
-      for (std::uint64_t number = 0; number < stored; ++number) {
+      for (std::uint64_t number = 0; number < realisations; ++number) {
         store.add({condition, number}, summary_of({condition, number}));
       }
     }
@@ -165,6 +167,7 @@ void expect_right_reads(const Store& store, const std::string& what) {
 }
 
 TEST_F(DamagedStore, GivesNoWrongRowWhicheverPagesWereExchangedOrCopied) {
+  write_store(100);
   const std::string sound = bytes();
   constexpr std::size_t page = 4096;
   const std::size_t pages = sound.size() / page;
@@ -215,7 +218,8 @@ TEST_F(DamagedStore, OfTheRightLengthKeepsIt) {
 }
 
 TEST_F(DamagedStore, IsRefusedWhereItsIdentityWasChanged) {
-  for (const char* change : {"experiment = '{\"a\": 2}'", "code = '2'", "files = '/'", "part = 1, parts = 2"}) {
+  for (const char* change : {"experiment = '{\"a\": 2}'", "code = '2'", "files = '/'", "part = 1, parts = 2", "part = 0, parts = 0",
+                             "parts = 0", "results = 7", "experiment_sha256 = 'x'"}) {
     const std::string sound = bytes();
     sqlite::Database(path_, Access::write).execute(std::string("UPDATE identity SET ") + change);
     try {

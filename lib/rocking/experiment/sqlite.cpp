@@ -39,6 +39,9 @@ bool is_fault_of_file(int code) {
 
 [[noreturn]] void fail(const std::string& path, int code, const char* message) {
   if (is_fault_of_file(code)) throw UnusableFile(path + ": is damaged: " + message);
+  if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY) {
+    throw UnusableFile(path + ": a journal lies beside it, as after a kill; `rocking resume` takes it into account");
+  }
   throw std::system_error(errno_of(code), std::generic_category(), path + ": " + message);
 }
 

@@ -5,6 +5,7 @@
 #include <exception>
 #include <functional>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -102,7 +103,11 @@ experiment::RunOptions options_of(const experiment::Store& store, const Labour& 
     last = Clock::now();
     return true;
   };
-  if (labour.crew.hire) options.workforce = labour.crew.hire(store.identity(), labour.threads);
+  if (labour.crew.hire) {
+    experiment::Identity identity = store.identity();
+    identity.code = code_identity();  // of the processes at work, whoever began the store
+    options.workforce = labour.crew.hire(identity, labour.threads);
+  }
   return options;
 }
 
@@ -180,6 +185,15 @@ void add_max_time(CLI::App& command, Labour& labour) {
                "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on");
 }
 
+experiment::ExperimentResult complete_result(const RunFolder& folder, const experiment::Experiment& experiment,
+                                             const experiment::Store& store) {
+  if (auto result = experiment::result_of(experiment, store, stop_on_signal())) return std::move(*result);
+  throw experiment::sqlite::UnusableFile(
+      fmt::format("{}: is damaged: realisations that were stored are no longer there; `rocking resume {}` runs them "
+                  "again",
+                  folder.store_path().string(), folder.name()));
+}
+
 ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
                   const experiment::ExperimentResult& result, const Conclusion& how) {
   const auto write = [&](const report::TextSink& sink) { report::write_report(sink, experiment, result, how.system); };
@@ -228,11 +242,11 @@ ExitCode carry_through(RunFolder& folder, const experiment::Experiment& experime
   system.duration_s = stretch.duration_s;
   std::optional<experiment::ExperimentResult> result;
   try {
-    result = experiment::result_of(experiment, store, stop_on_signal());
+    result = complete_result(folder, experiment, store);
   } catch (const base::Stopped&) {
     return explain_stop(folder, experiment::completeness(experiment, store));
   }
-  const ExitCode code = conclude(folder, experiment, result.value(), {.system = system, .loudness = labour.loudness});
+  const ExitCode code = conclude(folder, experiment, *result, {.system = system, .loudness = labour.loudness});
   if (code == ExitCode::done && !labour.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }

@@ -41,6 +41,12 @@ struct Conclusion {
 /// Facts of this process, at this time.
 [[nodiscard]] report::SystemFacts system_facts(unsigned threads);
 
+/// The result of a run of which the store should hold every realisation. Throws sqlite::UnusableFile where it does not,
+/// base::Stopped when a signal asks to stop.
+[[nodiscard]] experiment::ExperimentResult complete_result(const RunFolder& folder,
+                                                           const experiment::Experiment& experiment,
+                                                           const experiment::Store& store);
+
 /// Writes the report and its page, lets them take the place of an earlier run, and prints the table.
 [[nodiscard]] ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
                                 const experiment::ExperimentResult& result, const Conclusion& how);

@@ -26,7 +26,7 @@ struct FinishedRun {
 };
 
 FinishedRun finished_run(const std::string& folder) {
-  experiment::Store store = RunFolder(folder).open_store(experiment::sqlite::Access::read);
+  experiment::Store store = RunFolder(folder).open_sound_store();
   experiment::Experiment experiment = experiment_of(store.identity());
   return {std::move(store), std::move(experiment)};
 }

@@ -12,7 +12,7 @@ namespace rocking::program {
 
 std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report) {
   if (!folder.has_store()) return analysis::run_figures(report);
-  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
+  const experiment::Store store = folder.open_sound_store();
   return analysis::run_figures(report, &store);
 }
 

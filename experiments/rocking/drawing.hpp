@@ -14,7 +14,8 @@
 
 namespace rocking::program {
 
-/// The figures of a run, with its realisations where its folder has them. Throws as RunFolder::open_store does.
+/// The figures of a run, with its realisations where its folder has them. Throws as RunFolder::open_sound_store
+/// does.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
 
 /// What kept figures from being drawn: each reason once.

@@ -25,7 +25,7 @@ struct FragilityRequest {
 
 report::RunFragility fragility_of(const std::string& name) {
   const RunFolder folder(name);
-  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
+  const experiment::Store store = folder.open_sound_store();
   report::RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
   if (experiment::intensity_of(run.experiment).empty()) {
     throw UsageError(name +

@@ -32,18 +32,23 @@ struct Source {
 std::vector<Source> open_sources(const MergeRequest& request) {
   std::vector<Source> sources;
   for (const std::string& name : request.shards) {
-    sources.push_back({name, RunFolder(name).open_store(experiment::sqlite::Access::read)});
+    sources.push_back({name, RunFolder(name).open_sound_store()});
   }
   return sources;
 }
 
-// One question, one code: else the rows do not belong together.
+// The rows of two programs belong together where both are known to give the same bits.
+bool give_the_same_bits(const experiment::Identity& one, const experiment::Identity& other) {
+  return one.code == other.code || (one.results == other.results && one.results != 0);
+}
+
+// One question, one results version: else the rows do not belong together.
 void expect_kin(const Source& first, const Source& other) {
   if (other.store.identity().experiment != first.store.identity().experiment) {
     throw InTheWay(fmt::format("{}: belongs to another experiment than {} (a setting or the seed differs)", other.name,
                                first.name));
   }
-  if (other.store.identity().code != first.store.identity().code) {
+  if (!give_the_same_bits(first.store.identity(), other.store.identity())) {
     throw InTheWay(fmt::format("{}: was run by rocking {}, but {} by {}", other.name, other.store.identity().code,
                                first.name, first.store.identity().code));
   }
@@ -134,7 +139,7 @@ ExitCode merge(const MergeRequest& request) {
   const experiment::Experiment experiment = experiment_of(identity);
   const auto found = experiment::completeness(experiment, whole);
   if (found.done < found.all) return explain_missing(folder, found);
-  return conclude(folder, experiment, experiment::result_of(experiment, whole).value(),
+  return conclude(folder, experiment, complete_result(folder, experiment, whole),
                   {.system = system, .loudness = request.loudness});
 }
 

@@ -18,10 +18,6 @@ void flush_folder(const fs::path& folder) {
 
 }  // namespace
 
-void remove_database(const fs::path& path) {
-  for (const char* suffix : {"", "-wal", "-shm", "-journal"}) fs::remove(path.string() + suffix);
-}
-
 bool Replacement::has_begun() const { return fs::exists(RunFiles{path()}.store()); }
 
 bool Replacement::is_half_installed() const { return fs::exists(complete()); }

@@ -14,9 +14,6 @@ struct RunFiles {
   [[nodiscard]] std::filesystem::path progress() const { return folder / "progress.json"; }
 };
 
-/// Removes a database and the files that SQLite keeps beside it.
-void remove_database(const std::filesystem::path& path);
-
 /// A run that is to take the place of the one in a folder. It is written into the subfolder `replacement`; the earlier run stays
 /// as it is until the new one is complete. A kill at any moment leaves the earlier run, the new one, or a subfolder
 /// `replacement-complete` from which finish_installing() goes on. The caller has claimed the folder.

@@ -1,4 +1,5 @@
 #include <memory>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -22,10 +23,12 @@ struct ReplayRequest {
 
 ExitCode replay(const ReplayRequest& request) {
   const auto& [condition_number, number] = request.key;
-  const experiment::Store store = RunFolder(request.folder).open_store(experiment::sqlite::Access::read);
+  const RunFolder folder(request.folder);
+  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
   const experiment::Experiment experiment = experiment_of(store.identity());
-  const auto stored = store.find(request.key);
+  const auto stored = condition_number < experiment.conditions.size() ? store.find(request.key) : std::nullopt;
   if (!stored) {
+    static_cast<void>(folder.open_sound_store());  // in a damaged store a row may be there and not be found
     throw UsageError(fmt::format("{} holds no realisation {} of condition {}; both count from 0", request.folder,
                                  number, condition_number));
   }

@@ -7,7 +7,9 @@
 #include "commands.hpp"
 #include "output.hpp"
 #include "plan.hpp"
+#include "realisation_list.hpp"
 #include "rocking/experiment/run.hpp"
+#include "rocking/experiment/results_version.hpp"
 #include "rocking/experiment/salvage.hpp"
 #include "rocking/report/files.hpp"
 #include "run_folder.hpp"
@@ -24,35 +26,52 @@ bool holds_run(const RunFolder& folder) {
   return folder.has_store() || folder.has_replacement() || folder.is_half_installed();
 }
 
-// Whatever is damaged is found before anything is added to it.
-experiment::Store sound_store(const RunFolder& folder, const experiment::Experiment& experiment,
-                              experiment::Store store) {
+// Realisations of another results version are not mixed with this program's: the bits could differ.
+void expect_known_results(const RunFolder& folder, const experiment::Identity& identity) {
+  if (1 <= identity.results && identity.results <= experiment::results_version) return;
+  throw InTheWay(
+      fmt::format("{}: was begun by rocking {}, this is {}, which may give other results; finish it with that, "
+                  "or begin anew in another folder",
+                  folder.name(), identity.code, code_identity()));
+}
+
+// Whatever is damaged is found before anything is added to it. A store of an earlier layout or results version is renewed.
+experiment::Store usable_store(const RunFolder& folder, const experiment::Experiment& experiment,
+                               experiment::Store store, const Loudness& loudness) {
   const auto damage = store.damage();
-  if (!damage) return store;
-  const RunFolder::Mending mending = folder.mend_store(std::move(store), experiment);
-  print_notice(fmt::format("{}; {} in it {} sound and kept, the rest is run again. The damaged file is now {}", *damage,
-                           counted(mending.kept, "realisation"), mending.kept == 1 ? "is" : "are",
-                           mending.damaged_file.string()));
-  return folder.open_store(experiment::sqlite::Access::write);
+  const bool is_current = store.is_of_current_layout() && store.identity().results == experiment::results_version;
+  if (!damage && is_current) return store;
+  const auto file = damage ? RunFolder::FormerFile::kept : RunFolder::FormerFile::removed;
+  const RunFolder::Renewal renewal = folder.renew_store(std::move(store), experiment, file);
+  experiment::Store renewed = folder.open_store(experiment::sqlite::Access::write);
+  if (!damage) {
+    if (loudness.quiet) return renewed;
+    print_notice(fmt::format("{}: was written in an earlier layout or by an earlier program; {} taken over",
+                             folder.store_path().string(), counted(renewal.realisations, "realisation")));
+    return renewed;
+  }
+  const auto missing = experiment::missing_realisations(experiment, renewed);
+  print_notice(fmt::format("{}; {} in it {} sound and kept, the rest is run again: {}. The damaged file is now {}",
+                           *damage, counted(renewal.realisations, "realisation"),
+                           renewal.realisations == 1 ? "is" : "are", listed_realisations(missing),
+                           renewal.former_file.string()));
+  return renewed;
 }
 
 ExitCode resume(const ResumeRequest& request) {
-  if (!holds_run(RunFolder(request.folder))) throw MissingInput(request.folder + ": holds no run to go on with");
+  if (!holds_run(RunFolder(request.folder))) {
+    throw MissingInput(request.folder + ": holds no run to go on with (realisations.sqlite is not there, or empty)");
+  }
   RunFolder folder(request.folder);
   folder.claim();
   folder.tidy_up();
   if (folder.has_replacement()) folder.enter_replacement();
   report::expect_regular_file(folder.store_path());
-  experiment::restore_length(folder.store_path());
+  experiment::count_pages_again(folder.store_path());
   experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
-  if (store.identity().code != code_identity()) {
-    throw InTheWay(
-        fmt::format("{}: was begun by rocking {}, this is {}, which may give other results; finish it with that, "
-                    "or begin anew in another folder",
-                    request.folder, store.identity().code, code_identity()));
-  }
+  expect_known_results(folder, store.identity());
   const experiment::Experiment experiment = experiment_of(store.identity());
-  store = sound_store(folder, experiment, std::move(store));
+  store = usable_store(folder, experiment, std::move(store), request.labour.loudness);
   const Plan plan = plan_of(experiment, {.threads = request.labour.threads,
                                          .shard = store.identity().shard,
                                          .stored = experiment::completeness(experiment, store).done});

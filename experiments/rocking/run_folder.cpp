@@ -33,15 +33,33 @@ std::filesystem::path first_free_name(const std::filesystem::path& folder) {
 bool is_file_at(int descriptor, const std::filesystem::path& path) {
   struct stat open {};
   struct stat named {};
-  return ::fstat(descriptor, &open) == 0 && ::stat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
+  return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
          open.st_dev == named.st_dev;
+}
+
+// A lock file of this program is empty. What another program wrote into a file of this name is left to it, and so is a file
+// that another process put there since.
+bool is_empty_file_at(int descriptor, const std::filesystem::path& path) {
+  struct stat facts {};
+  return is_file_at(descriptor, path) && ::fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
+         facts.st_size == 0;
+}
+
+bool has_rows(const experiment::Store& store) {
+  bool any = false;
+  try {
+    store.for_each_key([&any](const experiment::RealisationKey&) { any = true; });
+  } catch (const experiment::sqlite::UnusableFile&) {
+    // What was found before counts.
+  }
+  return any;
 }
 
 }  // namespace
 
 RunFolder::~RunFolder() {
   if (lock_ < 0) return;
-  ::unlink(lock_path().c_str());
+  if (is_empty_file_at(lock_, lock_path())) ::unlink(lock_path().c_str());
   ::close(lock_);
 }
 
@@ -50,13 +68,16 @@ RunFolder::~RunFolder() {
 void RunFolder::claim() {
   report::ensure_writable(path_);
   while (lock_ < 0) {
-    lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (lock_ < 0) throw std::system_error(errno, std::generic_category(), lock_path().string() + ": cannot be opened");
     wait_for_lock();
-    if (is_file_at(lock_, lock_path())) return;
+    if (is_file_at(lock_, lock_path())) return remove_leftovers();
     ::close(std::exchange(lock_, -1));
   }
 }
+
+// Of processes that were killed. Nobody else is at work here now.
+void RunFolder::remove_leftovers() const { experiment::sqlite::remove_database(renewed_path()); }
 
 void RunFolder::wait_for_lock() {
   for (int attempt = 0; ::flock(lock_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
@@ -70,7 +91,7 @@ void RunFolder::wait_for_lock() {
 }
 
 bool RunFolder::is_at_work() const {
-  const int lock = ::open(lock_path().c_str(), O_RDONLY | O_CLOEXEC);
+  const int lock = ::open(lock_path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (lock < 0) return false;
   const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
   ::close(lock);
@@ -92,6 +113,13 @@ experiment::Store RunFolder::create_store(const experiment::Identity& identity) 
   return experiment::Store::create(store_path(), identity);
 }
 
+bool RunFolder::has_store() const {
+  std::error_code none;
+  const auto status = std::filesystem::status(store_path(), none);
+  if (!std::filesystem::exists(status)) return false;
+  return !std::filesystem::is_regular_file(status) || std::filesystem::file_size(store_path(), none) > 0;
+}
+
 experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const {
   expect_installed();
   if (!has_store()) throw MissingInput(name() + ": holds no run (there is no realisations.sqlite)");
@@ -99,27 +127,50 @@ experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const
   return experiment::Store::open(store_path(), access);
 }
 
-RunFolder::Mending RunFolder::mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const {
-  const std::filesystem::path mended = files_.folder / "mended.sqlite";
-  remove_database(mended);
-  Mending mending;
+experiment::Store RunFolder::open_sound_store() const {
+  experiment::Store store = open_store(experiment::sqlite::Access::read);
+  if (const auto damage = store.damage()) {
+    throw experiment::sqlite::UnusableFile(
+        fmt::format("{}. `rocking resume {}` keeps what is sound and runs the rest again", *damage, name()));
+  }
+  return store;
+}
+
+RunFolder::Renewal RunFolder::renew_store(experiment::Store former, const experiment::Experiment& experiment,
+                                          FormerFile file) const {
+  Renewal renewal;
   {
-    experiment::Store store = experiment::Store::create(mended, damaged.identity());
-    mending.kept = experiment::salvage(experiment, damaged, store);
+    experiment::Identity identity = former.identity();
+    identity.results = experiment::results_version;
+    experiment::Store store = experiment::Store::create(renewed_path(), identity);
+    renewal.realisations = experiment::salvage(experiment, former, store);
+    const bool same_results = former.identity().results == identity.results;
+    if (renewal.realisations == 0 && same_results && has_rows(former)) {
+      throw experiment::sqlite::UnusableFile(
+          fmt::format("{}: is damaged: not one of its realisations belongs to the experiment that it names, which may be "
+                      "that of another store; run the experiment anew, with --overwrite",
+                      store_path().string()));
+    }
     store.close_up();
   }
-  { const experiment::Store closed = std::move(damaged); }
-  mending.damaged_file = first_free_name(path_);
+  { const experiment::Store closed = std::move(former); }
+  if (file == FormerFile::kept) renewal.former_file = keep_store_file();
+  experiment::sqlite::remove_logs(store_path());  // they would be taken for the new file's
+  std::filesystem::rename(renewed_path(), store_path());
+  return renewal;
+}
+
+// Under a name of its own, with its logs.
+std::filesystem::path RunFolder::keep_store_file() const {
+  std::filesystem::path kept = first_free_name(path_);
   std::error_code no_links;
-  std::filesystem::create_hard_link(store_path(), mending.damaged_file, no_links);
-  if (no_links) std::filesystem::copy_file(store_path(), mending.damaged_file);
-  // A log of the damaged file would be taken for the new one's.
-  for (const char* suffix : {"-wal", "-shm", "-journal"}) {
+  std::filesystem::create_hard_link(store_path(), kept, no_links);
+  if (no_links) std::filesystem::copy_file(store_path(), kept);
+  for (const char* suffix : experiment::sqlite::log_suffixes) {
     const std::filesystem::path log = store_path().string() + suffix;
-    if (std::filesystem::exists(log)) std::filesystem::rename(log, mending.damaged_file.string() + suffix);
+    if (std::filesystem::exists(log)) std::filesystem::rename(log, kept.string() + suffix);
   }
-  std::filesystem::rename(mended, store_path());
-  return mending;
+  return kept;
 }
 
 void RunFolder::begin_replacement() {

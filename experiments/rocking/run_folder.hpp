@@ -44,18 +44,26 @@ class RunFolder {
   /// Throws InTheWay where that is still to be done: what the folder holds then belongs to two runs.
   void expect_installed() const;
 
-  [[nodiscard]] bool has_store() const { return std::filesystem::exists(store_path()); }
+  /// An empty file, as a full disk or a cut may leave, is none: nothing is lost where a run begins anew.
+  [[nodiscard]] bool has_store() const;
   [[nodiscard]] bool has_report() const { return std::filesystem::exists(report_path()); }
   /// A new store. Throws as experiment::Store does.
   [[nodiscard]] experiment::Store create_store(const experiment::Identity& identity) const;
   /// The store that is there. Throws MissingInput where none is, otherwise as experiment::Store does.
   [[nodiscard]] experiment::Store open_store(experiment::sqlite::Access access) const;
-  /// Puts a store with all that is sound in a damaged one into its place, and keeps the damaged file beside it.
-  struct Mending {
-    std::uint64_t kept = 0;              ///< realisations taken over
-    std::filesystem::path damaged_file;  ///< where the damaged file is now
+  /// The same for reading, after a check of every page and row: throws sqlite::UnusableFile where one is damaged.
+  [[nodiscard]] experiment::Store open_sound_store() const;
+  /// What becomes of the file of a store that is renewed.
+  enum class FormerFile : std::uint8_t { kept, removed };
+  struct Renewal {
+    std::uint64_t realisations = 0;     ///< taken over
+    std::filesystem::path former_file;  ///< where the former file is now, if it is kept
   };
-  Mending mend_store(experiment::Store damaged, const experiment::Experiment& experiment) const;
+  /// Puts a store of the current layout and results version into the place of another, with all that is sound in that and
+  /// has the bits that this program gives. Throws sqlite::UnusableFile where none of its rows is sound: its identity may
+  /// then be that of another store.
+  Renewal renew_store(experiment::Store former, const experiment::Experiment& experiment, FormerFile file) const;
+
   [[nodiscard]] std::string name() const { return path_.string(); }
   [[nodiscard]] std::filesystem::path store_path() const { return files_.store(); }
   [[nodiscard]] std::filesystem::path report_path() const { return files_.report(); }
@@ -64,7 +72,10 @@ class RunFolder {
 
  private:
   void wait_for_lock();
+  void remove_leftovers() const;
+  [[nodiscard]] std::filesystem::path keep_store_file() const;
   [[nodiscard]] std::filesystem::path lock_path() const { return path_ / ".lock"; }
+  [[nodiscard]] std::filesystem::path renewed_path() const { return files_.folder / "mended.sqlite"; }
 
   [[nodiscard]] Replacement replacement() const { return Replacement(path_); }
 

@@ -39,24 +39,23 @@ double rate_of(const RunFolder& folder) {
   return static_cast<double>(note->done - note->done_before) / note->elapsed_s;
 }
 
-std::uint64_t failures_in(const experiment::Store& store) {
-  const auto counts = store.termination_counts();
-  const auto count = [&counts](dynamics::Termination termination) {
-    const auto found = counts.find(termination);
-    return found == counts.end() ? 0 : found->second;
-  };
-  return count(dynamics::Termination::painleve) + count(dynamics::Termination::stopped);
+bool has_no_answer(const experiment::Summary& summary) {
+  return summary.termination == dynamics::Termination::painleve || summary.termination == dynamics::Termination::stopped;
 }
 
 Standing standing_of(RunFolder& folder) {
   const bool running = folder.is_at_work();
   if (folder.has_replacement()) folder.enter_replacement();
-  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
+  // The process at work checked the store when it began.
+  const experiment::Store store =
+      running ? folder.open_store(experiment::sqlite::Access::read) : folder.open_sound_store();
   Standing standing;
   standing.replaces = folder.is_replacement();
   if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);
   standing.realisations = experiment::completeness(experiment_of(store.identity()), store);
-  standing.failed = failures_in(store);
+  store.for_each([&](const experiment::RealisationKey&, const experiment::Summary& summary) {
+    standing.failed += has_no_answer(summary) ? 1 : 0;
+  });
   const bool complete = standing.missing() == 0 && !standing.replaces && (folder.has_report() || !standing.part.empty());
   standing.state = running ? "running" : complete ? "finished" : "stopped";
   if (running) standing.rate = rate_of(folder);

@@ -56,7 +56,7 @@ class Verifier {
     check_input();
     if (!findings_.wrong.empty()) return findings_;  // what it asks is in doubt: nothing to run
     if (folder_.has_store()) {
-      check_with_store(folder_.open_store(experiment::sqlite::Access::read));
+      check_with_store(folder_.open_sound_store());
     } else if (request_->sample) {
       throw UsageError(folder_.store_path().string() +
                        ": is not there, so --sample has nothing to take one from; leave it out");

@@ -1,5 +1,5 @@
-// The results of a small experiment, to the bit. A change of this digest is a change of results and belongs in
-// CHANGELOG.md. tests/golden/everywhere compares the bits of compilers, optimisation levels and processors.
+// The results of a small experiment, to the bit. A change of this digest is a change of results: it belongs in
+// CHANGELOG.md, and raises results_version. tests/golden/everywhere compares the bits of compilers, optimisation levels and processors.
 
 #include <gtest/gtest.h>
 

@@ -150,10 +150,34 @@ TEST(Store, RefusesWhatIsNoStore) {
   EXPECT_THAT(complaint(folder / "text"), HasSubstr("text"));
   sqlite::Database(folder / "other.sqlite", Access::create).execute("CREATE TABLE realisations (a)");
   EXPECT_THAT(complaint(folder / "other.sqlite"), HasSubstr("not a store"));
-  { Store::create(folder / "later.sqlite", identity).close_up(); }
-  sqlite::Database(folder / "later.sqlite", Access::write).execute("ALTER TABLE realisations ADD COLUMN later INTEGER");
-  EXPECT_THAT(complaint(folder / "later.sqlite"), HasSubstr("layout"));
   EXPECT_THROW((void)Store::open(folder / "absent.sqlite", Access::read), std::system_error);
+}
+
+TEST(Store, OfALayoutWithoutAColumnReadsItsFieldAsTheDefault) {
+  std::string table = row_table();
+  const std::string column = ", clamped_restitution INTEGER NOT NULL";
+  ASSERT_NE(table.find(column), std::string::npos);
+  table.erase(table.find(column), column.size());
+  auto database = sqlite::Database::in_memory();
+  database.execute(table);
+  const RowFormat former(database, 2, "{}");
+  auto insert =
+      database.prepare("INSERT INTO realisations (" + former.columns() + ") VALUES (" + former.placeholders() + ")");
+  former.bind(insert, {3, 4}, filled(5));
+  insert.run();
+  auto select = database.prepare("SELECT " + former.columns() + " FROM realisations");
+  ASSERT_TRUE(select.step());
+  const auto row = former.read(select);
+  ASSERT_TRUE(row.has_value());
+  EXPECT_EQ(row->key, (RealisationKey{3, 4}));
+  EXPECT_THAT(differing_fields(row->summary, filled(5)), ElementsAre("clamped_restitution"));
+  EXPECT_EQ(row->summary.clamps.restitution, 0U);
+  EXPECT_FALSE(RowFormat(database, 2, "{\"seed\": 2}").read(select).has_value()) << "of another experiment";
+}
+
+TEST(ResultsVersion, OfAnEarlierProgramIsNotTakenForThisOne) {
+  EXPECT_TRUE(has_current_bits(filled(1), results_version));
+  EXPECT_FALSE(has_current_bits(filled(1), 0)) << "not known";
 }
 
 TEST(Store, TellsOfAFileThatWasCutShort) {

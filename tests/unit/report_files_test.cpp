@@ -68,11 +68,16 @@ TEST_F(Files, NameThePathThatFails) {
   }
 }
 
-TEST_F(Files, AreReadableByOthers) {
-  write_atomically(folder_ / "x", "content");
-  struct stat facts {};
-  ASSERT_EQ(stat((folder_ / "x").c_str(), &facts), 0);
-  EXPECT_EQ(facts.st_mode & 0777U, 0644U);
+TEST_F(Files, HaveThePermissionsThatTheUmaskLeaves) {
+  const mode_t before = umask(022);
+  for (const mode_t mask : {022U, 077U, 002U}) {
+    umask(mask);
+    write_atomically(folder_ / "x", "content");
+    struct stat facts {};
+    ASSERT_EQ(stat((folder_ / "x").c_str(), &facts), 0);
+    EXPECT_EQ(facts.st_mode & 0777U, 0666U & ~mask);
+  }
+  umask(before);
 }
 
 TEST_F(Files, AreNotPromisedWhereAFileIsTheFolder) {

@@ -1,6 +1,7 @@
 #include "rocking/experiment/run.hpp"
 
 #include <exception>
+#include <string>
 #include <vector>
 
 #include "rocking/experiment/pair_workers.hpp"
@@ -95,11 +96,19 @@ Completeness completeness(const Experiment& experiment, const Store& store) {
   return {.done = work.done(), .all = work.all()};
 }
 
+std::vector<RealisationKey> missing_realisations(const Experiment& experiment, const Store& store) {
+  return work_left(experiment, store).missing();
+}
+
 std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store, base::StopRequest stop) {
   std::vector<Reduction> reductions(experiment.conditions.begin(), experiment.conditions.end());
   store.for_each([&](const RealisationKey& key, const Summary& summary) {
     stop.check();
-    Reduction& reduction = reductions.at(key.condition);
+    if (key.condition >= reductions.size()) {
+      throw sqlite::UnusableFile("the store has a row of condition " + std::to_string(key.condition) +
+                                 ", of which its experiment knows nothing");
+    }
+    Reduction& reduction = reductions[key.condition];
     if (key.realisation == reduction.realisations()) reduction.add(summary);  // else one before it is missing
   });
   ExperimentResult result;

@@ -49,9 +49,13 @@ struct Completeness {
 };
 [[nodiscard]] Completeness completeness(const Experiment& experiment, const Store& store);
 
-/// The result of an experiment of which the store holds every realisation; absent where some are missing. What was computed
-/// where and when does not change it.
-/// Throws base::Stopped once it is asked to stop.
+/// Realisations of the experiment, or of the store's shard, that the store lacks, in their order. Where intervals decide
+/// how many are run: those up to the next look at them.
+[[nodiscard]] std::vector<RealisationKey> missing_realisations(const Experiment& experiment, const Store& store);
+
+/// The result of an experiment of which the store holds every realisation; absent where some are missing. It does not
+/// depend on what was computed where and when. Throws sqlite::UnusableFile where the store has rows of other realisations,
+/// base::Stopped once it is asked to stop.
 [[nodiscard]] std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store,
                                                         base::StopRequest stop = {});
 

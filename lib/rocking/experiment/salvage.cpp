@@ -27,14 +27,18 @@ std::uintmax_t number_at(const std::string& header, std::size_t place, std::size
 }  // namespace
 
 // Offsets: SQLite's file format, "The Database Header". A page size of 65536 is written as 1.
-void restore_length(const std::filesystem::path& path) {
+void count_pages_again(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return;
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
   std::string header(100, '\0');
-  if (!std::ifstream(path, std::ios::binary).read(header.data(), 100)) return;
-  if (!header.starts_with("SQLite format 3")) return;
-  const std::uintmax_t page = number_at(header, 16, 2);
-  const std::uintmax_t length = (page == 1 ? 65536 : page) * number_at(header, 28, 4);
-  constexpr std::uintmax_t most = std::uintmax_t{1} << 44U;  // a header may be damaged too
-  if (std::filesystem::file_size(path) < length && length < most) std::filesystem::resize_file(path, length);
+  if (!file.read(header.data(), 100) || !header.starts_with("SQLite format 3")) return;
+  const std::uintmax_t page_size = number_at(header, 16, 2) == 1 ? 65536 : number_at(header, 16, 2);
+  if (page_size == 0) return;
+  const std::uintmax_t pages = std::filesystem::file_size(path) / page_size;
+  if (pages == 0 || number_at(header, 28, 4) <= pages) return;
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes += static_cast<char>(pages >> shift & 0xffU);
+  file.seekp(28).write(bytes.data(), 4);
 }
 
 // A walk ends at the first damaged page; one look-up a key goes around it.
@@ -45,7 +49,7 @@ std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store&
     for (std::uint64_t realisation = 0; realisation < realisations; ++realisation) {
       const RealisationKey key{condition, realisation};
       const auto summary = find_if_sound(damaged, key);
-      if (!summary) continue;
+      if (!summary || !has_current_bits(*summary, damaged.identity().results)) continue;
       into.add(key, *summary);
       ++kept;
     }

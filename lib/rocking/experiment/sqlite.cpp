@@ -22,9 +22,26 @@ int errno_of(int code) {
   }
 }
 
+// Statements are this program's own. Where SQLite finds a fault in one, the tables are not those that it was written for.
+bool is_fault_of_file(int code) {
+  switch (code & 0xff) {
+    case SQLITE_CORRUPT:
+    case SQLITE_NOTADB:
+    case SQLITE_ERROR:
+    case SQLITE_SCHEMA:
+    case SQLITE_CONSTRAINT:
+    case SQLITE_MISMATCH:
+    case SQLITE_FORMAT:
+    case SQLITE_TOOBIG: return true;
+    default: return false;
+  }
+}
+
 [[noreturn]] void fail(const std::string& path, int code, const char* message) {
-  const bool damaged = (code & 0xff) == SQLITE_CORRUPT || (code & 0xff) == SQLITE_NOTADB;
-  if (damaged) throw UnusableFile(path + ": is damaged: " + message);
+  if (is_fault_of_file(code)) throw UnusableFile(path + ": is damaged: " + message);
+  if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY) {
+    throw UnusableFile(path + ": a journal lies beside it, as after a kill; `rocking resume` takes it into account");
+  }
   throw std::system_error(errno_of(code), std::generic_category(), path + ": " + message);
 }
 
@@ -38,7 +55,34 @@ int flags_of(Access access) {
   return 0;
 }
 
+// What a foreign hand or a turned bit put into the schema is not carried out; a damaged page is told of before it misleads.
+void distrust(sqlite3* database) {
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_TRIGGER, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  sqlite3_exec(database, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
+}
+
+// SQLite would wait for ever for the bytes of a pipe.
+void expect_regular_file(const std::filesystem::path& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw UnusableFile(path.string() + ": is no regular file");
+  }
+}
+
 }  // namespace
+
+void remove_database(const std::filesystem::path& path) {
+  std::filesystem::remove(path);
+  remove_logs(path);
+}
+
+void remove_logs(const std::filesystem::path& path) {
+  for (const char* suffix : log_suffixes) std::filesystem::remove(path.string() + suffix);
+}
 
 void Statement::Finalizer::operator()(sqlite3_stmt* statement) const { sqlite3_finalize(statement); }
 
@@ -100,12 +144,13 @@ std::span<const std::byte> Statement::bytes(int column) const {
 void Database::Closer::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 Database::Database(const std::filesystem::path& path, Access access) : path_(path.string()) {
+  expect_regular_file(path);
   sqlite3* database = nullptr;
   const int code = sqlite3_open_v2(path_.c_str(), &database, flags_of(access), nullptr);
   handle_.reset(database);
   if (code != SQLITE_OK) fail(path_, code, database == nullptr ? "not enough memory" : sqlite3_errmsg(database));
   sqlite3_extended_result_codes(database, 1);
-  execute("PRAGMA cell_size_check = ON; PRAGMA trusted_schema = OFF");  // a damaged file is told of before it misleads
+  distrust(database);
   sqlite3_busy_timeout(database, 5000);  // ms: a reader waits while the writer folds its log in
 }
 

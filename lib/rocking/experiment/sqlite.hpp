@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -59,7 +60,15 @@ class Statement {
 
 enum class Access : std::uint8_t { read, write, create };
 
-/// A database, to be used by one thread at a time.
+/// What SQLite may leave beside a database: the name of its file and one of these.
+inline constexpr std::array<const char*, 3> log_suffixes{"-wal", "-shm", "-journal"};
+
+/// Removes what lies beside a database. SQLite takes a log for that of any database of its name.
+void remove_logs(const std::filesystem::path& path);
+/// Removes a database and what lies beside it.
+void remove_database(const std::filesystem::path& path);
+
+/// A database, to be used by one thread at a time. Triggers and views in it are not carried out.
 class Database {
  public:
   Database(const std::filesystem::path& path, Access access);

@@ -1,12 +1,14 @@
 #include "rocking/experiment/store.hpp"
 
 #include <chrono>
+#include <fstream>
 #include <string>
 #include <system_error>
 #include <thread>
 #include <utility>
 
-#include "rocking/experiment/store_row.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/experiment/store_layout.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -14,13 +16,6 @@ namespace {
 using sqlite::Access;
 using sqlite::Database;
 using sqlite::Statement;
-
-constexpr std::int64_t application_id = 0x726f636b;  // "rock": by which `file` and others know such a database
-
-std::string table_definition() {
-  return "CREATE TABLE realisations (" + column_definitions() +
-         ", PRIMARY KEY (condition, realisation)) STRICT, WITHOUT ROWID";
-}
 
 std::int64_t number_in(const Database& database, const char* sql) {
   Statement statement = database.prepare(sql);
@@ -64,23 +59,14 @@ void begin_rollback(Database& database) {
   number_in(database, "SELECT count(*) FROM sqlite_master");  // lets go of the lock
 }
 
-void expect_layout(const Database& database) {
-  if (number_in(database, "PRAGMA application_id") != application_id) {
-    throw sqlite::UnusableFile(database.path() + ": is not a store of realisations");
-  }
-  const bool known =
-      text_in(database, "SELECT sql FROM sqlite_master WHERE name = 'realisations'") == table_definition() &&
-      text_in(database, "SELECT sql FROM sqlite_master WHERE name = 'identity'") == identity_table();
-  if (known) return;
-  throw sqlite::UnusableFile(database.path() +
-                             ": is damaged, or was written by another version of the program in a layout unknown to "
-                             "this one");
+std::string spoken(const RealisationKey& key) {
+  return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
 }
 
-Row sound_row(const Statement& statement, const Database& database) {
-  if (auto row = read_row(statement)) return std::move(*row);
-  throw sqlite::UnusableFile(database.path() + ": the row of condition " + std::to_string(statement.integer(0)) +
-                             ", realisation " + std::to_string(statement.integer(1)) + " is not what was written");
+// A checksum proves that a row was written so, not that it stands where it was put: pages may have changed places.
+void expect_ascending(const std::optional<RealisationKey>& last, const RealisationKey& next, const Database& database) {
+  if (!last || *last < next) return;
+  throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + spoken(next) + " is not in its place");
 }
 
 }  // namespace
@@ -89,8 +75,10 @@ Store Store::create(const std::filesystem::path& path, const Identity& identity)
   // Made beside its place and moved there whole: whoever is killed here leaves no store, rather than one that is none.
   std::filesystem::path unfinished = path;
   unfinished += ".new";
-  for (const char* suffix : {"", "-journal"}) std::filesystem::remove(unfinished.string() + suffix);
+  sqlite::remove_database(unfinished);
+  { const std::ofstream empty(unfinished); }  // with the permissions that the umask leaves; SQLite's own are fewer
   { static_cast<void>(made(Database(unfinished, Access::create), identity)); }
+  sqlite::remove_logs(path);
   std::filesystem::rename(unfinished, path);
   return open(path, Access::write);
 }
@@ -101,12 +89,11 @@ Store Store::made(Database database, const Identity& identity) {
   Store store(std::move(database));
   Database& made = store.database_;
   made.execute("BEGIN IMMEDIATE");
-  made.execute("PRAGMA application_id = " + std::to_string(application_id));
-  made.execute(identity_table());
-  made.execute(table_definition());
+  lay_out(made);
   write_identity(made, identity);
   made.execute("COMMIT");
   store.identity_ = identity;
+  store.rows_ = RowFormat(identity.experiment);
   return store;
 }
 
@@ -127,18 +114,23 @@ Store Store::open(const std::filesystem::path& path, Access access) {
 
 Store Store::read(Database database) {
   Store store(std::move(database));
-  expect_layout(store.database_);
-  store.identity_ = read_identity(store.database_);
+  store.layout_ = layout_of(store.database_);
+  store.identity_ = read_identity(store.database_, store.layout_);
+  store.rows_ = RowFormat(store.database_, store.layout_, store.identity_.experiment);
   return store;
 }
 
 void Store::add(const RealisationKey& key, const Summary& summary) {
+  ROCKING_EXPECT(layout_ == current_layout);
   if (!in_transaction_) {
     database_.execute("BEGIN IMMEDIATE");
     in_transaction_ = true;
   }
-  if (!insert_) insert_ = database_.prepare("INSERT OR REPLACE INTO realisations VALUES " + column_placeholders());
-  bind_row(*insert_, key, summary);
+  if (!insert_) {
+    insert_ = database_.prepare("INSERT OR REPLACE INTO realisations (" + rows_.columns() + ") VALUES (" +
+                                rows_.placeholders() + ")");
+  }
+  rows_.bind(*insert_, key, summary);
   insert_->run();
 }
 
@@ -153,24 +145,44 @@ void Store::close_up() {
   static_cast<void>(changed_journal_mode(database_, "DELETE"));
 }
 
+Row Store::sound_row(const Statement& statement) const {
+  if (auto row = rows_.read(statement)) return std::move(*row);
+  const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
+                           static_cast<std::uint64_t>(statement.integer(1))};
+  throw sqlite::UnusableFile(database_.path() + ": the row of " + spoken(key) + " is not what was written");
+}
+
 std::optional<Summary> Store::find(const RealisationKey& key) const {
   auto statement = std::exchange(find_, std::nullopt);  // one that fails is not used again
-  if (!statement) statement = database_.prepare("SELECT * FROM realisations WHERE condition = ? AND realisation = ?");
+  if (!statement) {
+    statement = database_.prepare("SELECT " + rows_.columns() +
+                                  " FROM realisations WHERE condition = ? AND realisation = ?");
+  }
   statement->bind(0, static_cast<std::int64_t>(key.condition));
   statement->bind(1, static_cast<std::int64_t>(key.realisation));
-  std::optional<Summary> found;
-  if (statement->step()) found = sound_row(*statement, database_).summary;
+  std::optional<Row> found;
+  if (statement->step()) found = sound_row(*statement);
+  if (found && found->key != key) {
+    throw sqlite::UnusableFile(database_.path() + ": is damaged: in place of " + spoken(key) + " it has the row of " +
+                               spoken(found->key));
+  }
   statement->reset();
   find_ = std::move(statement);
-  return found;
+  return found ? std::optional(std::move(found->summary)) : std::nullopt;
+}
+
+void Store::walk(Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const {
+  std::optional<RealisationKey> last;
+  while (statement.step()) {
+    const Row row = sound_row(statement);
+    expect_ascending(last, row.key, database_);
+    last = row.key;
+    use(row.key, row.summary);
+  }
 }
 
 void Store::for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const {
-  Statement statement = database_.prepare("SELECT * FROM realisations ORDER BY condition, realisation");
-  while (statement.step()) {
-    const Row row = sound_row(statement, database_);
-    use(row.key, row.summary);
-  }
+  walk(database_.prepare("SELECT " + rows_.columns() + " FROM realisations ORDER BY condition, realisation"), use);
 }
 
 std::optional<std::string> Store::damage() const {
@@ -187,38 +199,30 @@ std::optional<std::string> Store::damage() const {
 void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) const {
   Statement statement =
       database_.prepare("SELECT condition, realisation FROM realisations ORDER BY condition, realisation");
+  std::optional<RealisationKey> last;
   while (statement.step()) {
-    use({.condition = static_cast<std::uint64_t>(statement.integer(0)),
-         .realisation = static_cast<std::uint64_t>(statement.integer(1))});
+    const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
+                             static_cast<std::uint64_t>(statement.integer(1))};
+    expect_ascending(last, key, database_);
+    last = key;
+    use(key);
   }
 }
 
 std::map<section::ResponseMode, std::uint64_t> Store::mode_counts(std::uint64_t condition,
                                                                   std::uint64_t realisations) const {
-  Statement statement = database_.prepare(
-      "SELECT mode, count(*) FROM realisations WHERE condition = ? AND realisation < ? GROUP BY mode");
+  Statement statement = database_.prepare("SELECT " + rows_.columns() +
+                                          " FROM realisations WHERE condition = ? AND realisation < ? "
+                                          "ORDER BY condition, realisation");
   statement.bind(0, static_cast<std::int64_t>(condition));
   statement.bind(1, static_cast<std::int64_t>(realisations));
   std::map<section::ResponseMode, std::uint64_t> counts;
-  while (statement.step()) {
-    const auto mode = section::response_mode_named(statement.text(0));
-    if (!mode) throw sqlite::UnusableFile(database_.path() + ": \"" + statement.text(0) + "\" is no response mode");
-    counts[*mode] += static_cast<std::uint64_t>(statement.integer(1));
-  }
-  return counts;
-}
-
-std::map<dynamics::Termination, std::uint64_t> Store::termination_counts() const {
-  Statement statement = database_.prepare("SELECT termination, count(*) FROM realisations GROUP BY termination");
-  std::map<dynamics::Termination, std::uint64_t> counts;
-  while (statement.step()) {
-    for (int number = 0; !to_string(static_cast<dynamics::Termination>(number)).empty(); ++number) {
-      const auto termination = static_cast<dynamics::Termination>(number);
-      if (to_string(termination) == statement.text(0)) {
-        counts[termination] += static_cast<std::uint64_t>(statement.integer(1));
-      }
+  walk(std::move(statement), [&](const RealisationKey& key, const Summary& summary) {
+    if (key.condition != condition || key.realisation >= realisations) {
+      throw sqlite::UnusableFile(database_.path() + ": is damaged: the row of " + spoken(key) + " is not in its place");
     }
-  }
+    ++counts[summary.mode];
+  });
   return counts;
 }
 

@@ -9,6 +9,8 @@
 
 #include "rocking/experiment/sqlite.hpp"
 #include "rocking/experiment/store_identity.hpp"
+#include "rocking/experiment/store_layout.hpp"
+#include "rocking/experiment/store_row.hpp"
 #include "rocking/experiment/summary.hpp"
 
 namespace rocking::experiment {
@@ -24,7 +26,8 @@ enum class Journalling : std::uint8_t {
 /// Its table `realisations` has the key (condition, realisation) and a column for each field of a Summary. Rows become
 /// durable in groups: a killed process loses what it added since the last commit, a machine without power may lose the
 /// last commits, and neither loses anything else. One writer at a time.
-/// Throws as sqlite.hpp says; sqlite::UnusableFile also where a file is no store, or a row is not what was written.
+/// Throws as sqlite.hpp says; sqlite::UnusableFile also where a file is no store, a row is not what was written, or a row is
+/// not in the place of its key.
 class Store {
  public:
   /// A new one, where no file is yet.
@@ -35,10 +38,12 @@ class Store {
   [[nodiscard]] static Store in_memory(const Identity& identity);
 
   [[nodiscard]] const Identity& identity() const { return identity_; }
+  /// Whether rows can be added: those of an earlier layout are only read, `salvage` takes them over into a new store.
+  [[nodiscard]] bool is_of_current_layout() const { return layout_ == current_layout; }
   /// Of a store opened for writing.
   [[nodiscard]] Journalling journalling() const { return journalling_; }
 
-  /// Adds a row, or replaces the one of this key.
+  /// Adds a row, or replaces the one of this key. Asks for the current layout.
   void add(const RealisationKey& key, const Summary& summary);
   /// Makes durable what was added.
   void commit();
@@ -54,15 +59,19 @@ class Store {
   /// Realisations numbered below `realisations`, by response mode.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> mode_counts(std::uint64_t condition,
                                                                            std::uint64_t realisations) const;
-  [[nodiscard]] std::map<dynamics::Termination, std::uint64_t> termination_counts() const;
 
  private:
   explicit Store(sqlite::Database database) : database_(std::move(database)) {}
   [[nodiscard]] static Store made(sqlite::Database database, const Identity& identity);
   [[nodiscard]] static Store read(sqlite::Database database);
+  [[nodiscard]] Row sound_row(const sqlite::Statement& statement) const;
+  void walk(sqlite::Statement statement,
+            const std::function<void(const RealisationKey&, const Summary&)>& use) const;
 
   sqlite::Database database_;
+  std::int64_t layout_ = current_layout;
   Identity identity_;
+  RowFormat rows_{std::string()};
   Journalling journalling_ = Journalling::write_ahead;
   std::optional<sqlite::Statement> insert_;
   mutable std::optional<sqlite::Statement> find_;

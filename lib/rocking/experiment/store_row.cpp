@@ -4,9 +4,8 @@
 #include <array>
 #include <bit>
 #include <cstddef>
+#include <set>
 #include <string_view>
-
-#include "rocking/base/digest.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -132,45 +131,82 @@ class Summer {
   std::string text_;
 };
 
-std::uint64_t checksum_of(const RealisationKey& key, const Summary& summary) {
+}  // namespace
+
+std::string row_table() {
+  std::string table = "CREATE TABLE realisations (condition INTEGER NOT NULL, realisation INTEGER NOT NULL";
+  const Summary any;
+  for_each_field(any,
+                 [&table](const std::string& name, const auto& field) { table += ", " + name + " " + type_of(field); });
+  return table + ", checksum INTEGER NOT NULL, PRIMARY KEY (condition, realisation)) STRICT, WITHOUT ROWID";
+}
+
+RowFormat::RowFormat(const std::string& experiment) : experiment_(base::sha256(experiment)) {
+  const Summary any;
+  for_each_field(any, [this](const auto&, const auto&) { is_stored_.push_back(true); });
+  list_columns();
+}
+
+RowFormat::RowFormat(const sqlite::Database& database, std::int64_t layout, const std::string& experiment) {
+  if (layout > 1) experiment_ = base::sha256(experiment);
+  std::set<std::string> names;
+  for (Statement column = database.prepare("PRAGMA table_info(realisations)"); column.step();) {
+    names.insert(column.text(1));
+  }
+  const Summary any;
+  for_each_field(any, [&](const auto& name, const auto&) { is_stored_.push_back(names.contains(name)); });
+  list_columns();
+}
+
+void RowFormat::list_columns() {
+  columns_ = "condition, realisation";
+  const Summary any;
+  std::size_t place = 0;
+  for_each_field(any, [&](const std::string& name, const auto&) {
+    if (is_stored_[place++]) columns_ += ", " + name;
+  });
+  columns_ += ", checksum";
+}
+
+std::string RowFormat::placeholders() const {
+  std::string places = "?";
+  for (const char letter : columns_) {
+    if (letter == ',') places += ", ?";
+  }
+  return places;
+}
+
+template <class Visit, class SomeSummary>
+void RowFormat::for_each_stored_field(SomeSummary& summary, Visit&& visit) const {
+  std::size_t place = 0;
+  for_each_field(summary, [&](const auto&, auto& field) {
+    if (is_stored_[place++]) visit(field);
+  });
+}
+
+std::uint64_t RowFormat::checksum_of(const RealisationKey& key, const Summary& summary) const {
   Summer sum;
+  if (experiment_) sum.add(*experiment_);
   sum.add(key.condition);
   sum.add(key.realisation);
-  for_each_field(summary, [&sum](const auto&, const auto& field) { sum.add(field); });
+  for_each_stored_field(summary, [&sum](const auto& field) { sum.add(field); });
   return sum.finish();
 }
 
-}  // namespace
-
-std::string column_definitions() {
-  std::string columns = "condition INTEGER NOT NULL, realisation INTEGER NOT NULL";
-  const Summary any;
-  for_each_field(
-      any, [&columns](const std::string& name, const auto& field) { columns += ", " + name + " " + type_of(field); });
-  return columns + ", checksum INTEGER NOT NULL";
-}
-
-std::string column_placeholders() {
-  std::string places = "(?, ?, ?";  // the key and the checksum
-  const Summary any;
-  for_each_field(any, [&places](const auto&, const auto&) { places += ", ?"; });
-  return places + ")";
-}
-
-void bind_row(Statement& statement, const RealisationKey& key, const Summary& summary) {
+void RowFormat::bind(Statement& statement, const RealisationKey& key, const Summary& summary) const {
   Binder binder(statement);
   binder.put(key.condition);
   binder.put(key.realisation);
-  for_each_field(summary, [&binder](const auto&, const auto& field) { binder.put(field); });
+  for_each_stored_field(summary, [&binder](const auto& field) { binder.put(field); });
   binder.put(checksum_of(key, summary));
 }
 
-std::optional<Row> read_row(const Statement& statement) {
+std::optional<Row> RowFormat::read(const Statement& statement) const {
   Row row;
   Reader reader(statement);
   reader.get(row.key.condition);
   reader.get(row.key.realisation);
-  for_each_field(row.summary, [&reader](const auto&, auto& field) { reader.get(field); });
+  for_each_stored_field(row.summary, [&reader](auto& field) { reader.get(field); });
   std::uint64_t checksum = 0;
   reader.get(checksum);
   if (checksum != checksum_of(row.key, row.summary)) return std::nullopt;

@@ -54,6 +54,18 @@ bool WorkList::is_complete() const {
   return done_ == all_ && std::all_of(conditions_.begin(), conditions_.end(), is_final);
 }
 
+std::vector<RealisationKey> WorkList::missing() const {
+  std::vector<RealisationKey> keys;
+  for (std::size_t condition = 0; condition < conditions_.size(); ++condition) {
+    const std::vector<bool>& done = conditions_[condition].done;
+    for (std::size_t realisation = 0; realisation < done.size(); ++realisation) {
+      const RealisationKey key{condition, realisation};
+      if (!done[realisation] && is_ours(key)) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
 bool WorkList::is_done(const Pair& pair) const {
   const PerCondition& condition = conditions_[pair.condition];
   const bool has_second = pair.first + 1 < condition.target.realisations;

@@ -46,6 +46,8 @@ class WorkList {
   }  ///< realisations up to the targets, with those that are done
   [[nodiscard]] std::uint64_t done() const { return done_; }  ///< of them
   [[nodiscard]] bool is_complete() const;
+  /// Realisations up to the targets that are not done, in their order.
+  [[nodiscard]] std::vector<RealisationKey> missing() const;
 
  private:
   struct PerCondition {

@@ -1,6 +1,7 @@
 #include "rocking/report/files.hpp"
 
 #include <cerrno>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -36,8 +37,7 @@ constexpr std::string_view temporary_name = ".rocking-";
 // A file under a name of its own, removed again unless it is renamed. Its lock tells that its process lives.
 class TemporaryFile {
  public:
-  explicit TemporaryFile(const std::filesystem::path& folder)
-      : name_((folder / (std::string(temporary_name) + "XXXXXX")).string()), descriptor_(::mkostemp(name_.data(), O_CLOEXEC)) {
+  explicit TemporaryFile(const std::filesystem::path& folder) : descriptor_(make_in(folder)) {
     if (descriptor_.number() < 0) fail(folder, "cannot make a file here");
     static_cast<void>(::flock(descriptor_.number(), LOCK_EX | LOCK_NB));
   }
@@ -57,9 +57,6 @@ class TemporaryFile {
   }
 
   void rename_to(const std::filesystem::path& path) {
-    // mkstemp keeps others out; a report is for all whom the folder lets in.
-    if (::fchmod(descriptor_.number(), S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) != 0)
-      fail(name_, "cannot be made readable");
     if (::fsync(descriptor_.number()) != 0) fail(name_, "cannot be flushed to the disk");
     if (descriptor_.close() != 0) fail(name_, "cannot be closed");
     if (::rename(name_.c_str(), path.c_str()) != 0) fail(path, "cannot be replaced");
@@ -67,6 +64,15 @@ class TemporaryFile {
   }
 
  private:
+  // The first free name of this process. mkstemp would keep out others whom the umask lets in.
+  int make_in(const std::filesystem::path& folder) {
+    for (int number = 0;; ++number) {
+      name_ = (folder / (std::string(temporary_name) + std::to_string(::getpid()) + '-' + std::to_string(number))).string();
+      const int descriptor = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+      if (descriptor >= 0 || errno != EEXIST) return descriptor;
+    }
+  }
+
   std::string name_;
   FileDescriptor descriptor_;
 };

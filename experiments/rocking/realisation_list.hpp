@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/experiment/summary.hpp"
+
+namespace rocking::program {
+
+/// `condition 0: realisations 3-9, 12; condition 2: realisations 4`; of a long list the first ranges, and how many
+/// realisations follow. `none` of an empty one. The keys are in ascending order.
+[[nodiscard]] std::string listed_realisations(const std::vector<experiment::RealisationKey>& keys);
+
+}  // namespace rocking::program

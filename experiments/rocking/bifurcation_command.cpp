@@ -71,7 +71,7 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   report::write_atomically(files.json, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("points: {}, {}\n", files.json.string(), files.csv.string());
-  print_result(request.labour.loudness.json ? text : title + report::bifurcation_table(drawn) + where);
+  print_result(request.labour.loudness.json ? text : base::printable(title + report::bifurcation_table(drawn) + where));
   return ExitCode::done;
 }
 

@@ -43,7 +43,7 @@ ExitCode draw(const FigureRequest& request) {
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
   const std::vector<std::string> written = write_figures(figures, request.folder);
   print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written}})
-                                     : fmt::format("{}\n", fmt::join(written, "\n")));
+                                     : base::printable(fmt::format("{}\n", fmt::join(written, "\n"))));
   return ExitCode::done;
 }
 

@@ -23,7 +23,7 @@ void print_result(std::string_view text) {
   if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
 }
 
-void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", text)); }
+void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", base::printable(text))); }
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 

@@ -26,7 +26,7 @@ struct RunRequest {
 
 ExitCode show_plan(const RunRequest& request, const experiment::Experiment& experiment) {
   const Plan plan = plan_of(experiment);
-  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : to_text(plan));
+  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : base::printable(to_text(plan)));
   return ExitCode::done;
 }
 

@@ -16,7 +16,7 @@ using rocking::base::printable;
 using rocking::report::lines_of;
 using ::testing::ElementsAre;
 
-constexpr const char* text = R"(
+constexpr const char* lines_text = R"(
 {
   "a": { "b": [ 1, "], }",
     { "c/d": 2, "e~": "\"" }
@@ -27,22 +27,22 @@ constexpr const char* text = R"(
 })";
 
 TEST(Lines, AreThoseOfTheKey) {
-  EXPECT_THAT(lines_of(text, "/a/b"), ElementsAre(3U));
-  EXPECT_THAT(lines_of(text, "/a/b/1"), ElementsAre(3U));
-  EXPECT_THAT(lines_of(text, "/a/b/2/c~1d"), ElementsAre(4U));
-  EXPECT_THAT(lines_of(text, "/a/b/2/e~0"), ElementsAre(4U));
-  EXPECT_THAT(lines_of(text, "/ax"), ElementsAre(7U));
+  EXPECT_THAT(lines_of(lines_text, "/a/b"), ElementsAre(3U));
+  EXPECT_THAT(lines_of(lines_text, "/a/b/1"), ElementsAre(3U));
+  EXPECT_THAT(lines_of(lines_text, "/a/b/2/c~1d"), ElementsAre(4U));
+  EXPECT_THAT(lines_of(lines_text, "/a/b/2/e~0"), ElementsAre(4U));
+  EXPECT_THAT(lines_of(lines_text, "/ax"), ElementsAre(7U));
 }
 
 TEST(Lines, AreAllOfAKeyThatStandsTwice) {
-  EXPECT_THAT(lines_of(text, "/a"), ElementsAre(3U, 8U));
-  EXPECT_THAT(lines_of(R"({"a": 1, "a": 2})", "/a"), ElementsAre(1U, 1U));
+  EXPECT_THAT(lines_of(lines_text, "/a"), ElementsAre(3U, 8U));
+  EXPECT_THAT(lines_of(R"({"a": 1, "a": 2})", "/a"), ElementsAre(1U));
 }
 
 TEST(Lines, OfWhatIsNotThereAreThoseOfTheInnermostValueOnTheWay) {
-  EXPECT_THAT(lines_of(text, "/z"), ElementsAre(2U));
-  EXPECT_THAT(lines_of(text, "/a/b/2/z"), ElementsAre(4U));
-  EXPECT_THAT(lines_of(text, "/a/b/0/z"), ElementsAre(3U));
+  EXPECT_THAT(lines_of(lines_text, "/z"), ElementsAre(2U));
+  EXPECT_THAT(lines_of(lines_text, "/a/b/2/z"), ElementsAre(4U));
+  EXPECT_THAT(lines_of(lines_text, "/a/b/0/z"), ElementsAre(3U));
 }
 
 TEST(Lines, AreFoundInTextThatIsNoJson) {

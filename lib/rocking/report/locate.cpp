@@ -125,7 +125,10 @@ std::vector<std::size_t> lines_of(std::string_view text, std::string_view pointe
     if (found.empty()) break;
     if (i + 1 == keys.size()) {
       std::vector<std::size_t> lines;
-      for (const auto& member : found) lines.push_back(line_at(text, member.key));
+      for (const auto& member : found) {
+        const std::size_t line = line_at(text, member.key);
+        if (lines.empty() || lines.back() != line) lines.push_back(line);
+      }
       return lines;
     }
     place = found.front().key;

@@ -35,7 +35,7 @@ std::string name_of(const Json& curve) {
 
 /// Columns: intensity, n, overturned, estimate, low, high.
 Table level_table(const Json& curve, const std::string& name) {
-  const std::string level = number_text(100.0 * curve.at("confidence").get<double>()) + " % interval";
+  const std::string level = report::level_text(curve.at("confidence")) + " % interval";
   Table table{.name = name,
               .columns = {{"intensity", "of the shaking"},
                           {"n", "realisations"},

@@ -70,7 +70,7 @@ Table band_table(const RunReport& report, const SweepView& view, const Slice& sl
     std::uint64_t below = 0;
     for (const ResponseMode& mode : modes) {
       row.emplace_back(number(below) / n);
-      below += share_of(report, condition, mode).count;
+      below += share_of(condition, mode).count;
       row.emplace_back(number(below) / n);
     }
     row.emplace_back(number(below) / n);
@@ -82,7 +82,7 @@ Table band_table(const RunReport& report, const SweepView& view, const Slice& sl
 
 // Columns: x, n, then count, estimate, low, high of each mode.
 Table probability_table(const RunReport& report, const SweepView& view, const Slice& slice) {
-  const std::string level = number_text(100.0 * report.confidence) + " % simultaneous interval";
+  const std::string level = report.level() + " simultaneous interval";
   Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}, .rows = {}};
   const auto modes = shown_modes(report);
   for (const ResponseMode& mode : modes) {
@@ -96,7 +96,7 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
     const ConditionReport& condition = report.conditions[i];
     std::vector<Cell> row{view.x[i], number(condition.realisations)};
     for (const ResponseMode& mode : modes) {
-      const AnyShare share = share_of(report, condition, mode);
+      const AnyShare share = share_of(condition, mode);
       for (const Cell& cell : {Cell(number(share.count)), Cell(share.estimate), low_of(share), high_of(share)}) {
         row.push_back(cell);
       }
@@ -143,7 +143,7 @@ void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Fi
 
 /// Rows of one condition: a mode each, for bars.
 Table bar_table(const RunReport& report, const ConditionReport& condition, const std::string& name) {
-  const std::string level = number_text(100.0 * report.confidence) + " % simultaneous interval";
+  const std::string level = report.level() + " simultaneous interval";
   Table table{.name = name,
               .columns = {{"place", "place of the bar's middle"},
                           {"from", "its left edge"},
@@ -158,7 +158,7 @@ Table bar_table(const RunReport& report, const ConditionReport& condition, const
               .rows = {}};
   double place = 0.0;
   for (const ResponseMode& mode : shown_modes(report)) {
-    const AnyShare share = share_of(report, condition, mode);
+    const AnyShare share = share_of(condition, mode);
     table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, low_of(share), high_of(share),
                           number(share.count), number(condition.realisations), to_string(mode)});
     place += 1.0;
@@ -272,8 +272,8 @@ Figure mode_bars(const RunReport& report, const SweepView& view) {
       add_bars(shown_modes(report), figure);
     }
   }
-  figure.caption = "Estimated probability of each response mode with its " + number_text(100.0 * report.confidence) +
-                   " % interval, which holds for all modes of a condition at once; " + spoken_realisations(report) +
+  figure.caption = "Estimated probability of each response mode with its " + report.level() +
+                   " interval, which holds for all modes of a condition at once; " + spoken_realisations(report) +
                    '.';
   return figure;
 }
@@ -295,8 +295,8 @@ Figure mode_probabilities(const RunReport& report) {
   }
   figure.caption =
       "Estimated probability of each response mode (markers, joined to guide the eye) with its " +
-      number_text(100.0 * report.confidence) +
-      " % interval, which holds for all modes of a condition at once (ribbon, left out where a mode does not occur); " +
+      report.level() +
+      " interval, which holds for all modes of a condition at once (ribbon, left out where a mode does not occur); " +
       spoken_realisations(report) + '.';
   return figure;
 }

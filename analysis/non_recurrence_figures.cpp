@@ -28,7 +28,7 @@ void set_range(const SweepView& view, Panel& panel) {
 std::string name_of(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
 
 Table difference_table(const RunReport& report, const SweepView& view, const Slice& slice) {
-  const std::string level = number_text(100.0 * report.confidence) + " % interval";
+  const std::string level = report.level() + " interval";
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"n", "realisations"},
@@ -111,7 +111,7 @@ std::optional<Figure> non_recurrence(const RunReport& report) {
     add_curve(view.slices[i], i, {2, 3, 4}, figure);
   }
   figure.caption = "Probability that two runs of one condition, with other draws, differ in response mode, with its " +
-                   number_text(100.0 * report.confidence) + " % interval; " + spoken_realisations(report) + '.';
+                   report.level() + " interval; " + spoken_realisations(report) + '.';
   return figure;
 }
 

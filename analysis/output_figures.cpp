@@ -8,9 +8,11 @@
 #include "analysis/cost_figures.hpp"
 #include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
+#include "analysis/check_output.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/report/locate.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -24,6 +26,7 @@ struct Collection {
 void collect(const OutputFile& file, Collection& found) {
   const report::Json output = parsed_output(file.text);
   const std::string format = format_of(output);
+  check_output(output);
   if (format == "rocking.trajectory/1") {
     found.trajectories.push_back(read_trajectory(output, std::filesystem::path(file.path).stem().string()));
   } else if (format == "rocking.bifurcation/1") {
@@ -43,13 +46,6 @@ void collect(const OutputFile& file, Collection& found) {
   }
 }
 
-/// The same problems, with the file's path before their places.
-base::InputError with_path(const base::InputError& error, const std::string& path) {
-  std::vector<base::Problem> problems = error.problems();
-  for (base::Problem& problem : problems) problem.place = path + ": " + problem.place;
-  return base::InputError(std::move(problems));
-}
-
 void number_names(std::vector<Figure>& figures) {
   std::map<std::string, int> seen;
   for (Figure& figure : figures) {
@@ -65,7 +61,7 @@ std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const W
     try {
       collect(file, found);
     } catch (const base::InputError& error) {
-      throw with_path(error, file.path);
+      throw report::located(error, file.text, file.path);
     }
   }
   std::vector<Figure> figures;

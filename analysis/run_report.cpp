@@ -1,12 +1,15 @@
 #include "analysis/run_report.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/experiment/mode_family.hpp"
+#include "rocking/report/check_report.hpp"
 #include "rocking/report/parse_json.hpp"
 #include "rocking/report/read_report.hpp"
 #include "rocking/report/result_json.hpp"
+#include "rocking/report/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -38,16 +41,19 @@ std::optional<Difference> difference_from(const Json& json) {
                     .by_arithmetic = parting_from(json.at("parting_by_arithmetic"))};
 }
 
-ConditionReport condition_from(const Json& json) {
+ConditionReport condition_from(const Json& json, double confidence) {
   ConditionReport condition;
-  for (const auto& [pointer, value] : json.at("parameters").items()) condition.parameters.push_back(value);
+  condition.confidence = confidence;
+  for (const auto& [pointer, value] : json.at("parameters").items()) {
+    condition.parameters.push_back(value);
+    if (pointer == "/confidence") condition.confidence = value;
+  }
   condition.realisations = json.at("realisations");
   for (const auto& [name, probability] : json.at("probabilities").items()) {
     const auto mode = section::response_mode_named(name);
-    if (!mode) throw Json::other_error::create(501, "there is no response mode " + name, &json);
     condition.stopped_by_data = condition.stopped_by_data || probability.contains("anytime");
     const Json& interval = probability.contains("anytime") ? probability["anytime"] : probability.at("simultaneous");
-    condition.modes[*mode] = {.count = json.at("counts").at(name),
+    condition.modes[mode.value()] = {.count = json.at("counts").at(name),
                               .estimate = probability.at("estimate"),
                               .interval = interval_from(interval)};
   }
@@ -67,7 +73,7 @@ class RunReportBuilder {
   explicit RunReportBuilder(Json text) {
     report_.experiment = text.at("input").at("experiment");
     report_.title = report_.experiment.at("title");
-    report_.confidence = report_.experiment.at("confidence");
+    confidence_ = report_.experiment.at("confidence");
     report_.text = std::move(text);
     report_.text["result"]["conditions"] = Json::array();
   }
@@ -76,7 +82,7 @@ class RunReportBuilder {
     if (report_.conditions.empty()) {
       for (const auto& [pointer, value] : condition.at("parameters").items()) report_.swept.push_back(pointer);
     }
-    report_.conditions.push_back(condition_from(condition));
+    report_.conditions.push_back(condition_from(condition, confidence_));
     report_.text["result"]["conditions"].push_back(kept_of(condition));
   }
 
@@ -84,16 +90,8 @@ class RunReportBuilder {
 
  private:
   RunReport report_;
+  double confidence_ = 0.0;
 };
-
-RunReport run_report_from(Json json) {
-  const Json conditions = std::exchange(json.at("result").at("conditions"), Json::array());
-  static_cast<void>(conditions.at(0));  // there is one
-  json.erase("internal");
-  RunReportBuilder builder(std::move(json));
-  for (const Json& condition : conditions) builder.add(condition);
-  return builder.take();
-}
 
 }  // namespace
 
@@ -113,13 +111,20 @@ std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
   return found;
 }
 
-AnyShare share_of(const RunReport& report, const ConditionReport& condition, const section::ResponseMode& mode) {
+std::string RunReport::level() const {
+  const double first = conditions.front().confidence;
+  const bool differs = std::ranges::any_of(
+      conditions, [first](const ConditionReport& condition) { return condition.confidence != first; });
+  return differs ? "each condition's own confidence" : report::level_text(first) + " %";
+}
+
+AnyShare share_of(const ConditionReport& condition, const section::ResponseMode& mode) {
   if (const auto found = condition.modes.find(mode); found != condition.modes.end()) {
     const ModeShare& share = found->second;
     return {.count = share.count, .estimate = share.estimate, .interval = share.interval};
   }
   if (condition.stopped_by_data) return {};
-  const stats::Family family = experiment::mode_family(report.confidence);
+  const stats::Family family = experiment::mode_family(condition.confidence);
   const stats::Doubt doubt = experiment::is_foreseen(mode) ? family.of_foreseen() : family.of_unforeseen();
   return {.count = 0,
           .estimate = 0.0,
@@ -135,18 +140,21 @@ RunReport run_report_of(const experiment::Experiment& experiment, const experime
   return builder.take();
 }
 
+RunReport run_report_of(Json json) {
+  const Json conditions = std::exchange(json.at("result").at("conditions"), Json::array());
+  json.erase("internal");
+  RunReportBuilder builder(std::move(json));
+  for (const Json& condition : conditions) builder.add(condition);
+  return builder.take();
+}
+
 RunReport read_run_report(std::string_view text) {
   static_cast<void>(report::read_report(text));  // whether it is a report at all
   std::vector<base::Problem> problems;
   Json json = report::parse_json(text, problems);
-  try {
-    return run_report_from(std::move(json));
-  } catch (const Json::exception& error) {
-    throw base::InputError({.place = "/result",
-                            .value = "",
-                            .reason = std::string("is not as a report's: ") + error.what(),
-                            .remedy = "`rocking verify` says more; `rocking run` writes a new one"});
-  }
+  if (problems.empty()) problems = report::problems_of_report(json);
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+  return run_report_of(std::move(json));
 }
 
 }  // namespace rocking::analysis

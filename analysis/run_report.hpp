@@ -48,6 +48,7 @@ struct ConditionReport {
   std::map<section::ResponseMode, ModeShare> modes;
   std::optional<Difference> difference;  ///< absent with fewer than two realisations
   bool stopped_by_data = false;          ///< `until` was asked for
+  double confidence = 0.95;
 };
 
 struct RunReport {
@@ -55,25 +56,29 @@ struct RunReport {
   report::Json experiment;         ///< canonical, as in `input.experiment`
   std::vector<std::string> swept;  ///< JSON pointers, in the order of the sweep
   std::vector<ConditionReport> conditions;
-  double confidence = 0.95;
   report::Json text;  ///< the report without `internal`; of result.conditions only what a page tells in words
 
   /// Periods of a realisation, dropped and sampled; absent where a record and each condition's block decide.
   [[nodiscard]] std::optional<std::uint64_t> periods() const;
+  /// The confidence of the intervals, `95 %`; where a sweep changes it, the words that say so.
+  [[nodiscard]] std::string level() const;
   /// Response modes that occur anywhere, with how often.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
 };
 
 /// What a condition says of a mode. Of one that it does not list, since it never occurred there, the interval is the one
 /// that the report of such a mode would have.
-[[nodiscard]] AnyShare share_of(const RunReport& report, const ConditionReport& condition,
-                                const section::ResponseMode& mode);
+[[nodiscard]] AnyShare share_of(const ConditionReport& condition, const section::ResponseMode& mode);
 
 /// What reading a run's report.json would give, without its text.
 [[nodiscard]] RunReport run_report_of(const experiment::Experiment& experiment,
                                       const experiment::ExperimentResult& result, const report::SystemFacts& system);
 
-/// Reads the text of a report.json. Throws base::InputError where it is none.
+/// What figures and tables need of a report in which report::problems_of_report finds no problem.
+[[nodiscard]] RunReport run_report_of(report::Json report);
+
+/// Reads the text of a report.json and checks it. Throws base::InputError where it is none, or its parts contradict each
+/// other.
 [[nodiscard]] RunReport read_run_report(std::string_view text);
 
 }  // namespace rocking::analysis

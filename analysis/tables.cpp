@@ -155,7 +155,7 @@ std::string modes_latex(const RunReport& report) {
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
           "Response modes in per cent of $n$ realisations, with " +
-          latex_text(number_text(100.0 * report.confidence) + " %") +
+          latex_text(report.level()) +
           " intervals that hold for all modes of a condition at once.}\n";
   text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
           "}\n    \\toprule\n    ";

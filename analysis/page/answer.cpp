@@ -63,9 +63,9 @@ std::string overturning(const RunReport& report) {
   const Extreme worst = extreme_of(report, {.kind = ResponseKind::overturned});
   if (worst.share.count == 0) {
     return fmt::format(
-        "<p>No realisation overturned. In each condition the probability of overturning is below {} % with {:g} % "
+        "<p>No realisation overturned. In each condition the probability of overturning is below {} % with {} % "
         "confidence.</p>\n",
-        per_cent(worst.share.interval.high), 100.0 * report.confidence);
+        per_cent(worst.share.interval.high), report::level_text(report.conditions[worst.condition].confidence));
   }
   return fmt::format("<p>Overturning is most likely at {}: {}.</p>\n", escaped(condition_name(report, worst.condition)),
                      per_cent(worst.share.estimate, worst.share.interval));

@@ -21,7 +21,7 @@ using report::significant;
 constexpr std::size_t most_listed = 4;
 
 std::string number(const Json& value) {
-  return value.is_number() ? significant(value.get<double>(), 6) : report::brief(value);
+  return value.is_number() ? significant(value.get<double>(), 6) : escaped(report::brief(value));
 }
 
 /// Geometry of the block, as every later number is made from it.
@@ -84,7 +84,7 @@ std::string friction_in_brief(const RunReport& report) {
   for (const auto& [name, scatter] : experiment["fluctuation"].items()) {
     std::string spoken = name;
     for (char& c : spoken) c = c == '_' ? ' ' : c;
-    what += (what.empty() ? "" : ", ") + spoken;
+    what += (what.empty() ? "" : ", ") + escaped(spoken);
     if (scatter.contains("sigma")) what += " with &sigma; = " + number(scatter["sigma"]);
     if (scatter.contains("relative_sigma")) what += " with relative &sigma; = " + number(scatter["relative_sigma"]);
   }

@@ -13,6 +13,7 @@
 #include "rocking/experiment/bifurcation.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/report/files.hpp"
+#include "rocking/report/locate.hpp"
 #include "rocking/report/write_bifurcation.hpp"
 #include "run_folder.hpp"
 
@@ -50,9 +51,18 @@ std::optional<std::vector<experiment::Diagram>> draw(const experiment::Experimen
   return experiment::bifurcation(experiment, request.realisation, options);
 }
 
+/// Throws InputError, with the file and the line, where the experiment has no diagram.
+void refuse_without_diagrams(const experiment::Experiment& experiment, const std::string& file) {
+  try {
+    static_cast<void>(experiment::diagrams_of(experiment));
+  } catch (const base::InputError& error) {
+    throw report::located(error, report::read_file(file), file);
+  }
+}
+
 ExitCode bifurcation(const BifurcationRequest& request) {
   const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
-  static_cast<void>(experiment::diagrams_of(experiment));  // tells what is wrong before anything is made
+  refuse_without_diagrams(experiment, request.file);  // before anything is made
   const std::filesystem::path path(request.folder);
   const DiagramFiles files{.json = path / "bifurcation.json", .csv = path / "bifurcation.csv"};
   RunFolder folder(path);
@@ -71,7 +81,7 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   report::write_atomically(files.json, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("points: {}, {}\n", files.json.string(), files.csv.string());
-  print_result(request.labour.loudness.json ? text : title + report::bifurcation_table(drawn) + where);
+  print_result(request.labour.loudness.json ? text : base::printable(title + report::bifurcation_table(drawn) + where));
   return ExitCode::done;
 }
 

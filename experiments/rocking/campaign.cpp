@@ -20,6 +20,7 @@
 #include "rocking/experiment/run.hpp"
 #include "rocking/report/files.hpp"
 #include "rocking/report/mode_table.hpp"
+#include "rocking/report/text_table.hpp"
 #include "rocking/report/write_report.hpp"
 #include "running_estimate.hpp"
 #include "terminal.hpp"
@@ -74,13 +75,21 @@ std::string late_settling_of(const experiment::ExperimentResult& result) {
                      counted(count, "realisation"), 100.0 * least_held);
 }
 
+/// `95 %`; where conditions differ in it, the words that say so.
+std::string level_of(const experiment::Experiment& experiment) {
+  const double first = experiment.conditions.front().confidence;
+  const bool differs = std::ranges::any_of(experiment.conditions,
+                                           [first](const auto& condition) { return condition.confidence != first; });
+  return differs ? "(at the confidence of each condition)" : report::level_text(first) + " %";
+}
+
 std::string summary_of(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
   std::uint64_t realisations = 0;
   for (const auto& condition : result.conditions) realisations += condition.realisations;
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
   text += report::mode_table(experiment, result, table_look());
-  text += fmt::format("\nper cent of n realisations [simultaneous {:g} % interval{}]; {}, {}, of which {} unresolved\n",
-                      100.0 * experiment.conditions.front().confidence,
+  text += fmt::format("\nper cent of n realisations [simultaneous {} interval{}]; {}, {}, of which {} unresolved\n",
+                      level_of(experiment),
                       experiment.conditions.front().until ? ", whenever the run stopped" : "",
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
@@ -214,8 +223,9 @@ ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
   if (how.loudness.json) {
     print_result(write);
   } else {
-    print_result(summary_of(experiment, result) +
-                 fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string()));
+    const std::string where =
+        fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string());
+    print_result(base::printable(summary_of(experiment, result) + where));
   }
   if (failure) std::rethrow_exception(failure);
   return failures.tell(no_page_picture);

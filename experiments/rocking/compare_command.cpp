@@ -49,7 +49,7 @@ ExitCode compare(const CompareRequest& request) {
   const report::ComparedRuns runs{.first = &first.experiment,
                                   .second = &second.experiment,
                                   .conditions = experiment::compare(first.store, second.store, conditions)};
-  print_result(request.loudness.json ? report::comparison_text(runs) : report::comparison_table(runs));
+  print_result(request.loudness.json ? report::comparison_text(runs) : base::printable(report::comparison_table(runs)));
   return ExitCode::done;
 }
 

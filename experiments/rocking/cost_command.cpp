@@ -116,7 +116,7 @@ ExitCode cost(const CostRequest& request) {
     report::write_atomically(cost_file_in(request.folder), text);
     table += fmt::format("numbers: {}\n", cost_file_in(request.folder).string());
   }
-  print_result(request.labour.loudness.json ? text : table);
+  print_result(request.labour.loudness.json ? text : base::printable(table));
   return ExitCode::done;
 }
 

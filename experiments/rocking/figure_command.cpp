@@ -43,7 +43,7 @@ ExitCode draw(const FigureRequest& request) {
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
   const WrittenFigures written = write_figures(figures, request.folder);
   print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written.files}})
-                                     : fmt::format("{}\n", fmt::join(written.files, "\n")));
+                                     : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
   return written.failures.tell(no_figure);
 }
 

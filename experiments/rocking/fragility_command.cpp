@@ -63,7 +63,7 @@ ExitCode fragility(const FragilityRequest& request) {
     report::write_atomically(curve_file_in(request.output), text);
     table += fmt::format("numbers: {}\n", curve_file_in(request.output).string());
   }
-  print_result(request.loudness.json ? text : table);
+  print_result(request.loudness.json ? text : base::printable(table));
   return ExitCode::done;
 }
 

@@ -30,7 +30,7 @@ void print_result(const std::function<void(const report::TextSink& sink)>& write
   expect(std::fflush(stdout) == 0);
 }
 
-void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", text)); }
+void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", base::printable(text))); }
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 

@@ -68,7 +68,7 @@ ExitCode carry_out(const Action& action) {
   } catch (const base::Stopped&) {
     return fail(ExitCode::interrupted, "interrupted; the same command begins anew");
   } catch (const base::InputError& error) {
-    return fail(code_of(error), "the experiment cannot be used: " + listed_problems(error));
+    return fail(code_of(error), "the input cannot be used: " + listed_problems(error));
   } catch (const UsageError& error) {
     return fail(ExitCode::usage, error.what());
   } catch (const MissingInput& error) {

@@ -16,6 +16,7 @@
 #include "output.hpp"
 #include "page.hpp"
 #include "rocking/report/files.hpp"
+#include "rocking/report/locate.hpp"
 #include "rocking/report/mode_table.hpp"
 #include "rocking/report/write_facts.hpp"
 #include "run_folder.hpp"
@@ -44,10 +45,16 @@ analysis::RunReport load_report(const RunFolder& folder) {
             ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
             : folder.name() + ": holds no run (there is no report.json)");
   }
+  std::string text;
   try {
-    return analysis::read_run_report(report::read_file(folder.report_path()));
+    text = report::read_file(folder.report_path());
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
+  }
+  try {
+    return analysis::read_run_report(text);
+  } catch (const base::InputError& error) {
+    throw report::located(error, text, folder.report_path().string());
   }
 }
 
@@ -103,7 +110,7 @@ ExitCode report_again(const ReportRequest& request) {
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json
                    ? report::facts_text(std::vector<report::Fact>{{"written", written}})
-                   : fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n"));
+                   : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n")));
   const ExitCode page_code = of_the_page.tell(no_page_picture);
   const ExitCode figure_code = of_figures.tell(no_figure);
   return figure_code == ExitCode::done ? page_code : figure_code;

@@ -15,6 +15,7 @@
 #include "exit_code.hpp"
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/experiment/salvage.hpp"
 #include "rocking/report/files.hpp"
 #include "rocking/report/read_experiment.hpp"
@@ -27,6 +28,16 @@ std::filesystem::path first_free_name(const std::filesystem::path& folder) {
     std::filesystem::path name = folder / fmt::format("damaged-{}.sqlite", number);
     if (!std::filesystem::exists(name)) return name;
   }
+}
+
+/// SQLite opens no file whose absolute path, with the ending of its log, has more than 512 bytes.
+void expect_short_path(const std::filesystem::path& store) {
+  constexpr std::size_t longest = 512;
+  constexpr std::string_view longest_ending = ".new-journal";
+  const std::size_t length = std::filesystem::absolute(store).string().size() + longest_ending.size();
+  if (length <= longest) return;
+  throw UsageError(fmt::format("the path of the folder is {} bytes too long for SQLite ({} at most); choose a shorter one: {}",
+                               length - longest, longest, base::cut_to(store.parent_path().string(), 100)));
 }
 
 // Whether the open file is still the one of this name.
@@ -66,6 +77,7 @@ RunFolder::~RunFolder() {
 // A file of its own, open for writing: some network file systems lock nothing else. Who held the lock before may have removed
 // the file since it was opened here; a lock on it then guards nothing, and another try finds a new one.
 void RunFolder::claim() {
+  expect_short_path(store_path());
   report::ensure_writable(path_);
   while (lock_ < 0) {
     lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
@@ -121,6 +133,7 @@ bool RunFolder::has_store() const {
 }
 
 experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const {
+  expect_short_path(store_path());
   expect_installed();
   if (!has_store()) throw MissingInput(name() + ": holds no run (there is no realisations.sqlite)");
   report::expect_regular_file(store_path());

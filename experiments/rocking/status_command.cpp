@@ -96,7 +96,7 @@ std::vector<report::Fact> facts_of(const Standing& standing) {
 ExitCode status(const StatusRequest& request) {
   RunFolder folder(request.folder);
   const Standing standing = standing_of(folder);
-  print_result(request.loudness.json ? report::facts_text(facts_of(standing)) : to_text(request, standing));
+  print_result(request.loudness.json ? report::facts_text(facts_of(standing)) : base::printable(to_text(request, standing)));
   return ExitCode::done;
 }
 

@@ -23,7 +23,7 @@ ExitCode validate(const ValidateRequest& request) {
       print_result(report::validation_text(experiment));
     } else if (!request.loudness.quiet) {
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
-      print_result(fmt::format("{}: valid: {}\n", request.file, to_text(plan)));
+      print_result(base::printable(fmt::format("{}: valid: {}\n", request.file, to_text(plan))));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {

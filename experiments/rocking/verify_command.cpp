@@ -16,6 +16,7 @@
 #include "rocking/experiment/verification.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/report/files.hpp"
+#include "rocking/report/locate.hpp"
 #include "rocking/report/read_report.hpp"
 #include "rocking/report/write_facts.hpp"
 #include "run_folder.hpp"
@@ -43,13 +44,21 @@ std::string text_of(const std::filesystem::path& path) {
   }
 }
 
+report::ReportClaims claims_in(const std::string& text, const std::filesystem::path& path) {
+  try {
+    return report::read_report(text);
+  } catch (const base::InputError& error) {
+    throw report::located(error, text, path.string());
+  }
+}
+
 class Verifier {
  public:
   explicit Verifier(const VerifyRequest& request)
       : request_(&request),
         folder_(request.folder),
         report_(text_of(folder_.report_path())),
-        claims_(report::read_report(report_)) {}
+        claims_(claims_in(report_, folder_.report_path())) {}
 
   Findings check() {
     folder_.expect_installed();
@@ -147,10 +156,11 @@ ExitCode verify(const VerifyRequest& request) {
     print_result(report::facts_text(std::vector<report::Fact>{
         {"verified", right}, {"realisations_run_again", findings.checked}, {"findings", findings.wrong}}));
   } else if (right) {
-    print_result(fmt::format("{}: {} run again, all with the same bits; the report is what follows from them\n",
-                             request.folder, counted(findings.checked, "realisation")));
+    print_result(base::printable(fmt::format("{}: {} run again, all with the same bits; the report is what follows from them\n",
+                             request.folder, counted(findings.checked, "realisation"))));
   } else {
-    print_result(fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(findings.wrong, "\n  ")));
+    print_result(
+        base::printable(fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(findings.wrong, "\n  "))));
   }
   return right ? ExitCode::done : ExitCode::check_failed;
 }

@@ -95,9 +95,9 @@ TEST_F(Ranks, TellABadFileOnce) {
   write("bad.json", "{}");
   const auto outcome = shell(ranks(3, "run bad.json -o out"));
   EXPECT_EQ(outcome.exit_code, 65) << outcome.errors;
-  const auto first = outcome.errors.find("the experiment cannot be used");
+  const auto first = outcome.errors.find("the input cannot be used");
   ASSERT_NE(first, std::string::npos);
-  EXPECT_EQ(outcome.errors.find("the experiment cannot be used", first + 1), std::string::npos);
+  EXPECT_EQ(outcome.errors.find("the input cannot be used", first + 1), std::string::npos);
 }
 
 TEST_F(Ranks, AreAskedForWhereThisProgramHasNone) {

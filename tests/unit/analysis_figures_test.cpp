@@ -24,7 +24,7 @@ namespace {
 
 using rocking::analysis::Cell;
 using rocking::analysis::Figure;
-using rocking::analysis::read_run_report;
+using rocking::analysis::run_report_of;
 using rocking::analysis::run_figures;
 using rocking::analysis::RunReport;
 using rocking::analysis::Table;
@@ -53,7 +53,7 @@ double value(const Table& table, std::size_t row, const std::string& column) {
 
 TEST(ModeProbabilities, AreTheReportsToTheBit) {
   const Json text = sample_report();
-  const Figure figure = figure_named(read_run_report(text.dump()), "mode_probabilities");
+  const Figure figure = figure_named(run_report_of(text), "mode_probabilities");
   const Json& conditions = text["result"]["conditions"];
   ASSERT_EQ(figure.panels.size(), 2U);  // two frictions, three amplitudes
   for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -71,12 +71,12 @@ TEST(ModeProbabilities, AreTheReportsToTheBit) {
 TEST(ModeProbabilities, QuoteTheIntervalThatHoldsWheneverTheRunStopped) {
   Json text = sample_report();
   text["result"]["conditions"][0]["probabilities"]["(1,1)"]["anytime"] = {0.125, 0.875};
-  const Figure figure = figure_named(read_run_report(text.dump()), "mode_probabilities");
+  const Figure figure = figure_named(run_report_of(text), "mode_probabilities");
   EXPECT_EQ(value(figure.tables[0], 0, "(1,1)_low"), 0.125);
 }
 
 TEST(ModeBands, FillEveryConditionFromZeroToOne) {
-  const Figure figure = figure_named(read_run_report(sample_report().dump()), "mode_bands");
+  const Figure figure = figure_named(run_report_of(sample_report()), "mode_bands");
   for (std::size_t panel = 0; panel < figure.panels.size(); ++panel) {
     for (const auto& row : figure.tables[panel].rows) {
       double edge = 0.0;
@@ -117,7 +117,7 @@ TEST(DataFile, HasItsColumnsNamesAndEveryNumberInFull) {
 TEST(RunReport, IsRefusedByName) {
   const auto refusal = [](const Json& json) -> std::string {
     try {
-      static_cast<void>(read_run_report(json.dump()));
+      static_cast<void>(rocking::analysis::read_run_report(json.dump()));
     } catch (const rocking::base::InputError& error) {
       return error.what();
     }
@@ -143,7 +143,7 @@ class Drawn : public ::testing::Test {
 TEST_F(Drawn, TwiceGivesTheSameBytes) {
   const rocking::support::TemporaryFolder first;
   const rocking::support::TemporaryFolder second;
-  const auto figures = run_figures(read_run_report(sample_report().dump()));
+  const auto figures = run_figures(run_report_of(sample_report()));
   for (const Figure& figure : figures) {
     for (const auto* folder : {&first, &second}) {
       const auto drawing = write_figure(figure, *folder / "");
@@ -306,7 +306,7 @@ TEST(Drawing, SaysWhatIsMissingAndLeavesTheData) {
   const rocking::support::TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
-  const auto drawing = write_figure(figure_named(read_run_report(sample_report().dump()), "mode_bands"), folder / "");
+  const auto drawing = write_figure(figure_named(run_report_of(sample_report()), "mode_bands"), folder / "");
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(drawing.is_drawn());
   EXPECT_THAT(drawing.reason, HasSubstr("gnuplot-nox"));

@@ -26,7 +26,7 @@ using rocking::analysis::LayerKind;
 using rocking::analysis::normal_histogram;
 using rocking::analysis::output_figures;
 using rocking::analysis::poincare;
-using rocking::analysis::read_run_report;
+using rocking::analysis::run_report_of;
 using rocking::analysis::read_trajectory;
 using rocking::analysis::Table;
 using rocking::analysis::TrajectoryFile;
@@ -43,13 +43,19 @@ Json sample_trajectory() {
                 { "period": 2, "tilt": 0.125, "tilt_rate": 0.5, "slip": 0.0, "slip_rate": 0.0, "contact": "rock" } ],
     "events": [ { "tau": 0.1, "kind": "lift" }, { "tau": 0.15, "kind": "slip_start" },
                 { "tau": 0.35, "kind": "impact_stick" }, { "tau": 0.35, "kind": "past_balance" } ],
-    "samples_per_period": 4, "history": [], "termination": "reached_horizon" })");
-  for (Json& event : json["events"]) event.update({{"tilt", 0.0}, {"tilt_rate", 0.1}, {"slip", 0.01}});
+    "samples_per_period": 4, "history": [],
+    "validity": { "losses_of_contact": 0, "first_loss_of_contact": null, "contradictions": 0 },
+    "energy": { "at_start": 0.0, "at_end": 0.0, "base_work": 0.0, "friction_work": 0.0, "lost_in_impacts": 0.0,
+                "gained_in_impacts": 0.0, "unaccounted": 0.0 }, "termination": "reached_horizon" })");
+  for (Json& event : json["events"]) {
+    event.update({{"tilt", 0.0}, {"tilt_rate", 0.1}, {"slip", 0.01}, {"slip_rate", 0.0}});
+  }
   for (int i = 0; i <= 8; ++i) {
     json["history"].push_back({{"tau", 0.125 * i},
                                {"tilt", 0.01 * i},
                                {"tilt_rate", 0.0},
                                {"slip", -0.001 * i},
+                               {"slip_rate", 0.0},
                                {"contact", i == 0 ? "rest" : "rock"}});
   }
   return json;
@@ -218,7 +224,7 @@ TEST(OutputFigures, RefuseWithTheFilesName) {
 }
 
 TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
-  const auto report = read_run_report(sample_report().dump());
+  const auto report = run_report_of(sample_report());
   const std::string csv = modes_csv(report);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 4);
   EXPECT_THAT(csv,
@@ -229,7 +235,7 @@ TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
 TEST(Tables, SetTextForLatexSoThatItIsText) {
   Json json = sample_report();
   json["input"]["experiment"]["title"] = "50 % of #1_a \\input{x}";
-  const std::string latex = modes_latex(read_run_report(json.dump()));
+  const std::string latex = modes_latex(run_report_of(json));
   EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} Response"));
   EXPECT_THAT(latex, HasSubstr("0.35/0.3 & 4 & 30 & 83.3 ["));
 }

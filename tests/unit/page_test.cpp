@@ -50,7 +50,7 @@ const Json& quick_report() {
 }
 
 std::string page_of(const Json& json, const std::string& svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>") {
-  const RunReport report = read_run_report(json.dump());
+  const RunReport report = run_report_of(json);
   std::vector<DrawnFigure> drawn;
   for (const Figure& figure : run_figures(report)) drawn.push_back({figure, svg});
   return page_text(report, drawn);
@@ -93,7 +93,7 @@ std::string markup_of(std::string page) {
 }
 
 Check check_named(const Json& report, const std::string& name) {
-  for (const Check& check : checks_of(read_run_report(report.dump()))) {
+  for (const Check& check : checks_of(run_report_of(report))) {
     if (check.name == name) return check;
   }
   ADD_FAILURE() << name;
@@ -188,7 +188,7 @@ TEST(Page, SaysThatItHasNoPictures) {
 }
 
 TEST(Page, HasPicturesThatCutNoWordOff) {
-  for (const Figure& figure : run_figures(read_run_report(quick_report().dump()))) {
+  for (const Figure& figure : run_figures(run_report_of(quick_report()))) {
     Drawing drawing;
     const std::string svg = svg_of(figure, drawing);
     if (!drawing.is_drawn()) GTEST_SKIP() << "skipped: " << drawing.reason;
@@ -239,10 +239,10 @@ TEST(Page, AsksForALookWhereRealisationsRanOut) {
 }
 
 TEST(Page, TellsHowLikelyOverturningCanBe) {
-  EXPECT_THAT(responses_in_brief(read_run_report(quick_report().dump())), HasSubstr("No realisation overturned."));
+  EXPECT_THAT(responses_in_brief(run_report_of(quick_report())), HasSubstr("No realisation overturned."));
   Json report = changed("/result/conditions/1/counts/overturned", 3);
   report["result"]["conditions"][1]["probabilities"]["overturned"]["estimate"] = 0.75;
-  EXPECT_THAT(responses_in_brief(read_run_report(report.dump())),
+  EXPECT_THAT(responses_in_brief(run_report_of(report)),
               HasSubstr("Overturning is most likely at base amplitude 4.2: 75.0 %"));
 }
 

@@ -177,4 +177,38 @@ TEST(BadExperiment, KeepsAHugeValueOutOfTheMessage) {
   EXPECT_LE(problems[0].value.size(), 60U);
 }
 
+TEST(BadExperiment, TellsAFewOfAMillionUnknownKeys) {
+  std::string text = R"({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},)";
+  for (int i = 0; i < 200'000; ++i) text += "\"k" + std::to_string(i) + "\": 1,\n";
+  text += R"("excitation": {"amplitude": 1, "frequency_ratio": 1}, "sweep": [{"parameter": "/excitation/amplitude",
+             "from": 0, "to": 1000, "step": 0.01}]})";
+  try {
+    static_cast<void>(report::read_experiment(text));
+    ADD_FAILURE() << "accepted";
+  } catch (const base::InputError& error) {
+    EXPECT_LE(error.problems().size(), 20U);
+    EXPECT_THAT(error.what(), HasSubstr("199990 more keys"));
+  }
+}
+
+TEST(BadExperiment, WorksOutNoSweepBeyondTheLimit) {
+  auto document = with(example_experiment(), "/sweep", "[]");
+  for (int i = 0; i < 100; ++i) {
+    document["sweep"].push_back({{"parameter", "/friction/static"}, {"from", 0}, {"to", 999'999}, {"step", 1}});
+  }
+  EXPECT_FALSE(problems_of(document).empty());  // 10^8 values would take gigabytes
+  document["sweep"].push_back(document["sweep"][0]);
+  const auto problems = problems_of(document);
+  ASSERT_FALSE(problems.empty());
+  EXPECT_THAT(problems[0].reason, HasSubstr("more than 100 entries"));
+}
+
+TEST(BadExperiment, RefusesANormalTiltThatCanReachTheGround) {
+  const auto tilted = [](const char* law) { return with(least_experiment(), "/initial/tilt", law); };
+  EXPECT_TRUE(problems_of(tilted(R"({"normal": {"mean": 0.0, "sigma": 0.5}})")).empty());
+  const auto problems = problems_of(tilted(R"({"normal": {"mean": 0.0, "sigma": 5.0}})"));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].place, "/initial/tilt");
+}
+
 }  // namespace

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 namespace {
 
@@ -76,6 +76,19 @@ TEST(ParseJson, ReadsDoublesToTheBit) {
   for (const double x : {0.1, 1.0 / 3.0, 5e-324, 1.7976931348623157e308, -0.0}) {
     EXPECT_EQ(parse_json(Json(x).dump(), problems).get<double>(), x);
   }
+}
+
+TEST(ParseJson, RefusesANulByteWithItsPlace) {
+  EXPECT_EQ(refusal_of(std::string("{\n \"a\": 1}\0{}", 14)).place, "line 2, column 9");
+  EXPECT_THAT(refusal_of(std::string("\0", 1)).reason, ::testing::HasSubstr("NUL"));
+}
+
+TEST(ParseJson, TakesTimeInProportionToTheNumberOfKeys) {
+  std::string text = "{";
+  for (int i = 0; i < 1'000'000; ++i) text += "\"" + std::to_string(i) + "\":0,";
+  text.back() = '}';
+  std::vector<Problem> problems;
+  EXPECT_EQ(parse_json(text, problems).size(), 1'000'000U);  // comparing each key with each other would take hours
 }
 
 }  // namespace

@@ -135,8 +135,19 @@ TEST(RecordFault, OfTheColumnsPointsAtTheTimeStep) {
 TEST(RecordFault, IsToldForEveryLineButNotForThousands) {
   EXPECT_EQ(problems_of_record("a b\n0 1\nc d\n0 x\n").size(), 3U);
   std::string bad;
-  for (int i = 0; i < 10'000; ++i) bad += "x\n";
-  EXPECT_EQ(problems_of_record(bad, 0.1).size(), 20U);
+  for (int i = 0; i < 10'000; ++i) bad += "0 x\n";
+  EXPECT_EQ(problems_of_record(bad, 0.1).size(), 5U);
+}
+
+TEST(RecordFault, QuotesNothingOfAFileThatHoldsNoNumbers) {
+  for (const char* secret : {"root:x:0:0:root:/root:/bin/sh\nsecret:y\n", "-----BEGIN KEY-----\nsecret\n",
+                             "secret\n", "\x7f" "ELF\x01 secret\n", "secret words stand here\n"}) {
+    const auto problems = problems_of_record(secret);
+    ASSERT_EQ(problems.size(), 1U) << secret;
+    EXPECT_EQ(problems[0].place, "r.txt");
+    EXPECT_EQ(problems[0].value, "");
+    EXPECT_THAT(problems[0].reason, HasSubstr("not a text file of numbers"));
+  }
 }
 
 TEST(RecordFault, IsARecordOfMoreThanAMillionSamples) {

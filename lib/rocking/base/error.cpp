@@ -1,5 +1,6 @@
 #include "rocking/base/error.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace rocking::base {
@@ -14,14 +15,66 @@ std::string message_of(const std::vector<Problem>& problems) {
   return message;
 }
 
+/// Bytes of the letter that begins at `start` in UTF-8 (RFC 3629); 0 where none does.
+std::size_t letter_at(std::string_view text, std::size_t start) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(start);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  if (length == 0 || start + length > text.size()) return 0;
+  for (std::size_t i = start + 1; i < start + length; ++i) {
+    if ((byte(i) & 0xc0U) != 0x80U) return 0;
+  }
+  if (length < 3) return length;
+  const unsigned char second = byte(start + 1);
+  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
+  const bool no_letter = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
+  return overlong || no_letter ? 0 : length;
+}
+
+std::string escape_of(unsigned char byte) {
+  constexpr char digits[] = "0123456789abcdef";
+  return {'\\', 'x', digits[byte >> 4U], digits[byte & 15U]};
+}
+
 }  // namespace
 
 std::string to_string(const Problem& problem) {
-  std::string text = problem.place;
-  if (!problem.value.empty()) text.append(" = ").append(problem.value);
+  constexpr std::size_t longest_place = 160;
+  constexpr std::size_t longest_value = 80;
+  std::string text = problem.where.empty() ? "" : problem.where + ": ";
+  text += cut_to(problem.place, longest_place);
+  if (!problem.value.empty()) text.append(" = ").append(cut_to(problem.value, longest_value));
   text.append(": ").append(problem.reason);
   if (!problem.remedy.empty()) text.append("; ").append(problem.remedy);
-  return text;
+  return printable(text);
+}
+
+std::string printable(std::string_view text) {
+  std::string shown;
+  shown.reserve(text.size());
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = letter_at(text, i);
+    const auto first = static_cast<unsigned char>(text[i]);
+    const bool is_control = (first < 0x20 && first != '\n') || first == 0x7f;
+    const bool is_high_control = length == 2 && first == 0xc2 && static_cast<unsigned char>(text[i + 1]) < 0xa0;
+    if (length == 0 || is_control) {
+      shown += escape_of(first);
+    } else if (is_high_control) {
+      shown += escape_of(static_cast<unsigned char>(text[i + 1]));
+    } else {
+      shown += text.substr(i, length);
+    }
+    i += std::max<std::size_t>(length, 1);
+  }
+  return shown;
+}
+
+std::string cut_to(std::string_view text, std::size_t most) {
+  constexpr std::string_view dots = "...";
+  if (text.size() <= most) return std::string(text);
+  std::size_t end = most - std::min(most, dots.size());
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0U) == 0x80U) --end;
+  return std::string(text.substr(0, end)) += dots;
 }
 
 InputError::InputError(Problem problem) : InputError(std::vector<Problem>{std::move(problem)}) {}

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace rocking::base {
@@ -12,10 +13,19 @@ struct Problem {
   std::string value;   ///< what stands there, as written; empty where nothing does
   std::string reason;  ///< why it will not do
   std::string remedy;  ///< what would do; empty where the reason says it
+  std::string where = {};  ///< file and line of the place; empty where the place says it
 };
 
-/// `/block/width_m = -0.1: must be positive; give a number of metres`
+/// `a.json, line 3: /block/width_m = -0.1: must be positive; give a number of metres`. A long place or value is cut, and a
+/// control character in any part is shown as `\x1b`: the text goes to terminals.
 [[nodiscard]] std::string to_string(const Problem& problem);
+
+/// Text for a terminal or a message: a control character (and DEL, and those of Unicode up to U+009F) becomes `\x1b`, a
+/// byte that is not UTF-8 `\xff`. A new line stays.
+[[nodiscard]] std::string printable(std::string_view text);
+
+/// At most `most` bytes of a text in UTF-8; where it is longer its end becomes `...`, and no letter is cut in two.
+[[nodiscard]] std::string cut_to(std::string_view text, std::size_t most);
 
 /// Bad input. Carries every problem found, so that a user mends a file in one go.
 class InputError : public std::runtime_error {

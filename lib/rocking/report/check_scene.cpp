@@ -15,6 +15,10 @@ namespace {
 
 std::string shown(double number) { return significant(number, 6); }
 
+/// No draw of the sampler lies farther from the mean, in standard deviations: Box and Muller's radius of the smallest
+/// uniform number, 2^-53, is sqrt(-2 ln 2^-53) = 8.572.
+constexpr double largest_normal_draw = 8.6;
+
 class SceneChecker {
  public:
   SceneChecker(const experiment::Scene& scene, const Json& document, Problems& problems)
@@ -65,6 +69,9 @@ class SceneChecker {
     double largest = std::abs(mean_of(scene_.initial.tilt));
     if (const auto* uniform = std::get_if<experiment::Uniform>(&scene_.initial.tilt)) {
       largest = std::max(std::abs(uniform->low), std::abs(uniform->high));
+    }
+    if (const auto* normal = std::get_if<experiment::Normal>(&scene_.initial.tilt)) {
+      largest += largest_normal_draw * normal->sigma;
     }
     if (largest < overturned) return;
     reject("/initial/tilt",

@@ -164,7 +164,7 @@ std::string cost_table(const MeasuredCost& measured) {
          " conditions with the draws of the reference, the last line. Error: of the first " +
          std::to_string(experiment::cost_error_periods) +
          " periods;\nparted: motions that did before the horizon, per cent; changed: response modes, with the exact " +
-         significant(100.0 * confidence, 4) +
+         level_text(confidence) +
          " % interval of their\nshare, and of how much larger it is than at the second tightest, per cent; steps and "
          "processor "
          "time a period, with\n" +

@@ -19,6 +19,11 @@ std::string child_pointer(std::string_view parent, std::string_view key) {
 
 std::string brief(const Json& value) {
   constexpr std::size_t longest = 60;
+  if (value.is_string() && value.get_ref<const std::string&>().size() > longest) {
+    // Only the beginning: the rest may be many megabytes.
+    const std::string start = value.get_ref<const std::string&>().substr(0, longest);
+    return Json(start).dump(-1, ' ', true, Json::error_handler_t::replace).substr(0, longest - 3) + "...";
+  }
   // ASCII only: cutting cannot then split a character in two.
   std::string text = value.dump(-1, ' ', true, Json::error_handler_t::replace);
   if (text.size() > longest) text = text.substr(0, longest - 3) + "...";

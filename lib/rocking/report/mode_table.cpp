@@ -127,11 +127,22 @@ Layout layout_of(std::size_t used, std::size_t occurring, const TableLook& look)
   return {.modes = modes, .bar = std::min(longest_bar, shortest_bar + left)};
 }
 
+/// In six digits, or as many more as a number just below 1 takes to differ from it.
+std::string digits_of(double number) {
+  constexpr int most_digits = 17;
+  std::string text;
+  for (int digits = 6; digits <= most_digits; ++digits) {
+    text = significant(number, digits);
+    if (text != "1" || number >= 1.0) break;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string short_value(const experiment::Parameter& parameter) {
   const Json value = Json::parse(parameter.value);
-  if (value.is_number_float()) return significant(value.get<double>(), 6);
+  if (value.is_number_float()) return digits_of(value.get<double>());
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_object()) return brief(value);
   std::string text;

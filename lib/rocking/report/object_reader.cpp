@@ -9,6 +9,8 @@
 namespace rocking::report {
 namespace {
 
+constexpr std::size_t most_unknown_keys = 10;
+
 std::string such_as(std::string_view example) { return "give a value such as " + std::string(example); }
 
 std::string wrong_type(std::string_view wanted, const Json& value) {
@@ -165,9 +167,16 @@ void ObjectReader::report_missing(std::string_view key, std::string_view example
 }
 
 Json ObjectReader::finish() {
+  std::size_t unknown = 0;
   for (const auto& [key, found] : source_->items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
+    if (++unknown > most_unknown_keys) continue;
     problems_->push_back({place_of(key), brief(found), "is not a key of this format", correction(key, known_)});
+  }
+  if (unknown > most_unknown_keys) {
+    problems_->push_back({place_.empty() ? "the file" : place_, "",
+                          "holds " + std::to_string(unknown - most_unknown_keys) + " more keys that are not of this format",
+                          "see `rocking schema`"});
   }
   return std::move(canonical_);
 }

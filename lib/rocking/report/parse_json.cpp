@@ -4,11 +4,13 @@
 #include <cctype>
 #include <list>
 #include <string>
+#include <unordered_set>
 #include <utility>
 
 namespace rocking::report {
 namespace {
 
+constexpr std::size_t most_repeated = 20;
 constexpr std::size_t deepest = 32;  // our formats need 5; unbounded nesting would exhaust the stack
 
 std::string place_of(std::string_view text, std::size_t position) {
@@ -62,10 +64,13 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   bool end_array() override { return close(); }
 
   bool key(string_t& name) override {
-    open_.back().key = name;
-    if (!open_.back().node->contains(name)) return true;
-    problems_.push_back(
-        {.place = pointer(), .value = "", .reason = "this key stands twice", .remedy = "keep one of them"});
+    Frame& frame = open_.back();
+    frame.key = name;
+    frame.is_repeated = !frame.keys.insert(name).second;
+    if (frame.is_repeated && repeated_++ < most_repeated) {
+      problems_.push_back(
+          {.place = pointer(), .value = "", .reason = "this key stands twice", .remedy = "keep one of them"});
+    }
     return true;
   }
 
@@ -92,6 +97,8 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   struct Frame {
     Json* node;
     std::string key;
+    bool is_repeated = false;                   ///< the key has a value already
+    std::unordered_set<std::string> keys = {};  ///< of an object: the document finds a key by looking at all of them
   };
 
   // What the parser says, without its number, its place and what it read last.
@@ -119,10 +126,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
       parent.node->push_back(std::move(value));
       return &parent.node->back();
     }
-    if (parent.node->contains(parent.key)) {  // a key's second value: read, and dropped
-      return &dropped_.emplace_back(std::move(value));
-    }
-    return &((*parent.node)[parent.key] = std::move(value));
+    if (parent.is_repeated) return &dropped_.emplace_back(std::move(value));  // read, and dropped
+    auto& members = parent.node->get_ref<Json::object_t&>();
+    members.emplace_back(parent.key, std::move(value));
+    return &members.back().second;
   }
 
   bool open(Json container) {
@@ -157,11 +164,19 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   Json root_;
   std::list<Json> dropped_;  // a list: open frames point into it
   std::vector<Frame> open_;
+  std::size_t repeated_ = 0;
 };
 
 }  // namespace
 
 Json parse_json(std::string_view text, std::vector<base::Problem>& problems) {
+  // The parser would take it for the end of the text.
+  if (const std::size_t position = text.find('\0'); position != std::string_view::npos) {
+    throw base::InputError({.place = place_of(text, position + 1),
+                            .value = "",
+                            .reason = "a NUL byte, which JSON does not allow",
+                            .remedy = "take it out; the file may be damaged, or not be text in UTF-8"});
+  }
   DocumentBuilder builder(text, problems);
   Json::sax_parse(text.begin(), text.end(), &builder);
   return builder.take();

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/report/check_scene.hpp"
+#include "rocking/report/locate.hpp"
 #include "rocking/report/parse_json.hpp"
 #include "rocking/report/read_question.hpp"
 #include "rocking/report/sweep.hpp"
@@ -14,7 +15,7 @@ namespace rocking::report {
 namespace {
 
 constexpr std::size_t most_bytes = 64'000'000;
-constexpr std::size_t most_problems = 100;  // a bad sweep must not bury its first message
+constexpr std::size_t most_problems = 20;  // a bad sweep must not bury its first message
 
 // Replaces values of the file by those of the command line.
 void apply(const Overrides& overrides, Json& document) {
@@ -53,8 +54,9 @@ class ExperimentBuilder {
     const bool swept = document_.is_object() && document_.contains("sweep");
     if (swept) read_axes(base.canonical, overrides, found);
     merge(found, "");
-    if (document_.is_object()) build_conditions();
+    if (document_.is_object() && problems_.size() < most_problems) build_conditions();
     name_flags(overrides, problems_);
+    if (problems_.size() > most_problems) problems_.resize(most_problems);
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
     if (swept) base.canonical["sweep"] = canonical_sweep();
     return {.title = base.title,
@@ -192,7 +194,11 @@ experiment::Experiment read_experiment_file(const std::filesystem::path& path, c
                             .reason = "is longer than 64 MB",
                             .remedy = "give a range in place of a list of values"});
   }
-  return read_experiment(text, overrides, {.files = files_seen_from(path.parent_path())});
+  try {
+    return read_experiment(text, overrides, {.files = files_seen_from(path.parent_path())});
+  } catch (const base::InputError& error) {
+    throw located(error, text, path.string());
+  }
 }
 
 }  // namespace rocking::report

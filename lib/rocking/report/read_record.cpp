@@ -1,5 +1,6 @@
 #include "rocking/report/read_record.hpp"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <system_error>
@@ -9,7 +10,7 @@
 namespace rocking::report {
 namespace {
 
-constexpr std::size_t most_bad_lines = 20;
+constexpr std::size_t most_bad_lines = 5;
 constexpr double longest_record = 1e7;  // [s]; far beyond any shaking, and safe from overflow when counted in periods
 constexpr double largest_acceleration = 1e6;  // [m/s^2]
 
@@ -35,11 +36,20 @@ void split(std::string_view line, std::vector<std::string_view>& fields) {
   }
 }
 
+/// Whether a field is a number and nothing else.
+bool is_number(std::string_view field) {
+  if (field.starts_with('+')) field.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  return !field.empty() && error != std::errc::invalid_argument && end == field.data() + field.size();
+}
+
 class RecordReader {
  public:
   RecordReader(const RecordReading& how, Problems& problems) : how_(how), problems_(problems) {}
 
   std::optional<experiment::GroundMotion> read(std::string_view text) {
+    const std::size_t problems_before = problems_.size();
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
     while (!text.empty() && goes_on()) {
@@ -49,6 +59,10 @@ class RecordReader {
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     }
     if (bad_lines_ == 0) check_whole();
+    if (bad_lines_ != 0 && line_ > 0 && !holds_numbers_ && columns_seen_) {
+      problems_.erase(problems_.begin() + static_cast<std::ptrdiff_t>(problems_before), problems_.end());
+      reject_file("is not a text file of numbers", "give a file with a line of numbers for each sample");
+    }
     if (bad_lines_ != 0) return std::nullopt;
     motion_.has_vertical = columns_ == first_value() + 2;
     return std::move(motion_);
@@ -74,7 +88,10 @@ class RecordReader {
   void read_line(std::string_view line) {
     line = line.substr(0, line.find('#'));
     split(line, fields_);
-    if (fields_.empty() || !has_columns(line)) return;
+    if (fields_.empty()) return;
+    columns_seen_ = true;
+    holds_numbers_ = holds_numbers_ || std::ranges::any_of(fields_, is_number);
+    if (!has_columns(line)) return;
     double values[3] = {0.0, 0.0, 0.0};
     for (std::size_t i = 0; i < fields_.size(); ++i) {
       const auto value = number(fields_[i]);
@@ -175,6 +192,8 @@ class RecordReader {
   std::size_t columns_ = 0;  ///< of the first line that has any; 0 before it
   std::size_t line_ = 0;
   std::size_t bad_lines_ = 0;
+  bool columns_seen_ = false;   ///< in any line
+  bool holds_numbers_ = false;  ///< some field of some line is a number
 };
 
 }  // namespace

@@ -26,6 +26,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::optional<std::string> nearest_word(std::string_view written, std::span<const std::string> words) {
+  constexpr std::size_t longest = 100;  // no word of ours is that long, and the distance takes time
+  if (written.size() > longest) return std::nullopt;
   std::optional<std::string> nearest;
   std::size_t least = 0;
   for (const std::string& word : words) {

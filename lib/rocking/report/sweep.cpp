@@ -38,6 +38,8 @@ std::vector<std::string> pointers_into(const Json& document) {
   return pointers;
 }
 
+constexpr std::size_t most_axes = 100;
+
 class AxisReader {
  public:
   AxisReader(ObjectReader& in, const Json& base, std::size_t most) : in_(in), base_(base), most_(most) {}
@@ -168,7 +170,12 @@ std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size
         {"/sweep", brief(sweep), "must be a list of at least one entry", "leave \"sweep\" out to run one condition"});
     return axes;
   }
-  for (std::size_t i = 0; i < sweep.size(); ++i) {
+  if (sweep.size() > most_axes) {
+    problems.push_back({"/sweep", "", "has more than " + std::to_string(most_axes) + " entries", "give fewer entries"});
+    return axes;
+  }
+  // What is beyond the limit is not worked out: many entries of a million points each would not fit into memory.
+  for (std::size_t i = 0; i < sweep.size() && grid_size(axes) <= most; ++i) {
     ObjectReader in(sweep[i], "/sweep/" + std::to_string(i), problems);
     axes.push_back(AxisReader(in, base, most).read());
     static_cast<void>(in.finish());

@@ -33,6 +33,16 @@ std::string per_cent(const stats::Interval& interval, int decimals) {
   return '[' + per_cent(interval.low, decimals) + ", " + per_cent(interval.high, decimals) + ']';
 }
 
+std::string level_text(double confidence) {
+  constexpr int most_digits = 17;
+  std::string text;
+  for (int digits = 6; digits <= most_digits; ++digits) {
+    text = significant(100.0 * confidence, digits);
+    if (text != "100") break;
+  }
+  return text;
+}
+
 std::string aligned(const std::vector<TextRow>& rows) {
   if (rows.empty()) return {};
   std::vector<std::size_t> widths(rows.front().size(), 0);

@@ -21,6 +21,9 @@ namespace rocking::report {
 /// Likewise both ends, in brackets.
 [[nodiscard]] std::string per_cent(const stats::Interval& interval, int decimals = 1);
 
+/// A level of confidence in per cent, in as many digits as tell it from 0 and from 1: `95`, `99.9`, `99.9999999999`.
+[[nodiscard]] std::string level_text(double confidence);
+
 /// How many letters a text in UTF-8 has.
 [[nodiscard]] std::size_t letters_in(std::string_view text);
 

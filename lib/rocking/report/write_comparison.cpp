@@ -94,7 +94,7 @@ std::string comparison_table(const ComparedRuns& runs) {
   }
   return text + aligned(rows) +
          "\nper cent of n realisations with common draws; difference = first - second with its exact " +
-         per_cent(confidence_of(runs)) + " % interval;\np: exact McNemar test, one of " +
+         level_text(confidence_of(runs)) + " % interval;\np: exact McNemar test, one of " +
          std::to_string(number_of_tests(runs)) + "; worth: variance of independent draws over that of common ones\n";
 }
 

@@ -4,13 +4,19 @@
 #include "rocking/report/json.hpp"
 
 namespace rocking::report {
+namespace {
+
+/// Names of files may hold bytes that are not UTF-8; JSON cannot. Each becomes U+FFFD.
+std::string dump_of(const Json& json) { return json.dump(2, ' ', false, Json::error_handler_t::replace); }
+
+}  // namespace
 
 std::string facts_text(std::span<const Fact> facts) {
   Json json = Json::object();
   for (const Fact& fact : facts) {
     std::visit([&](const auto& value) { json[fact.name] = value; }, fact.value);
   }
-  return json.dump(2) + '\n';
+  return dump_of(json) + '\n';
 }
 
 std::string validation_text(const experiment::Experiment& experiment) {
@@ -19,7 +25,7 @@ std::string validation_text(const experiment::Experiment& experiment) {
   json["conditions"] = experiment.conditions.size();
   json["sha256"] = base::to_hex(base::sha256(experiment.canonical_text));
   json["experiment"] = Json::parse(experiment.canonical_text);
-  return json.dump(2) + '\n';
+  return dump_of(json) + '\n';
 }
 
 std::string validation_text(std::span<const base::Problem> problems) {
@@ -29,12 +35,13 @@ std::string validation_text(std::span<const base::Problem> problems) {
   for (const base::Problem& problem : problems) {
     Json entry = Json::object();
     entry["place"] = problem.place;
+    if (!problem.where.empty()) entry["where"] = problem.where;
     entry["value"] = problem.value;
     entry["reason"] = problem.reason;
     entry["remedy"] = problem.remedy;
     list.push_back(std::move(entry));
   }
-  return json.dump(2) + '\n';
+  return dump_of(json) + '\n';
 }
 
 }  // namespace rocking::report

@@ -1,0 +1,123 @@
+#include "analysis/check_output.hpp"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "analysis/output_file.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/report/check_document.hpp"
+#include "rocking/section/response_mode.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using report::Json;
+using report::Problems;
+
+void reject(Problems& problems, const std::string& place, const std::string& reason) {
+  problems.push_back({place, "", reason, "let the command write the file again"});
+}
+
+/// The title of the experiment that an output quotes.
+void check_quoted_experiment(const Json& output, Problems& problems) {
+  const Json& experiment = output["input"]["experiment"];
+  if (!experiment.contains("title") || !experiment["title"].is_string()) {
+    reject(problems, "/input/experiment/title", "is missing, or is not text");
+  }
+}
+
+void check_mode(const Json& name, const std::string& place, Problems& problems) {
+  if (!section::response_mode_named(name.get_ref<const std::string&>())) {
+    reject(problems, place, "is not a response mode");
+  }
+}
+
+void check_bifurcation(const Json& output, Problems& problems) {
+  check_quoted_experiment(output, problems);
+  for (std::size_t i = 0; i < output["diagrams"].size(); ++i) {
+    const Json& steps = output["diagrams"][i]["steps"];
+    for (std::size_t j = 0; j < steps.size() && problems.empty(); ++j) {
+      check_mode(steps[j]["mode"], "/diagrams/" + std::to_string(i) + "/steps/" + std::to_string(j) + "/mode", problems);
+    }
+  }
+}
+
+void check_cost(const Json& output, Problems& problems) {
+  check_quoted_experiment(output, problems);
+  const Json::json_pointer tolerance("/input/experiment/accuracy/tolerance");
+  if (!output.contains(tolerance) || !output.at(tolerance).is_number()) {
+    reject(problems, tolerance.to_string(), "is missing, or is not a number");
+  }
+  const Json& tolerances = output["result"]["tolerances"];
+  if (output["system"]["processor_s_per_period"].size() != tolerances.size()) {
+    reject(problems, "/system/processor_s_per_period", "has another length than /result/tolerances");
+  }
+}
+
+void check_fragility(const Json& output, Problems& problems) {
+  for (std::size_t i = 0; i < output["curves"].size(); ++i) {
+    const std::string place = "/curves/" + std::to_string(i) + "/levels";
+    const Json& levels = output["curves"][i]["levels"];
+    for (std::size_t j = 0; j < levels.size(); ++j) {
+      if (levels[j]["overturned"] > levels[j]["realisations"]) {
+        reject(problems, place + '/' + std::to_string(j) + "/overturned", "is more than the realisations");
+      }
+      if (levels[j]["exact"][0] > levels[j]["exact"][1]) {
+        reject(problems, place + '/' + std::to_string(j) + "/exact", "begins above its end");
+      }
+      if (j > 0 && levels[j]["intensity"] <= levels[j - 1]["intensity"]) {
+        reject(problems, place + '/' + std::to_string(j) + "/intensity", "is not above that of the level before");
+      }
+      if (!problems.empty()) return;
+    }
+  }
+}
+
+void check_histogram(const Json& output, Problems& problems) {
+  const Json& histogram = output["histogram"];
+  for (const char* key : {"counts", "expected"}) {
+    if (histogram[key].size() + 1 == histogram["edges"].size()) continue;
+    reject(problems, std::string("/histogram/") + key, "must have one value for each bin between two edges");
+  }
+  for (std::size_t i = 1; i < histogram["edges"].size(); ++i) {
+    if (histogram["edges"][i] > histogram["edges"][i - 1]) continue;
+    return reject(problems, "/histogram/edges/" + std::to_string(i), "is not above the edge before");
+  }
+}
+
+void check_trajectory(const Json& output, Problems& problems) {
+  const bool sampled = output.contains("samples_per_period");
+  if (output.contains("history") != sampled) {
+    return reject(problems, "/history", "and samples_per_period stand together or not at all");
+  }
+  if (!sampled) return;
+  const Json& history = output["history"];
+  for (std::size_t i = 1; i < history.size(); ++i) {
+    if (history[i]["tau"] > history[i - 1]["tau"]) continue;
+    return reject(problems, "/history/" + std::to_string(i) + "/tau", "is not later than the sample before");
+  }
+}
+
+struct Format {
+  const char* schema;
+  void (*check)(const Json&, Problems&);
+};
+
+}  // namespace
+
+void check_output(const Json& output) {
+  static const std::map<std::string, Format> formats{{"rocking.trajectory/1", {"trajectory", check_trajectory}},
+                                                     {"rocking.bifurcation/1", {"bifurcation", check_bifurcation}},
+                                                     {"rocking.cost/1", {"cost", check_cost}},
+                                                     {"rocking.fragility/1", {"fragility", check_fragility}},
+                                                     {"rocking.check_normal/1", {"check_normal", check_histogram}}};
+  const auto format = formats.find(format_of(output));
+  if (format == formats.end()) return;
+  Problems problems;
+  report::check_document(output, format->second.schema, "", problems);
+  if (problems.empty()) format->second.check(output, problems);
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "analysis/gnuplot_script.hpp"
+#include "analysis/data_file.hpp"
+#include "analysis/output_figures.hpp"
+#include "analysis/page/page.hpp"
+#include "analysis/run_figures.hpp"
+#include "analysis/run_report.hpp"
+#include "analysis/tables.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/report/read_report.hpp"
+
+/// What the commands do with files that rocking wrote and somebody may have changed, without drawing and without files.
+namespace rocking::fuzz {
+
+enum class Reading : std::uint8_t { used, refused };
+
+/// `rocking report` with every format. Throws what is not a refusal.
+inline Reading try_report(std::string_view text) {
+  try {
+    const analysis::RunReport report = analysis::read_run_report(text);
+    std::vector<analysis::DrawnFigure> drawn;
+    for (analysis::Figure& figure : analysis::run_figures(report)) {
+      static_cast<void>(analysis::script_text(figure));
+      static_cast<void>(analysis::data_text(figure));
+      drawn.push_back({.figure = std::move(figure), .svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>"});
+    }
+    const std::string page = analysis::page_text(report, drawn);
+    if (page.find("<script>alert") != std::string::npos) throw std::logic_error("text of a report runs in its page");
+    static_cast<void>(analysis::modes_csv(report));
+    static_cast<void>(analysis::non_recurrence_csv(report));
+    static_cast<void>(analysis::modes_latex(report));
+    return Reading::used;
+  } catch (const base::InputError& error) {
+    if (error.problems().empty()) throw std::logic_error("a refusal without a reason");
+    return Reading::refused;
+  }
+}
+
+/// What `rocking verify` reads of a report before it runs anything.
+inline Reading try_claims(std::string_view text) {
+  try {
+    static_cast<void>(report::read_report(text));
+    return Reading::used;
+  } catch (const base::InputError&) {
+    return Reading::refused;
+  }
+}
+
+/// `rocking figure`.
+inline Reading try_output(const std::string& text) {
+  try {
+    for (const analysis::Figure& figure : analysis::output_figures({{.path = "file.json", .text = text}}, {})) {
+      static_cast<void>(analysis::script_text(figure));
+      static_cast<void>(analysis::data_text(figure));
+    }
+    return Reading::used;
+  } catch (const base::InputError& error) {
+    if (error.problems().empty()) throw std::logic_error("a refusal without a reason");
+    return Reading::refused;
+  }
+}
+
+}  // namespace rocking::fuzz

@@ -8,8 +8,8 @@
 #include "output.hpp"
 #include "plan.hpp"
 #include "realisation_list.hpp"
-#include "rocking/experiment/run.hpp"
 #include "rocking/experiment/results_version.hpp"
+#include "rocking/experiment/run.hpp"
 #include "rocking/experiment/salvage.hpp"
 #include "run_folder.hpp"
 

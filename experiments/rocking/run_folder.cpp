@@ -159,10 +159,10 @@ RunFolder::Renewal RunFolder::renew_store(experiment::Store former, const experi
     renewal.realisations = experiment::salvage(experiment, former, store);
     const bool same_results = former.identity().results == identity.results;
     if (renewal.realisations == 0 && same_results && has_rows(former)) {
-      throw experiment::sqlite::UnusableFile(
-          fmt::format("{}: is damaged: not one of its realisations belongs to the experiment that it names, which may be "
-                      "that of another store; run the experiment anew, with --overwrite",
-                      store_path().string()));
+      throw experiment::sqlite::UnusableFile(fmt::format(
+          "{}: is damaged: not one of its realisations belongs to the experiment that it names, which may be "
+          "that of another store; run the experiment anew, with --overwrite",
+          store_path().string()));
     }
     store.close_up();
   }

@@ -40,7 +40,8 @@ double rate_of(const RunFolder& folder) {
 }
 
 bool has_no_answer(const experiment::Summary& summary) {
-  return summary.termination == dynamics::Termination::painleve || summary.termination == dynamics::Termination::stopped;
+  return summary.termination == dynamics::Termination::painleve ||
+         summary.termination == dynamics::Termination::stopped;
 }
 
 Standing standing_of(RunFolder& folder) {

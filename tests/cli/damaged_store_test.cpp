@@ -140,8 +140,8 @@ TEST_F(DamagedRun, IsRefusedWhereItsIdentityWasEdited) {
         "UPDATE identity SET part = -1, parts = 2", "UPDATE identity SET results = results + 1",
         "UPDATE identity SET experiment_sha256 = 'x'", "UPDATE identity SET code = 'x'",
         "INSERT INTO identity SELECT * FROM identity", "DELETE FROM identity", "UPDATE identity SET checksum = 'x'",
-        "PRAGMA user_version = 0", "PRAGMA user_version = 1", "PRAGMA user_version = -7",
-        "PRAGMA application_id = 0", "DROP TABLE identity", "DROP TABLE realisations"}) {
+        "PRAGMA user_version = 0", "PRAGMA user_version = 1", "PRAGMA user_version = -7", "PRAGMA application_id = 0",
+        "DROP TABLE identity", "DROP TABLE realisations"}) {
     for (const char* command : {"status out", "resume out", "verify out", "report out --format html", "merge m out"}) {
       change_store(change);
       const Outcome outcome = plainly(command);
@@ -173,8 +173,8 @@ TEST_F(DamagedRun, OfALaterLayoutIsRefusedWithTheVersionThatWroteIt) {
   change_store("PRAGMA user_version = 3; UPDATE identity SET code = '0.9.0 fedcba987654'");
   const Outcome refused = plainly("resume out");
   EXPECT_EQ(refused.exit_code, 65);
-  EXPECT_THAT(refused.errors, AllOf(HasSubstr("was written by rocking 0.9.0 fedcba987654 in layout 3"),
-                                    HasSubstr("layouts up to 2")));
+  EXPECT_THAT(refused.errors,
+              AllOf(HasSubstr("was written by rocking 0.9.0 fedcba987654 in layout 3"), HasSubstr("layouts up to 2")));
 }
 
 TEST_F(DamagedRun, DoesNotGrowWhereItsHeaderCountsTooManyPages) {
@@ -201,7 +201,8 @@ TEST_F(DamagedRun, OfWhichTheStoreIsEmptyBeginsAnew) {
 
 TEST_F(DamagedRun, TakesNoLogOfAnotherStore) {
   // What a killed run leaves, of another seed; its user removes the store and not the log.
-  const Outcome killed = shell("'" ROCKING_PROGRAM "' run question.json -q -o out --seed 7 --realisations 100000 & "
+  const Outcome killed = shell("'" ROCKING_PROGRAM
+                               "' run question.json -q -o out --seed 7 --realisations 100000 & "
                                "child=$!; until test -s out/realisations.sqlite-wal; do sleep 0.01; done; sleep 0.3; "
                                "kill -9 $child; rm out/realisations.sqlite");
   ASSERT_TRUE(exists("out/realisations.sqlite-wal"));
@@ -224,7 +225,8 @@ TEST_F(DamagedRun, LeavesTheLockOfAnotherProcess) {
   ASSERT_EQ(plainly("run question.json -q -o out").exit_code, 0);
   EXPECT_EQ(read("out/.lock"), "17\n") << "another program's";
 
-  const Outcome replaced = shell("'" ROCKING_PROGRAM "' run question.json -q -o busy --realisations 100000 & child=$!; "
+  const Outcome replaced = shell("'" ROCKING_PROGRAM
+                                 "' run question.json -q -o busy --realisations 100000 & child=$!; "
                                  "until test -e busy/.lock; do sleep 0.01; done; sleep 0.2; rm busy/.lock; "
                                  "touch busy/.lock; kill -INT $child; wait $child; test -e busy/.lock");
   EXPECT_EQ(replaced.exit_code, 0) << "put there by another process while the run was at work";

@@ -94,14 +94,15 @@ TEST_F(FormerStore, OfARevisionWithOtherResultsIsNotResumed) {
     experiment = store.identity().experiment;
     files = store.identity().files;
   }
-  for (const std::string& text : {experiment, std::string("0.1.0 0123456789ab"), std::string("rocking.draws/1"), files}) {
+  for (const std::string& text :
+       {experiment, std::string("0.1.0 0123456789ab"), std::string("rocking.draws/1"), files}) {
     sum.add(std::uint64_t{text.size()});
     sum.add(text);
   }
   sum.add(std::uint64_t{0});
   sum.add(std::uint64_t{0});
-  change("stopped", "UPDATE identity SET code = '0.1.0 0123456789ab', checksum = '" +
-                        rocking::base::to_hex(sum.finish()) + "'");
+  change("stopped",
+         "UPDATE identity SET code = '0.1.0 0123456789ab', checksum = '" + rocking::base::to_hex(sum.finish()) + "'");
   const auto refused = rocking("resume stopped");
   EXPECT_EQ(refused.exit_code, 74) << refused.errors;
   EXPECT_THAT(refused.errors, HasSubstr("0.1.0 0123456789ab"));

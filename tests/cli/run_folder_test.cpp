@@ -106,17 +106,24 @@ TEST_F(RunFolder, ResumeAsksForARun) {
   EXPECT_FALSE(exists("absent")) << "it must not make what it did not find";
 }
 
-TEST_F(RunFolder, IsNotResumedByAnotherVersion) {
+TEST_F(RunFolder, IsResumedByAnotherVersionWhereItsResultsAreTheSame) {
   namespace experiment = rocking::experiment;
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
   const std::filesystem::path path = folder_ / "out/realisations.sqlite";
   auto identity = experiment::Store::open(path, experiment::sqlite::Access::read).identity();
   identity.code = "0.0.9 old";
+  for (const std::uint64_t results : {std::uint64_t{0}, experiment::results_version + 1}) {
+    identity.results = results;
+    std::filesystem::remove(path);
+    experiment::Store::create(path, identity).close_up();
+    const auto refused = rocking("resume out");
+    EXPECT_EQ(refused.exit_code, 74);
+    EXPECT_THAT(refused.errors, HasSubstr("0.0.9 old"));
+  }
+  identity.results = experiment::results_version;
   std::filesystem::remove(path);
   experiment::Store::create(path, identity).close_up();
-  const auto refused = rocking("resume out");
-  EXPECT_EQ(refused.exit_code, 74);
-  EXPECT_THAT(refused.errors, HasSubstr("0.0.9 old"));
+  EXPECT_EQ(rocking("resume out -q").exit_code, 0);
 }
 
 TEST_F(RunFolder, OfShardsGivesTheBytesOfOneRun) {

@@ -138,8 +138,8 @@ TEST_F(DamagedStore, KeepsWhatIsLeftOfACutFile) {
 /// Reads that a report may rest on: each is of what was written, or throws.
 void expect_right_reads(const Store& store, const std::string& what) {
   const auto expect_right = [&what](const RealisationKey& key, const Summary& summary) {
-    EXPECT_TRUE(differing_fields(summary, summary_of(key)).empty()) << what << ": " << key.condition << ' '
-                                                                    << key.realisation;
+    EXPECT_TRUE(differing_fields(summary, summary_of(key)).empty())
+        << what << ": " << key.condition << ' ' << key.realisation;
   };
   for (std::uint64_t condition = 0; condition < 2; ++condition) {
     for (std::uint64_t number = 0; number < stored; ++number) {
@@ -218,8 +218,8 @@ TEST_F(DamagedStore, OfTheRightLengthKeepsIt) {
 }
 
 TEST_F(DamagedStore, IsRefusedWhereItsIdentityWasChanged) {
-  for (const char* change : {"experiment = '{\"a\": 2}'", "code = '2'", "files = '/'", "part = 1, parts = 2", "part = 0, parts = 0",
-                             "parts = 0", "results = 7", "experiment_sha256 = 'x'"}) {
+  for (const char* change : {"experiment = '{\"a\": 2}'", "code = '2'", "files = '/'", "part = 1, parts = 2",
+                             "part = 0, parts = 0", "parts = 0", "results = 7", "experiment_sha256 = 'x'"}) {
     const std::string sound = bytes();
     sqlite::Database(path_, Access::write).execute(std::string("UPDATE identity SET ") + change);
     try {

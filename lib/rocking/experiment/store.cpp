@@ -155,8 +155,8 @@ Row Store::sound_row(const Statement& statement) const {
 std::optional<Summary> Store::find(const RealisationKey& key) const {
   auto statement = std::exchange(find_, std::nullopt);  // one that fails is not used again
   if (!statement) {
-    statement = database_.prepare("SELECT " + rows_.columns() +
-                                  " FROM realisations WHERE condition = ? AND realisation = ?");
+    statement =
+        database_.prepare("SELECT " + rows_.columns() + " FROM realisations WHERE condition = ? AND realisation = ?");
   }
   statement->bind(0, static_cast<std::int64_t>(key.condition));
   statement->bind(1, static_cast<std::int64_t>(key.realisation));

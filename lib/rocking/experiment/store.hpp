@@ -65,8 +65,7 @@ class Store {
   [[nodiscard]] static Store made(sqlite::Database database, const Identity& identity);
   [[nodiscard]] static Store read(sqlite::Database database);
   [[nodiscard]] Row sound_row(const sqlite::Statement& statement) const;
-  void walk(sqlite::Statement statement,
-            const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+  void walk(sqlite::Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const;
 
   sqlite::Database database_;
   std::int64_t layout_ = current_layout;

@@ -26,8 +26,7 @@ void add_text(base::Sha256Builder& sum, std::string_view text) {
 // The sum of layout 1 covers neither experiment_sha256 nor whether part and parts are null.
 std::string first_checksum_of(const Written& written) {
   base::Sha256Builder sum;
-  for (const auto& text :
-       {written.identity.experiment, written.identity.code, written.draws, written.identity.files}) {
+  for (const auto& text : {written.identity.experiment, written.identity.code, written.draws, written.identity.files}) {
     add_text(sum, text);
   }
   sum.add(written.identity.shard ? written.identity.shard->part : 0);
@@ -37,8 +36,8 @@ std::string first_checksum_of(const Written& written) {
 
 std::string checksum_of(const Written& written) {
   base::Sha256Builder sum;
-  for (const auto& text : {written.identity.experiment, written.experiment_sha256, written.identity.code,
-                           written.draws, written.identity.files}) {
+  for (const auto& text : {written.identity.experiment, written.experiment_sha256, written.identity.code, written.draws,
+                           written.identity.files}) {
     add_text(sum, text);
   }
   sum.add(written.identity.results);
@@ -123,8 +122,8 @@ Identity read_identity(const Database& database, std::int64_t layout) {
                      written.experiment_sha256 == base::to_hex(base::sha256(written.identity.experiment));
   if (!sound) fail(database);
   if (written.draws != random::draws_format) {
-    throw sqlite::UnusableFile(database.path() + ": its draws are " + written.draws +
-                               ", those of this program are " + std::string(random::draws_format));
+    throw sqlite::UnusableFile(database.path() + ": its draws are " + written.draws + ", those of this program are " +
+                               std::string(random::draws_format));
   }
   return std::move(written.identity);
 }

@@ -15,7 +15,7 @@ struct Identity {
   std::string experiment;  ///< canonical text, with the seed
   std::string code;        ///< version and revision of the program that began the store
   std::string files;       ///< folder from which the files that the experiment names are seen; may differ between parts
-  std::optional<Shard> shard;  ///< which part of the experiment is to be done here; absent: all of it
+  std::optional<Shard> shard;               ///< which part of the experiment is to be done here; absent: all of it
   std::uint64_t results = results_version;  ///< results version of its realisations; 0: not known
 };
 

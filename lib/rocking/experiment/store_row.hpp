@@ -43,7 +43,7 @@ class RowFormat {
   [[nodiscard]] std::uint64_t checksum_of(const RealisationKey& key, const Summary& summary) const;
   void list_columns();
 
-  std::vector<bool> is_stored_;              ///< by field, in the order of for_each_field
+  std::vector<bool> is_stored_;             ///< by field, in the order of for_each_field
   std::optional<base::Sha256> experiment_;  ///< digest of the experiment's text, from layout 2 on
   std::string columns_;
 };

@@ -212,11 +212,8 @@ std::map<dynamics::Termination, std::uint64_t> Store::termination_counts() const
   Statement statement = database_.prepare("SELECT termination, count(*) FROM realisations GROUP BY termination");
   std::map<dynamics::Termination, std::uint64_t> counts;
   while (statement.step()) {
-    for (int number = 0; !to_string(static_cast<dynamics::Termination>(number)).empty(); ++number) {
-      const auto termination = static_cast<dynamics::Termination>(number);
-      if (to_string(termination) == statement.text(0)) {
-        counts[termination] += static_cast<std::uint64_t>(statement.integer(1));
-      }
+    if (const auto termination = dynamics::termination_named(statement.text(0))) {
+      counts[*termination] += static_cast<std::uint64_t>(statement.integer(1));
     }
   }
   return counts;

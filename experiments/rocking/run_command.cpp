@@ -48,7 +48,7 @@ Means means_of(const RunRequest& request) {
 
 ExitCode show_plan(const RunRequest& request, const experiment::Experiment& experiment) {
   const Plan plan = plan_of(experiment, means_of(request));
-  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : to_text(plan));
+  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : base::printable(to_text(plan)));
   return ExitCode::done;
 }
 

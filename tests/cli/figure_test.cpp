@@ -88,6 +88,39 @@ TEST_F(Figures, AreWrittenAsDataWithoutGnuplot) {
   EXPECT_FALSE(exists("out/figures/mode_bands.svg"));
 }
 
+TEST_F(Figures, ThatFailAreAnErrorAlsoWhereTheCommandIsToBeQuiet) {
+  ASSERT_EQ(
+      shell("mkdir bin; printf '#!/bin/sh\\necho half >scene.svg.unfinished; echo no such word; exit 1' >bin/gnuplot; "
+            "chmod +x bin/gnuplot")
+          .exit_code,
+      0);
+  const Outcome run = shell("PATH=\"$PWD/bin:$PATH\" exec '" ROCKING_PROGRAM "' run quick.json -o out -q");
+  EXPECT_EQ(run.exit_code, 70);
+  EXPECT_THAT(run.errors, HasSubstr("no such word"));
+  EXPECT_THAT(run.output, HasSubstr("page: out/report.html"));
+  const Outcome report = shell("PATH=\"$PWD/bin:$PATH\" exec '" ROCKING_PROGRAM "' report out --format gnuplot -q");
+  EXPECT_EQ(report.exit_code, 70);
+  EXPECT_THAT(report.output, AllOf(HasSubstr("scene.gp"), ::testing::Not(HasSubstr(".svg"))));
+  EXPECT_EQ(shell("ls out/figures | grep -v -e 'tsv$' -e 'gp$'").output, "");
+}
+
+TEST_F(Figures, ShowEveryTitleAndSaySoWhereThereIsNothing) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
+  Json titled = quick_experiment();
+  titled["title"] = "'Tis rocking, isn''t it?";
+  write("titled.json", titled.dump());
+  const Outcome run = rocking("run titled.json -o titled -q");
+  EXPECT_EQ(run.exit_code, 0);
+  EXPECT_EQ(run.errors, "");
+  EXPECT_EQ(rocking("report titled --format gnuplot").exit_code, 0);
+  EXPECT_THAT(read("titled/figures/mode_bands.svg"), HasSubstr("'Tis rocking, isn''t it?"));
+  write("over.json", R"({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 8},
+    "excitation": {"amplitude": 50, "frequency_ratio": 0.5}, "initial": {"tilt": 0.95, "tilt_rate": 2}})");
+  write("strobeless.json", rocking("trajectory over.json").output);
+  ASSERT_EQ(rocking("figure strobeless.json -o drawn").exit_code, 0);
+  EXPECT_THAT(read("drawn/poincare.svg"), HasSubstr("nothing to show"));
+}
+
 TEST_F(Figures, NeedAFinishedRun) {
   EXPECT_EQ(rocking("report nowhere").exit_code, 66);
   EXPECT_EQ(rocking("run quick.json -o part --shard 1/2 -q").exit_code, 0);

@@ -31,7 +31,7 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"dynamics", {"base"}},
     {"integrate", {"base"}},
     {"lanes", {"base", "dynamics", "integrate"}},
-    {"section", {"base", "integrate"}},
+    {"section", {"base"}},
     {"experiment", {"base", "random", "stats", "dynamics", "integrate", "lanes", "section"}},
     {"report", {"base", "stats", "dynamics", "section", "experiment"}},  // for their value types
 };

@@ -12,4 +12,11 @@ std::string_view to_string(Termination termination) {
   return "";
 }
 
+std::optional<Termination> termination_named(std::string_view name) {
+  for (const Termination termination : terminations) {
+    if (to_string(termination) == name) return termination;
+  }
+  return std::nullopt;
+}
+
 }  // namespace rocking::dynamics

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 namespace rocking::dynamics {
@@ -13,6 +15,12 @@ enum class Termination : std::uint8_t {
   stopped,     ///< more events or steps than a budget allows
 };
 
+inline constexpr std::array terminations{Termination::reached_horizon, Termination::overturned, Termination::painleve,
+                                         Termination::stopped};
+
 [[nodiscard]] std::string_view to_string(Termination termination);
+
+/// The one that to_string gives this name; empty where there is none.
+[[nodiscard]] std::optional<Termination> termination_named(std::string_view name);
 
 }  // namespace rocking::dynamics

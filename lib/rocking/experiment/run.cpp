@@ -11,8 +11,8 @@
 namespace rocking::experiment {
 namespace {
 
-/// Strobe periods of work after which rows are made durable: a few seconds of the slowest scenes on two cores, and never so
-/// little that the writing would count.
+/// Strobe periods of work after which rows are made durable where the caller does not decide (RunOptions::commit_is_due): a few
+/// seconds of the slowest scenes on two cores, so that writing costs little beside the work.
 constexpr std::uint64_t periods_between_commits = 1U << 17U;
 
 // Something went wrong: what is done is kept, if there is a way to, and the first failure is the one to tell.

@@ -91,6 +91,14 @@ TEST_F(Ranks, StopCleanlyWhenTheirTimeIsUpOrTheyAreAskedTo) {
   EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
 }
 
+TEST_F(Ranks, StopWithinARealisation) {
+  auto question = quick_experiment();
+  question["horizon"]["transient_periods"] = 100'000'000;
+  write("endless.json", question.dump());
+  const auto timed = shell("timeout 60 " + ranks(3, "run endless.json -q -o out --max-time 1s"));
+  EXPECT_EQ(timed.exit_code, 75) << timed.errors;
+}
+
 TEST_F(Ranks, TellABadFileOnce) {
   write("bad.json", "{}");
   const auto outcome = shell(ranks(3, "run bad.json -o out"));

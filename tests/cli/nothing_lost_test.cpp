@@ -64,7 +64,7 @@ class NothingIsLost : public rocking::support::ProgramTest {
 
   /// Starts a command in the background, waits, sends a signal; `$?` is then its exit code.
   static std::string disturbed(const std::string& command, const std::string& delay, const std::string& signal) {
-    return "'" ROCKING_PROGRAM "' " + command + " & child=$!; sleep " + delay + "; kill -" + signal +
+    return in_background("'" ROCKING_PROGRAM "' " + command) + "sleep " + delay + "; kill -" + signal +
            " $child 2>/dev/null; wait $child";
   }
 
@@ -211,8 +211,8 @@ TEST_F(NothingIsLost, ToOneWhoAsksHowFarItIs) {
   EXPECT_EQ(rocking("status absent").exit_code, 66);
 
   // The disk's part of the store is behind by a commit, the note in progress.json by seconds.
-  const auto running = shell("'" ROCKING_PROGRAM
-                             "' run question.json -q -o out --realisations 1000000 2>told & child=$!; "
+  const auto running = shell(in_background("'" ROCKING_PROGRAM
+                                           "' run question.json -q -o out --realisations 1000000 2>told") +
                              "sleep 0.5; '" ROCKING_PROGRAM
                              "' status out --json; echo $? >code; sleep 0.2; "
                              "kill -INT $child; wait $child; cat code");

@@ -35,6 +35,11 @@ class ProgramTest : public ::testing::Test {
     return shell("exec '" ROCKING_PROGRAM "' " + arguments);
   }
 
+  /// Begins a command in the background of a script, where a shell gives its children a SIGINT that is ignored.
+  static std::string in_background(const std::string& command) {
+    return "env --default-signal=INT " + command + " & child=$!; ";
+  }
+
   /// Runs a script in the folder; its two streams end up in the outcome. After two minutes it is ended, with code 124.
   Outcome shell(const std::string& script) const {
     write("script", script + '\n');

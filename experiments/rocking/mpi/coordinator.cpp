@@ -49,6 +49,7 @@ class Coordinator {
       while (!is_done()) {
         take_messages();
         give_blocks();
+        if (stopping_) stop_busy_helpers();
         std::this_thread::sleep_for(std::chrono::microseconds(100));
       }
     }
@@ -143,6 +144,13 @@ class Coordinator {
     }
   }
 
+  // A realisation may take hours: who runs one is told once.
+  void stop_busy_helpers() {
+    for (const auto& [rank, pairs] : busy_) {
+      if (told_to_stop_.insert(rank).second) session_->send(rank, Tag::stop, {});
+    }
+  }
+
   std::vector<Pair> take_block(std::size_t most) {
     const std::lock_guard lock(mutex_);
     std::vector<Pair> block;
@@ -170,6 +178,7 @@ class Coordinator {
   std::set<int> free_;
   std::map<int, std::size_t> busy_;  ///< pairs that each is at
   std::map<int, BlockLength> lengths_;
+  std::set<int> told_to_stop_;
   // Of both threads, under the lock.
   std::mutex mutex_;
   std::condition_variable changed_;

@@ -1,6 +1,8 @@
 #include "helper.hpp"
 
+#include <chrono>
 #include <exception>
+#include <future>
 
 #include <fmt/format.h>
 
@@ -18,8 +20,9 @@ using experiment::PairOutcome;
 
 constexpr int coordinator = 0;
 
-std::vector<PairOutcome> outcomes_of(const experiment::Experiment& experiment, const std::vector<Pair>& block,
-                                     unsigned threads) {
+/// Runs a block; returns what came of the pairs that were finished when it was asked to stop.
+std::vector<PairOutcome> run_block(const experiment::Experiment& experiment, const std::vector<Pair>& block,
+                                   unsigned threads) {
   experiment::RunOptions options;
   options.threads = threads;
   options.stop_requested = &stop_on_interrupt();
@@ -32,6 +35,16 @@ std::vector<PairOutcome> outcomes_of(const experiment::Experiment& experiment, c
                    outcomes.push_back({pair, summaries});
                  }});
   return outcomes;
+}
+
+/// The same, and listens to the coordinator meanwhile: only this thread may.
+std::vector<PairOutcome> outcomes_of(const Session& session, const experiment::Experiment& experiment,
+                                     const std::vector<Pair>& block, unsigned threads) {
+  auto work = std::async(std::launch::async, [&] { return run_block(experiment, block, threads); });
+  while (work.wait_for(std::chrono::microseconds(100)) != std::future_status::ready) {
+    if (const auto order = session.receive(); order && order->tag == Tag::stop) stop_for_time();
+  }
+  return work.get();
 }
 
 void expect_same_code(const experiment::Identity& identity) {
@@ -49,7 +62,7 @@ Tag work_on(const Session& session, const Job& job) {
     session.send(coordinator, Tag::outcomes, experiment::to_bytes(std::span<const PairOutcome>(outcomes)));
     const Message order = session.wait();
     if (order.tag != Tag::block) return order.tag;
-    outcomes = outcomes_of(experiment, experiment::pairs_from(order.bytes), job.threads);
+    outcomes = outcomes_of(session, experiment, experiment::pairs_from(order.bytes), job.threads);
   }
 }
 

@@ -13,6 +13,7 @@ namespace rocking::program::mpi {
 enum class Tag : int {
   job,       ///< coordinator to all: what is to be worked on
   block,     ///< coordinator to one: pairs to run
+  stop,      ///< coordinator to one that runs a block: give it up
   rest,      ///< coordinator to all: the job is at its end
   quit,      ///< coordinator to all: the program is
   outcomes,  ///< to the coordinator: what came of a block, and: ready for more

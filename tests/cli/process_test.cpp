@@ -1,0 +1,202 @@
+// The program as a process: signals, standard streams, files that are none, an earlier run that is to be replaced.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+
+namespace {
+
+using rocking::report::Json;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Process : public rocking::support::ProgramTest {
+ protected:
+  Process() {
+    write("quick.json", quick_experiment().dump());
+    auto endless = quick_experiment();
+    endless["horizon"]["transient_periods"] = 100'000'000;
+    endless["realisations"] = 1;
+    write("endless.json", endless.dump());
+    endless["excitation"]["amplitude"] = 0.1;  // never uplifts: all of its steps are done outside the lanes
+    endless.erase("sweep");
+    write("endless_rest.json", endless.dump());
+  }
+
+  static std::string program(const std::string& arguments) { return "'" ROCKING_PROGRAM "' " + arguments; }
+
+  /// Puts a program called gnuplot before the real one.
+  std::string with_gnuplot(const std::string& script) const {
+    std::filesystem::create_directory(folder_ / "bin");
+    write("bin/gnuplot", "#!/bin/sh\n" + script + "\n");
+    std::filesystem::permissions(folder_ / "bin/gnuplot", std::filesystem::perms::owner_all);
+    return "export PATH=\"$PWD/bin:$PATH\"; ";
+  }
+
+  std::string files_of(const std::string& folder) const {
+    std::string all;
+    for (const char* name : {"report.json", "report.html", "realisations.sqlite"}) all += read(folder + '/' + name) + '|';
+    return all;
+  }
+};
+
+TEST_F(Process, LeavesIgnoredSignalsIgnored) {
+  for (const std::string signal : {"HUP", "INT", "TERM", "USR1"}) {
+    const auto outcome = shell("trap '' " + signal + "; " + program("run endless.json -q -o " + signal + " --max-time 3s") +
+                               " & child=$!; sleep 1; kill -" + signal + " $child; wait $child");
+    EXPECT_EQ(outcome.exit_code, 75) << signal << outcome.errors;
+  }
+}
+
+TEST_F(Process, StopsWithinARealisationWhenItsTimeIsUp) {
+  write("pulse.txt", rocking::support::recorded_pulse());
+  for (const std::string question : {"endless", "endless_rest"}) {
+    const auto outcome = rocking("run " + question + ".json -o " + question + " --max-time 1s");
+    EXPECT_EQ(outcome.exit_code, 75) << question << outcome.errors;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("0 of "), HasSubstr("`rocking resume " + question + "` goes on")));
+  }
+}
+
+TEST_F(Process, StopsWithinARealisationWhenItIsAskedTo) {
+  for (const std::string arguments : {"run endless.json -o out", "run endless_rest.json -o rest", "cost endless.json",
+                                      "bifurcation endless.json -o diagram"}) {
+    const auto outcome =
+        shell(in_background(program(arguments)) + "sleep 1; kill -INT $child; wait $child");
+    EXPECT_EQ(outcome.exit_code, 130) << arguments << outcome.errors;
+  }
+}
+
+TEST_F(Process, EndsWithGnuplotThatHangsWhenItIsAskedTo) {
+  const auto outcome = shell(with_gnuplot("echo $$ >../../drawing; exec sleep 1000") + "mkdir t; export TMPDIR=$PWD/t; " +
+                             in_background(program("run quick.json -q -o out")) +
+                             "until test -s drawing; do sleep 0.05; done; kill -TERM $child; wait $child; code=$?; "
+                             "kill -0 $(cat drawing) 2>/dev/null && echo gnuplot lives; ls t; exit $code");
+  EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+  EXPECT_THAT(outcome.errors, HasSubstr("`rocking resume out`"));
+  EXPECT_TRUE(exists("out/report.json"));
+  EXPECT_EQ(rocking("resume out -q").exit_code, 0);
+  EXPECT_TRUE(exists("out/report.html"));
+}
+
+TEST_F(Process, RemovesTheTemporaryFilesOfOnesThatWereKilled) {
+  const auto killed = shell(with_gnuplot("echo $$ >../../drawing; exec sleep 1000") + "mkdir t; export TMPDIR=$PWD/t; " +
+                            in_background(program("run quick.json -q -o out")) +
+                            "until test -s drawing; do sleep 0.05; done; kill -9 $child; wait $child; "
+                            "kill -9 $(cat drawing); ls t; touch out/.rocking-abcdef");
+  ASSERT_THAT(killed.output, HasSubstr("rocking-figure-"));
+  EXPECT_EQ(shell("export TMPDIR=$PWD/t; " + program("resume out -q")).exit_code, 0);
+  EXPECT_EQ(shell("ls t; ls -A out").output, "realisations.sqlite\nreport.html\nreport.json\n");
+}
+
+TEST_F(Process, KeepsTableAndPageWhereNothingCanBeDrawn) {
+  for (const std::string& disturbance : {std::string("export TMPDIR=/nowhere; "), with_gnuplot("exit 3")}) {
+    const auto outcome = shell("rm -rf out; " + disturbance + program("run quick.json -o out"));
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+    EXPECT_THAT(outcome.output, HasSubstr("report: out/report.json"));
+    EXPECT_THAT(outcome.errors, HasSubstr("no pictures for paper"));
+    EXPECT_TRUE(exists("out/report.html"));
+  }
+}
+
+TEST_F(Process, SaysThatItsOutputIsClosedOrFullAndKeepsTheRun) {
+  for (const std::string end : {">&-", ">/dev/full", "<&- >&- 2>&-"}) {
+    const auto outcome = shell("rm -rf out; " + program("run quick.json -q -o out " + end));
+    EXPECT_EQ(outcome.exit_code, 74) << end << outcome.errors;
+    EXPECT_EQ(rocking("verify out -q").exit_code, 0) << end;
+  }
+}
+
+TEST_F(Process, ReadsNoPipeAndNoDevice) {
+  ASSERT_EQ(shell("mkfifo pipe; mkdir folder stored; mkfifo folder/report.json stored/realisations.sqlite").exit_code, 0);
+  auto recorded = rocking::support::recorded_experiment();
+  recorded["excitation"]["file"] = "pipe";
+  write("record.json", recorded.dump());
+  for (const std::string arguments :
+       {"run pipe -o out", "validate /dev/zero", "trajectory pipe", "cost pipe", "run record.json -o out", "figure pipe -o out",
+        "report folder", "verify folder", "status stored", "compare stored stored", "replay stored --condition 0 --realisation 0"}) {
+    const auto outcome = shell("exec timeout 20 " + program(arguments));
+    EXPECT_TRUE(outcome.exit_code == 66 || outcome.exit_code == 74) << arguments << outcome.exit_code << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("is a pipe or a device")) << arguments;
+  }
+}
+
+TEST_F(Process, ReplacesARunOnlyOnceTheNewOneIsComplete) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  const std::string earlier = files_of("out");
+  const auto stopped = rocking("run endless.json -o out --overwrite --max-time 1s");
+  EXPECT_EQ(stopped.exit_code, 75);
+  EXPECT_THAT(stopped.errors, HasSubstr("the earlier run stays in place"));
+  EXPECT_EQ(files_of("out"), earlier);
+  EXPECT_THAT(rocking("status out").output, AllOf(HasSubstr("out: stopped"), HasSubstr("earlier run")));
+  EXPECT_EQ(rocking("verify out -q").exit_code, 0);
+  // Another one takes the place of the one that was stopped; a kill leaves one that resume completes.
+  ASSERT_EQ(shell(in_background(program("run quick.json -q -o out --overwrite --seed 5 --realisations 2000")) +
+                  "until " + program("status out 2>/dev/null") + " | grep -q 'of 6000'; do sleep 0.01; done; kill -9 $child; wait $child; true")
+                .exit_code,
+            0);
+  EXPECT_EQ(files_of("out"), earlier);
+  ASSERT_EQ(rocking("resume out -q").exit_code, 0);
+  EXPECT_NE(files_of("out"), earlier);
+  EXPECT_EQ(Json::parse(read("out/report.json"))["result"]["conditions"][0]["realisations"], 2000);
+  EXPECT_EQ(shell("ls -A out").output, "realisations.sqlite\nreport.html\nreport.json\n");
+}
+
+TEST_F(Process, KeepsARunWhereItsReplacementFails) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  ASSERT_EQ(rocking("run quick.json -q -o a --shard 1/2").exit_code, 0);
+  ASSERT_EQ(rocking("run quick.json -q -o b --shard 2/2").exit_code, 0);
+  const std::string earlier = files_of("out");
+  std::string damaged = read("b/realisations.sqlite");
+  damaged.replace(damaged.size() - 300, 200, 200, 'x');
+  write("b/realisations.sqlite", damaged);
+  EXPECT_EQ(rocking("merge out a b -q --overwrite").exit_code, 65);
+  EXPECT_EQ(files_of("out"), earlier);
+  EXPECT_FALSE(exists("out/replacement"));
+  EXPECT_EQ(shell("ulimit -f 8; exec " + program("run quick.json -q -o out --overwrite --realisations 400")).exit_code, 74);
+  EXPECT_EQ(files_of("out"), earlier);
+  EXPECT_EQ(rocking("verify out -q").exit_code, 0);
+}
+
+TEST_F(Process, CompletesAReplacementThatWasKilledOnItsWay) {
+  ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
+  ASSERT_EQ(rocking("run quick.json -q -o next --seed 5").exit_code, 0);
+  for (const std::string moved : {"", "realisations.sqlite", "realisations.sqlite report.json"}) {
+    ASSERT_EQ(shell("rm -rf half; cp -r out half; cp -r next half/replacement-complete; cd half; for file in " + moved +
+                    "; do mv replacement-complete/$file .; done")
+                  .exit_code,
+              0);
+    for (const char* command : {"status", "verify", "report"}) {
+      const auto refused = rocking(std::string(command) + " half");
+      EXPECT_EQ(refused.exit_code, 74) << command << refused.output;
+      EXPECT_THAT(refused.errors, HasSubstr("`rocking resume half` moves the rest"));
+    }
+    ASSERT_EQ(rocking("resume half -q").exit_code, 0) << moved;
+    EXPECT_EQ(rocking("verify half -q").exit_code, 0) << moved;
+    EXPECT_EQ(Json::parse(read("half/report.json"))["result"], Json::parse(read("next/report.json"))["result"]) << moved;
+    EXPECT_FALSE(exists("half/replacement-complete"));
+  }
+}
+
+TEST_F(Process, SaysHowMuchOfItsMachineARunTakes) {
+  auto wide = quick_experiment();
+  wide.erase("friction");
+  wide.erase("fluctuation");
+  wide["horizon"] = {{"transient_periods", 1}, {"sampled_periods", 4}};
+  wide["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "from": 3, "to": 3.1999, "step": 1e-4}])");
+  write("wide.json", wide.dump());
+  const Json plan = Json::parse(rocking("run wide.json --dry-run --json").output);
+  ASSERT_EQ(plan["conditions"], 2000);
+  ASSERT_EQ(rocking("run wide.json -q -o out").exit_code, 0);
+  double taken = 0.0;
+  for (const auto& file : std::filesystem::directory_iterator(folder_ / "out")) taken += static_cast<double>(file.file_size());
+  EXPECT_GT(plan["disk_bytes"].get<double>(), taken / 1.5);
+  EXPECT_LT(plan["disk_bytes"].get<double>(), taken * 1.5);
+  const auto refused = shell("ulimit -v 400000; exec " + program("run endless.json -o large --realisations 100"));
+  EXPECT_EQ(refused.exit_code, 74) << refused.errors;
+  EXPECT_THAT(refused.errors, HasSubstr("of memory"));
+  EXPECT_FALSE(exists("large"));
+}
+
+}  // namespace

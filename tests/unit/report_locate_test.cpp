@@ -21,7 +21,7 @@ constexpr const char* lines_text = R"(
   "a": { "b": [ 1, "], }",
     { "c/d": 2, "e~": "\"" }
   ],
-  "b": 3 },
+  "f": 3 },
   "\u0061x": 4,
   "a": 5
 })";

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <map>
 #include <optional>
 #include <string>
 
 #include <gtest/gtest.h>
 
+#include "rocking/dynamics/forces.hpp"
 #include "support/scripted_coefficients.hpp"
 #include "support/simulation.hpp"
 #include "support/split_mix.hpp"
@@ -145,6 +147,85 @@ TEST(Reversal, WhereTheStopMeetsTheThresholdIsTheSameSlideByEitherStory) {
   EXPECT_GT(reversed, 1000);
   EXPECT_GT(rested, 1000);
   RecordProperty("worst", std::to_string(worst * 1e16));
+}
+
+// The slip stops where sticking would need N <= 0. The reference is an independent integration in 30 digits.
+TEST(ReversalInRockSlide, KeepsTheBlockOnTheBaseWhereStickingWouldNot) {
+  Stage stage{.frequency = 4.0, .phase = 1.213, .periods = 4};
+  stage.start = {.tilt = -0.018 * support::psi, .tilt_rate = 0.407 * support::psi};
+  ScriptedRun run(stage, {.amplitude_value = 7.722, .statics = {0.492}, .kinetics = {0.4377}});
+  run.run();
+  const auto& events = run.log.events;
+  ASSERT_GE(events.size(), 2U) << run.log.story();
+  const auto& stop = events[events.size() - 2];
+  const auto& end = events.back();
+  EXPECT_EQ(stop.kind, EventKind::slip_reverse) << run.log.story();
+  EXPECT_NEAR(stop.tau, 3.20851037356, 1e-10);
+  EXPECT_EQ(end.kind, EventKind::overturn) << run.log.story();
+  EXPECT_NEAR(end.tau, 3.22022176636, 1e-10);
+  EXPECT_NEAR(end.state.slip_rate, -0.0423, 5e-5);
+}
+
+/// Of a block that rocks and does not slip: N of sticking, and whether slip against the friction of sticking keeps N > 0 and
+/// is driven on. From the laws of lib/docs/model.md, section 1.
+struct Contact {
+  long double sticking;
+  bool slip_keeps_it;
+};
+
+Contact contact_of(const State& state, const Stage& stage, long double alpha, long double mu_k) {
+  const long double phi = std::atan(static_cast<long double>(stage.block.width) / stage.block.height) -
+                          state.side * static_cast<long double>(state.tilt);
+  const long double s = std::sin(phi);
+  const long double c = std::cos(phi);
+  const long double square = static_cast<long double>(state.tilt_rate) * state.tilt_rate;
+  const long double acceleration = -state.side * s + alpha * c;
+  const long double friction = 4.0L / 3.0L * alpha - acceleration * c - state.side * square * s;
+  const long double load = 4.0L / 3.0L - square * c;
+  const long double direction = friction < 0.0L ? 1.0L : -1.0L;
+  const long double q = state.side * s + direction * mu_k * c;
+  const long double slipping_acceleration = -load * q / (stage.inertia + state.side * s * q);
+  const long double normal = load + state.side * slipping_acceleration * s;
+  const long double slip_acceleration =
+      -4.0L / 3.0L * alpha - direction * mu_k * normal + slipping_acceleration * c + state.side * square * s;
+  return {.sticking = load + state.side * acceleration * s,
+          .slip_keeps_it = normal > 0.0L && direction * slip_acceleration > 0.0L};
+}
+
+// Stops, impacts, starts and redrawn amplitudes of blocks of every shape on a violent base. No event leaves a block stuck without
+// N > 0 where slip would keep it on the base; only where rounding decides is it left open.
+TEST(LossOfContactInRock, NeverFollowsAnEventAfterWhichSlipKeepsTheBlockOnTheBase) {
+  SplitMix draw(20161108);
+  std::map<EventKind, int> saved;
+  for (int scene = 0; scene < 4000; ++scene) {
+    Stage stage{.periods = 3};
+    stage.block.height = draw.uniform(0.6, 4.0);
+    stage.frequency = draw.uniform(1.0, 12.0);
+    stage.phase = draw.uniform(0.0, 6.28);
+    stage.inertia = scene % 4 == 0 ? 4.0 / 3.0 : 1.0 / 3.0;
+    const double shape_angle = stage.geometry().shape_angle;
+    stage.start = {.tilt = draw.uniform(-0.9, 0.9) * shape_angle, .tilt_rate = draw.uniform(-1.5, 1.5)};
+    if (draw.below(2) == 0) stage.start.slip_rate = draw.uniform(-0.5, 0.5);
+    const double amplitude = draw.uniform(0.5, 12.0) / shape_angle;
+    const double mu_s = draw.uniform(0.2, 1.2);
+    const double mu_k = mu_s * draw.uniform(0.5, 1.0);
+    ScriptedRun run(stage, {.amplitude_value = amplitude, .statics = {mu_s}, .kinetics = {mu_k}});
+    run.run();
+    const auto& events = run.log.events;
+    for (std::size_t k = 0; k < events.size(); ++k) {
+      if (k + 1 < events.size() && events[k + 1].tau - events[k].tau < 1e-12) continue;
+      const State& after = events[k].state;
+      if (!is_rocking(after.contact) || after.slip_rate != 0.0) continue;
+      const long double alpha =
+          amplitude * shape_angle * std::sin(static_cast<long double>(stage.frequency) * events[k].tau + stage.phase);
+      const Contact contact = contact_of(after, stage, alpha, mu_k);
+      if (contact.sticking > -1e-9L || !contact.slip_keeps_it) continue;
+      EXPECT_EQ(after.contact, ContactState::rock_slide) << "scene " << scene << ": " << run.log.story();
+      ++saved[events[k].kind];
+    }
+  }
+  EXPECT_GT(saved[EventKind::slip_reverse], 20);
+  EXPECT_GT(saved[EventKind::slip_start], 20);
 }
 
 }  // namespace

@@ -163,6 +163,16 @@ class Automaton {
     lift_starts_flat_ = true;
   }
 
+  /// N of a block that sticks beyond friction has fallen to 0: true if slip keeps it on the base, and it slips from now on.
+  [[nodiscard]] bool slips_rather_than_lose_contact() {
+    if (state_.contact != ContactState::rock || !coefficients_.has_friction()) return false;
+    const Forces forces = rocking_forces(state_, base_acceleration(), weight(), setting_.block);
+    const double direction = -sign(forces.friction);
+    if (!slip_keeps_contact(direction)) return false;
+    start_slipping(direction, false);
+    return true;
+  }
+
   /// Rocking: friction is exhausted; the block starts to slip in `direction`. `at_threshold`: found as a root.
   ///
   /// Where slip would be turned back at once there is no motion that agrees with the equations (the inertia about the
@@ -239,19 +249,30 @@ class Automaton {
 
   [[nodiscard]] bool is_centroidal() const { return setting_.inertia == inertia_ratio(SlideInertia::centroidal); }
 
-  /// Friction is tested only while the block presses on the base.
-  [[nodiscard]] bool friction_holds(const Forces& forces) const {
-    return forces.normal <= 0.0 || std::abs(forces.friction) <= coefficients_.static_friction() * forces.normal;
+  /// Whether a block that rocks sticks under these forces, those of sticking. Where they need N <= 0, it sticks only if slip
+  /// does not keep it on the base either.
+  [[nodiscard]] bool friction_holds(const Forces& forces) {
+    if (forces.normal <= 0.0) return !slip_keeps_contact(-sign(forces.friction));
+    return std::abs(forces.friction) <= coefficients_.static_friction() * forces.normal;
+  }
+
+  /// Rates of slip that starts from V = 0 in `direction`.
+  [[nodiscard]] SlippingRates rates_of_slip(double direction) {
+    State slipping = state_;
+    slipping.slip_direction = direction;
+    const double mu_k = coefficients_.kinetic_friction(clock_);
+    return slipping_rates(slipping, base_acceleration(), weight(), setting_.inertia, mu_k, setting_.block);
   }
 
   /// Whether slip that starts from V = 0 in `direction` is driven on in that direction.
   [[nodiscard]] bool slip_would_last(double direction) {
-    State slipping = state_;
-    slipping.slip_direction = direction;
-    const double mu_k = coefficients_.kinetic_friction(clock_);
-    const SlippingRates rates =
-        slipping_rates(slipping, base_acceleration(), weight(), setting_.inertia, mu_k, setting_.block);
-    return direction * rates.slip_acceleration > 0.0;
+    return direction * rates_of_slip(direction).slip_acceleration > 0.0;
+  }
+
+  /// Whether it is driven on and the block presses on the base, N > 0.
+  [[nodiscard]] bool slip_keeps_contact(double direction) {
+    const SlippingRates rates = rates_of_slip(direction);
+    return rates.normal > 0.0 && direction * rates.slip_acceleration > 0.0;
   }
 
   [[nodiscard]] bool full_contact_holds() {

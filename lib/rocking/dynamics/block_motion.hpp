@@ -282,7 +282,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     } else if (at_breakpoint) {
       this->check_contact();
     } else if (has_fired(Guard::normal)) {  // after anything else the force jumps and is looked at anew
-      cross_normal();
+      if (off_ground_ || !this->slips_rather_than_lose_contact()) cross_normal();
     }
     if (has_fired(Guard::past_balance)) this->pass_balance();
     settle();

@@ -48,10 +48,11 @@ struct Forces {
           .acceleration = state.side * rate};
 }
 
-/// Rates of change while rocking with slip.
+/// Rates of change while rocking with slip, and the normal force that goes with them.
 struct SlippingRates {
   double tilt_acceleration;  ///< w' = -(G - w^2 cos(phi)) q/D
   double slip_acceleration;  ///< V' = -(4/3) alpha - s mu_k N + w' cos(phi) + S w^2 sin(phi)
+  double normal;             ///< N = J (G - w^2 cos(phi))/D
 };
 
 /// The above, to the bit the first coefficients of the series that `expand_rock_slide` makes.
@@ -63,9 +64,11 @@ struct SlippingRates {
   const double arm = std::fma(drag, c, s);
   const double load = 4.0 / 3.0 * weight - omega * (omega * c);
   const double rate = load * arm * (-1.0 / std::fma(s, arm, inertia));
-  const double force = std::fma(drag, std::fma(rate, s, load), 4.0 / 3.0 * (state.side * alpha));
+  const double normal = std::fma(rate, s, load);
+  const double force = std::fma(drag, normal, 4.0 / 3.0 * (state.side * alpha));
   return {.tilt_acceleration = state.side * rate,
-          .slip_acceleration = state.side * (std::fma(rate, c, omega * (omega * s)) - force)};
+          .slip_acceleration = state.side * (std::fma(rate, c, omega * (omega * s)) - force),
+          .normal = normal};
 }
 
 }  // namespace rocking::dynamics

@@ -88,8 +88,13 @@ class Block final : private Equations {
     return g;
   }
 
+  /// `now`: of sticking. Where that would need N <= 0, the block slips if slip presses it on the base and is driven on.
   [[nodiscard]] bool grips(const Balance& now) const {
-    return !scene_.friction || now.normal <= 0.0 || std::abs(now.friction) <= friction_.at_rest * now.normal;
+    if (!scene_.friction) return true;
+    if (now.normal > 0.0) return std::abs(now.friction) <= friction_.at_rest * now.normal;
+    const double direction = -sign_of(now.friction);
+    const Balance slipping = sliding(body_, stance(y_), alpha(), direction, friction_.sliding);
+    return slipping.normal <= 0.0 || direction * slipping.v_dot <= 0.0;
   }
   [[nodiscard]] double threshold() const {
     const double tangent = 1.0 / body_.slenderness;

@@ -9,7 +9,7 @@
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/dynamics/contact.hpp"
-#include "rocking/dynamics/excitation.hpp"
+#include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/dynamics/impact.hpp"
@@ -29,7 +29,7 @@ struct Setting {
 /// The reset map of MODEL: what follows, at one instant, from each event. It knows no integrator: it is told which guard
 /// fired and leaves the state from which the next smooth piece starts.
 /// Every rule is in lib/docs/model.md, section 3.
-template <CoefficientSource Coefficients, BaseExcitation Excitation>
+template <CoefficientSource Coefficients>
 class Automaton {
  public:
   Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const Excitation& excitation,

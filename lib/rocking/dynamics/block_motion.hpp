@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
 #include "rocking/dynamics/automaton.hpp"
 #include "rocking/dynamics/guards.hpp"
@@ -34,9 +33,9 @@ struct Displacement {
 ///
 /// `Steps` turns the last two terms of a series into the length of a step: double(last_but_one, last, order, largest).
 /// Copying copies the whole realisation as it stands.
-template <CoefficientSource Coefficients, class Steps, BaseExcitation Excitation = HarmonicExcitation>
-class BlockMotion : public Automaton<Coefficients, Excitation> {
-  using Base = Automaton<Coefficients, Excitation>;
+template <CoefficientSource Coefficients, class Steps>
+class BlockMotion : public Automaton<Coefficients> {
+  using Base = Automaton<Coefficients>;
   using Base::clock_;
   using Base::coefficients_;
   using Base::excitation_;
@@ -115,7 +114,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// Whether the coming step is an ordinary one of rocking: nothing known about it but the state, and no guard armed but the
   /// ordinary ones. Then it may be done elsewhere, in company (module lanes), from what smooth_step() tells.
   [[nodiscard]] bool has_ordinary_step() const {
-    if constexpr (!std::is_same_v<Excitation, HarmonicExcitation>) return false;
+    if (!excitation_.runs_in_lanes()) return false;
     const bool knows_more = Base::sticks_beyond_friction_ || normal_starts_at_zero_ || Base::lift_starts_flat_ ||
                             Base::slip_starts_flat_ || Base::limit_sign_ != 0.0 ||
                             (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
@@ -165,7 +164,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// What is known of the coming intervals of the friction grid, if it leaves the steps of a rock-slide ordinary and brief. Each
   /// interval ends at a boundary of the grid (dynamics::grid_boundary).
   [[nodiscard]] FrictionForesight foresee() const {
-    if constexpr (ForeseesCoefficients<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
+    if constexpr (ForeseesCoefficients<Coefficients>) {
       if (determinant_may_vanish(coefficients_.static_friction())) return {};  // a bound for kinetic friction
       const FrictionForesight known = coefficients_.foresee();
       if (static_cast<double>(known.per_period) * brief_step > 1.0) return known;
@@ -225,7 +224,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// The state x into the step that `expand` has prepared.
   [[nodiscard]] State state_at(double x) const { return series_.state_at(x, state_); }
   /// The base's motion x into the step that `expand` has prepared.
-  [[nodiscard]] BaseMotion base_at(double x) const { return series_.template base_at<Excitation>(x, state_); }
+  [[nodiscard]] BaseMotion base_at(double x) const { return series_.base_at(x, state_); }
 
   /// mu_k in force over the coming step while the block slips; else 0.
   [[nodiscard]] double kinetic_friction() const { return kinetic_friction_; }
@@ -392,7 +391,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   }
 
   /// In full contact N = (4/3)(1 + alpha_v).
-  [[nodiscard]] bool has_no_weight() const { return Excitation::has_vertical && series_.rows().weight[0] <= 0.0; }
+  [[nodiscard]] bool has_no_weight() const { return excitation_.has_vertical() && series_.rows().weight[0] <= 0.0; }
 
   void set_off_ground(bool off) {
     if (off && !off_ground_ && losses_of_contact_++ == 0) first_loss_of_contact_ = clock_.tau();
@@ -431,16 +430,16 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
             .off_ground = off_ground_,
             .tests_friction = coefficients_.has_friction() && !off_ground_ && !Base::sticks_beyond_friction_,
             .determinant_may_vanish = determinant_may_vanish(),
-            .vertical = Excitation::has_vertical,
+            .vertical = excitation_.has_vertical(),
             .out_of_reach = out_of_reach_};
   }
 
   [[nodiscard]] OutOfReach<bool> guards_out_of_reach(double length) {
-    if constexpr (!std::is_same_v<Excitation, HarmonicExcitation>) return {};
     const bool may_hop = off_ground_ || normal_starts_at_zero_;
-    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop) return {};
-    return out_of_reach(state_.side * state_.tilt, state_.side * state_.tilt_rate, this->base_amplitude(), length,
-                        setting_.block.shape_angle, setting_.block.sine);
+    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop || excitation_.has_vertical()) return {};
+    return out_of_reach(state_.side * state_.tilt, state_.side * state_.tilt_rate,
+                        excitation_.most_horizontal(this->base_amplitude()), length, setting_.block.shape_angle,
+                        setting_.block.sine);
   }
 
   template <int order>

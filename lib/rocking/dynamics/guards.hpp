@@ -35,8 +35,8 @@ struct OutOfReach {
   Truth normal;
 };
 
-/// Over a step of `length` by a harmonic base motion without a vertical one, from a tilt between contact and balance. Until one
-/// of the two is reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, the amplitude of beta, and
+/// Over a step of `length` by a base motion without a vertical one, from a tilt between contact and balance. Until one of the two
+/// is reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, a bound of abs(beta), and
 /// N = 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave room
 /// for the rounding and the tolerance of the series.
 template <base::Lane Real>

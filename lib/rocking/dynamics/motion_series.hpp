@@ -252,18 +252,4 @@ inline void expand_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip
   m.slip[order + 1] = m.slip_rate[order] * Real(over<order + 1>);
 }
 
-/// beta = amplitude sin(omega x + angle), from sine and cosine of the angle, to `order`.
-template <int order, base::Lane Real>
-inline void expand_harmonic(typename MotionSeries<Real>::Row& base, Real amplitude, Real frequency,
-                            const base::SinCos<Real>& angle) {
-  using namespace kernel;
-  base[0] = amplitude * angle.sine;
-  base[1] = amplitude * frequency * angle.cosine;
-  const Real curvature = -(frequency * frequency);
-  repeat<order - 1>([&](auto index) {
-    constexpr int k = index + 2;
-    base[k] = base[k - 2] * curvature * Real(over<k> * over<k - 1>);
-  });
-}
-
 }  // namespace rocking::dynamics

@@ -2,46 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/formulation.hpp"
-#include "rocking/dynamics/recorded_excitation.hpp"
+#include "rocking/experiment/excitation.hpp"
 
 namespace rocking::experiment {
-
-/// A law on an interval: every value in [low, high) equally likely.
-struct Uniform {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// N(mean, sigma^2).
-struct Normal {
-  double mean = 0.0;
-  double sigma = 0.0;
-};
-
-/// A number, or the law from which each realisation draws it once.
-using Quantity = std::variant<double, Uniform, Normal>;
-
-/// A base motion as it was recorded.
-struct GroundMotion {
-  std::vector<dynamics::RecordSample> samples;  ///< accelerations over g, before scaling
-  bool has_vertical = false;
-};
-
-/// Harmonic, a_h/g = A_h psi sin(Omega_h tau + Phi), or a record times a scale.
-struct Excitation {
-  double amplitude = 0.0;        ///< A_h [-]; of a record: its scale [-]
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]; of a record: of the strobe
-  Quantity phase = 0.0;          ///< Phi [rad]; of a record: 0
-  std::shared_ptr<const GroundMotion> record;  ///< absent: harmonic
-};
 
 struct Friction {
   double static_coefficient = 0.0;   ///< mean of mu_s [-]

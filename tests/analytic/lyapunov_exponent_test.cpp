@@ -11,7 +11,6 @@
 namespace rocking::experiment {
 namespace {
 
-
 constexpr std::int64_t transient = 300;
 constexpr std::int64_t periods = 120;
 

@@ -57,7 +57,8 @@ Condition recorded(bool has_vertical) {
     motion.samples.push_back({time, 4.5 * geometry.shape_angle * std::sin(frequency * time),
                               has_vertical ? 0.1 * std::sin(2.0 * frequency * time) : 0.0});
   }
-  condition.scene.excitation = rocking::support::recorded_by(std::move(motion), frequency_ratio(condition.scene.excitation));
+  condition.scene.excitation =
+      rocking::support::recorded_by(std::move(motion), frequency_ratio(condition.scene.excitation));
   condition.realisations = 20;
   return condition;
 }

@@ -87,7 +87,8 @@ Record run_watched(const Condition& condition, std::uint64_t realisation, GuardT
   const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                 strobes_before_copy(condition));
-  HorizonRun run(condition, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
+  HorizonRun run(condition,
+                 [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
   support::WatchedMotion watched(run.motion(), watch, overlooked);
   while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <string>
 

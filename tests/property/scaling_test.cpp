@@ -104,7 +104,7 @@ TEST(Scaling, ByAnyNumberChangesNoMoreThanRounding) {
     const Trajectory trajectory = trajectory_of(condition, 1, number, 3);
     double growth = 1.0;
     for (const double change : {1e-10, -1e-10}) {
-      for (double dynamics::Block::* quantity : {&dynamics::Block::width, &dynamics::Block::gravity}) {
+      for (double dynamics::Block::*quantity : {&dynamics::Block::width, &dynamics::Block::gravity}) {
         Condition other = condition;
         other.scene.block.*quantity *= 1.0 + change;
         growth = std::max(growth, distance(trajectory, trajectory_of(other, 1, number, 3)) / 1e-10);

@@ -171,9 +171,8 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
     const random::Draws draws(seed, number);
     const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                   strobes_before_copy(condition));
-    runs.push_back(std::make_unique<Run>(condition, [&](dynamics::Observer& observer) {
-      return motion_of(condition.scene, beginning, observer);
-    }));
+    runs.push_back(std::make_unique<Run>(
+        condition, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); }));
     crew.add(*runs.back());
   }
   const auto steps = [&crew](int count) {

@@ -14,8 +14,7 @@
 /// The reference trajectories of tests/reference as conditions.
 namespace rocking::tests {
 
-inline const std::filesystem::path reference_folder =
-    std::filesystem::path(ROCKING_SOURCE_DIR) / "tests" / "reference";
+inline const std::filesystem::path reference_folder = std::filesystem::path(ROCKING_SOURCE_DIR) / "tests" / "reference";
 
 inline nlohmann::json load_reference(const std::string& name) {
   std::ifstream stream(reference_folder / (name + ".json"));

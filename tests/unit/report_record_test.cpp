@@ -184,7 +184,8 @@ TEST(RecordedExcitation, HasDefaults) {
   EXPECT_EQ(support::recorded(condition.scene).ground_motion->samples.size(), 4U);
   EXPECT_EQ(support::recorded(condition.scene).ground_motion->samples[1].horizontal, 3.0 / 9.81);
   EXPECT_EQ(support::recorded(condition.scene).scale, 1.0);
-  EXPECT_DOUBLE_EQ(support::recorded(condition.scene).frequency_ratio * block.frequency_parameter, 2.0 * std::numbers::pi)
+  EXPECT_DOUBLE_EQ(support::recorded(condition.scene).frequency_ratio * block.frequency_parameter,
+                   2.0 * std::numbers::pi)
       << "one strobe period is a second";
   EXPECT_EQ(condition.horizon.transient_periods, 0);
   // 1.5 s of record and 8 + 4/(1 - delta) = 8 + 4/(1.5/17) = 53.33 units of 1/p = 28.2 s.
@@ -215,7 +216,8 @@ TEST(RecordedExcitation, HasACanonicalTextThatIsItsOwn) {
     ASSERT_EQ(again.conditions.size(), once.conditions.size());
     for (std::size_t i = 0; i < once.conditions.size(); ++i) {
       EXPECT_EQ(again.conditions[i].horizon.sampled_periods, once.conditions[i].horizon.sampled_periods) << sweep;
-      EXPECT_EQ(frequency_ratio(again.conditions[i].scene.excitation), frequency_ratio(once.conditions[i].scene.excitation))
+      EXPECT_EQ(frequency_ratio(again.conditions[i].scene.excitation),
+                frequency_ratio(once.conditions[i].scene.excitation))
           << sweep;
     }
   }

@@ -8,8 +8,8 @@
 #include <limits>
 #include <optional>
 
+#include "rocking/dynamics/armed_guards.hpp"
 #include "rocking/dynamics/automaton.hpp"
-#include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/smooth_step.hpp"
 #include "rocking/dynamics/step_series.hpp"
 
@@ -39,6 +39,7 @@ class BlockMotion : public Automaton<Coefficients> {
   using Base::clock_;
   using Base::coefficients_;
   using Base::excitation_;
+  using Base::known_;
   using Base::setting_;
   using Base::state_;
 
@@ -88,9 +89,7 @@ class BlockMotion : public Automaton<Coefficients> {
     clock_ = clock;
     coefficients_ = coefficients;
     Base::accelerated_at_.reset();
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    known_ = {};
     extend(more);
     this->check_contact();
     settle();
@@ -115,9 +114,7 @@ class BlockMotion : public Automaton<Coefficients> {
   /// ordinary ones. Then it may be done elsewhere, in company (module lanes), from what smooth_step() tells.
   [[nodiscard]] bool has_ordinary_step() const {
     if (!excitation_.runs_in_lanes()) return false;
-    const bool knows_more = Base::sticks_beyond_friction_ || normal_starts_at_zero_ || Base::lift_starts_flat_ ||
-                            Base::slip_starts_flat_ || Base::limit_sign_ != 0.0 ||
-                            (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
+    const bool knows_more = known_ != KnownAtStart{} || (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
     return is_rocking(state_.contact) && !ended() && !knows_more && !Base::was_past_balance_ && !off_ground_ &&
            !(this->is_slipping() && determinant_may_vanish());
   }
@@ -233,7 +230,7 @@ class BlockMotion : public Automaton<Coefficients> {
   template <class Guards, class Visitor>
   void for_each_guard(const Guards& wanted, Visitor&& visit) const {
     visit_guards(
-        guard_context(), series_.rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
+        armed_guards(), series_.rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
   }
 
   void strobe(double x) {
@@ -255,9 +252,7 @@ class BlockMotion : public Automaton<Coefficients> {
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
     if (fired.none() && !at_breakpoint) return;
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    known_ = {};
     if (at_breakpoint) clock_.set(*breakpoint_);
     // A guard that fires without time going on was below zero from the start: the forces had jumped, it is no root.
     const bool at_threshold = time_went_on_;
@@ -312,9 +307,7 @@ class BlockMotion : public Automaton<Coefficients> {
     state_ = next;
     clock_.advance(x);
     events_at_once_ = 0;
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    known_ = known_.after_a_step();
   }
 
   void tell_strobe(const State& sample) {
@@ -379,14 +372,14 @@ class BlockMotion : public Automaton<Coefficients> {
     if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
       this->end(Termination::painleve);
     }
-    if (!normal_starts_at_zero_)
+    if (!known_.normal_is_zero)
       set_off_ground(is_rocking(state_.contact) ? series_.rows().normal[0] <= 0.0 : has_no_weight());
   }
 
   /// N has become 0.
   void cross_normal() {
     set_off_ground(!off_ground_);
-    normal_starts_at_zero_ = true;
+    known_.normal_is_zero = true;
     if (!off_ground_) this->press_again();
   }
 
@@ -408,35 +401,26 @@ class BlockMotion : public Automaton<Coefficients> {
     return 1.0 + kinetic_friction * kinetic_friction >= limit * limit;
   }
 
-  [[nodiscard]] GuardContext guard_context() const {
-    const double side = frame_side(state_);
-    return {.contact = state_.contact,
+  [[nodiscard]] ArmedGuards armed_guards() const {
+    return {.state = state_,
             .block = setting_.block,
+            .known = known_,
             .order = series_.order(),
-            .side = side,
-            .static_friction = coefficients_.static_friction(),
-            .inertia = setting_.inertia,
-            .slip_sign = side * state_.slip_direction,
-            .tilt_zeros = state_.tilt != 0.0        ? 0U
-                          : state_.tilt_rate != 0.0 ? 1U
-                          : Base::lift_starts_flat_ ? 3U
-                                                    : 2U,
-            .slip_zeros = state_.slip_rate != 0.0   ? 0U
-                          : Base::slip_starts_flat_ ? 2U
-                                                    : 1U,
-            .limit_sign = Base::limit_sign_,
-            .normal_zeros = normal_starts_at_zero_ ? 1U : 0U,
-            .was_past_balance = Base::was_past_balance_,
+            .side = frame_side(state_),
+            .mu_s = coefficients_.static_friction(),
+            .J = setting_.inertia,
+            .is_past_balance = Base::was_past_balance_,
             .off_ground = off_ground_,
-            .tests_friction = coefficients_.has_friction() && !off_ground_ && !Base::sticks_beyond_friction_,
-            .determinant_may_vanish = determinant_may_vanish(),
+            .has_friction = coefficients_.has_friction(),
             .vertical = excitation_.has_vertical(),
+            .determinant_can_vanish = determinant_may_vanish(),
             .out_of_reach = out_of_reach_};
   }
 
   [[nodiscard]] OutOfReach<bool> guards_out_of_reach(double length) {
-    const bool may_hop = off_ground_ || normal_starts_at_zero_;
-    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop || excitation_.has_vertical()) return {};
+    const bool may_hop = off_ground_ || known_.normal_is_zero;
+    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop || excitation_.has_vertical())
+      return {};
     return out_of_reach(state_.side * state_.tilt, state_.side * state_.tilt_rate,
                         excitation_.most_horizontal(this->base_amplitude()), length, setting_.block.shape_angle,
                         setting_.block.sine);
@@ -449,8 +433,8 @@ class BlockMotion : public Automaton<Coefficients> {
                                            .clock = clock_,
                                            .amplitude = this->base_amplitude(),
                                            .kinetic_friction = kinetic_friction_,
-                                           .lift_starts_flat = Base::lift_starts_flat_,
-                                           .slip_starts_flat = Base::slip_starts_flat_},
+                                           .lift_starts_flat = known_.lift_is_flat,
+                                           .slip_starts_flat = known_.slip_is_flat},
                                           excitation_);
   }
 
@@ -467,7 +451,6 @@ class BlockMotion : public Automaton<Coefficients> {
   OutOfReach<bool> out_of_reach_{};  ///< over the coming step
   bool after_reset_ = true;
   bool off_ground_ = false;  ///< N <= 0
-  bool normal_starts_at_zero_ = false;
   std::uint64_t losses_of_contact_ = 0;
   double first_loss_of_contact_ = 0.0;
 };

@@ -109,8 +109,8 @@ void check_diagrams(const Experiment& experiment) {
                               "is no number: a diagram is drawn against one", "sweep a number first"});
     }
     if (!is_periodic(condition.scene.excitation)) {
-      throw base::InputError({"/excitation/kind", '"' + std::string(name_of(condition.scene.excitation)) + '"', "has no periods at which a diagram could be sampled",
-                              "give a harmonic excitation"});
+      throw base::InputError({"/excitation/kind", '"' + std::string(name_of(condition.scene.excitation)) + '"',
+                              "has no periods at which a diagram could be sampled", "give a harmonic excitation"});
     }
   }
 }

@@ -47,8 +47,8 @@ struct Recorded {
   static constexpr bool is_periodic = false;
 
   std::shared_ptr<const GroundMotion> ground_motion{};  ///< null only while its file is found to be bad
-  double scale = 1.0;            ///< [-]
-  double frequency_ratio = 1.0;  ///< of the strobe, over p [-]
+  double scale = 1.0;                                   ///< [-]
+  double frequency_ratio = 1.0;                         ///< of the strobe, over p [-]
 
   [[nodiscard]] double size() const { return scale; }
   [[nodiscard]] static Quantity start_phase() { return 0.0; }

@@ -62,8 +62,8 @@ struct Until {
 
 /// Some realisations are named once more by a longer run, which is taken for the truth.
 struct LabelCheck {
-  std::uint64_t every = 20;        ///< every so manieth realisation, at least 1
-  std::uint64_t times_longer = 20; ///< sampled periods of the longer run, in those of the shorter one, at least 2
+  std::uint64_t every = 20;         ///< every so manieth realisation, at least 1
+  std::uint64_t times_longer = 20;  ///< sampled periods of the longer run, in those of the shorter one, at least 2
 };
 
 /// One point of the sweep.
@@ -71,9 +71,9 @@ struct Condition {
   std::vector<Parameter> parameters;
   Scene scene;
   Horizon horizon;
-  double tolerance = 1e-13;  ///< largest last Taylor term of a step, in units of Theta, Theta'
+  double tolerance = 1e-13;         ///< largest last Taylor term of a step, in units of Theta, Theta'
   std::uint64_t repeat_every = 10;  ///< every so manieth realisation is run at a tighter tolerance too; 0: none
-  std::uint64_t realisations = 1;  ///< with `until`: at most
+  std::uint64_t realisations = 1;   ///< with `until`: at most
   std::optional<Until> until;
   std::optional<LabelCheck> label_check;  ///< absent: none
   double confidence = 0.95;

@@ -12,7 +12,8 @@ Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t rea
   const Start start = start_of(condition.scene, draws);
   const Beginning beginning =
       begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
-  HorizonRun run(condition, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
+  HorizonRun run(condition,
+                 [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   Record record = run_alone(run);
   record.effort.initial_draws = start.draws;
   return record;

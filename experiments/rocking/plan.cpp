@@ -1,6 +1,9 @@
 #include "plan.hpp"
 
+#include <algorithm>
 #include <array>
+#include <string_view>
+#include <variant>
 
 #include <fmt/format.h>
 
@@ -19,10 +22,7 @@ struct Effect {
   bool (*is_on)(const Scene&);
 };
 
-constexpr std::array<Effect, 11> effects{{
-    {"recorded horizontal motion of the base", [](const Scene& s) { return s.excitation.record != nullptr; }},
-    {"recorded vertical motion of the base",
-     [](const Scene& s) { return s.excitation.record != nullptr && s.excitation.record->has_vertical; }},
+constexpr std::array<Effect, 9> effects{{
     {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
     {"static friction drawn at each stop",
      [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
@@ -30,7 +30,7 @@ constexpr std::array<Effect, 11> effects{{
      [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
     {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
     {"amplitude drawn each period", [](const Scene& s) { return s.fluctuation.amplitude > 0.0; }},
-    {"phase drawn once", [](const Scene& s) { return is_drawn(s.excitation.phase); }},
+    {"phase drawn once", [](const Scene& s) { return is_drawn(start_phase(s.excitation)); }},
     {"initial tilt drawn once", [](const Scene& s) { return is_drawn(s.initial.tilt); }},
     {"initial tilt rate drawn once", [](const Scene& s) { return is_drawn(s.initial.tilt_rate); }},
     {"initial slip rate drawn once", [](const Scene& s) { return is_drawn(s.initial.slip_rate); }},
@@ -46,11 +46,17 @@ Plan plan_of(const experiment::Experiment& experiment, const Means& means) {
     const std::uint64_t realisations = effective_realisations(condition);
     plan.realisations += realisations;
     plan.at_most = plan.at_most || condition.until;
-    plan.has_record = plan.has_record || condition.scene.excitation.record != nullptr;
+    plan.has_record = plan.has_record || !is_periodic(condition.scene.excitation);
     const auto [transient, sampled] = condition.horizon;
     plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
   }
   plan.needs = needs_of(experiment, means);
+  for (const experiment::Condition& condition : experiment.conditions) {
+    for (const std::string_view name :
+         std::visit([](const auto& kind) { return kind.effects(); }, condition.scene.excitation)) {
+      if (std::ranges::find(plan.effects, name) == plan.effects.end()) plan.effects.emplace_back(name);
+    }
+  }
   for (const Effect& effect : effects) {
     for (const experiment::Condition& condition : experiment.conditions) {
       if (!effect.is_on(condition.scene)) continue;

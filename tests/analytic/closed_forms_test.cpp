@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include "analytic/motion.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -18,7 +19,7 @@ using dynamics::EventKind;
 Condition still(double tilt, double height = 4.0) {
   Condition condition;
   condition.scene.block.height = height;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.initial.tilt = tilt;
   return condition;
 }
@@ -75,14 +76,14 @@ TEST(FreeRocking, LosesAtEachImpactTheShareOfTheEnergyThatHousnerSays) {
 Condition at_threshold(double factor) {
   Condition condition = still(0.0);
   const auto block = dynamics::geometry_of(condition.scene.block);
-  condition.scene.excitation.amplitude = block.tangent / block.shape_angle * factor;
+  support::harmonic(condition.scene).amplitude = block.tangent / block.shape_angle * factor;
   return condition;
 }
 
 // The peak is a touch of the threshold, not a crossing. Just above, the block is off for the time that the sine is above
 // the threshold, sqrt(8 * excess)/Omega: an excess of 1e-12 still stands out of rounding.
 TEST(StaticThreshold, IsTheSmallestAmplitudeThatLifts) {
-  EXPECT_NEAR(at_threshold(1.0).scene.excitation.amplitude, 1.0205, 5e-5) << "for H/B = 4";
+  EXPECT_NEAR(support::harmonic(at_threshold(1.0).scene).amplitude, 1.0205, 5e-5) << "for H/B = 4";
   for (const double sign : {1.0, -1.0}) {
     EXPECT_TRUE(run(at_threshold(sign * (1.0 - 1e-15)), 50).events.empty());
     for (const double excess : {1e-12, 1e-9, 1e-6}) {
@@ -100,8 +101,8 @@ Condition sliding(double slip_rate, double peak, double phase) {
   Condition condition = still(0.0);
   condition.scene.friction = Friction{.static_coefficient = 0.2, .kinetic_coefficient = 0.15};
   condition.scene.initial.slip_rate = slip_rate;
-  condition.scene.excitation.phase = phase;
-  condition.scene.excitation.amplitude = peak / dynamics::geometry_of(condition.scene.block).shape_angle;
+  support::harmonic(condition.scene).phase = phase;
+  support::harmonic(condition.scene).amplitude = peak / dynamics::geometry_of(condition.scene.block).shape_angle;
   return condition;
 }
 
@@ -151,8 +152,8 @@ TEST(FrictionlessRocking, LeavesItsCentreOfMassToItself) {
     for (const double phase : {0.0, 0.7, 3.0}) {
       Condition condition = still(0.7, height);
       condition.scene.friction = Friction{.static_coefficient = 0.0, .kinetic_coefficient = 0.0};
-      condition.scene.excitation.phase = phase;
-      condition.scene.excitation.amplitude = 4.0;
+      support::harmonic(condition.scene).phase = phase;
+      support::harmonic(condition.scene).amplitude = 4.0;
       condition.scene.initial.tilt_rate = 0.3;
       condition.scene.initial.slip_rate = 0.2;
       const dynamics::Geometry block = dynamics::geometry_of(condition.scene.block);
@@ -199,7 +200,7 @@ TEST(Sliding, SettlesToReversalsHalfAPeriodApart) {
 // Free rocking is not troubled by a base that moves steadily: with alpha = 0 every period is the same as none.
 TEST(FreeRocking, DoesNotDependOnTheFrequencyOfABaseThatStandsStill) {
   Condition slow = still(0.5);
-  slow.scene.excitation.frequency_ratio = 5.0;
+  support::harmonic(slow.scene).frequency_ratio = 5.0;
   const Trajectory a = run(still(0.5), 10);
   const Trajectory b = run(slow, 5);
   ASSERT_EQ(a.events.size(), b.events.size());

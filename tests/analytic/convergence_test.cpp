@@ -16,6 +16,7 @@
 
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 #include "support/reference_case.hpp"
 
 namespace rocking {
@@ -68,7 +69,7 @@ struct Subject {
     double largest = 1.0;
     for (const double sign : {1.0, -1.0}) {
       Subject other = *this;
-      other.condition.scene.excitation.amplitude *= 1.0 + sign * change;
+      support::harmonic(other.condition.scene).amplitude *= 1.0 + sign * change;
       auto* tilt = std::get_if<double>(&other.condition.scene.initial.tilt);
       if (tilt != nullptr) *tilt *= 1.0 - sign * change;
       largest = std::max(largest, distance(other.values(1e-14), here) / change);
@@ -136,8 +137,8 @@ INSTANTIATE_TEST_SUITE_P(All, ReferenceCase, testing::ValuesIn(tests::reference_
 Condition fluctuating(const experiment::Fluctuation& fluctuation) {
   Condition condition;
   experiment::Scene& scene = condition.scene;
-  scene.excitation.amplitude = 7.0;
-  scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(scene).amplitude = 7.0;
+  support::harmonic(scene).frequency_ratio = 10.0;
   scene.fluctuation = fluctuation;
   if (fluctuation.static_friction > 0.0 || fluctuation.kinetic_friction > 0.0) {
     scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
@@ -180,7 +181,7 @@ INSTANTIATE_TEST_SUITE_P(All, FrozenDraws, testing::Range<std::size_t>(0, 5),
 // thirteen steps end theirs early, which on the average costs half a step each: (13 + 1)/(4 + 1) = 2.8 times as many.
 TEST(Tolerance, IsPaidForInStepsAsTheOrderSays) {
   Condition condition = fluctuating({});
-  condition.scene.excitation.amplitude = 4.5;
+  support::harmonic(condition.scene).amplitude = 4.5;
   const auto steps = [&condition](double tolerance) {
     condition.tolerance = tolerance;
     return static_cast<double>(experiment::realise(condition, 0, 0).effort.steps);

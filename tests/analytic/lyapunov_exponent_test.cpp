@@ -6,11 +6,10 @@
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/exponent.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
-
-using dynamics::HarmonicExcitation;
 
 constexpr std::int64_t transient = 300;
 constexpr std::int64_t periods = 120;
@@ -29,17 +28,17 @@ class CountedImpacts final : public dynamics::Observer {
 
 Condition rocking_block(double amplitude) {
   Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.initial.tilt = 0.2;
   return condition;
 }
 
-Motion<HarmonicExcitation> after_transient(const Condition& condition, dynamics::Observer& observer) {
+Motion after_transient(const Condition& condition, dynamics::Observer& observer) {
   const random::Draws draws(0x2012, 0);
   const Beginning beginning =
       begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, transient);
-  auto motion = motion_of(beginning, observer, HarmonicExcitation{});
+  auto motion = motion_of(condition.scene, beginning, observer);
   integrate::advance(motion);
   return motion;
 }
@@ -59,7 +58,7 @@ class LyapunovExponent : public testing::TestWithParam<double> {};
 TEST_P(LyapunovExponent, OfAPeriodicMotionIsTheLossOfItsImpacts) {
   const Condition condition = rocking_block(GetParam());
   CountedImpacts impacts;
-  Motion<HarmonicExcitation> motion = after_transient(condition, impacts);
+  Motion motion = after_transient(condition, impacts);
   const int before = impacts.impacts();
   motion.extend(periods);
   integrate::advance(motion);
@@ -84,7 +83,7 @@ TEST(Companions, GoOnForEightTimesAsLongWhereNothingMoves) {
 TEST(Companions, EndWithTheMotion) {
   Condition condition = rocking_block(4.0);
   CountedImpacts impacts;
-  Motion<HarmonicExcitation> motion = after_transient(condition, impacts);
+  Motion motion = after_transient(condition, impacts);
   const double shape_angle = dynamics::geometry_of(condition.scene.block).shape_angle;
   static_cast<void>(motion.displace({.tilt_rate = 5.0}));
   CompanionPair pair(motion, shape_angle, periods);

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -14,6 +13,7 @@
 #include "analytic/motion.hpp"
 #include "rocking/experiment/realisation.hpp"
 #include "rocking/experiment/record.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -35,9 +35,7 @@ Condition shaken_by(const std::vector<Knot>& knots, bool has_vertical = false, d
   const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
   GroundMotion motion{.samples = {}, .has_vertical = has_vertical};
   for (const Knot& knot : knots) motion.samples.push_back({knot.tau / p, knot.horizontal, knot.vertical});
-  condition.scene.excitation.amplitude = 1.0;
-  condition.scene.excitation.frequency_ratio = 2.0 * pi;
-  condition.scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
+  condition.scene.excitation = support::recorded_by(std::move(motion), 2.0 * pi);
   condition.horizon = {.transient_periods = 0, .sampled_periods = 20};
   return condition;
 }
@@ -171,16 +169,14 @@ double tilt_under_sampled_sine(int samples) {
     knots.push_back({angle / 10.0, amplitude * std::sin(angle)});
   }
   Condition condition = shaken_by(knots);
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::recorded(condition.scene).frequency_ratio = 10.0;
   return run(condition, 3).strobe.at(2).tilt;
 }
 
 // The line between samples h apart cuts (h^2/12) off a sine's amplitude, and nothing else to that order.
 TEST(SampledSine, TendsToTheHarmonicExcitationWithTheSquareOfTheSpacing) {
   Condition harmonic = shaken_by({{0.0, 0.0}, {1.0, 0.0}});
-  harmonic.scene.excitation.record = nullptr;
-  harmonic.scene.excitation.amplitude = 4.5;
-  harmonic.scene.excitation.frequency_ratio = 10.0;
+  harmonic.scene.excitation = Harmonic{.amplitude = 4.5, .frequency_ratio = 10.0};
   const double exact = run(harmonic, 3).strobe.at(2).tilt;
   const double coarse = tilt_under_sampled_sine(100) - exact;
   const double fine = tilt_under_sampled_sine(200) - exact;
@@ -234,10 +230,8 @@ TEST(VerticalAcceleration, IsNotComputedWhereNoneIsRecorded) {
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, 1);
     Silent silent;
-    with_motion(condition.scene, beginning, silent, [&](const auto& motion) {
-      using Excitation = std::remove_cvref_t<decltype(motion.excitation())>;
-      EXPECT_EQ(Excitation::has_vertical, has_vertical) << "for which the product with the weight is compiled in";
-    });
+    EXPECT_EQ(motion_of(condition.scene, beginning, silent).excitation().has_vertical(), has_vertical)
+        << "for which the product with the weight is compiled in";
   }
 }
 
@@ -271,22 +265,21 @@ TEST(Record, EndsAStepAtEachOfItsSamples) {
   Silent silent;
   const random::Draws draws(0, 0);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, 20);
-  with_motion(condition.scene, beginning, silent, [&](auto motion) {
-    Noting<decltype(motion)> noting{motion};
-    static_cast<void>(integrate::advance(noting));
-    for (std::size_t i = 1; i < knots.size(); ++i) {
-      const bool met = std::any_of(noting.ends.begin(), noting.ends.end(),
-                                   [&](double end) { return std::abs(end - knots[i].tau) < 2e-15 * (1 + end); });
-      EXPECT_TRUE(met) << "sample " << i;
-    }
-    EXPECT_GE(motion.excitation().segments_looked_up(), 300U);
-  });
+  Motion motion = motion_of(condition.scene, beginning, silent);
+  Noting<Motion> noting{motion};
+  static_cast<void>(integrate::advance(noting));
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const bool met = std::any_of(noting.ends.begin(), noting.ends.end(),
+                                 [&](double end) { return std::abs(end - knots[i].tau) < 2e-15 * (1 + end); });
+    EXPECT_TRUE(met) << "sample " << i;
+  }
+  EXPECT_GE(motion.excitation().segments_looked_up(), 300U);
 }
 
 TEST(Record, IsLookedUpOnlyWhereThereIsOne) {
   Condition condition = shaken_by(pulses(1.0, 1.0, 0.0));
   EXPECT_GE(realise(condition, 0, 0).effort.record_segments, 5U);
-  condition.scene.excitation.record = nullptr;
+  condition.scene.excitation = Harmonic{.amplitude = 1.0, .frequency_ratio = 2.0 * pi};
   EXPECT_EQ(realise(condition, 0, 0).effort.record_segments, 0U);
 }
 
@@ -294,8 +287,7 @@ TEST(Record, OfNoMotionLeavesFreeRockingInEveryBit) {
   Condition still = shaken_by({{0.0, 0.0}, {1000.0, 0.0}});
   still.scene.initial.tilt = 0.7;
   Condition free = still;
-  free.scene.excitation.record = nullptr;
-  free.scene.excitation.amplitude = 0.0;
+  free.scene.excitation = Harmonic{.amplitude = 0.0, .frequency_ratio = 2.0 * pi};
   const Trajectory a = run(still, 20);
   const Trajectory b = run(free, 20);
   ASSERT_EQ(a.events.size(), b.events.size());

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/record.hpp"
+#include "support/excitation.hpp"
 #include "support/reference_case.hpp"
 
 namespace rocking {
@@ -69,8 +70,8 @@ TEST_P(ReferenceMode, IsNamedRight) {
 
 experiment::Condition noisy_friction(const experiment::Friction& friction, double amplitude) {
   experiment::Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = friction;
   condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.03;
   condition.tolerance = 1e-10;

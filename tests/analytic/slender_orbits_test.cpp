@@ -13,6 +13,7 @@
 
 #include "analytic/motion.hpp"
 #include "rocking/experiment/record.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -107,9 +108,9 @@ Condition slender(const Orbit& orbit, double height, const State& start, double 
   scene.block.height = height;
   const double sine = dynamics::geometry_of(scene.block).sine;
   scene.restitution = (1.0 - orbit.family.r) / (1.5 * sine * sine) - 1.0;
-  scene.excitation.amplitude = orbit.family.amplitude(orbit.x);
-  scene.excitation.frequency_ratio = orbit.family.omega;
-  scene.excitation.phase = phase;
+  support::harmonic(scene).amplitude = orbit.family.amplitude(orbit.x);
+  support::harmonic(scene).frequency_ratio = orbit.family.omega;
+  support::harmonic(scene).phase = phase;
   scene.initial = {.tilt = start.tilt, .tilt_rate = start.rate, .slip_rate = 0.0};
   return condition;
 }
@@ -331,7 +332,7 @@ double irregularity(const Family& family, double amplitude) {
   const Orbit fold{family, family.x_fold()};
   Condition condition =
       slender(fold, 1000.0, fold.at(0.5 * family.h()), fold.phase() + 0.5 * family.omega * family.h());
-  condition.scene.excitation.amplitude = amplitude;
+  support::harmonic(condition.scene).amplitude = amplitude;
   const Trajectory trajectory = trajectory_of(condition, 0, 0, 400 * family.n);
   const double late = 380.0 * 2.0 * family.h();
   double last = late;

@@ -20,7 +20,7 @@ struct Case {
 
 experiment::Condition condition_of(const Case& c) {
   experiment::Condition condition;
-  condition.scene.excitation = {.amplitude = c.amplitude, .frequency_ratio = 10.0, .phase = 0.0, .record = nullptr};
+  condition.scene.excitation = experiment::Harmonic{.amplitude = c.amplitude, .frequency_ratio = 10.0, .phase = 0.0};
   condition.tolerance = 1e-10;
   if (c.sigma > 0.0) {
     condition.scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};

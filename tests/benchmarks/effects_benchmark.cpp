@@ -16,6 +16,7 @@
 #include <sys/resource.h>
 
 #include "rocking/experiment/run.hpp"
+#include "support/excitation.hpp"
 
 namespace {
 
@@ -30,8 +31,8 @@ Condition no_sliding() {
   Condition condition;
   condition.tolerance = 1e-11;
   condition.repeat_every = 0;
-  condition.scene.excitation.amplitude = 4.5;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  rocking::support::harmonic(condition.scene).amplitude = 4.5;
+  rocking::support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.initial.tilt = Uniform{.low = 0.05, .high = 0.35};
   condition.realisations = 400;
   return condition;
@@ -41,7 +42,7 @@ Condition sliding(double static_coefficient, double amplitude) {
   Condition condition = no_sliding();
   condition.scene.friction =
       Friction{.static_coefficient = static_coefficient, .kinetic_coefficient = static_coefficient - 0.05};
-  condition.scene.excitation.amplitude = amplitude;
+  rocking::support::harmonic(condition.scene).amplitude = amplitude;
   return condition;
 }
 
@@ -56,8 +57,8 @@ Condition recorded(bool has_vertical) {
     motion.samples.push_back({time, 4.5 * geometry.shape_angle * std::sin(frequency * time),
                               has_vertical ? 0.1 * std::sin(2.0 * frequency * time) : 0.0});
   }
-  condition.scene.excitation.amplitude = 1.0;
-  condition.scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
+  condition.scene.excitation =
+      rocking::support::recorded_by(std::move(motion), frequency_ratio(condition.scene.excitation));
   condition.realisations = 20;
   return condition;
 }

@@ -15,6 +15,7 @@
 #include "differential/peer/block.hpp"
 #include "rocking/experiment/realisation.hpp"
 #include "rocking/lanes/crew.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::benchmarks {
 
@@ -40,7 +41,7 @@ EndState end_of(const peer::Story& story) {
 }
 
 peer::FlowAccuracy accuracy_of(const Question& question, double tolerance) {
-  const double period = 2.0 * std::numbers::pi / question.condition.scene.excitation.frequency_ratio;
+  const double period = 2.0 * std::numbers::pi / frequency_ratio(question.condition.scene.excitation);
   return {.relative = tolerance, .absolute = tolerance, .longest_step = period / 16.0};
 }
 
@@ -65,7 +66,7 @@ Calibration errors_at(const Case& c, const Follow& follow, double tolerance) {
 class LaneRun {
  public:
   explicit LaneRun(const Question& question)
-      : motion_(experiment::motion_of(beginning_of(question), observer_, dynamics::HarmonicExcitation{})) {}
+      : motion_(experiment::motion_of(question.condition.scene, beginning_of(question), observer_)) {}
   LaneRun(const LaneRun&) = delete;
   LaneRun& operator=(const LaneRun&) = delete;
 
@@ -83,7 +84,7 @@ class LaneRun {
   }
 
   LastStrobe observer_;
-  experiment::Motion<dynamics::HarmonicExcitation> motion_;
+  experiment::Motion motion_;
   integrate::LoopCounts counts_;
 };
 
@@ -93,8 +94,8 @@ Question question_of(const Case& c, int start) {
   Question question{
       .condition = {}, .seed = 0x2012, .realisation = static_cast<std::uint64_t>(start), .periods = periods};
   experiment::Scene& scene = question.condition.scene;
-  scene.excitation.amplitude = c.amplitude;
-  scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(scene).amplitude = c.amplitude;
+  support::harmonic(scene).frequency_ratio = 10.0;
   if (c.slides) scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
   scene.fluctuation.static_friction = scene.fluctuation.kinetic_friction = c.sigma;
   scene.initial.tilt = 0.05 + 0.02 * start;
@@ -109,13 +110,12 @@ EndState follow_by_ours(const Question& question, double tolerance) {
   const experiment::Start start = experiment::start_of(condition.scene, draws);
   const auto beginning =
       experiment::begin_realisation(condition, draws, start, experiment::Strobe::poincare, question.periods);
-  return experiment::with_motion(condition.scene, beginning, observer, [&](auto motion) {
-    integrate::advance(motion);
-    const double psi = beginning.setting.block.shape_angle;
-    const dynamics::State& last = observer.last();
-    return EndState{last.tilt / psi, last.tilt_rate / psi, last.slip_rate,
-                    motion.termination() == dynamics::Termination::reached_horizon};
-  });
+  experiment::Motion motion = experiment::motion_of(condition.scene, beginning, observer);
+  integrate::advance(motion);
+  const double psi = beginning.setting.block.shape_angle;
+  const dynamics::State& last = observer.last();
+  return {last.tilt / psi, last.tilt_rate / psi, last.slip_rate,
+          motion.termination() == dynamics::Termination::reached_horizon};
 }
 
 class SideBySide::Implementation {

@@ -7,6 +7,7 @@
 
 #include "rocking/experiment/realisation_crew.hpp"
 #include "rocking/experiment/store.hpp"
+#include "support/excitation.hpp"
 
 namespace {
 
@@ -20,8 +21,8 @@ experiment::Condition condition_of(const char* name) {
   const bool slides = std::strcmp(name, "no_sliding") != 0;
   experiment::Condition condition;
   condition.tolerance = 1e-11;
-  condition.scene.excitation.amplitude = slides ? 7.0 : 4.5;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = slides ? 7.0 : 4.5;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   if (slides) condition.scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
   if (std::strcmp(name, "fluctuating_friction") == 0) {
     condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.03;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "differential/account.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::differential {
@@ -15,7 +16,7 @@ namespace {
 constexpr double useless = 1e-3;  ///< displacements that have grown to this size tell nothing
 
 double period_of(const Question& question) {
-  return 2.0 * std::numbers::pi / question.condition.scene.excitation.frequency_ratio;
+  return 2.0 * std::numbers::pi / frequency_ratio(question.condition.scene.excitation);
 }
 
 Account our_account(const Question& question) {
@@ -35,8 +36,8 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
     return value * factor;
   };
   scene.block.height = nudge(scene.block.height);
-  scene.excitation.amplitude = nudge(scene.excitation.amplitude);
-  scene.excitation.phase = nudge(std::get<double>(scene.excitation.phase));
+  support::harmonic(scene).amplitude = nudge(support::harmonic(scene).amplitude);
+  support::harmonic(scene).phase = nudge(std::get<double>(support::harmonic(scene).phase));
   scene.restitution = nudge(scene.restitution);
   if (scene.friction) {
     auto& [mu_s, mu_k] = *scene.friction;

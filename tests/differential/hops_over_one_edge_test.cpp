@@ -15,7 +15,7 @@ TEST(HopsOverOneEdge, EndInALiftOverTheOther) {
   Question question{.condition = {}, .seed = 0, .realisation = 0, .periods = 3};
   experiment::Scene& scene = question.condition.scene;
   scene.block = {.width = 1.0, .height = 1.2};
-  scene.excitation = {.amplitude = 2.0, .frequency_ratio = 10.0, .phase = 0.0, .record = nullptr};
+  scene.excitation = experiment::Harmonic{.amplitude = 2.0, .frequency_ratio = 10.0, .phase = 0.0};
   scene.restitution = 0.7;
   const peer::Story expected = peer::story_of(peer_scene(question), question.periods);
   const experiment::Trajectory ours = experiment::trajectory_of(question.condition, 0, 0, question.periods);

@@ -19,8 +19,8 @@ Question question_of(const Start& start) {
   Question question{.condition = {}, .seed = 0, .realisation = 0, .periods = 1};
   experiment::Scene& scene = question.condition.scene;
   scene.block = {.width = 1.0, .height = start.height};
-  scene.excitation = {
-      .amplitude = start.amplitude, .frequency_ratio = start.frequency, .phase = 0.0, .record = nullptr};
+  scene.excitation =
+      experiment::Harmonic{.amplitude = start.amplitude, .frequency_ratio = start.frequency, .phase = 0.0};
   scene.friction = experiment::Friction{.static_coefficient = start.friction, .kinetic_coefficient = start.friction};
   scene.initial.tilt = 0.3;
   return question;

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <variant>
 
+#include "support/excitation.hpp"
 #include "support/random_scene.hpp"
 #include "support/split_mix.hpp"
 
@@ -19,10 +20,10 @@ Question random_question(std::uint64_t number) {
 peer::Scene peer_scene(const Question& question) {
   const experiment::Scene& scene = question.condition.scene;
   const double turn = 2.0 * std::numbers::pi;
-  const double phase = std::get<double>(scene.excitation.phase);
+  const double phase = std::get<double>(support::harmonic(scene).phase);
   peer::Scene same{.slenderness = scene.block.height / scene.block.width,
-                   .amplitude = scene.excitation.amplitude,
-                   .frequency = scene.excitation.frequency_ratio,
+                   .amplitude = support::harmonic(scene).amplitude,
+                   .frequency = support::harmonic(scene).frequency_ratio,
                    .phase = phase - turn * std::floor(phase / turn),
                    .restitution = scene.restitution,
                    .friction = std::nullopt,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <span>
 #include <stdexcept>
-#include <type_traits>
 
 namespace rocking::evidence {
 
@@ -16,17 +15,13 @@ LongRun::LongRun(const experiment::Condition& condition, const random::Draws& dr
   const int transient = condition.horizon.transient_periods;
   const auto beginning =
       experiment::begin_realisation(condition, draws, start, experiment::Strobe::poincare, transient);
-  experiment::with_motion(condition.scene, beginning, recorder_, [&](auto motion) {
-    if constexpr (std::is_same_v<decltype(motion), Motion>) {
-      integrate::advance(motion);
-      after_transient_ = motion;
-      motion.extend(periods - transient);
-      integrate::advance(motion);
-      termination_ = motion.termination();
-    } else {
-      throw std::runtime_error("only harmonic excitation repeats");
-    }
-  });
+  if (!is_periodic(condition.scene.excitation)) throw std::runtime_error("only a periodic excitation repeats");
+  Motion motion = experiment::motion_of(condition.scene, beginning, recorder_);
+  integrate::advance(motion);
+  after_transient_ = motion;
+  motion.extend(periods - transient);
+  integrate::advance(motion);
+  termination_ = motion.termination();
 }
 
 section::Verdict LongRun::name(const Window& window, int exponent_periods, const section::Thresholds& thresholds) {

@@ -18,7 +18,7 @@ struct Window {
 /// A realisation of a harmonic scene, run on far beyond its horizon, that can be named by any window of it.
 class LongRun {
  public:
-  using Motion = experiment::Motion<dynamics::HarmonicExcitation>;
+  using Motion = experiment::Motion;
 
   LongRun(const experiment::Condition& condition, const random::Draws& draws, int periods);
 

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "evidence/long_run.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::evidence {
@@ -82,12 +83,12 @@ struct Scene {
 void print(const Scene& scene) {
   experiment::Condition condition;
   condition.scene.block = {.width = 1.0, .height = 4.0, .gravity = 9.81};
-  condition.scene.excitation.amplitude = scene.amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = scene.amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   if (scene.as_plotted) {
     condition.scene.slide_inertia = dynamics::SlideInertia::edge;
     condition.scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;
-    condition.scene.excitation.phase = 0.5 * std::numbers::pi;
+    support::harmonic(condition.scene).phase = 0.5 * std::numbers::pi;
   }
   if (scene.slides) {
     condition.scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};

@@ -130,11 +130,10 @@ inline void try_scene(std::string_view text) {
     const experiment::Start start = experiment::start_of(condition.scene, draws);
     Watch watch;
     const auto beginning = experiment::begin_realisation(condition, draws, start, experiment::Strobe::start, 2);
-    experiment::with_motion(condition.scene, beginning, watch, [&](auto motion) {
-      Limited<decltype(motion)> limited{motion, 2000};
-      static_cast<void>(integrate::advance(limited));
-      watch.strobe(motion.state());
-    });
+    experiment::Motion motion = experiment::motion_of(condition.scene, beginning, watch);
+    Limited<experiment::Motion> limited{motion, 2000};
+    static_cast<void>(integrate::advance(limited));
+    watch.strobe(motion.state());
   } catch (const base::InputError&) {
   } catch (const std::system_error&) {
   }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/record.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking {
 namespace {
@@ -47,8 +48,8 @@ void PrintTo(const Case& c, std::ostream* stream) { *stream << c.name; }
 
 Work work_of(const Case& c) {
   Condition condition;
-  condition.scene.excitation.amplitude = c.amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = c.amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = c.friction;
   condition.scene.fluctuation = c.fluctuation;
   condition.horizon = {.transient_periods = 60, .sampled_periods = 40};

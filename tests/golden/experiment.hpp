@@ -1,6 +1,7 @@
 #pragma once
 
 #include "rocking/experiment/experiment.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::golden {
 
@@ -9,9 +10,9 @@ using namespace experiment;
 inline Condition rocking_with_everything() {
   Condition condition;
   Scene& scene = condition.scene;
-  scene.excitation.amplitude = 6.6;
-  scene.excitation.frequency_ratio = 10.0;
-  scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+  support::harmonic(scene).amplitude = 6.6;
+  support::harmonic(scene).frequency_ratio = 10.0;
+  support::harmonic(scene).phase = Uniform{.low = 0.0, .high = 6.0};
   scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
   scene.fluctuation = {.static_friction = 0.03,
                        .kinetic_friction = 0.03,
@@ -26,8 +27,8 @@ inline Condition rocking_with_everything() {
 
 inline Condition chattering_without_friction() {
   Condition condition;
-  condition.scene.excitation.amplitude = 1.03;
-  condition.scene.excitation.frequency_ratio = 2.0;
+  support::harmonic(condition.scene).amplitude = 1.03;
+  support::harmonic(condition.scene).frequency_ratio = 2.0;
   condition.horizon = {.transient_periods = 4, .sampled_periods = 24};
   return condition;
 }

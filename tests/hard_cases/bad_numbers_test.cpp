@@ -21,6 +21,7 @@
 #include "rocking/report/read_experiment.hpp"
 #include "rocking/report/read_record.hpp"
 #include "rocking/report/result_json.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking {
 namespace {
@@ -165,9 +166,7 @@ TEST(BadNumber, InAnyPlaceOfARecordIsRefusedWithItsLineOrIsANumber) {
         if (!motion) continue;
         ++read;
         experiment::Condition condition;
-        condition.scene.excitation.amplitude = 1.0;
-        condition.scene.excitation.frequency_ratio = 5.0;
-        condition.scene.excitation.record = std::make_shared<const experiment::GroundMotion>(*motion);
+        condition.scene.excitation = support::recorded_by(*motion, 5.0);
         condition.horizon = {.transient_periods = 0, .sampled_periods = 3};
         for (const auto& point : realise(condition, 0, 0).strobe) {
           ASSERT_TRUE(std::isfinite(point.tilt) && std::isfinite(point.tilt_rate)) << what;
@@ -217,7 +216,7 @@ TEST_F(CommandLine, TakesNoLawThatIsNone) {
 /// A scene that has a use for each of its numbers.
 experiment::Condition full_condition() {
   experiment::Condition condition;
-  condition.scene.excitation = {.amplitude = 4.0, .frequency_ratio = 10.0, .phase = 0.5, .record = nullptr};
+  condition.scene.excitation = experiment::Harmonic{.amplitude = 4.0, .frequency_ratio = 10.0, .phase = 0.5};
   condition.scene.friction = experiment::Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
   condition.scene.fluctuation = {.static_friction = 0.03,
                                  .kinetic_friction = 0.03,
@@ -241,9 +240,9 @@ std::vector<Place> places() {
       {"/block/height_m", [](auto& c, double x) { c.scene.block.height = x; }, false},
       {"/block/gravity_m_s2", [](auto& c, double x) { c.scene.block.gravity = x; }, false},
       {"/restitution", [](auto& c, double x) { c.scene.restitution = x; }, true},
-      {"/excitation/amplitude", [](auto& c, double x) { c.scene.excitation.amplitude = x; }, true},
-      {"/excitation/frequency_ratio", [](auto& c, double x) { c.scene.excitation.frequency_ratio = x; }, false},
-      {"/excitation/phase_rad", [](auto& c, double x) { c.scene.excitation.phase = x; }, true},
+      {"/excitation/amplitude", [](auto& c, double x) { support::harmonic(c.scene).amplitude = x; }, true},
+      {"/excitation/frequency_ratio", [](auto& c, double x) { support::harmonic(c.scene).frequency_ratio = x; }, false},
+      {"/excitation/phase_rad", [](auto& c, double x) { support::harmonic(c.scene).phase = x; }, true},
       {"/friction/static", [](auto& c, double x) { c.scene.friction->static_coefficient = x; }, true},
       {"/friction/kinetic", [](auto& c, double x) { c.scene.friction->kinetic_coefficient = x; }, true},
       {"/fluctuation/static_friction/sigma", [](auto& c, double x) { c.scene.fluctuation.static_friction = x; }, true},

@@ -15,6 +15,7 @@
 
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::experiment {
@@ -29,9 +30,7 @@ Condition pushed(double height, double alpha, double tolerance) {
   condition.scene.block.height = height;
   condition.tolerance = tolerance;
   GroundMotion motion{.samples = {{0.0, alpha, 0.0}, {1e6, alpha, 0.0}}, .has_vertical = false};
-  condition.scene.excitation.amplitude = 1.0;
-  condition.scene.excitation.frequency_ratio = 2.0 * std::numbers::pi;
-  condition.scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
+  condition.scene.excitation = support::recorded_by(std::move(motion), 2.0 * std::numbers::pi);
   return condition;
 }
 

@@ -10,6 +10,7 @@
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
 #include "rocking/stats/binomial_test.hpp"
+#include "support/excitation.hpp"
 #include "support/false_alarms.hpp"
 
 namespace rocking::experiment {
@@ -35,7 +36,7 @@ bool is_finite(const Record& record) {
 /// A block that slides to the end, too fast to stop.
 Condition sliding(double sigma) {
   Condition condition;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = Friction{.static_coefficient = 0.2, .kinetic_coefficient = 0.1};
   condition.scene.fluctuation.kinetic_friction = sigma;
   condition.scene.fluctuation.refreshes_per_period = 50;
@@ -74,7 +75,7 @@ TEST(ClampedKineticFriction, IsClampedAsOftenAsTheNormalLawSaysAndBrakesAccordin
 TEST(ClampedAmplitude, IsHeldAtZeroInHalfThePeriods) {
   support::FalseAlarms alarms;
   Condition condition = sliding(0.0);
-  condition.scene.excitation.amplitude = 0.5;
+  support::harmonic(condition.scene).amplitude = 0.5;
   condition.scene.fluctuation.amplitude = 100.0;
   condition.horizon.sampled_periods = 5'000;
   const Record record = realise(condition, 3, 1);
@@ -91,8 +92,8 @@ TEST(ClampedAmplitude, IsHeldAtZeroInHalfThePeriods) {
 TEST(ClampedRestitution, IsHeldWithinItsBoundsInNearlyEveryImpact) {
   support::FalseAlarms alarms;
   Condition condition;
-  condition.scene.excitation.amplitude = 1.5;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = 1.5;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.fluctuation.restitution = 100.0;
   condition.horizon = {.transient_periods = 0, .sampled_periods = 300};
   std::uint64_t clamped = 0;
@@ -112,8 +113,8 @@ TEST(ClampedRestitution, IsHeldWithinItsBoundsInNearlyEveryImpact) {
 TEST(ClampedEverything, LeavesARunThatIsOne) {
   support::FalseAlarms alarms;
   Condition condition;
-  condition.scene.excitation.amplitude = 3.0;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = 3.0;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
   condition.scene.fluctuation = {.static_friction = 50.0,
                                  .kinetic_friction = 50.0,

@@ -10,6 +10,7 @@
 
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::experiment {
@@ -32,9 +33,7 @@ Condition on_base(const std::vector<Knot>& knots) {
   const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
   GroundMotion motion{.samples = {}, .has_vertical = true};
   for (const Knot& knot : knots) motion.samples.push_back({knot.tau / p, knot.horizontal, knot.vertical});
-  condition.scene.excitation.amplitude = 1.0;
-  condition.scene.excitation.frequency_ratio = 2.0 * 3.141592653589793;
-  condition.scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
+  condition.scene.excitation = support::recorded_by(std::move(motion), 2.0 * 3.141592653589793);
   condition.horizon = {.transient_periods = 0, .sampled_periods = 10};
   return condition;
 }

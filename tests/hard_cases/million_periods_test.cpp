@@ -8,6 +8,7 @@
 
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking {
@@ -23,9 +24,9 @@ constexpr std::int64_t million = 1'000'000;
 
 Condition shaken(double amplitude) {
   Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
-  condition.scene.excitation.phase = 1.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
+  support::harmonic(condition.scene).phase = 1.0;
   return condition;
 }
 

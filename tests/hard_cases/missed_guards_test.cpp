@@ -16,6 +16,7 @@
 
 #include "rocking/experiment/horizon_run.hpp"
 #include "rocking/experiment/realisation_crew.hpp"
+#include "support/excitation.hpp"
 #include "support/guard_watch.hpp"
 #include "support/random_scene.hpp"
 #include "support/watched_motion.hpp"
@@ -38,16 +39,16 @@ constexpr std::uint64_t watched_steps = 1'000'000;
 #endif
 
 /// A broken line, its knots unevenly spaced, now and then a jump; two in three with a vertical motion.
-std::shared_ptr<const GroundMotion> random_ground_motion(const Scene& scene, SplitMix& draw) {
+GroundMotion random_ground_motion(const Scene& scene, SplitMix& draw) {
   GroundMotion motion{.samples = {}, .has_vertical = draw.below(3) != 0};
   const dynamics::Geometry block = dynamics::geometry_of(scene.block);
-  const double period = 2.0 * std::numbers::pi / scene.excitation.frequency_ratio / block.frequency_parameter;
+  const double period = 2.0 * std::numbers::pi / frequency_ratio(scene.excitation) / block.frequency_parameter;
   const double strongest = draw.uniform(0.05, 0.4);
   for (double time = 0.0; time < horizon_periods * period;) {
     motion.samples.push_back({time, block.shape_angle * draw.uniform(-1.0, 1.0), draw.uniform(-strongest, strongest)});
     if (draw.below(5) != 0) time += draw.uniform(0.05, 0.6) * period;
   }
-  return std::make_shared<const GroundMotion>(std::move(motion));
+  return motion;
 }
 
 /// A squat block on rubber, thrown over the edge that slips: D may vanish on the way.
@@ -55,7 +56,7 @@ void throw_over(Scene& scene, SplitMix& draw) {
   const double side = draw.below(2) == 0 ? 1.0 : -1.0;
   scene.block.height = draw.uniform(1.0, 1.6);
   scene.slide_inertia = dynamics::SlideInertia::centroidal;
-  scene.excitation.amplitude = support::spread(draw, 0.01, 2.0);
+  support::harmonic(scene).amplitude = support::spread(draw, 0.01, 2.0);
   scene.friction = Friction{.static_coefficient = 2.0, .kinetic_coefficient = draw.uniform(1.3, 1.7)};
   scene.initial.tilt = side * draw.uniform(0.0, 0.3);
   scene.initial.slip_rate = -side * draw.uniform(2.0, 6.0);
@@ -72,8 +73,8 @@ Condition random_condition(std::uint64_t number) {
   scene.fluctuation.refreshes_per_period = std::array{1, 8, 100, 200}[static_cast<std::size_t>(draw.below(4))];
   if (draw.below(8) == 0) throw_over(scene, draw);
   if (draw.below(4) == 0) {
-    scene.excitation.phase = 0.0;
-    scene.excitation.record = random_ground_motion(scene, draw);
+    const double frequency = frequency_ratio(scene.excitation);
+    scene.excitation = support::recorded_by(random_ground_motion(scene, draw), frequency, size_of(scene.excitation));
   }
   return condition;
 }
@@ -86,15 +87,13 @@ Record run_watched(const Condition& condition, std::uint64_t realisation, GuardT
   const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                 strobes_before_copy(condition));
-  return with_excitation(condition.scene, beginning, [&]<class Excitation>(const Excitation& excitation) {
-    HorizonRun<Excitation> run(
-        condition, [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
-    support::GuardWatch<Motion<Excitation>> watch(beginning.setting, Excitation::has_vertical, tally);
-    support::WatchedMotion watched(run.motion(), watch, overlooked);
-    while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
-    if (CompanionPair* companions = run.name()) run_alone(*companions);
-    return run.finish();
-  });
+  HorizonRun run(condition,
+                 [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
+  support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
+  support::WatchedMotion watched(run.motion(), watch, overlooked);
+  while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
+  if (CompanionPair* companions = run.name()) run_alone(*companions);
+  return run.finish();
 }
 
 /// What a realisation came to, and the steps and searches that it took.
@@ -121,7 +120,7 @@ void expect_the_same_in_lanes(const lanes::Kernels& kernels, const std::vector<C
   RealisationCrew crew(seed, kernels);
   for (std::size_t next = 0; next < conditions.size() || !crew.is_idle();) {
     for (; next < conditions.size() && crew.wants_more(); ++next) {
-      if (conditions[next].scene.excitation.record == nullptr) crew.start({&conditions[next], next}, next);
+      if (is_periodic(conditions[next].scene.excitation)) crew.start({&conditions[next], next}, next);
     }
     for (const auto& [ticket, record] : crew.work()) {
       ASSERT_EQ(outcome_of(record), outcomes[ticket]) << "random_condition(" << ticket << "), " << kernels.name;

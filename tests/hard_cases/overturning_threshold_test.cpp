@@ -10,6 +10,7 @@
 
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::experiment {
@@ -44,7 +45,7 @@ bool is_overturned(const Condition& condition) {
 /// Upright, with the rate Theta'.
 Condition thrown(double rate) {
   Condition condition;
-  condition.scene.excitation.frequency_ratio = 6.0;
+  support::harmonic(condition.scene).frequency_ratio = 6.0;
   condition.scene.initial.tilt_rate = rate;
   condition.horizon = {.transient_periods = 0, .sampled_periods = 60};
   return condition;
@@ -91,10 +92,8 @@ TEST(OverturningRate, IsPassedWithDifferentStoriesOnItsTwoSides) {
 Condition pushed(double push, double tau) {
   Condition condition;
   const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
-  condition.scene.excitation.amplitude = 1.0;
-  condition.scene.excitation.frequency_ratio = 6.0;
-  condition.scene.excitation.record = std::make_shared<const GroundMotion>(
-      GroundMotion{.samples = {{0.0, push, 0.0}, {tau / p, push, 0.0}, {tau / p, 0.0, 0.0}}, .has_vertical = false});
+  condition.scene.excitation = support::recorded_by(
+      {.samples = {{0.0, push, 0.0}, {tau / p, push, 0.0}, {tau / p, 0.0, 0.0}}, .has_vertical = false}, 6.0);
   condition.horizon = {.transient_periods = 0, .sampled_periods = 60};
   return condition;
 }
@@ -129,8 +128,8 @@ TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlend
 
 Condition shaken(double amplitude, double tolerance) {
   Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 5.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 5.0;
   condition.tolerance = tolerance;
   condition.horizon = {.transient_periods = 0, .sampled_periods = 40};
   return condition;

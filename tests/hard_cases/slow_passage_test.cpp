@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/realisation.hpp"
+#include "support/excitation.hpp"
 #include "support/simulation.hpp"
 
 namespace rocking {
@@ -69,16 +70,15 @@ TEST(SlowPassage, OfFiftyUnitsOfTimeUnderAQuarterOfTheWeightEndsWhereTheClosedFo
   for (const double direction : {-1.0, 1.0}) {
     experiment::Condition condition;
     condition.tolerance = 1e-16;
-    condition.scene.excitation.amplitude = 1.0;
-    condition.scene.excitation.frequency_ratio = 20.0;
-    condition.scene.excitation.record = std::make_shared<const experiment::GroundMotion>(
-        experiment::GroundMotion{.samples = {{0.0, 0.0, -0.75}, {1000.0, 0.0, -0.75}}, .has_vertical = true});
+    condition.scene.excitation =
+        support::recorded_by({.samples = {{0.0, 0.0, -0.75}, {1000.0, 0.0, -0.75}}, .has_vertical = true}, 20.0);
     experiment::Start start{};
     start.state.tilt = psi + direction * static_cast<double>(passage.ulps) * ulp;
     support::EventLog log;
     const auto beginning =
         begin_realisation(condition, random::Draws(0, 0), start, experiment::Strobe::start, passage.strobe);
-    with_motion(condition.scene, beginning, log, [](auto motion) { static_cast<void>(integrate::advance(motion)); });
+    experiment::Motion motion = motion_of(condition.scene, beginning, log);
+    static_cast<void>(integrate::advance(motion));
     EXPECT_NEAR(log.strobes.back().tilt, psi + direction * passage.angle, 2.0 * ulp * std::exp(25.14))
         << "twice as many steps";
   }

@@ -12,6 +12,7 @@
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
 #include "rocking/report/read_experiment.hpp"
+#include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 #include "support/split_mix.hpp"
 
@@ -221,8 +222,8 @@ TEST(EveryCombination, HasTheSameBitsWithAVerticalMotionOfZeroAsWithNone) {
     const Condition without = condition_of(combination);
     combination.base = Base::recorded_with_zero_vertical;
     const Condition with = condition_of(combination);
-    EXPECT_TRUE(with.scene.excitation.record->has_vertical);
-    EXPECT_FALSE(without.scene.excitation.record->has_vertical);
+    EXPECT_TRUE(support::recorded(with.scene).ground_motion->has_vertical);
+    EXPECT_FALSE(support::recorded(without.scene).ground_motion->has_vertical);
     expect_same(without, with);
   }
 }

@@ -10,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::experiment {
@@ -26,9 +27,9 @@ Condition random_condition(std::uint64_t number, std::int64_t periods) {
   Scene& scene = condition.scene;
   scene.block = {.width = draw.uniform(0.2, 2.0), .height = 0.0, .gravity = draw.uniform(1.0, 10.0)};
   scene.block.height = scene.block.width * std::exp2(draw.uniform(-0.5, 3.5));
-  scene.excitation.amplitude = draw.uniform(0.5, 7.0);
-  scene.excitation.frequency_ratio = draw.uniform(2.0, 12.0);
-  scene.excitation.phase = draw.uniform(0.0, 2.0 * std::numbers::pi);
+  support::harmonic(scene).amplitude = draw.uniform(0.5, 7.0);
+  support::harmonic(scene).frequency_ratio = draw.uniform(2.0, 12.0);
+  support::harmonic(scene).phase = draw.uniform(0.0, 2.0 * std::numbers::pi);
   if (draw.below(4) != 0) {
     const double mu_s = draw.uniform(0.05, 0.9);
     scene.friction = Friction{.static_coefficient = mu_s, .kinetic_coefficient = mu_s * draw.uniform(0.3, 1.0)};
@@ -39,16 +40,14 @@ Condition random_condition(std::uint64_t number, std::int64_t periods) {
   scene.initial.tilt = draw.uniform(-0.8, 0.8);
   const auto base = static_cast<Base>(number % 3);
   if (base == Base::harmonic) return condition;
-  scene.excitation.phase = 0.0;
-  scene.excitation.amplitude = 1.0;
   const dynamics::Geometry block = dynamics::geometry_of(scene.block);
   GroundMotion motion{.samples = {}, .has_vertical = base == Base::recorded_with_vertical};
-  const double period = 2.0 * std::numbers::pi / scene.excitation.frequency_ratio;
+  const double period = 2.0 * std::numbers::pi / frequency_ratio(scene.excitation);
   for (double tau = 0.0; tau < period * static_cast<double>(periods); tau += draw.uniform(0.05, 0.4) * period) {
     motion.samples.push_back(
         {tau / block.frequency_parameter, 5.0 * block.shape_angle * draw.uniform(-1.0, 1.0), draw.uniform(-0.6, 0.6)});
   }
-  scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
+  scene.excitation = support::recorded_by(std::move(motion), frequency_ratio(scene.excitation));
   return condition;
 }
 
@@ -56,10 +55,11 @@ Condition random_condition(std::uint64_t number, std::int64_t periods) {
 Condition scaled(Condition condition, double size, double gravity) {
   dynamics::Block& block = condition.scene.block;
   block = {.width = block.width * size, .height = block.height * size, .gravity = block.gravity * gravity};
-  if (condition.scene.excitation.record == nullptr) return condition;
-  GroundMotion motion = *condition.scene.excitation.record;
+  auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
+  if (recorded == nullptr) return condition;
+  GroundMotion motion = *recorded->ground_motion;
   for (auto& sample : motion.samples) sample.time *= std::sqrt(size / gravity);
-  condition.scene.excitation.record = std::make_shared<const GroundMotion>(std::move(motion));
+  recorded->ground_motion = std::make_shared<const GroundMotion>(std::move(motion));
   return condition;
 }
 
@@ -104,7 +104,7 @@ TEST(Scaling, ByAnyNumberChangesNoMoreThanRounding) {
     const Trajectory trajectory = trajectory_of(condition, 1, number, 3);
     double growth = 1.0;
     for (const double change : {1e-10, -1e-10}) {
-      for (double dynamics::Block::* quantity : {&dynamics::Block::width, &dynamics::Block::gravity}) {
+      for (double dynamics::Block::*quantity : {&dynamics::Block::width, &dynamics::Block::gravity}) {
         Condition other = condition;
         other.scene.block.*quantity *= 1.0 + change;
         growth = std::max(growth, distance(trajectory, trajectory_of(other, 1, number, 3)) / 1e-10);

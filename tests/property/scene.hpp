@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "rocking/dynamics/recorded_excitation.hpp"
+#include "rocking/dynamics/excitation/recorded.hpp"
 #include "support/scripted_coefficients.hpp"
 #include "support/simulation.hpp"
 #include "support/split_mix.hpp"
@@ -66,7 +66,7 @@ void with_simulation(const Scene& scene, Use&& use) {
     const dynamics::Clock clock(scene.stage.frequency, scene.stage.phase);
     const auto motion = std::make_shared<const dynamics::RecordedMotion>(scene.knots, 1.0, clock);
     using Excitation = dynamics::RecordedExcitation<vertical>;
-    support::Simulation<ScriptedCoefficients, Excitation> run(scene.stage, scene.coefficients, Excitation(motion, 1.0));
+    support::Simulation<ScriptedCoefficients> run(scene.stage, scene.coefficients, Excitation(motion, 1.0));
     use(run);
   };
   switch (scene.base) {

@@ -20,6 +20,7 @@
 #include "rocking/experiment/realisation_crew.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/lanes/crew.hpp"
+#include "support/excitation.hpp"
 
 namespace {
 std::uint64_t allocations = 0;
@@ -38,8 +39,8 @@ namespace {
 
 Condition shaken(double amplitude, std::optional<Friction> friction = std::nullopt) {
   Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = friction;
   condition.scene.initial.tilt = Uniform{.low = -0.4, .high = 0.4};
   condition.horizon = {.transient_periods = 30, .sampled_periods = 30};
@@ -61,7 +62,7 @@ std::vector<Condition> crowd() {
     conditions.push_back(shaken(6.6, rough));
     conditions.back().scene.fluctuation.kinetic_friction = 0.05;
     conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
-    conditions.back().scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+    support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   }
   conditions.push_back(shaken(6.6, rough));  // friction held at 0, and at the static
   conditions.back().scene.fluctuation.kinetic_friction = 0.3;
@@ -69,14 +70,14 @@ std::vector<Condition> crowd() {
   conditions.push_back(shaken(5.0));
   conditions.back().scene.fluctuation.amplitude = 0.5;
   conditions.push_back(shaken(8.0, rough));  // needs companions to be named
-  conditions.back().scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+  support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   conditions.back().scene.fluctuation.static_friction = conditions.back().scene.fluctuation.kinetic_friction = 0.02;
   conditions.back().horizon = {.transient_periods = 200, .sampled_periods = 120};
   conditions.push_back(shaken(0.6));  // chatters to rest, over and over
   conditions.push_back(shaken(4.5));
   conditions.back().scene.fluctuation.restitution = 0.05;
   conditions.push_back(shaken(30.0));
-  conditions.back().scene.excitation.frequency_ratio = 1.0;
+  support::harmonic(conditions.back().scene).frequency_ratio = 1.0;
   conditions.push_back(shaken(7.0, Friction{.static_coefficient = 1.6, .kinetic_coefficient = 1.5}));
   conditions.back().scene.block = {.width = 1.0, .height = 0.9, .gravity = 9.81};
   conditions.push_back(shaken(4.5));
@@ -163,16 +164,15 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
   condition.scene.fluctuation.kinetic_friction = 0.03;
   condition.scene.fluctuation.static_friction = 0.03;
   condition.horizon.transient_periods = 20'000;
-  using Run = HorizonRun<dynamics::HarmonicExcitation>;
+  using Run = HorizonRun;
   lanes::Crew<Run> crew(lanes::available_kernels().back());
   std::vector<std::unique_ptr<Run>> runs;
   for (std::uint64_t number = 0; number < crew.wanted_size(); ++number) {
     const random::Draws draws(seed, number);
     const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                   strobes_before_copy(condition));
-    runs.push_back(std::make_unique<Run>(condition, [&](dynamics::Observer& observer) {
-      return motion_of(beginning, observer, dynamics::HarmonicExcitation{});
-    }));
+    runs.push_back(std::make_unique<Run>(
+        condition, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); }));
     crew.add(*runs.back());
   }
   const auto steps = [&crew](int count) {
@@ -193,7 +193,7 @@ struct Work {
 /// Of realisations whose names need companions, over as many periods as are sampled or more.
 Work work_of_companions(int sampled_periods) {
   Condition condition = shaken(8.0, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
-  condition.scene.excitation.phase = Uniform{.low = 0.0, .high = 6.0};
+  support::harmonic(condition.scene).phase = Uniform{.low = 0.0, .high = 6.0};
   condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.02;
   condition.horizon = {.transient_periods = 100, .sampled_periods = sampled_periods};
   const std::uint64_t before = allocations;

@@ -11,14 +11,15 @@
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/experiment/work.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
 
 Condition condition_at(double amplitude, std::uint64_t realisations) {
   Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
   condition.horizon = {.transient_periods = 30, .sampled_periods = 40};
   condition.realisations = realisations;
@@ -33,11 +34,11 @@ Experiment four_conditions() {
   fluctuating.scene.fluctuation.static_friction = 0.03;
   fluctuating.scene.fluctuation.kinetic_friction = 0.03;
   Condition odd = fluctuating;
-  odd.scene.excitation.amplitude = 9.0;
+  support::harmonic(odd.scene).amplitude = 9.0;
   odd.realisations = 7;
   Condition started = condition_at(3.6, 11);
   started.scene.initial.tilt = Uniform{.low = -0.5, .high = 0.5};
-  started.scene.excitation.phase = Uniform{.low = 0.0, .high = 6.28};
+  support::harmonic(started.scene).phase = Uniform{.low = 0.0, .high = 6.28};
   question.conditions = {fluctuating, odd, started, condition_at(7.0, 50)};
   return question;
 }

@@ -7,6 +7,7 @@
 
 #include "rocking/experiment/run.hpp"
 #include "rocking/experiment/stopping.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -18,7 +19,7 @@ Experiment experiment(double half_width, std::uint64_t at_most) {
   question.seed = 0x2012;
   for (const double widest : {2.0, 1.01, 0.0}) {
     Condition condition;
-    condition.scene.excitation.frequency_ratio = 0.05;
+    support::harmonic(condition.scene).frequency_ratio = 0.05;
     condition.horizon = {.transient_periods = 1, .sampled_periods = 1};
     condition.tolerance = 1e-8;
     if (widest > 0.0) condition.scene.initial.tilt = Uniform{.low = 0.0, .high = widest};

@@ -8,6 +8,7 @@
 #include "rocking/experiment/merge.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/experiment/verification.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -20,8 +21,8 @@ Experiment three_conditions() {
   question.seed = 0x2012;
   for (const double amplitude : {3.6, 4.5, 9.0}) {
     Condition condition;
-    condition.scene.excitation.amplitude = amplitude;
-    condition.scene.excitation.frequency_ratio = 10.0;
+    support::harmonic(condition.scene).amplitude = amplitude;
+    support::harmonic(condition.scene).frequency_ratio = 10.0;
     condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
     condition.scene.fluctuation.static_friction = 0.03;
     condition.scene.fluctuation.kinetic_friction = 0.03;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rocking/experiment/cost.hpp"
+#include "support/excitation.hpp"
 
 /// What a measurement of cost could have found, made up.
 namespace rocking::support {
@@ -42,8 +43,8 @@ inline Experiment shaken_experiment(Horizon horizon, std::uint64_t realisations)
   experiment.seed = 0x2012;
   double amplitude = 3.0;
   for (Condition& condition : experiment.conditions) {
-    condition.scene.excitation.amplitude = amplitude += 0.7;
-    condition.scene.excitation.frequency_ratio = 10.0;
+    support::harmonic(condition.scene).amplitude = amplitude += 0.7;
+    support::harmonic(condition.scene).frequency_ratio = 10.0;
     condition.scene.initial.tilt = experiment::Uniform{.low = -0.4, .high = 0.4};
     condition.horizon = horizon;
     condition.realisations = realisations;

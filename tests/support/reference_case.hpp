@@ -9,12 +9,12 @@
 #include <nlohmann/json.hpp>
 
 #include "rocking/experiment/experiment.hpp"
+#include "support/excitation.hpp"
 
 /// The reference trajectories of tests/reference as conditions.
 namespace rocking::tests {
 
-inline const std::filesystem::path reference_folder =
-    std::filesystem::path(ROCKING_SOURCE_DIR) / "tests" / "reference";
+inline const std::filesystem::path reference_folder = std::filesystem::path(ROCKING_SOURCE_DIR) / "tests" / "reference";
 
 inline nlohmann::json load_reference(const std::string& name) {
   std::ifstream stream(reference_folder / (name + ".json"));
@@ -34,9 +34,9 @@ inline experiment::Condition condition_of_reference(const nlohmann::json& refere
   experiment::Condition condition;
   experiment::Scene& scene = condition.scene;
   scene.block = {.width = number(params["B"]), .height = number(params["H"]), .gravity = number(params["g"])};
-  scene.excitation.amplitude = number(params["A_h"]);
-  scene.excitation.frequency_ratio = number(params["Omega"]);
-  scene.excitation.phase = number(params["Phi"]);
+  support::harmonic(scene).amplitude = number(params["A_h"]);
+  support::harmonic(scene).frequency_ratio = number(params["Omega"]);
+  support::harmonic(scene).phase = number(params["Phi"]);
   scene.restitution = number(params["e"]);
   if (params["sliding"].get<bool>()) {
     scene.friction = experiment::Friction{.static_coefficient = number(params["mu_s"]),

@@ -45,12 +45,12 @@ inline constexpr double quarter = 0.5 * std::numbers::pi;  ///< phase at which t
 inline constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< likewise to the left
 
 /// A block on its stage, with the log of what it does. Strobe points a whole number of periods after tau = 0.
-template <dynamics::CoefficientSource Coefficients, dynamics::BaseExcitation Excitation = dynamics::HarmonicExcitation>
+template <dynamics::CoefficientSource Coefficients>
 class Simulation {
  public:
-  using Motion = dynamics::BlockMotion<Coefficients, TaylorSteps, Excitation>;
+  using Motion = dynamics::BlockMotion<Coefficients, TaylorSteps>;
 
-  Simulation(const Stage& stage, const Coefficients& coefficients, const Excitation& excitation = {})
+  Simulation(const Stage& stage, const Coefficients& coefficients, const dynamics::Excitation& excitation = {})
       : motion(dynamics::Setting{.block = stage.geometry(),
                                  .inertia = stage.inertia,
                                  .impact_slip_rule = stage.rule,

@@ -13,6 +13,7 @@
 #include "rocking/experiment/strobe_recorder.hpp"
 #include "rocking/report/read_experiment.hpp"
 #include "rocking/report/write_bifurcation.hpp"
+#include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 
 namespace {
@@ -35,8 +36,8 @@ constexpr std::uint64_t seed = 0x2012;
 Condition fluctuating_condition(double amplitude, double friction = 0.35) {
   Condition condition;
   condition.scene.block = {.width = 1.0, .height = 4.0, .gravity = 9.81};
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction =
       experiment::Friction{.static_coefficient = friction, .kinetic_coefficient = friction - 0.05};
   condition.scene.fluctuation = {.static_friction = 0.05,
@@ -62,14 +63,13 @@ std::vector<StrobePoint> one_long_run(const Condition& condition, std::uint64_t 
   experiment::StrobeRecorder recorder(dynamics::geometry_of(condition.scene.block).shape_angle, stretch * stretches);
   const auto beginning = experiment::begin_realisation(condition, draws, experiment::start_of(condition.scene, draws),
                                                        experiment::Strobe::poincare, stretch);
-  experiment::with_motion(condition.scene, beginning, recorder, [&](auto motion) {
+  experiment::Motion motion = experiment::motion_of(condition.scene, beginning, recorder);
+  integrate::advance(motion);
+  for (int i = 1; i < stretches; ++i) {
+    motion.move_to_last_strobe();
+    motion.extend(stretch);
     integrate::advance(motion);
-    for (int i = 1; i < stretches; ++i) {
-      motion.move_to_last_strobe();
-      motion.extend(stretch);
-      integrate::advance(motion);
-    }
-  });
+  }
   std::vector<StrobePoint> points;
   for (const section::Period& period : recorder.periods()) points.push_back(period.point);
   return points;
@@ -132,7 +132,7 @@ TEST(Continuation, KeepsStateAndPartOfThePeriodWhereTheFrequencyChanges) {
   const double psi = dynamics::geometry_of(condition.scene.block).shape_angle;
   EXPECT_EQ(last.tilt / psi, before.strobe.back().tilt);
   EXPECT_EQ(last.tilt_rate / psi, before.strobe.back().tilt_rate);
-  condition.scene.excitation.frequency_ratio = 8.0;
+  support::harmonic(condition.scene).frequency_ratio = 8.0;
   ASSERT_EQ(continuation.run(condition).strobe.size(), 5U);
   const dynamics::Clock& clock = continuation.motion()->clock();
   EXPECT_EQ(clock.frequency(), 8.0);
@@ -154,7 +154,7 @@ TEST(SceneCoefficients, UnderAnotherMeanKeepTheDeviationsInForce) {
   EXPECT_EQ(coefficients.under(scene).kinetic_friction(clock), coefficients.kinetic_friction(clock));
   EXPECT_EQ(coefficients.under(scene).amplitude(clock), coefficients.amplitude(clock));
   scene.friction->static_coefficient += 0.25;
-  scene.excitation.amplitude += 0.25;
+  support::harmonic(scene).amplitude += 0.25;
   auto moved = coefficients.under(scene);
   EXPECT_NEAR(moved.static_friction(), in_force + 0.25, 0x1p-52);                      // a rounding of a sum below 1
   EXPECT_NEAR(moved.amplitude(clock), coefficients.amplitude(clock) + 0.25, 0x1p-49);  // of one below 8

@@ -10,6 +10,7 @@
 
 #include "rocking/experiment/record.hpp"
 #include "rocking/experiment/trajectory.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -18,8 +19,8 @@ using dynamics::EventKind;
 
 Condition shaken(double amplitude) {
   Condition condition;
-  condition.scene.excitation.amplitude = amplitude;
-  condition.scene.excitation.frequency_ratio = 10.0;
+  support::harmonic(condition.scene).amplitude = amplitude;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.horizon = {.transient_periods = 20, .sampled_periods = 30};
   return condition;
 }
@@ -167,7 +168,7 @@ TEST(Replay, AtAnotherAmplitudeOrFormulationSeesTheSameFriction) {
   Condition condition = fluctuating(with_friction(shaken(1.0), 0.2, 0.15), 0.01);
   condition.scene.initial.slip_rate = 20.0;
   Condition other = condition;
-  other.scene.excitation.amplitude = 3.0;
+  support::harmonic(other.scene).amplitude = 3.0;
   other.scene.slide_inertia = dynamics::SlideInertia::edge;
   other.scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;
   const Record a = realise(condition, 5, 2);
@@ -182,7 +183,7 @@ TEST(Replay, WithAPhaseKeepsTheGridAtTheStart) {
   Condition condition = fluctuating(with_friction(shaken(0.0), 0.2, 0.15), 0.01);
   condition.scene.initial.slip_rate = 20.0;
   Condition shifted = condition;
-  shifted.scene.excitation.phase = 2.0;
+  support::harmonic(shifted.scene).phase = 2.0;
   const Trajectory a = trajectory_of(condition, 5, 2, 20);  // a whole number of periods from the start, in both
   const Trajectory b = trajectory_of(shifted, 5, 2, 20);
   for (std::size_t k = 0; k < 20; ++k) EXPECT_NEAR(a.strobe.at(k).slip_rate, b.strobe.at(k).slip_rate, 1e-12) << k;
@@ -197,8 +198,7 @@ TEST(Verdict, OfARunThatOverturnsHasNoReason) {
 
 TEST(Verdict, AfterARecordTellsWhetherTheBlockEverMoved) {
   Condition condition = shaken(1.0);
-  condition.scene.excitation.record =
-      std::make_shared<const GroundMotion>(GroundMotion{.samples = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}});
+  condition.scene.excitation = support::recorded_by({.samples = {{0.0, 0.0, 0.0}, {1.0, 0.0, 0.0}}}, 10.0);
   EXPECT_EQ(realise(condition, 0, 0).verdict.reason, section::Reason::never_moved);
   condition.scene.initial.tilt = 0.1;
   condition.horizon.sampled_periods = 300;

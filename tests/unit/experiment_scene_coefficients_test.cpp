@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::experiment {
@@ -25,8 +26,8 @@ const random::Draws draws(0x2012, 3);
 
 Scene scene_with(const Fluctuation& fluctuation, double mu_s = 0.35, double mu_k = 0.3) {
   Scene scene;
-  scene.excitation.amplitude = 4.0;
-  scene.excitation.frequency_ratio = frequency;
+  support::harmonic(scene).amplitude = 4.0;
+  support::harmonic(scene).frequency_ratio = frequency;
   scene.friction = Friction{.static_coefficient = mu_s, .kinetic_coefficient = mu_k};
   scene.fluctuation = fluctuation;
   return scene;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/experiment/realisation.hpp"
+#include "support/excitation.hpp"
 
 namespace rocking::experiment {
 namespace {
@@ -16,7 +17,7 @@ const random::Draws draws_of_start(7, 0);
 TEST(Start, WrapsThePhaseIntoOnePeriod) {
   for (const double phase : {0.0, 1.0, 6.28, -1.0, 7.0, -two_pi, two_pi, 100.0, -1e-20, 3.0 * two_pi, 1e6}) {
     Scene scene;
-    scene.excitation.phase = phase;
+    support::harmonic(scene).phase = phase;
     const double wrapped = start_of(scene, draws_of_start).phase;
     EXPECT_GE(wrapped, 0.0) << phase;
     EXPECT_LT(wrapped, two_pi) << phase;
@@ -28,7 +29,7 @@ TEST(Start, WrapsThePhaseIntoOnePeriod) {
 TEST(Start, LeavesAPhaseWithinThePeriodAsItIs) {
   for (const double phase : {0.0, 1e-300, 1.0, 3.0, 6.2831853}) {
     Scene scene;
-    scene.excitation.phase = phase;
+    support::harmonic(scene).phase = phase;
     EXPECT_EQ(start_of(scene, draws_of_start).phase, phase);
   }
 }
@@ -47,7 +48,7 @@ TEST(Start, TurnsTiltsIntoRadians) {
 
 TEST(Start, DrawsEachLawFromItsOwnSource) {
   Scene scene;
-  scene.excitation.phase = Uniform{1.0, 3.0};
+  support::harmonic(scene).phase = Uniform{1.0, 3.0};
   scene.initial = {.tilt = Normal{0.1, 0.2}, .tilt_rate = Uniform{-1.0, 1.0}, .slip_rate = Normal{0.0, 2.0}};
   const double psi = dynamics::geometry_of(scene.block).shape_angle;
   for (std::uint64_t realisation = 0; realisation < 100; ++realisation) {

@@ -6,6 +6,7 @@
 
 #include "rocking/report/files.hpp"
 #include "rocking/report/read_experiment.hpp"
+#include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 
 namespace {
@@ -93,7 +94,7 @@ TEST(CanonicalText, KeepsEveryBitOfANumber) {
   for (const double amplitude : {4.2, 1.0 / 3.0, 0x1.fffffffffffffp1, 5e-324, 123456.789012345678}) {
     const auto document = with(least_experiment(), "/excitation/amplitude", Json(amplitude).dump());
     const auto experiment = read_experiment(canonical(document));
-    EXPECT_EQ(experiment.conditions[0].scene.excitation.amplitude, amplitude);
+    EXPECT_EQ(support::harmonic(experiment.conditions[0].scene).amplitude, amplitude);
   }
 }
 
@@ -120,7 +121,7 @@ TEST(Fluctuation, MayBeSetForEachFrictionByItself) {
   EXPECT_EQ(scene.fluctuation.static_friction, 0.01);
   EXPECT_DOUBLE_EQ(scene.fluctuation.kinetic_friction, 0.03);
   EXPECT_EQ(scene.fluctuation.refreshes_per_period, 50);
-  EXPECT_EQ(scene.fluctuation.amplitude, 0.5 * scene.excitation.amplitude);
+  EXPECT_EQ(scene.fluctuation.amplitude, 0.5 * support::harmonic(scene).amplitude);
 }
 
 }  // namespace

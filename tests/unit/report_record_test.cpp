@@ -12,6 +12,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/report/read_experiment.hpp"
 #include "rocking/report/record_horizon.hpp"
+#include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 
@@ -190,11 +191,12 @@ report::Problems refusals_of(const Json& document) {
 TEST(RecordedExcitation, HasDefaults) {
   const auto condition = read_experiment(recorded()).conditions.at(0);
   const auto block = dynamics::geometry_of(condition.scene.block);
-  ASSERT_NE(condition.scene.excitation.record, nullptr);
-  EXPECT_EQ(condition.scene.excitation.record->samples.size(), 4U);
-  EXPECT_EQ(condition.scene.excitation.record->samples[1].horizontal, 3.0 / 9.81);
-  EXPECT_EQ(condition.scene.excitation.amplitude, 1.0);
-  EXPECT_DOUBLE_EQ(condition.scene.excitation.frequency_ratio * block.frequency_parameter, 2.0 * std::numbers::pi)
+  ASSERT_NE(support::recorded(condition.scene).ground_motion, nullptr);
+  EXPECT_EQ(support::recorded(condition.scene).ground_motion->samples.size(), 4U);
+  EXPECT_EQ(support::recorded(condition.scene).ground_motion->samples[1].horizontal, 3.0 / 9.81);
+  EXPECT_EQ(support::recorded(condition.scene).scale, 1.0);
+  EXPECT_DOUBLE_EQ(support::recorded(condition.scene).frequency_ratio * block.frequency_parameter,
+                   2.0 * std::numbers::pi)
       << "one strobe period is a second";
   EXPECT_EQ(condition.horizon.transient_periods, 0);
   // 1.5 s of record and 8 + 4/(1 - delta) = 8 + 4/(1.5/17) = 53.33 units of 1/p = 28.2 s.
@@ -225,8 +227,8 @@ TEST(RecordedExcitation, HasACanonicalTextThatIsItsOwn) {
     ASSERT_EQ(again.conditions.size(), once.conditions.size());
     for (std::size_t i = 0; i < once.conditions.size(); ++i) {
       EXPECT_EQ(again.conditions[i].horizon.sampled_periods, once.conditions[i].horizon.sampled_periods) << sweep;
-      EXPECT_EQ(again.conditions[i].scene.excitation.frequency_ratio,
-                once.conditions[i].scene.excitation.frequency_ratio)
+      EXPECT_EQ(frequency_ratio(again.conditions[i].scene.excitation),
+                frequency_ratio(once.conditions[i].scene.excitation))
           << sweep;
     }
   }
@@ -236,7 +238,7 @@ TEST(RecordedExcitation, FollowsTheBlockThatASweepChanges) {
   const auto experiment =
       read_experiment(with(recorded(), "/sweep", R"([{"parameter": "/block/height_m", "values": [4, 16]}])"));
   const auto& [low, high] = std::tie(experiment.conditions[0], experiment.conditions[1]);
-  EXPECT_LT(low.scene.excitation.frequency_ratio, high.scene.excitation.frequency_ratio);
+  EXPECT_LT(support::recorded(low.scene).frequency_ratio, support::recorded(high.scene).frequency_ratio);
   EXPECT_LT(low.horizon.sampled_periods, high.horizon.sampled_periods);
 }
 
@@ -249,9 +251,9 @@ TEST(RecordedExcitation, IsReadOnceForAllConditions) {
                                                     return std::string(record_text);
                                                   }});
   EXPECT_EQ(opened, 1);
-  EXPECT_EQ(experiment.conditions.front().scene.excitation.record,
-            experiment.conditions.back().scene.excitation.record);
-  EXPECT_EQ(experiment.conditions.back().scene.excitation.amplitude, 10.0);
+  EXPECT_EQ(support::recorded(experiment.conditions.front().scene).ground_motion,
+            support::recorded(experiment.conditions.back().scene).ground_motion);
+  EXPECT_EQ(support::recorded(experiment.conditions.back().scene).scale, 10.0);
 }
 
 TEST(RecordedExcitation, OpensNoFileWhereNoneIsAskedFor) {
@@ -262,12 +264,12 @@ TEST(RecordedExcitation, OpensNoFileWhereNoneIsAskedFor) {
 
 TEST(RecordedExcitation, HasVerticalMotionWhereItsFileHas) {
   const auto scene = read_experiment(recorded(R"({"kind": "recorded", "file": "vertical.txt"})")).conditions[0].scene;
-  EXPECT_TRUE(scene.excitation.record->has_vertical);
+  EXPECT_TRUE(support::recorded(scene).ground_motion->has_vertical);
 }
 
 TEST(RecordedExcitation, IsSeenFromTheFolderOfTheExperiment) {
   const auto experiment = report::read_experiment_file(ROCKING_SOURCE_DIR "/experiments/recorded/horizontal.json");
-  EXPECT_EQ(experiment.conditions[0].scene.excitation.record->samples.size(), 801U);
+  EXPECT_EQ(support::recorded(experiment.conditions[0].scene).ground_motion->samples.size(), 801U);
 }
 
 TEST(RecordedExcitation, ThatIsNotThereIsMissingInput) {

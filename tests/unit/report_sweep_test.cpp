@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/report/read_experiment.hpp"
+#include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 
 namespace {
@@ -34,17 +35,17 @@ TEST(Sweep, HasBothEndsAndNoRunningSum) {
   ASSERT_EQ(experiment.conditions.size(), 21U);
   for (std::size_t i = 0; i < 21; ++i) {
     const double expected = static_cast<double>(30 + i) / 10.0;  // what 3.3 reads as: both are the nearest double
-    EXPECT_EQ(experiment.conditions[i].scene.excitation.amplitude, expected);
+    EXPECT_EQ(support::harmonic(experiment.conditions[i].scene).amplitude, expected);
     EXPECT_EQ(Json::parse(experiment.conditions[i].parameters[0].value).get<double>(), expected);
   }
-  EXPECT_EQ(experiment.conditions.back().scene.excitation.amplitude, 5.0);
+  EXPECT_EQ(support::harmonic(experiment.conditions.back().scene).amplitude, 5.0);
 }
 
 std::vector<double> amplitudes_of(const std::string& range) {
   std::vector<double> amplitudes;
   const auto sweep = R"([{"parameter": "/excitation/amplitude", )" + range + "}]";
   for (const auto& condition : read_with_sweep(sweep).conditions) {
-    amplitudes.push_back(condition.scene.excitation.amplitude);
+    amplitudes.push_back(support::harmonic(condition.scene).amplitude);
   }
   return amplitudes;
 }
@@ -73,7 +74,7 @@ TEST(Sweep, KeepsEveryBitOfItsEnds) {
 TEST(Sweep, MayRunDownwardsOrStandStill) {
   const auto down = read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 3, "step": -0.5}])");
   ASSERT_EQ(down.conditions.size(), 5U);
-  EXPECT_EQ(down.conditions.back().scene.excitation.amplitude, 3.0);
+  EXPECT_EQ(support::harmonic(down.conditions.back().scene).amplitude, 3.0);
   EXPECT_EQ(
       read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 5, "step": 1}])").conditions.size(),
       1U);
@@ -85,9 +86,9 @@ TEST(Sweep, MakesAGridWhoseLastEntryVariesFastest) {
                                         {"parameter": "/excitation/amplitude", "values": [1, 2, 3]}])");
   ASSERT_EQ(grid.conditions.size(), 6U);
   EXPECT_EQ(grid.conditions[2].scene.friction->static_coefficient, 0.35);
-  EXPECT_EQ(grid.conditions[2].scene.excitation.amplitude, 3.0);
+  EXPECT_EQ(support::harmonic(grid.conditions[2].scene).amplitude, 3.0);
   EXPECT_EQ(grid.conditions[3].scene.friction->static_coefficient, 0.4);
-  EXPECT_EQ(grid.conditions[3].scene.excitation.amplitude, 1.0);
+  EXPECT_EQ(support::harmonic(grid.conditions[3].scene).amplitude, 1.0);
   EXPECT_EQ(grid.conditions[3].parameters[0].value, R"({"static":0.4,"kinetic":0.35})");
   EXPECT_EQ(grid.conditions[3].parameters[1].value, "1.0");
 }

@@ -17,6 +17,20 @@ namespace rocking::base {
 /// a where a < b, else b.
 [[nodiscard]] inline double smaller(double a, double b) { return a < b ? a : b; }
 
+template <class Real>
+[[nodiscard]] inline Real magnitude(const Real& x) {
+  return select(x < Real(0.0), -x, x);
+}
+
+/// a <= b.
+template <class Real>
+[[nodiscard]] inline auto at_most(const Real& a, const Real& b) {
+  return a < b || a == b;
+}
+
+/// Whether a truth holds in any lane.
+[[nodiscard]] inline bool in_any(bool truth) { return truth; }
+
 /// The upper half of the bits of abs(y), as a number below 2^31: exponent and the first 20 bits of the mantissa.
 [[nodiscard]] inline double upper_word(double y) {
   return static_cast<double>(std::bit_cast<std::uint64_t>(y) << 1U >> 33U);

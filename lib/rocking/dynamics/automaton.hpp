@@ -5,11 +5,12 @@
 #include <cstdint>
 #include <optional>
 
+#include "rocking/dynamics/armed_guards.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/dynamics/contact.hpp"
-#include "rocking/dynamics/excitation.hpp"
+#include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/dynamics/impact.hpp"
@@ -29,7 +30,7 @@ struct Setting {
 /// The reset map of MODEL: what follows, at one instant, from each event. It knows no integrator: it is told which guard
 /// fired and leaves the state from which the next smooth piece starts.
 /// Every rule is in lib/docs/model.md, section 3.
-template <CoefficientSource Coefficients, BaseExcitation Excitation>
+template <CoefficientSource Coefficients>
 class Automaton {
  public:
   Automaton(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const Excitation& excitation,
@@ -147,7 +148,7 @@ class Automaton {
     }
     if (!friction_holds(forces)) {
       if (is_centroidal()) {
-        limit_sign_ = -state_.side * direction;
+        known_.limit_sign = -state_.side * direction;
       } else {
         stick_beyond_friction();
       }
@@ -160,7 +161,7 @@ class Automaton {
   void press_again() {
     if (state_.contact != ContactState::slide || !friction_is_above_tangent()) return;
     tip();
-    lift_starts_flat_ = true;
+    known_.lift_is_flat = true;
   }
 
   /// N of a block that sticks beyond friction has fallen to 0: true if slip keeps it on the base, and it slips from now on.
@@ -186,7 +187,7 @@ class Automaton {
     if (!starts_flat && !lasts) return stick_beyond_friction();
     state_.contact = ContactState::rock_slide;
     state_.slip_direction = direction;
-    slip_starts_flat_ = starts_flat;
+    known_.slip_is_flat = starts_flat;
     record(EventKind::slip_start);
   }
 
@@ -208,7 +209,7 @@ class Automaton {
       }
     }
     state_.contact = ContactState::rock;
-    lift_starts_flat_ = at_threshold || forces.acceleration == 0.0;
+    known_.lift_is_flat = at_threshold || forces.acceleration == 0.0;
     record(EventKind::lift);
   }
 
@@ -229,10 +230,7 @@ class Automaton {
   Excitation excitation_;
   State state_;
   bool was_past_balance_ = false;
-  bool lift_starts_flat_ = false;        ///< w' = 0 exactly at the start of the coming step
-  bool slip_starts_flat_ = false;        ///< V' = 0 exactly at the start of the coming step
-  double limit_sign_ = 0.0;              ///< of S F, if abs(F) = mu_s N exactly at the start of the coming step; else 0
-  bool sticks_beyond_friction_ = false;  ///< until the next event; see start_slipping
+  KnownAtStart known_;                     ///< of the coming step
   std::optional<Instant> accelerated_at_;  ///< when the base acceleration below was
 
  private:
@@ -311,7 +309,7 @@ class Automaton {
   }
 
   void stick_beyond_friction() {
-    sticks_beyond_friction_ = true;
+    known_.sticks_beyond_friction = true;
     ++contradictions_;
   }
 
@@ -321,7 +319,7 @@ class Automaton {
     // abs(alpha) >= mu_k (1 + alpha_v), or a rounding of the threshold hides it; nothing pushes where 1 + alpha_v = 0.
     const double alpha = base_acceleration();
     const bool lags = push * alpha <= coefficients_.kinetic_friction(clock_) * weight();
-    slip_starts_flat_ = lags || (at_threshold && (kinetic_equals_static() || alpha == 0.0));
+    known_.slip_is_flat = lags || (at_threshold && (kinetic_equals_static() || alpha == 0.0));
     record(was_sliding ? EventKind::slip_reverse : EventKind::slide_start);
   }
 

@@ -7,10 +7,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <type_traits>
 
+#include "rocking/dynamics/armed_guards.hpp"
 #include "rocking/dynamics/automaton.hpp"
-#include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/smooth_step.hpp"
 #include "rocking/dynamics/step_series.hpp"
 
@@ -34,12 +33,13 @@ struct Displacement {
 ///
 /// `Steps` turns the last two terms of a series into the length of a step: double(last_but_one, last, order, largest).
 /// Copying copies the whole realisation as it stands.
-template <CoefficientSource Coefficients, class Steps, BaseExcitation Excitation = HarmonicExcitation>
-class BlockMotion : public Automaton<Coefficients, Excitation> {
-  using Base = Automaton<Coefficients, Excitation>;
+template <CoefficientSource Coefficients, class Steps>
+class BlockMotion : public Automaton<Coefficients> {
+  using Base = Automaton<Coefficients>;
   using Base::clock_;
   using Base::coefficients_;
   using Base::excitation_;
+  using Base::known_;
   using Base::setting_;
   using Base::state_;
 
@@ -89,9 +89,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     clock_ = clock;
     coefficients_ = coefficients;
     Base::accelerated_at_.reset();
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    known_ = {};
     extend(more);
     this->check_contact();
     settle();
@@ -115,10 +113,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// Whether the coming step is an ordinary one of rocking: nothing known about it but the state, and no guard armed but the
   /// ordinary ones. Then it may be done elsewhere, in company (module lanes), from what smooth_step() tells.
   [[nodiscard]] bool has_ordinary_step() const {
-    if constexpr (!std::is_same_v<Excitation, HarmonicExcitation>) return false;
-    const bool knows_more = Base::sticks_beyond_friction_ || normal_starts_at_zero_ || Base::lift_starts_flat_ ||
-                            Base::slip_starts_flat_ || Base::limit_sign_ != 0.0 ||
-                            (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
+    if (!excitation_.runs_in_lanes()) return false;
+    const bool knows_more = known_ != KnownAtStart{} || (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
     return is_rocking(state_.contact) && !ended() && !knows_more && !Base::was_past_balance_ && !off_ground_ &&
            !(this->is_slipping() && determinant_may_vanish());
   }
@@ -165,7 +161,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// What is known of the coming intervals of the friction grid, if it leaves the steps of a rock-slide ordinary and brief. Each
   /// interval ends at a boundary of the grid (dynamics::grid_boundary).
   [[nodiscard]] FrictionForesight foresee() const {
-    if constexpr (ForeseesCoefficients<Coefficients> && std::is_same_v<Excitation, HarmonicExcitation>) {
+    if constexpr (ForeseesCoefficients<Coefficients>) {
       if (determinant_may_vanish(coefficients_.static_friction())) return {};  // a bound for kinetic friction
       const FrictionForesight known = coefficients_.foresee();
       if (static_cast<double>(known.per_period) * brief_step > 1.0) return known;
@@ -225,7 +221,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   /// The state x into the step that `expand` has prepared.
   [[nodiscard]] State state_at(double x) const { return series_.state_at(x, state_); }
   /// The base's motion x into the step that `expand` has prepared.
-  [[nodiscard]] BaseMotion base_at(double x) const { return series_.template base_at<Excitation>(x, state_); }
+  [[nodiscard]] BaseMotion base_at(double x) const { return series_.base_at(x, state_); }
 
   /// mu_k in force over the coming step while the block slips; else 0.
   [[nodiscard]] double kinetic_friction() const { return kinetic_friction_; }
@@ -234,7 +230,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   template <class Guards, class Visitor>
   void for_each_guard(const Guards& wanted, Visitor&& visit) const {
     visit_guards(
-        guard_context(), series_.rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
+        armed_guards(), series_.rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
   }
 
   void strobe(double x) {
@@ -256,9 +252,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
     if (fired.none() && !at_breakpoint) return;
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = Base::sticks_beyond_friction_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    known_ = {};
     if (at_breakpoint) clock_.set(*breakpoint_);
     // A guard that fires without time going on was below zero from the start: the forces had jumped, it is no root.
     const bool at_threshold = time_went_on_;
@@ -313,9 +307,7 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     state_ = next;
     clock_.advance(x);
     events_at_once_ = 0;
-    Base::lift_starts_flat_ = Base::slip_starts_flat_ = false;
-    Base::limit_sign_ = 0.0;
-    normal_starts_at_zero_ = false;
+    known_ = known_.after_a_step();
   }
 
   void tell_strobe(const State& sample) {
@@ -380,19 +372,19 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     if (state_.contact == ContactState::rock_slide && determinant_may_vanish() && determinant() <= 0.0) {
       this->end(Termination::painleve);
     }
-    if (!normal_starts_at_zero_)
+    if (!known_.normal_is_zero)
       set_off_ground(is_rocking(state_.contact) ? series_.rows().normal[0] <= 0.0 : has_no_weight());
   }
 
   /// N has become 0.
   void cross_normal() {
     set_off_ground(!off_ground_);
-    normal_starts_at_zero_ = true;
+    known_.normal_is_zero = true;
     if (!off_ground_) this->press_again();
   }
 
   /// In full contact N = (4/3)(1 + alpha_v).
-  [[nodiscard]] bool has_no_weight() const { return Excitation::has_vertical && series_.rows().weight[0] <= 0.0; }
+  [[nodiscard]] bool has_no_weight() const { return excitation_.has_vertical() && series_.rows().weight[0] <= 0.0; }
 
   void set_off_ground(bool off) {
     if (off && !off_ground_ && losses_of_contact_++ == 0) first_loss_of_contact_ = clock_.tau();
@@ -409,38 +401,29 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
     return 1.0 + kinetic_friction * kinetic_friction >= limit * limit;
   }
 
-  [[nodiscard]] GuardContext guard_context() const {
-    const double side = frame_side(state_);
-    return {.contact = state_.contact,
+  [[nodiscard]] ArmedGuards armed_guards() const {
+    return {.state = state_,
             .block = setting_.block,
+            .known = known_,
             .order = series_.order(),
-            .side = side,
-            .static_friction = coefficients_.static_friction(),
-            .inertia = setting_.inertia,
-            .slip_sign = side * state_.slip_direction,
-            .tilt_zeros = state_.tilt != 0.0        ? 0U
-                          : state_.tilt_rate != 0.0 ? 1U
-                          : Base::lift_starts_flat_ ? 3U
-                                                    : 2U,
-            .slip_zeros = state_.slip_rate != 0.0   ? 0U
-                          : Base::slip_starts_flat_ ? 2U
-                                                    : 1U,
-            .limit_sign = Base::limit_sign_,
-            .normal_zeros = normal_starts_at_zero_ ? 1U : 0U,
-            .was_past_balance = Base::was_past_balance_,
+            .side = frame_side(state_),
+            .mu_s = coefficients_.static_friction(),
+            .J = setting_.inertia,
+            .is_past_balance = Base::was_past_balance_,
             .off_ground = off_ground_,
-            .tests_friction = coefficients_.has_friction() && !off_ground_ && !Base::sticks_beyond_friction_,
-            .determinant_may_vanish = determinant_may_vanish(),
-            .vertical = Excitation::has_vertical,
+            .has_friction = coefficients_.has_friction(),
+            .vertical = excitation_.has_vertical(),
+            .determinant_can_vanish = determinant_may_vanish(),
             .out_of_reach = out_of_reach_};
   }
 
   [[nodiscard]] OutOfReach<bool> guards_out_of_reach(double length) {
-    if constexpr (!std::is_same_v<Excitation, HarmonicExcitation>) return {};
-    const bool may_hop = off_ground_ || normal_starts_at_zero_;
-    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop) return {};
-    return out_of_reach(state_.side * state_.tilt, state_.side * state_.tilt_rate, this->base_amplitude(), length,
-                        setting_.block.shape_angle, setting_.block.sine);
+    const bool may_hop = off_ground_ || known_.normal_is_zero;
+    if (state_.contact != ContactState::rock || Base::was_past_balance_ || may_hop || excitation_.has_vertical())
+      return {};
+    return out_of_reach(state_.side * state_.tilt, state_.side * state_.tilt_rate,
+                        excitation_.most_horizontal(this->base_amplitude()), length, setting_.block.shape_angle,
+                        setting_.block.sine);
   }
 
   template <int order>
@@ -450,8 +433,8 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
                                            .clock = clock_,
                                            .amplitude = this->base_amplitude(),
                                            .kinetic_friction = kinetic_friction_,
-                                           .lift_starts_flat = Base::lift_starts_flat_,
-                                           .slip_starts_flat = Base::slip_starts_flat_},
+                                           .lift_starts_flat = known_.lift_is_flat,
+                                           .slip_starts_flat = known_.slip_is_flat},
                                           excitation_);
   }
 
@@ -468,7 +451,6 @@ class BlockMotion : public Automaton<Coefficients, Excitation> {
   OutOfReach<bool> out_of_reach_{};  ///< over the coming step
   bool after_reset_ = true;
   bool off_ground_ = false;  ///< N <= 0
-  bool normal_starts_at_zero_ = false;
   std::uint64_t losses_of_contact_ = 0;
   double first_loss_of_contact_ = 0.0;
 };

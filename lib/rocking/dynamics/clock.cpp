@@ -9,7 +9,10 @@ constexpr double two_pi = 0x1.921fb54442d18p+2;
 }
 
 Clock::Clock(double frequency, double phase)
-    : frequency_(frequency), length_(two_pi / frequency), start_(phase / frequency), now_(wrapped({.period = 0, .time = start_})) {}
+    : frequency_(frequency),
+      length_(two_pi / frequency),
+      start_(phase / frequency),
+      now_(wrapped({.period = 0, .time = start_})) {}
 
 void Clock::advance(double duration) {
   const double later = now_.time + duration;

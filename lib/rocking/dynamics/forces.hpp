@@ -35,17 +35,48 @@ struct Forces {
   return kinetic_friction * block.cosine > block.sine;
 }
 
-/// Forces of rocking without slip under the base acceleration alpha (in g) and the weight 1 + alpha_v. To the bit the
-/// first coefficients of the series that `expand_rock` makes: what is compared after an event and the guard of the coming
-/// step must agree on a block at the limit.
+/// How a rocking block moves at an instant, seen from its side: one motion or a pack.
+template <base::Lane Real>
+struct EdgeMotion {
+  base::SinCos<Real> edge;  ///< of phi
+  Real omega;               ///< S w
+  Real beta;                ///< S alpha
+  Real weight;              ///< 1 + alpha_v
+};
+
+/// Contact forces and acceleration, seen from the block's side.
+template <base::Lane Real>
+struct SideForces {
+  Real normal;        ///< N
+  Real friction;      ///< S F
+  Real acceleration;  ///< S w'
+};
+
+/// Forces of rocking without slip. To the bit the first coefficients of the series that `expand_rock` makes: what is compared
+/// after an event and the guard of the coming step must agree on a block at the limit.
+template <base::Lane Real>
+[[nodiscard]] inline SideForces<Real> forces_without_slip(const EdgeMotion<Real>& now) {
+  using base::fused;
+  const auto& [s, c] = now.edge;
+  const Real rate = now.beta * c - now.weight * s;
+  return {.normal = Real(4.0 / 3.0) * now.weight + fused(rate, s, -(now.omega * (now.omega * c))),
+          .friction = Real(4.0 / 3.0) * now.beta - fused(rate, c, now.omega * (now.omega * s)),
+          .acceleration = rate};
+}
+
+/// Whether friction of at most `coefficient` times N, N > 0, is enough for them.
+template <base::Lane Real>
+[[nodiscard]] inline auto friction_is_enough(const SideForces<Real>& forces, const Real& coefficient) {
+  return base::at_most(base::magnitude(forces.friction), coefficient * forces.normal);
+}
+
+/// The same of a state under the base acceleration alpha (in g) and the weight 1 + alpha_v.
 [[nodiscard]] inline Forces rocking_forces(const State& state, double alpha, double weight, const Geometry& block) {
-  const auto [s, c] = edge_angle(state, block);
-  const double beta = state.side * alpha;
-  const double omega = state.side * state.tilt_rate;
-  const double rate = beta * c - weight * s;
-  return {.normal = 4.0 / 3.0 * weight + std::fma(rate, s, -(omega * (omega * c))),
-          .friction = state.side * (4.0 / 3.0 * beta - std::fma(rate, c, omega * (omega * s))),
-          .acceleration = state.side * rate};
+  const auto [normal, friction, acceleration] = forces_without_slip<double>({.edge = edge_angle(state, block),
+                                                                             .omega = state.side * state.tilt_rate,
+                                                                             .beta = state.side * alpha,
+                                                                             .weight = weight});
+  return {.normal = normal, .friction = state.side * friction, .acceleration = state.side * acceleration};
 }
 
 /// Rates of change while rocking with slip, and the normal force that goes with them.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "rocking/dynamics/sticking_impulse.hpp"
+
 namespace rocking::dynamics {
 
 double impact_loss(double restitution, const Geometry& block) {
@@ -9,38 +11,26 @@ double impact_loss(double restitution, const Geometry& block) {
 }
 
 double sticking_tilt_rate(double tilt_rate, double slip_rate, double restitution, const Geometry& block) {
-  return (tilt_rate - 0.75 * block.cosine * slip_rate) - impact_loss(restitution, block) * tilt_rate;
+  return sticking_rate<double>({tilt_rate, slip_rate}, impact_loss(restitution, block), block.cosine);
 }
 
 namespace {
 
-/// Impulses over m R p of an impact taken to stick.
-struct Impulse {
-  double tilt_rate;   ///< w2
-  double horizontal;  ///< P_x
-  double vertical;    ///< P_y
-};
-
 double direction_of(double tilt_rate) { return tilt_rate < 0.0 ? -1.0 : 1.0; }
 
-/// L = V1 - w1 cos(psi).
-double lambda_term(const ImpactConditions& before, const Geometry& block) {
-  return before.slip_rate - before.tilt_rate * block.cosine;
-}
-
-Impulse sticking_impulse(const ImpactConditions& before, const Geometry& block) {
-  const double w1 = before.tilt_rate;
-  const double w2 = sticking_tilt_rate(w1, before.slip_rate, before.restitution, block);
-  return {.tilt_rate = w2,
-          .horizontal = -(block.cosine * w2 + lambda_term(before, block)),
-          .vertical = block.sine * ((1.0 + 2.0 * before.restitution) * std::abs(w1) + direction_of(w1) * w2)};
+StickingImpulse<double> sticking_impulse(const ImpactConditions& before, const Geometry& block) {
+  return dynamics::sticking_impulse<double>({before.tilt_rate, before.slip_rate},
+                                            {.restitution = before.restitution,
+                                             .loss = impact_loss(before.restitution, block),
+                                             .sine = block.sine,
+                                             .cosine = block.cosine});
 }
 
 }  // namespace
 
 std::optional<ImpactOutcome> sticking_impact(const ImpactConditions& before, const Geometry& block,
                                              ImpactSlipRule rule) {
-  const Impulse impulse = sticking_impulse(before, block);
+  const StickingImpulse<double> impulse = sticking_impulse(before, block);
   const bool is_signed = rule == ImpactSlipRule::signed_ratio;
   const double demand = is_signed ? -direction_of(before.tilt_rate) * impulse.horizontal : std::abs(impulse.horizontal);
   const bool sticks = demand <= before.static_friction * impulse.vertical || (is_signed && impulse.vertical <= 0.0);
@@ -58,7 +48,8 @@ ImpactOutcome slipping_impact(const ImpactConditions& before, double kinetic_fri
   const double ratio = (1.0 - 3.0 * rebound * q) / (1.0 + 3.0 * q);
   const double w2 = ratio * w1;
   const double vertical = block.sine * (rebound + ratio) * std::abs(w1);
-  const double slip_rate = lambda_term(before, block) - friction * vertical + block.cosine * w2;
+  const double slip_rate =
+      lambda_term<double>({before.tilt_rate, before.slip_rate}, block.cosine) - friction * vertical + block.cosine * w2;
   return {w2, slip_direction * slip_rate > 0.0 ? slip_rate : 0.0, ImpactKind::slip};
 }
 

@@ -207,14 +207,17 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
       m.normal[0] = fused(m.tilt_rate[1], m.sine[0], normal);
       next_arm_over_d = m.arm[1] * minus_over_d;
     } else {
-      const Real oldest = m.tilt_rate[0] * Real(-over<k + 1>);  // times (omega c)_k: omega_0 s_{k+1}, not waiting for it
-      const Real known = fused(m.rate_cosine[k], oldest, part_of_product<k + 1, 1, k>(m.tilt_rate.data(), m.sine.data()));
+      const Real oldest =
+          m.tilt_rate[0] * Real(-over<k + 1>);  // times (omega c)_k: omega_0 s_{k+1}, not waiting for it
+      const Real known =
+          fused(m.rate_cosine[k], oldest, part_of_product<k + 1, 1, k>(m.tilt_rate.data(), m.sine.data()));
       // The torque but for what is known of N_k; where N_{k-1} is k (omega s)_k alone, it does not wait for it either.
       constexpr bool is_split = k > 1 && !vertical;
-      Real torque = part_of_product<k, 0, is_split ? k - 2 : k - 1>(m.normal.data(), m.arm.data());
+      Real torque = part_of_product < k, 0, is_split ? k - 2 : k - 1 > (m.normal.data(), m.arm.data());
       if constexpr (vertical) torque = fused(static_normal<k, vertical>(m), m.arm[0], torque);
       Real acceleration = torque * (minus_over_d * Real(over<k + 1>));
-      if constexpr (is_split) acceleration = fused(m.rate_sine[k], next_arm_over_d * Real(k * over<k + 1>), acceleration);
+      if constexpr (is_split)
+        acceleration = fused(m.rate_sine[k], next_arm_over_d * Real(k * over<k + 1>), acceleration);
       m.tilt_rate[k + 1] = fused(known, arm_over_d, acceleration);
       m.rate_sine[k + 1] = fused(m.tilt_rate[k + 1], m.sine[0], known);
       m.normal[k] = Real(k + 1) * m.rate_sine[k + 1];
@@ -250,20 +253,6 @@ inline void expand_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip
     m.slip[k + 1] = m.slip_rate[k] * Real(over<k + 1>);
   });
   m.slip[order + 1] = m.slip_rate[order] * Real(over<order + 1>);
-}
-
-/// beta = amplitude sin(omega x + angle), from sine and cosine of the angle, to `order`.
-template <int order, base::Lane Real>
-inline void expand_harmonic(typename MotionSeries<Real>::Row& base, Real amplitude, Real frequency,
-                            const base::SinCos<Real>& angle) {
-  using namespace kernel;
-  base[0] = amplitude * angle.sine;
-  base[1] = amplitude * frequency * angle.cosine;
-  const Real curvature = -(frequency * frequency);
-  repeat<order - 1>([&](auto index) {
-    constexpr int k = index + 2;
-    base[k] = base[k - 2] * curvature * Real(over<k> * over<k - 1>);
-  });
 }
 
 }  // namespace rocking::dynamics

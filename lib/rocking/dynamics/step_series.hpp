@@ -41,12 +41,40 @@ class StepSeries {
   [[nodiscard]] int order() const { return order_; }
 
   /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
-  template <int order, BaseExcitation Excitation>
+  template <int order>
   double expand(const StepStart& start, Excitation& excitation) {
     order_ = order;
+    has_vertical_ = excitation.has_vertical();
+    return excitation.visit([&](auto& kind) { return expand_under<order>(start, kind); });
+  }
+
+  /// The state x after `start`, where the series begin.
+  [[nodiscard]] State state_at(double x, const State& start) const {
+    const double side = frame_side(start);
+    State state = start;
+    if (is_rocking(start.contact)) {
+      state.tilt = side * value(rows_.tilt, order_ + 1, x);
+      state.tilt_rate = side * value(rows_.tilt_rate, order_, x);
+    }
+    if (is_sliding(start.contact)) {
+      state.slip_rate = side * value(rows_.slip_rate, order_, x);
+      state.slip = side * value(rows_.slip, order_ + 1, x);
+    }
+    return state;
+  }
+
+  /// The base's motion then.
+  [[nodiscard]] BaseMotion base_at(double x, const State& start) const {
+    return {.horizontal = frame_side(start) * value(rows_.base, order_, x),
+            .weight = has_vertical_ ? value(rows_.weight, order_, x) : 1.0};
+  }
+
+ private:
+  template <int order, BaseExcitation Kind>
+  double expand_under(const StepStart& start, Kind& excitation) {
     const State& state = start.state;
     const double side = frame_side(state);
-    constexpr bool vertical = Excitation::has_vertical;
+    constexpr bool vertical = Kind::has_vertical;
     excitation.template expand<order>(rows_, start.clock, side * start.amplitude);
     const double largest = start.setting.tolerance * start.setting.block.shape_angle;
     const SlipParameters<double> slip{.inertia = start.setting.inertia,
@@ -72,29 +100,6 @@ class StepSeries {
     return 0.0;
   }
 
-  /// The state x after `start`, where the series begin.
-  [[nodiscard]] State state_at(double x, const State& start) const {
-    const double side = frame_side(start);
-    State state = start;
-    if (is_rocking(start.contact)) {
-      state.tilt = side * value(rows_.tilt, order_ + 1, x);
-      state.tilt_rate = side * value(rows_.tilt_rate, order_, x);
-    }
-    if (is_sliding(start.contact)) {
-      state.slip_rate = side * value(rows_.slip_rate, order_, x);
-      state.slip = side * value(rows_.slip, order_ + 1, x);
-    }
-    return state;
-  }
-
-  /// The base's motion then.
-  template <BaseExcitation Excitation>
-  [[nodiscard]] BaseMotion base_at(double x, const State& start) const {
-    return {.horizontal = frame_side(start) * value(rows_.base, order_, x),
-            .weight = Excitation::has_vertical ? value(rows_.weight, order_, x) : 1.0};
-  }
-
- private:
   template <class Row>
   [[nodiscard]] static double value(const Row& row, int degree, double x) {
     double sum = row[static_cast<std::size_t>(degree)];
@@ -112,6 +117,7 @@ class StepSeries {
 
   MotionSeries<double> rows_{};
   int order_ = full_order;
+  bool has_vertical_ = false;
   Steps steps_;
 };
 

@@ -112,9 +112,9 @@ void check_diagrams(const Experiment& experiment) {
       throw base::InputError({"/sweep/0", condition.parameters.front().value,
                               "is no number: a diagram is drawn against one", "sweep a number first"});
     }
-    if (condition.scene.excitation.record != nullptr) {
-      throw base::InputError({"/excitation/kind", "\"recorded\"", "has no periods at which a diagram could be sampled",
-                              "give a harmonic excitation"});
+    if (!is_periodic(condition.scene.excitation)) {
+      throw base::InputError({"/excitation/kind", '"' + std::string(name_of(condition.scene.excitation)) + '"',
+                              "has no periods at which a diagram could be sampled", "give a harmonic excitation"});
     }
   }
 }

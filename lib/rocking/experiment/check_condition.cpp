@@ -1,6 +1,5 @@
 #include "rocking/experiment/check_condition.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -20,11 +19,10 @@ class ConditionChecker {
     check_block();
     const Excitation& excitation = scene_.excitation;
     finite("/restitution", scene_.restitution);
-    finite("/excitation/amplitude", excitation.amplitude);
-    finite("/excitation/phase_rad", excitation.phase);
+    std::visit([this](const auto& kind) { check_numbers(kind); }, excitation);
     // A period must be a number, also in units of its smallest parts.
-    positive("/excitation/frequency_ratio", excitation.frequency_ratio, 0x1p-60 / excitation.frequency_ratio);
-    if (excitation.record) check_record(*excitation.record);
+    const double frequency = frequency_ratio(excitation);
+    positive("/excitation/frequency_ratio", frequency, 0x1p-60 / frequency);
     if (scene_.friction) {
       not_negative("/friction/static", scene_.friction->static_coefficient);
       not_negative("/friction/kinetic", scene_.friction->kinetic_coefficient);
@@ -77,13 +75,9 @@ class ConditionChecker {
     positive("/block", geometry.shape_angle, geometry.sine * geometry.cosine);
   }
 
-  void check_record(const GroundMotion& motion) {
-    const auto is_finite = [](const dynamics::RecordSample& sample) {
-      return std::isfinite(sample.time) && std::isfinite(sample.horizontal) && std::isfinite(sample.vertical);
-    };
-    const auto bad = std::find_if_not(motion.samples.begin(), motion.samples.end(), is_finite);
-    if (bad == motion.samples.end()) return;
-    reject("/excitation/file", bad->time, "has a sample that is not finite, at this time", "mend the record");
+  template <class Kind>
+  void check_numbers(const Kind& kind) {
+    kind.check([this](const char* place, const auto& value) { finite(place, value); });
   }
 
   void check_fluctuation() {

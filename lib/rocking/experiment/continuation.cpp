@@ -18,8 +18,8 @@ Record Continuation::run(const Condition& condition) {
   const std::int64_t strobes = strobes_before_copy(condition);
   const Start start = start_of(condition.scene, draws_);
   const Beginning beginning = begin_realisation(condition, draws_, start, Strobe::poincare, strobes);
-  HorizonRun<dynamics::HarmonicExcitation> run(condition, [&](dynamics::Observer& observer) {
-    if (!motion_) return motion_of(beginning, observer, dynamics::HarmonicExcitation{});
+  HorizonRun run(condition, [&](dynamics::Observer& observer) {
+    if (!motion_) return motion_of(condition.scene, beginning, observer);
     motion_->observe_with(observer);
     motion_->go_on_under(beginning.setting, in_step_with(motion_->clock(), beginning.clock),
                          motion_->coefficients().under(condition.scene), strobes);

@@ -23,12 +23,12 @@ class Continuation {
   [[nodiscard]] Record run(const Condition& condition);
 
   /// The motion at the end of the last run, its clock on the last strobe point; absent where the coming run begins anew.
-  [[nodiscard]] const std::optional<Motion<dynamics::HarmonicExcitation>>& motion() const { return motion_; }
+  [[nodiscard]] const std::optional<Motion>& motion() const { return motion_; }
 
  private:
   random::Draws draws_;
   base::StopRequest stop_;
-  std::optional<Motion<dynamics::HarmonicExcitation>> motion_;
+  std::optional<Motion> motion_;
 };
 
 }  // namespace rocking::experiment

@@ -6,7 +6,7 @@ bool is_random(const Scene& scene) {
   const auto is_law = [](const Quantity& quantity) { return !std::holds_alternative<double>(quantity); };
   const Fluctuation& f = scene.fluctuation;
   return f.static_friction > 0.0 || f.kinetic_friction > 0.0 || f.restitution > 0.0 || f.amplitude > 0.0 ||
-         is_law(scene.excitation.phase) || is_law(scene.initial.tilt) || is_law(scene.initial.tilt_rate) ||
+         is_law(start_phase(scene.excitation)) || is_law(scene.initial.tilt) || is_law(scene.initial.tilt_rate) ||
          is_law(scene.initial.slip_rate);
 }
 

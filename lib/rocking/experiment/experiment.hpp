@@ -2,46 +2,15 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <string>
-#include <variant>
 #include <vector>
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/formulation.hpp"
-#include "rocking/dynamics/recorded_excitation.hpp"
+#include "rocking/experiment/excitation.hpp"
 
 namespace rocking::experiment {
-
-/// A law on an interval: every value in [low, high) equally likely.
-struct Uniform {
-  double low = 0.0;
-  double high = 0.0;
-};
-
-/// N(mean, sigma^2).
-struct Normal {
-  double mean = 0.0;
-  double sigma = 0.0;
-};
-
-/// A number, or the law from which each realisation draws it once.
-using Quantity = std::variant<double, Uniform, Normal>;
-
-/// A base motion as it was recorded.
-struct GroundMotion {
-  std::vector<dynamics::RecordSample> samples;  ///< accelerations over g, before scaling
-  bool has_vertical = false;
-};
-
-/// Harmonic, a_h/g = A_h psi sin(Omega_h tau + Phi), or a record times a scale.
-struct Excitation {
-  double amplitude = 0.0;        ///< A_h [-]; of a record: its scale [-]
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]; of a record: of the strobe
-  Quantity phase = 0.0;          ///< Phi [rad]; of a record: 0
-  std::shared_ptr<const GroundMotion> record;  ///< absent: harmonic
-};
 
 struct Friction {
   double static_coefficient = 0.0;   ///< mean of mu_s [-]
@@ -93,8 +62,8 @@ struct Until {
 
 /// Some realisations are named once more by a longer run, which is taken for the truth.
 struct LabelCheck {
-  std::uint64_t every = 20;        ///< every so manieth realisation, at least 1
-  std::uint64_t times_longer = 20; ///< sampled periods of the longer run, in those of the shorter one, at least 2
+  std::uint64_t every = 20;         ///< every so manieth realisation, at least 1
+  std::uint64_t times_longer = 20;  ///< sampled periods of the longer run, in those of the shorter one, at least 2
 };
 
 /// One point of the sweep.
@@ -102,9 +71,9 @@ struct Condition {
   std::vector<Parameter> parameters;
   Scene scene;
   Horizon horizon;
-  double tolerance = 1e-13;  ///< largest last Taylor term of a step, in units of Theta, Theta'
+  double tolerance = 1e-13;         ///< largest last Taylor term of a step, in units of Theta, Theta'
   std::uint64_t repeat_every = 10;  ///< every so manieth realisation is run at a tighter tolerance too; 0: none
-  std::uint64_t realisations = 1;  ///< with `until`: at most
+  std::uint64_t realisations = 1;   ///< with `until`: at most
   std::optional<Until> until;
   std::optional<LabelCheck> label_check;  ///< absent: none
   double confidence = 0.95;

@@ -24,8 +24,6 @@ struct CompanionRun {
 /// Leader and companion are advanced by others, from one strobe point to the next. Stays where it is: they tell it of these.
 class CompanionPair {
  public:
-  using Motion = experiment::Motion<dynamics::HarmonicExcitation>;
-
   /// `from`: a realisation at the end of its transient; it is run on over `periods` more, and over up to eight times as
   /// many while the exponent is not clear of zero.
   CompanionPair(const Motion& from, double shape_angle, std::int64_t periods);

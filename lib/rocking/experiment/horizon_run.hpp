@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -26,8 +25,7 @@ inline void add(Effort& effort, const integrate::LoopCounts& counts) {
 inline double resolution_of(double tolerance) { return std::max(1e-9, 1e3 * tolerance); }
 
 /// What a finished motion leaves behind, but for the verdict.
-template <class Motion>
-void collect(Record& record, const Motion& motion, const StrobeRecorder& recorder) {
+inline void collect(Record& record, const Motion& motion, const StrobeRecorder& recorder) {
   record.termination = motion.termination().value_or(dynamics::Termination::stopped);
   record.losses_of_contact = motion.losses_of_contact();
   record.first_loss_of_contact = motion.first_loss_of_contact();
@@ -60,7 +58,6 @@ void collect(Record& record, const Motion& motion, const StrobeRecorder& recorde
 
 /// One realisation on its way to the horizon, and its name at the end. It stays where it is, since its motion tells its
 /// recorder. A copy of the motion is kept from the end of the transient, for a companion.
-template <class Excitation>
 class HorizonRun {
  public:
   /// make_motion(observer) returns the motion, scheduled for strobes_before_copy.
@@ -73,7 +70,7 @@ class HorizonRun {
   HorizonRun(const HorizonRun&) = delete;
   HorizonRun& operator=(const HorizonRun&) = delete;
 
-  [[nodiscard]] Motion<Excitation>& motion() { return motion_; }
+  [[nodiscard]] Motion& motion() { return motion_; }
   [[nodiscard]] integrate::LoopCounts& counts() { return counts_; }
 
   /// Once the motion has ended: true if that was only the end of the transient, and it goes on.
@@ -97,15 +94,14 @@ class HorizonRun {
   const Condition* condition_;
   StrobeRecorder recorder_;
   integrate::LoopCounts counts_;
-  Motion<Excitation> motion_;
-  std::optional<Motion<Excitation>> after_transient_;
+  Motion motion_;
+  std::optional<Motion> after_transient_;
   Record record_;
   section::Classification classification_;
   std::optional<CompanionPair> companions_;
 };
 
-template <class Excitation>
-CompanionPair* HorizonRun<Excitation>::name() {
+inline CompanionPair* HorizonRun::name() {
   add(record_.effort, counts_);
   collect(record_, motion_, recorder_);
   if (record_.termination == dynamics::Termination::overturned) {
@@ -113,25 +109,24 @@ CompanionPair* HorizonRun<Excitation>::name() {
     return nullptr;
   }
   if (record_.termination != dynamics::Termination::reached_horizon) return nullptr;
-  if constexpr (std::is_same_v<Excitation, dynamics::HarmonicExcitation>) {
-    const std::int64_t sampled = condition_->horizon.sampled_periods;
-    classification_ =
-        section::classify({.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
-                           .random = is_random(condition_->scene),
-                           .resolution = resolution_of(condition_->tolerance)});
-    if (!classification_.verdict) {
-      const double shape_angle = dynamics::geometry_of(condition_->scene.block).shape_angle;
-      return &companions_.emplace(*after_transient_, shape_angle, sampled);
-    }
-    record_.verdict = *classification_.verdict;
-  } else {
+  if (!motion_.excitation().is_periodic()) {
     record_.verdict = verdict_after_record(recorder_.periods());
+    return nullptr;
   }
+  const std::int64_t sampled = condition_->horizon.sampled_periods;
+  classification_ =
+      section::classify({.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
+                         .random = is_random(condition_->scene),
+                         .resolution = resolution_of(condition_->tolerance)});
+  if (!classification_.verdict) {
+    const double shape_angle = dynamics::geometry_of(condition_->scene.block).shape_angle;
+    return &companions_.emplace(*after_transient_, shape_angle, sampled);
+  }
+  record_.verdict = *classification_.verdict;
   return nullptr;
 }
 
-template <class Excitation>
-Record HorizonRun<Excitation>::finish() {
+inline Record HorizonRun::finish() {
   if (companions_) {
     const CompanionRun run = companions_->result();
     record_.effort.companion_periods += run.periods;
@@ -141,8 +136,7 @@ Record HorizonRun<Excitation>::finish() {
 }
 
 /// Runs it on one lane. Throws base::Stopped once it is asked to stop.
-template <class Excitation>
-[[nodiscard]] Record run_alone(HorizonRun<Excitation>& run, base::StopRequest stop) {
+[[nodiscard]] inline Record run_alone(HorizonRun& run, base::StopRequest stop) {
   while (!run.motion().ended() || run.go_on()) {
     stop.check();
     integrate::step(run.motion(), run.counts());

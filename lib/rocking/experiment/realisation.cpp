@@ -45,7 +45,7 @@ Start start_of(const Scene& scene, const random::Draws& draws) {
   const double psi = dynamics::geometry_of(scene.block).shape_angle;
   QuantityReader reader(draws);
   Start start{};
-  start.phase = wrapped(reader.value(scene.excitation.phase, Source::phase));
+  start.phase = wrapped(reader.value(start_phase(scene.excitation), Source::phase));
   start.state.tilt = psi * reader.value(scene.initial.tilt, Source::tilt);
   start.state.tilt_rate = psi * reader.value(scene.initial.tilt_rate, Source::tilt_rate);
   start.state.slip_rate = reader.value(scene.initial.slip_rate, Source::slip_rate);
@@ -57,7 +57,7 @@ Beginning begin_realisation(const Condition& condition, const random::Draws& dra
                             std::int64_t periods) {
   check_condition(condition);
   const Scene& scene = condition.scene;
-  const dynamics::Clock clock(scene.excitation.frequency_ratio, start.phase);
+  const dynamics::Clock clock(frequency_ratio(scene.excitation), start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
   return {.setting = {.block = dynamics::geometry_of(scene.block),
                       .inertia = dynamics::inertia_ratio(scene.slide_inertia),

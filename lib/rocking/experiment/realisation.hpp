@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
+#include <variant>
 
 #include "rocking/dynamics/block_motion.hpp"
 #include "rocking/experiment/experiment.hpp"
@@ -20,9 +20,7 @@ struct TaylorSteps {
   }
 };
 
-/// A block on a base that moves as `Excitation` says.
-template <dynamics::BaseExcitation Excitation>
-using Motion = dynamics::BlockMotion<SceneCoefficients, TaylorSteps, Excitation>;
+using Motion = dynamics::BlockMotion<SceneCoefficients, TaylorSteps>;
 
 /// What a realisation draws once, at its start.
 struct Start {
@@ -37,7 +35,7 @@ struct Start {
 /// of periods after tau = 0.
 enum class Strobe : std::uint8_t { poincare, start };
 
-/// A realisation at tau = 0, but for the kind of its base motion.
+/// A realisation at tau = 0, but for its base motion.
 struct Beginning {
   dynamics::Setting setting;
   dynamics::Clock clock;
@@ -50,30 +48,16 @@ struct Beginning {
 [[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
                                           Strobe strobe, std::int64_t periods);
 
-/// Calls use(excitation) with the base motion that the scene asks for.
-template <class Use>
-decltype(auto) with_excitation(const Scene& scene, const Beginning& beginning, Use&& use) {
-  if (scene.excitation.record == nullptr) return use(dynamics::HarmonicExcitation{});
-  const auto motion = std::make_shared<const dynamics::RecordedMotion>(
-      scene.excitation.record->samples, beginning.setting.block.frequency_parameter, beginning.clock);
-  const double scale = scene.excitation.amplitude;
-  if (scene.excitation.record->has_vertical) return use(dynamics::RecordedExcitation<true>(motion, scale));
-  return use(dynamics::RecordedExcitation<false>(motion, scale));
-}
-
-template <class Excitation>
-[[nodiscard]] Motion<Excitation> motion_of(const Beginning& beginning, dynamics::Observer& observer,
-                                           const Excitation& excitation) {
-  return {beginning.setting, beginning.clock, beginning.coefficients, beginning.state, beginning.schedule,
-          observer,          excitation};
-}
-
-/// Calls use(motion) with the motion that the scene's excitation asks for, ready to be advanced.
-template <class Use>
-decltype(auto) with_motion(const Scene& scene, const Beginning& beginning, dynamics::Observer& observer, Use&& use) {
-  return with_excitation(scene, beginning, [&](const auto& excitation) -> decltype(auto) {
-    return use(motion_of(beginning, observer, excitation));
-  });
+/// The motion of a block on the base that the scene asks for, ready to be advanced.
+[[nodiscard]] inline Motion motion_of(const Scene& scene, const Beginning& beginning, dynamics::Observer& observer) {
+  return {beginning.setting,
+          beginning.clock,
+          beginning.coefficients,
+          beginning.state,
+          beginning.schedule,
+          observer,
+          std::visit([&](const auto& kind) { return kind.motion(beginning.setting.block, beginning.clock); },
+                     scene.excitation)};
 }
 
 }  // namespace rocking::experiment

@@ -10,23 +10,21 @@
 namespace rocking::experiment {
 namespace {
 
-using dynamics::HarmonicExcitation;
-
 struct TicketedRun;
 
 /// A motion in the crew: that of a realisation, or one of its companions.
 struct Passenger {
-  [[nodiscard]] Motion<HarmonicExcitation>& motion() const { return *its_motion; }
+  [[nodiscard]] Motion& motion() const { return *its_motion; }
   [[nodiscard]] integrate::LoopCounts& counts() { return *its_counts; }
   [[nodiscard]] bool go_on() const;
 
   TicketedRun* run;
-  Motion<HarmonicExcitation>* its_motion;
+  Motion* its_motion;
   integrate::LoopCounts* its_counts;
 };
 
 /// A realisation in the crew, and who asked for it.
-struct TicketedRun : HorizonRun<HarmonicExcitation> {
+struct TicketedRun : HorizonRun {
   template <class MakeMotion>
   TicketedRun(const Condition& condition, std::size_t its_ticket, std::uint64_t draws, MakeMotion&& make_motion)
       : HorizonRun(condition, make_motion), ticket(its_ticket), initial_draws(draws) {}
@@ -55,7 +53,7 @@ class RealisationCrew::Implementation {
 
   void start(const Task& task, std::size_t ticket) {
     const Condition& condition = *task.condition;
-    if (condition.scene.excitation.record != nullptr) {
+    if (!is_periodic(condition.scene.excitation)) {
       finished_.push_back({ticket, realise(condition, seed_, task.realisation, stop_)});
       return;
     }
@@ -64,7 +62,7 @@ class RealisationCrew::Implementation {
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
     runs_.push_back(std::make_unique<TicketedRun>(condition, ticket, start.draws, [&](dynamics::Observer& observer) {
-      return motion_of(beginning, observer, HarmonicExcitation{});
+      return motion_of(condition.scene, beginning, observer);
     }));
     crew_.add(runs_.back()->itself);
   }

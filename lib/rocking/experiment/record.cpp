@@ -12,13 +12,11 @@ Record realise(const Condition& condition, std::uint64_t seed, std::uint64_t rea
   const Start start = start_of(condition.scene, draws);
   const Beginning beginning =
       begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
-  return with_excitation(condition.scene, beginning, [&]<class Excitation>(const Excitation& excitation) {
-    HorizonRun<Excitation> run(
-        condition, [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
-    Record record = run_alone(run, stop);
-    record.effort.initial_draws = start.draws;
-    return record;
-  });
+  HorizonRun run(condition,
+                 [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
+  Record record = run_alone(run, stop);
+  record.effort.initial_draws = start.draws;
+  return record;
 }
 
 std::optional<std::int64_t> parting_period(const Record& a, const Record& b) {

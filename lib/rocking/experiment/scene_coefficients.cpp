@@ -17,7 +17,7 @@ SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& dr
     : friction_(scene.friction),
       fluctuation_(scene.fluctuation),
       restitution_mean_(scene.restitution),
-      amplitude_mean_(scene.excitation.amplitude),
+      amplitude_mean_(size_of(scene.excitation)),
       draws_(draws),
       static_friction_(std::numeric_limits<double>::infinity()) {
   if (friction_) draw_static_friction();
@@ -60,7 +60,7 @@ SceneCoefficients SceneCoefficients::under(const Scene& scene) const {
   other.friction_ = scene.friction;
   other.fluctuation_ = scene.fluctuation;
   other.restitution_mean_ = scene.restitution;
-  other.amplitude_mean_ = scene.excitation.amplitude;
+  other.amplitude_mean_ = size_of(scene.excitation);
   other.interval_ = -1;
   other.drawn_from_ = none_drawn;
   other.amplitude_period_ = -1;

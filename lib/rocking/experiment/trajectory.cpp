@@ -75,18 +75,16 @@ Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::ui
   std::vector<HistoryPoint> history;
   const Beginning beginning =
       begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, extent.periods);
-  with_motion(condition.scene, beginning, recorder, [&](auto plain) {
-    AccountedMotion motion(std::move(plain), beginning.setting);
-    run(motion, beginning, extent.samples_per_period, history);
-    Trajectory& trajectory = recorder.trajectory;
-    trajectory.termination = motion.termination().value_or(Termination::stopped);
-    trajectory.losses_of_contact = motion.losses_of_contact();
-    if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
-    trajectory.contradictions = motion.contradictions();
-    trajectory.energy = motion.account();
-  });
-  recorder.trajectory.samples_per_period = extent.samples_per_period;
-  recorder.trajectory.history = in_units_of_files(history, shape_angle);
+  AccountedMotion motion(motion_of(condition.scene, beginning, recorder), beginning.setting);
+  run(motion, beginning, extent.samples_per_period, history);
+  Trajectory& trajectory = recorder.trajectory;
+  trajectory.termination = motion.termination().value_or(Termination::stopped);
+  trajectory.losses_of_contact = motion.losses_of_contact();
+  if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
+  trajectory.contradictions = motion.contradictions();
+  trajectory.energy = motion.account();
+  trajectory.samples_per_period = extent.samples_per_period;
+  trajectory.history = in_units_of_files(history, shape_angle);
   return std::move(recorder.trajectory);
 }
 

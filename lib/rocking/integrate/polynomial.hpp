@@ -22,24 +22,28 @@ template <base::Lane Real>
 }
 
 /// The Taylor coefficients p(x), p'(x), p''(x)/2, p'''(x)/6.
+template <base::Lane Real>
 struct Jet {
-  double value;
-  double first;
-  double second;
-  double third;
+  Real value;
+  Real first;
+  Real second;
+  Real third;
 };
 
-/// By Horner's rule, the four side by side.
-[[nodiscard]] inline Jet jet_at(std::span<const double> c, double x) {
-  Jet jet{c.back(), 0.0, 0.0, 0.0};
-  for (std::size_t k = c.size() - 1; k-- > 0;) {
-    jet.third = std::fma(jet.third, x, jet.second);
-    jet.second = std::fma(jet.second, x, jet.first);
-    jet.first = std::fma(jet.first, x, jet.value);
-    jet.value = std::fma(jet.value, x, c[k]);
+/// Of sum c[k] x^k, k < count, by Horner's rule, the four side by side.
+template <base::Lane Real>
+[[nodiscard]] inline Jet<Real> jet_at(const Real* c, std::size_t count, const Real& x) {
+  using base::fused;
+  Jet<Real> jet{c[count - 1], Real(0.0), Real(0.0), Real(0.0)};
+  for (std::size_t k = count - 1; k-- > 0;) {
+    jet.third = fused(jet.third, x, jet.second);
+    jet.second = fused(jet.second, x, jet.first);
+    jet.first = fused(jet.first, x, jet.value);
+    jet.value = fused(jet.value, x, c[k]);
   }
   return jet;
 }
+[[nodiscard]] inline Jet<double> jet_at(std::span<const double> c, double x) { return jet_at(c.data(), c.size(), x); }
 
 /// The same polynomial in t = x/length: coefficients c[k] length^k, so that the step is t in [0, 1].
 inline std::span<const double> scale_to_unit(std::span<const double> c, double length,

@@ -11,6 +11,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/integrate/bernstein.hpp"
 #include "rocking/integrate/polynomial.hpp"
+#include "rocking/integrate/refine.hpp"
 
 namespace rocking::integrate {
 namespace {
@@ -105,33 +106,6 @@ double crossing(std::span<const double> b, std::uint32_t negative) {
   return (static_cast<double>(i - 1) + b[i - 1] / (b[i - 1] - b[i])) / static_cast<double>(b.size() - 1);
 }
 
-/// The one sign loss in [low, high], found from `t` on within a shrinking bracket. A step inverts the first four terms of the
-/// Taylor series, so that the error left is of the fourth order.
-/// Source: Householder (1970), The Numerical Treatment of a Single Nonlinear Equation, chapter 4.
-double refine(std::span<const double> c, double low, double high, double t) {
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
-  for (int iteration = 0; iteration < 100; ++iteration) {
-    const Jet p = jet_at(c, t);
-    (p.value < 0.0 ? high : low) = t;
-    const double scale = 1.0 / p.first;
-    const double newton = p.value * scale;
-    const double second = p.second * scale * newton;
-    const double third = p.third * scale * newton * newton;
-    double next = t - newton * (1.0 + second + (2.0 * second * second - third));
-    // At the loss p falls; where it rises the method would run to a zero at the left end.
-    if (!(p.first < 0.0 && low <= next && next <= high)) {
-      next = 0.5 * (low + high);
-    } else if (std::abs(newton) <= 0.015625 * t) {
-      // Close to the root, as powers of t go, the term of the fourth order is at most about 4 newton/t times the third's.
-      const double third_order = std::abs(newton) * (second * second + std::abs(third));
-      if (third_order * 4.0 * std::abs(newton) <= 0.25 * epsilon * t * t) return next;
-    }
-    if (std::abs(next - t) <= epsilon * t) return next;
-    t = next;
-  }
-  return t;
-}
-
 }  // namespace
 
 std::optional<double> first_sign_loss(std::span<const double> c) {
@@ -149,8 +123,10 @@ std::optional<double> first_sign_loss(std::span<const double> c) {
       case Shape::nonnegative: --count; break;
       case Shape::starts_below: return piece.left;
       case Shape::one_loss: {
-        const double guess = piece.left + piece.width * crossing(b, signs.negative);
-        return refine(c, piece.left, piece.left + piece.width, guess);
+        constexpr int most_iterations = 100;
+        double t = piece.left + piece.width * crossing(b, signs.negative);
+        static_cast<void>(refine(c.data(), c.size(), true, piece.left, piece.left + piece.width, t, most_iterations));
+        return t;
       }
       case Shape::unclear:
         if (piece.depth < max_depth) {

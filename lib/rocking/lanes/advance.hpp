@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rocking/dynamics/forces.hpp"
+#include "rocking/dynamics/sticking_impulse.hpp"
 #include "rocking/lanes/losses.hpp"
 
 namespace rocking::lanes {
@@ -59,7 +61,7 @@ class Advance : Losses<kind, Real> {
   /// The lanes in which a block comes down at the end of the step and may rock on over the other edge at once: an impact that
   /// sticks is all that happens, and no chatter ends with it. As dynamics::Automaton::land says it.
   Truth find_rebounds(const Truth& fits) {
-    rebound_ = load(b_.impact_loss) * end_.tilt_rate - end_.tilt_rate;
+    rebound_ = -dynamics::sticking_rate<Real>({end_.tilt_rate, Real(0.0)}, load(b_.impact_loss), load(b_.cosine));
     Truth lands = fits && this->is_first(0) && time_ < time_ + duration_ && end_.tilt_rate < Real(0.0) &&
                   load(b_.least_rebound) < rebound_;
     for (std::size_t i = 1; i < Base::guards; ++i) lands = lands && !this->is_first(i);
@@ -72,20 +74,18 @@ class Advance : Losses<kind, Real> {
   [[nodiscard]] Truth sticks() const {
     using base::fused;
     const Real closest = Real(0.99) * load(b_.static_friction);
-    const Real sine = load(b_.sine);
-    const Real cosine = load(b_.cosine);
-    const Real pull =
-        load(b_.impact_loss) * -end_.tilt_rate * cosine;  // the impulse's horizontal part, as dynamics::sticking_impact
-    const Real push = sine * (rebound_ - (Real(1.0) + Real(2.0) * load(b_.restitution)) * end_.tilt_rate);
+    const base::SinCos<Real> edge{load(b_.sine), load(b_.cosine)};
+    const auto impulse = dynamics::sticking_impulse<Real>(
+        {end_.tilt_rate, Real(0.0)},
+        {.restitution = load(b_.restitution), .loss = load(b_.impact_loss), .sine = edge.sine, .cosine = edge.cosine});
     Real base = m_.base[Base::order];
 #pragma GCC unroll 20
     for (std::size_t k = Base::order; k > 0; --k) base = fused(base, duration_, m_.base[k - 1]);
-    // In the frame of the other side, as dynamics::rocking_forces.
-    const Real rate = -base * cosine - sine;
-    const Real square = rebound_ * rebound_;
-    const Real normal = Real(4.0 / 3.0) + rate * sine - square * cosine;
-    const Real friction = Real(-4.0 / 3.0) * base - (rate * cosine + square * sine);
-    return pull < closest * push && friction < closest * normal && -friction < closest * normal;
+    // In the frame of the other side.
+    const auto forces =
+        dynamics::forces_without_slip<Real>({.edge = edge, .omega = rebound_, .beta = -base, .weight = Real(1.0)});
+    return base::at_most(base::magnitude(impulse.horizontal), closest * impulse.vertical) &&
+           Real(0.0) < forces.normal && dynamics::friction_is_enough(forces, closest);
   }
 
   /// Moves on the lanes that are `calm` or land, but for those that come to where the equations or the period end.

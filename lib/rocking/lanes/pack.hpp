@@ -260,6 +260,11 @@ struct Row<double> {
   }
 };
 
+template <int w>
+inline bool in_any(const Truth<w>& truth) {
+  return mask_of(truth.truths) != 0;
+}
+
 /// Bit i: the truth of lane i.
 inline std::uint32_t bits_of(bool truth) { return truth ? 1U : 0U; }
 template <int w>

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstddef>
-#include <limits>
 
 #include "rocking/integrate/bernstein.hpp"
+#include "rocking/integrate/refine.hpp"
 #include "rocking/lanes/step.hpp"
 
 /// integrate::first_sign_loss in all lanes at once, for the polynomials that need at most one halving; with its expressions, in
@@ -19,55 +19,12 @@ struct SignLosses {
   TruthOf<Real> unclear;  ///< to be looked at alone
 };
 
-template <class Real>
-[[nodiscard]] Real magnitude(const Real& x) {
-  using base::select;
-  return select(x < Real(0.0), -x, x);
-}
-
-template <class Real>
-[[nodiscard]] TruthOf<Real> at_most(const Real& a, const Real& b) {
-  return a < b || a == b;
-}
-
-/// integrate::refine from t on within [low, high], in the lanes where `active`; true where it has come to its end.
+/// integrate::refine, where it has come to its end soon.
 template <class Real>
 [[gnu::noinline]] TruthOf<Real> refine(const Real* c, std::size_t count, TruthOf<Real> active, Real low, Real high,
                                        Real& t) {
-  using base::fused, base::select;
-  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   constexpr int most_iterations = 20;
-  const Real zero(0.0);
-  const Real one(1.0);
-  for (int iteration = 0; iteration < most_iterations && bits_of(active) != 0; ++iteration) {
-    Real value = c[count - 1];
-    Real first(0.0);
-    Real second(0.0);
-    Real third(0.0);
-    for (std::size_t k = count - 1; k-- > 0;) {
-      third = fused(third, t, second);
-      second = fused(second, t, first);
-      first = fused(first, t, value);
-      value = fused(value, t, c[k]);
-    }
-    const auto is_past = value < zero;
-    high = select(is_past, t, high);
-    low = select(is_past, low, t);
-    const Real scale = one / first;
-    const Real newton = value * scale;
-    second = second * scale * newton;
-    third = third * scale * newton * newton;
-    const Real next = t - newton * (one + second + (Real(2.0) * second * second - third));
-    const auto inside = first < zero && at_most(low, next) && at_most(next, high);
-    const Real chosen = select(inside, next, Real(0.5) * (low + high));
-    const Real third_order = magnitude(newton) * (second * second + magnitude(third));
-    const auto is_close = inside && at_most(magnitude(newton), Real(0.015625) * t) &&
-                          at_most(third_order * Real(4.0) * magnitude(newton), Real(0.25 * epsilon) * t * t);
-    const auto stands = at_most(magnitude(chosen - t), Real(epsilon) * t);
-    t = select(active, chosen, t);
-    active = active && !(is_close || stands);
-  }
-  return !active;
+  return integrate::refine(c, count, active, low, high, t, most_iterations);
 }
 
 /// What the signs of Bernstein coefficients say.

@@ -27,8 +27,7 @@ using dynamics::MotionSeries;
 template <class Real>
 using TruthOf = decltype(std::declval<Real>() < std::declval<Real>());
 
-template <std::size_t count>
-using Count = std::integral_constant<std::size_t, count>;
+using dynamics::Count;
 
 /// In place of the lanes where a first coefficient is known to be 0.
 struct NeverZero {};
@@ -125,37 +124,48 @@ class Step {
 
   static constexpr std::size_t guards = kind == Kind::rock ? 3 : kind == Kind::rock_with_friction ? 5 : 4;
 
-  /// Calls visit(guard, out of reach, number of coefficients, zero, coefficient) for each of the `guards`: where `zero` is true,
-  /// coefficient(0) is known to be 0 and is left out.
+  /// The guards that are armed in an ordinary step, as dynamics::for_each_rocking_guard asks for them. A first coefficient is known
+  /// to be 0 where a truth says so.
+  class OrdinaryGuards {
+   public:
+    explicit OrdinaryGuards(const Step& step) : step_(step) {}
+
+    static constexpr bool was_past_balance() { return false; }
+    static constexpr bool slips() { return Step::slips; }
+    static constexpr bool tests_friction() { return kind == Kind::rock_with_friction; }
+    static constexpr bool determinant_may_vanish() { return false; }
+    static constexpr InReach in_reach() { return {}; }
+    auto past_balance_out_of_reach() const {
+      if constexpr (Step::slips)
+        return InReach{};
+      else
+        return step_.out_of_reach_.past_balance;
+    }
+    auto normal_out_of_reach() const {
+      if constexpr (Step::slips)
+        return InReach{};
+      else
+        return step_.out_of_reach_.normal;
+    }
+    static constexpr NeverZero no_zeros() { return {}; }
+    static constexpr NeverZero normal_zeros() { return {}; }
+    static constexpr NeverZero inward_zeros() { return {}; }
+    static constexpr NeverZero outward_zeros() { return {}; }
+    TruthOf<Real> tilt_zeros() const { return step_.m_.tilt[0] == Real(0.0); }
+    TruthOf<Real> slip_zeros() const { return step_.m_.slip_rate[0] == Real(0.0); }
+    Real shape_angle() const { return step_.load(step_.b_.shape_angle); }
+    Real slip_sign() const { return step_.load(step_.b_.slip_sign); }
+    Real static_friction() const { return step_.load(step_.b_.static_friction); }
+    Real inertia() const { return step_.load(step_.b_.inertia); }
+    static const Real& seen_from_ground(const Real& normal) { return normal; }
+
+   private:
+    const Step& step_;
+  };
+
   template <class Visitor>
   void for_each_guard(Visitor&& visit) const {
-    const Real shape_angle = load(b_.shape_angle);
-    const InReach in_reach;
-    const NeverZero never;
-    visit(Guard::tilt, in_reach, Count<order + 2>{}, m_.tilt[0] == Real(0.0),
-          [&](std::size_t k) { return m_.tilt[k]; });
-    const auto until_balance = [&](std::size_t k) { return k == 0 ? shape_angle - m_.tilt[k] : -m_.tilt[k]; };
-    const auto normal = [&](std::size_t k) { return m_.normal[k]; };
-    if constexpr (slips) {
-      visit(Guard::past_balance, in_reach, Count<order + 2>{}, never, until_balance);
-      visit(Guard::normal, in_reach, Count<order>{}, never, normal);
-      const Real sign = load(b_.slip_sign);
-      visit(Guard::slip, in_reach, Count<order + 1>{}, m_.slip_rate[0] == Real(0.0),
-            [&](std::size_t k) { return sign * m_.slip_rate[k]; });
-    } else {
-      visit(Guard::past_balance, out_of_reach_.past_balance, Count<order + 2>{}, never, until_balance);
-      visit(Guard::normal, out_of_reach_.normal, Count<order>{}, never, normal);
-    }
-    if constexpr (kind == Kind::rock_with_friction) {
-      const Real mu_s = load(b_.static_friction);
-      const auto friction = [&](std::size_t k) {
-        return Real(4.0 / 3.0) * m_.base[k] - Real(static_cast<double>(k + 1)) * m_.rate_cosine[k + 1];
-      };
-      visit(Guard::friction_inward, in_reach, Count<order>{}, never,
-            [&](std::size_t k) { return mu_s * m_.normal[k] - friction(k); });
-      visit(Guard::friction_outward, in_reach, Count<order>{}, never,
-            [&](std::size_t k) { return mu_s * m_.normal[k] + friction(k); });
-    }
+    dynamics::for_each_rocking_guard(m_, OrdinaryGuards(*this), Count<order>{}, visit);
   }
 
   /// Below the guard's polynomial over the step, without its first coefficient where that is known to be 0; as

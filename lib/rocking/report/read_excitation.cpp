@@ -14,10 +14,12 @@ namespace {
 
 constexpr std::array<std::string_view, 2> kinds{"harmonic", "recorded"};
 
-void read_harmonic(ObjectReader& keys, experiment::Excitation& excitation) {
+experiment::Harmonic read_harmonic(ObjectReader& keys) {
+  experiment::Harmonic excitation;
   excitation.amplitude = keys.number("amplitude", rules::amplitude);
   excitation.frequency_ratio = keys.number("frequency_ratio", rules::frequency_ratio);
   excitation.phase = read_quantity(keys, "phase_rad", rules::phase);
+  return excitation;
 }
 
 std::string read_file_name(ObjectReader& keys) {
@@ -54,8 +56,9 @@ void refuse(ObjectReader& keys, std::string_view key, std::string reason, std::s
   if (keys.has(key)) keys.reject(key, std::move(reason), std::move(remedy));
 }
 
-void read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading,
-                   experiment::Excitation& excitation) {
+/// Its ground motion is null where anything is wrong with it, which is a problem told.
+experiment::Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading) {
+  experiment::Recorded excitation;
   refuse(keys, "amplitude", "is for harmonic shaking; a record has a scale", "write \"scale\" in its place");
   refuse(keys, "phase_rad", "is for harmonic shaking; a record begins where it begins",
          "shift the times of the record");
@@ -68,7 +71,7 @@ void read_recorded(ObjectReader& keys, const dynamics::Block& block, const Scene
   } else {
     static_cast<void>(keys.has("sha256"));
   }
-  excitation.amplitude = keys.number("scale", rules::scale);
+  excitation.scale = keys.number("scale", rules::scale);
   if (keys.has("time_step_s")) {
     const std::size_t problems_before = keys.problems().size();
     how.time_step = keys.number("time_step_s", rules::time_step);
@@ -77,9 +80,10 @@ void read_recorded(ObjectReader& keys, const dynamics::Block& block, const Scene
   const double strobe = block_is_sound ? strobe_once_a_second(block) : 1.0;
   excitation.frequency_ratio =
       keys.derived_number("frequency_ratio", rules::frequency_ratio, strobe, reading.of_record);
-  if (how.name.empty()) return;
+  if (how.name.empty()) return excitation;
   auto motion = reading.files.motion(how, keys.problems());  // what is wrong with it is told whatever the block
-  if (block_is_sound) excitation.record = std::move(motion);
+  if (block_is_sound) excitation.ground_motion = std::move(motion);
+  return excitation;
 }
 
 }  // namespace
@@ -90,8 +94,11 @@ experiment::Excitation read_excitation(ObjectReader& in, const dynamics::Block& 
     const std::size_t problems_before = keys.problems().size();
     const std::size_t kind = keys.choice("kind", kinds, 0);
     if (keys.problems().size() != problems_before) return keys.ignore_others();
-    if (kind == 0) return read_harmonic(keys, excitation);
-    read_recorded(keys, block, reading, excitation);
+    if (kind == 0) {
+      excitation = read_harmonic(keys);
+    } else {
+      excitation = read_recorded(keys, block, reading);
+    }
   });
   return excitation;
 }

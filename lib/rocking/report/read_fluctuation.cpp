@@ -40,12 +40,12 @@ class FluctuationReader {
       });
     }
     if (in_.has("amplitude")) {
-      if (scene_.excitation.record != nullptr) {
+      if (!is_periodic(scene_.excitation)) {
         in_.reject("amplitude", "is redrawn at each period of the excitation, and a record has none",
                    "sweep \"/excitation/scale\" to see what other sizes of the motion do");
       }
       in_.object("amplitude", [this](ObjectReader& keys) {
-        scene_.fluctuation.amplitude = read_scatter(keys).about(scene_.excitation.amplitude);
+        scene_.fluctuation.amplitude = read_scatter(keys).about(size_of(scene_.excitation));
       });
     }
   }

@@ -25,7 +25,7 @@ void read_format(ObjectReader& in) {
 }
 
 experiment::Horizon read_horizon(ObjectReader& in, const experiment::Scene& scene, DefaultSpelling spelling) {
-  const bool recorded = scene.excitation.record != nullptr;
+  const bool recorded = !is_periodic(scene.excitation);
   const std::int64_t transient = recorded ? 0 : *rules::transient_periods.standard;
   const std::int64_t sampled = recorded ? periods_under_record(scene) : *rules::sampled_periods.standard;
   experiment::Horizon horizon;
@@ -124,7 +124,7 @@ Question read_question(const Json& document, MotionFiles& files, Problems& probl
       read_scene(in, {.options = unless_swept(sweep, {"/formulation"}), .of_record = strobe, .files = files});
   // A harmonic horizon follows from nothing but the kind of the excitation.
   const DefaultSpelling horizon =
-      condition.scene.excitation.record == nullptr
+      is_periodic(condition.scene.excitation)
           ? unless_swept(sweep, {"/excitation/kind"})
           : unless_swept(sweep, {"/block", "/formulation", "/restitution", "/excitation/kind",
                                  "/excitation/time_step_s", "/excitation/frequency_ratio"});

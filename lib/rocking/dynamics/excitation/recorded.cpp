@@ -1,4 +1,4 @@
-#include "rocking/dynamics/recorded_excitation.hpp"
+#include "rocking/dynamics/excitation/recorded.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -52,7 +52,9 @@ class RecordedMotion {
 template <bool vertical>
 class RecordedExcitation {
  public:
+  static constexpr bool is_periodic = false;
   static constexpr bool has_vertical = vertical;
+  static constexpr bool runs_in_lanes = false;
 
   /// `scale` of the vertical motion; the horizontal one's is the amplitude.
   RecordedExcitation(std::shared_ptr<const RecordedMotion> motion, double scale)

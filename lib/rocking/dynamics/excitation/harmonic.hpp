@@ -1,6 +1,5 @@
 #pragma once
 
-#include <concepts>
 #include <cstdint>
 #include <optional>
 
@@ -11,23 +10,25 @@
 
 namespace rocking::dynamics {
 
-/// How the base moves. Values are base accelerations over g; `amplitude` is the one in force times `unit`.
-template <class Motion>
-concept BaseExcitation = requires(Motion motion, const Clock& clock, const Geometry& block, double amplitude,
-                                  MotionSeries<double>& series) {
-  { Motion::has_vertical } -> std::convertible_to<bool>;
-  { motion.unit(block) } -> std::convertible_to<double>;                   // alpha for amplitude 1
-  { motion.horizontal(clock, amplitude) } -> std::convertible_to<double>;  // alpha now
-  { motion.most_horizontal(amplitude) } -> std::convertible_to<double>;    // abs(alpha) is at most that at any time
-  { motion.weight(clock) } -> std::convertible_to<double>;                 // 1 + alpha_v now
-  { motion.next_change(clock) } -> std::same_as<std::optional<Instant>>;   // until which the series hold
-  { motion.segments_looked_up() } -> std::same_as<std::uint64_t>;          // of a record
-  motion.template expand<full_order>(series, clock, amplitude);            // series of alpha and, if vertical, 1 + alpha_v
-};
+/// beta = amplitude sin(omega x + angle), from sine and cosine of the angle, to `order`.
+template <int order, base::Lane Real>
+inline void expand_harmonic(typename MotionSeries<Real>::Row& base, Real amplitude, Real frequency,
+                            const base::SinCos<Real>& angle) {
+  using namespace kernel;
+  base[0] = amplitude * angle.sine;
+  base[1] = amplitude * frequency * angle.cosine;
+  const Real curvature = -(frequency * frequency);
+  repeat<order - 1>([&](auto index) {
+    constexpr int k = index + 2;
+    base[k] = base[k - 2] * curvature * Real(over<k> * over<k - 1>);
+  });
+}
 
 /// alpha = A_h psi sin(Omega_h tau + Phi), no vertical motion (Jeong & Yang 2012, Eq. 17).
 struct HarmonicExcitation {
+  static constexpr bool is_periodic = true;
   static constexpr bool has_vertical = false;
+  static constexpr bool runs_in_lanes = true;
 
   [[nodiscard]] static double unit(const Geometry& block) { return block.shape_angle; }
   [[nodiscard]] static double horizontal(const Clock& clock, double amplitude) {

@@ -1,0 +1,128 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/guards.hpp"
+
+namespace rocking::dynamics {
+
+/// What is known of the coming step besides the state, from the event at its start. Replaced as a whole at each event.
+struct KnownAtStart {
+  bool lift_is_flat = false;            ///< w' = 0 exactly
+  bool slip_is_flat = false;            ///< V' = 0 exactly
+  bool normal_is_zero = false;          ///< N = 0 exactly
+  double limit_sign = 0.0;              ///< of S F, if abs(F) = mu_s N exactly; else 0
+  bool sticks_beyond_friction = false;  ///< until the next event; see Automaton::start_slipping
+
+  /// Once time has gone on.
+  [[nodiscard]] KnownAtStart after_a_step() const {
+    KnownAtStart rest;
+    rest.sticks_beyond_friction = sticks_beyond_friction;
+    return rest;
+  }
+  friend bool operator==(const KnownAtStart&, const KnownAtStart&) = default;
+};
+
+/// The guards of one motion that are armed over the coming step, and the numbers in them. All may be.
+struct ArmedGuards {
+  const State& state;
+  const Geometry& block;
+  const KnownAtStart& known;
+  int order;             ///< of the series
+  double side;           ///< S of the frame of the series
+  double mu_s;           ///< in force
+  double J;              ///< inertia
+  bool is_past_balance;  ///< abs(Theta) has been 1 before
+  bool off_ground;       ///< N <= 0
+  bool has_friction;
+  bool vertical;  ///< the base moves vertically
+  bool determinant_can_vanish;
+  OutOfReach<bool> out_of_reach;
+
+  [[nodiscard]] static bool in_reach() { return false; }
+  [[nodiscard]] bool past_balance_out_of_reach() const { return out_of_reach.past_balance; }
+  [[nodiscard]] bool normal_out_of_reach() const { return out_of_reach.normal; }
+  [[nodiscard]] static std::size_t no_zeros() { return 0; }
+  [[nodiscard]] std::size_t tilt_zeros() const {
+    if (state.tilt != 0.0) return 0;
+    if (state.tilt_rate != 0.0) return 1;
+    return known.lift_is_flat ? 3 : 2;
+  }
+  [[nodiscard]] std::size_t slip_zeros() const {
+    if (state.slip_rate != 0.0) return 0;
+    return known.slip_is_flat ? 2 : 1;
+  }
+  [[nodiscard]] std::size_t normal_zeros() const { return known.normal_is_zero ? 1 : 0; }
+  [[nodiscard]] std::size_t inward_zeros() const { return known.limit_sign > 0.0 ? 1 : 0; }
+  [[nodiscard]] std::size_t outward_zeros() const { return known.limit_sign < 0.0 ? 1 : 0; }
+  [[nodiscard]] bool was_past_balance() const { return is_past_balance; }
+  [[nodiscard]] bool slips() const { return is_sliding(state.contact); }
+  [[nodiscard]] bool tests_friction() const {
+    return !slips() && has_friction && !off_ground && !known.sticks_beyond_friction;
+  }
+  [[nodiscard]] bool determinant_may_vanish() const { return slips() && determinant_can_vanish; }
+  [[nodiscard]] double shape_angle() const { return block.shape_angle; }
+  [[nodiscard]] double slip_sign() const { return side * state.slip_direction; }
+  [[nodiscard]] double static_friction() const { return mu_s; }
+  [[nodiscard]] double inertia() const { return J; }
+  [[nodiscard]] double seen_from_ground(double normal) const { return off_ground ? -normal : normal; }
+};
+
+/// As for_each_rocking_guard, for a block in full contact: N = (4/3)(1 + alpha_v).
+template <class Visitor>
+void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuards& armed, std::size_t order,
+                                 Visitor&& visit) {
+  if (armed.state.contact == ContactState::rest) {
+    const bool slides_first = armed.mu_s <= armed.block.tangent;
+    const double threshold = slides_first ? armed.mu_s : armed.block.sine;
+    const double lever = armed.side * (slides_first ? 1.0 : armed.block.cosine);
+    const auto hold = [&](std::size_t k) {
+      if (armed.vertical) return threshold * m.weight[k];
+      return k == 0 ? threshold : 0.0;
+    };
+    visit(Guard::leave_right, false, order + 1, armed.no_zeros(),
+          [&](std::size_t k) { return hold(k) - lever * m.base[k]; });
+    visit(Guard::leave_left, false, order + 1, armed.no_zeros(),
+          [&](std::size_t k) { return hold(k) + lever * m.base[k]; });
+  }
+  if (armed.slips()) {
+    visit(Guard::slip, false, order + 1, armed.slip_zeros(),
+          [&](std::size_t k) { return armed.slip_sign() * m.slip_rate[k]; });
+  }
+  if (armed.vertical) {
+    visit(Guard::normal, false, order + 1, armed.normal_zeros(),
+          [&](std::size_t k) { return armed.seen_from_ground(m.weight[k]); });
+  }
+}
+
+/// Calls visit(number, coefficients) for each guard that is armed and wanted(number), its known zeros at the start divided
+/// out: a tolerance there would find false events or miss true ones. All have as many coefficients, the last of them 0 if need
+/// be, so that unlike guards can be looked at side by side (module lanes).
+template <class Wanted, class Visitor>
+void visit_guards(const ArmedGuards& armed, const MotionSeries<double>& m, Wanted&& wanted, Visitor&& visit) {
+  constexpr std::size_t most_zeros = 3;
+  std::array<double, full_order + 2 + most_zeros> guard{};
+  const auto order = static_cast<std::size_t>(armed.order);
+  const std::size_t length = order + 2;
+  const auto visit_row = [&](Guard name, bool out_of_reach, std::size_t count, std::size_t zeros, auto&& coefficient) {
+    const auto number = static_cast<std::size_t>(name);
+    if (out_of_reach || !wanted(number)) return;
+    for (std::size_t k = zeros; k < count; ++k) guard[k] = coefficient(k);
+    std::fill(guard.begin() + static_cast<std::ptrdiff_t>(count), guard.end(), 0.0);
+    visit(number, std::span<const double>(guard.data() + zeros, length));
+  };
+  switch (armed.state.contact) {
+    case ContactState::rest:
+    case ContactState::slide: return for_each_full_contact_guard(m, armed, order, visit_row);
+    case ContactState::rock:
+    case ContactState::rock_slide: return for_each_rocking_guard(m, armed, order, visit_row);
+    case ContactState::overturned: return;
+  }
+}
+
+}  // namespace rocking::dynamics

@@ -98,7 +98,7 @@ def row(folder, scene):
 
 def main():
     print("| scene | steps | steps with slip | root isolations | random numbers | ground motion segments "
-          "| perturbed-trajectory periods | thousand instructions |")
+          "| exponent periods | thousand instructions |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)

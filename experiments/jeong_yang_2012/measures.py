@@ -1,4 +1,4 @@
-"""What is measured on strobe points and energies, from the outputs of `rocking bifurcation` and `rocking trajectory`."""
+"""Measures of strobe points and energies, from the outputs of `rocking bifurcation` and `rocking trajectory`."""
 
 import itertools
 import random
@@ -17,7 +17,7 @@ def transport(a, b):
 
 
 def area(points):
-    """Root of the determinant of the covariance: the extent of a cloud in the plane."""
+    """Root of the determinant of the covariance: the size of a cloud in the plane."""
     xs, ys = zip(*points)
     return (statistics.pvariance(xs) * statistics.pvariance(ys) - statistics.covariance(xs, ys) ** 2) ** 0.5
 
@@ -32,7 +32,7 @@ def segments(points):
 
 
 def steps(bifurcation):
-    """Place to step, of the branch that begins as the file says."""
+    """Conditions with their steps, of the branch that begins from the initial state in the file."""
     for diagram in bifurcation["diagrams"]:
         for step in diagram["steps"]:
             if step["branch"] == "initial":

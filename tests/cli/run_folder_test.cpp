@@ -254,7 +254,7 @@ TEST_F(RunFolder, HoldsAPageWithoutPicturesWhereGnuplotIsMissing) {
   const auto told = shell(without + "run quick.json -o out");
   EXPECT_EQ(told.exit_code, 0);
   EXPECT_THAT(told.errors, HasSubstr("report.html has no pictures for paper: gnuplot"));
-  EXPECT_THAT(read("out/report.html"), HasSubstr("No picture for paper"));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("no picture for printing"));
   EXPECT_EQ(shell(without + "run quick.json -q -o quiet").errors, "");
 }
 
@@ -330,7 +330,7 @@ TEST_F(RunFolder, IsMadeUnderARecordWhereEachBlockHasAHorizonOfItsOwn) {
   write("pulse.txt", rocking::support::recorded_pulse());
   const auto outcome = rocking("run record.json -q -o out");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the record"));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the ground motion"));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {

@@ -58,7 +58,7 @@ TEST_F(Command, RunSaysHowManySettledLateAndOnHowLittleTheirNamesRest) {
   experiment["excitation"]["amplitude"] = 5.5;
   experiment["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
   write("late.json", experiment.dump());
-  const std::string line = "settled late: 1 realisation, named by the last 62.5 % of their sampled periods or more";
+  const std::string line = "settled late: 1 realisation, classified by the last 62.5 % of their sampled periods or more";
   EXPECT_THAT(rocking("run late.json -o late").output, HasSubstr(line));
   EXPECT_THAT(rocking("run quick.json -o out").output, Not(HasSubstr("settled late")));
 }

@@ -74,7 +74,7 @@ TEST_F(RunFolder, IsFinishedAfterItsTimeWasUp) {
   write_slow();
   const auto stopped = rocking("run slow.json -j 1 -o out --max-time 0.2s");
   EXPECT_EQ(stopped.exit_code, 75);
-  EXPECT_THAT(stopped.errors, AllOf(HasSubstr("the time is up"), HasSubstr("`rocking resume out` goes on")));
+  EXPECT_THAT(stopped.errors, AllOf(HasSubstr("the time limit was reached"), HasSubstr("`rocking resume out` continues the run")));
   EXPECT_FALSE(exists("out/report.json"));
   EXPECT_EQ(rocking("resume out -q").exit_code, 0);
   ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
@@ -97,7 +97,7 @@ TEST_F(RunFolder, IsUsedByOneAtATime) {
                              "'; \"$r\" run slow.json -j 1 -o out -q >first & sleep 0.2; \"$r\" resume out; "
                              "echo second $?; wait; \"$r\" verify out --sample 5 -q");
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("second 74"), HasSubstr("same bits")));
-  EXPECT_THAT(outcome.errors, HasSubstr("another `rocking` is at work"));
+  EXPECT_THAT(outcome.errors, HasSubstr("another `rocking` is working"));
 }
 
 TEST_F(RunFolder, ResumeAsksForARun) {
@@ -253,7 +253,7 @@ TEST_F(RunFolder, HoldsAPageWithoutPicturesWhereGnuplotIsMissing) {
   const std::string without = std::string("PATH=$PWD/nothing '") + ROCKING_PROGRAM + "' ";
   const auto told = shell(without + "run quick.json -o out");
   EXPECT_EQ(told.exit_code, 0);
-  EXPECT_THAT(told.errors, HasSubstr("report.html has no pictures for paper: gnuplot"));
+  EXPECT_THAT(told.errors, HasSubstr("report.html has no pictures for printing: gnuplot"));
   EXPECT_THAT(read("out/report.html"), HasSubstr("no picture for printing"));
   EXPECT_EQ(shell(without + "run quick.json -q -o quiet").errors, "");
 }
@@ -302,7 +302,7 @@ TEST_F(RunFolder, IsNotVerifiedWhereTheSeedWasEdited) {
   const auto foreign = rocking("verify out");
   EXPECT_EQ(foreign.exit_code, 1);
   EXPECT_THAT(foreign.output,
-              HasSubstr("asks another question than realisations.sqlite answers: /seed is \"0x2013\", not \"0x2012\""));
+              HasSubstr("report.json and realisations.sqlite have different experiments: /seed is \"0x2013\", not \"0x2012\""));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {

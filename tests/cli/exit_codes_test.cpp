@@ -141,7 +141,7 @@ TEST_F(ExitCode, Is65ForARecordOfWhichEveryBadLineIsTold) {
   write("pulse.txt", "0 0\n1 x\n2 NaN\n");
   const auto outcome = rocking("run record.json -o out");
   EXPECT_EQ(outcome.exit_code, 65);
-  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("pulse.txt, line 2 = \"x\": is no number"),
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("pulse.txt, line 2 = \"x\": is not a number"),
                                     HasSubstr("pulse.txt, line 3 = \"NaN\": is not finite")));
   EXPECT_FALSE(exists("out"));
 }

@@ -170,7 +170,7 @@ TEST_F(RunFolder, OfShardsThatDisagreeIsNotMade) {
   const auto refused = rocking("merge out a b");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.errors,
-              AllOf(HasSubstr("b: 1 realisation is not what"), HasSubstr("condition 1, realisation 2 (steps)")));
+              AllOf(HasSubstr("b: 1 realisation is different from"), HasSubstr("condition 1, realisation 2 (steps)")));
   EXPECT_FALSE(exists("out/report.json"));
   EXPECT_FALSE(exists("out/realisations.sqlite"));
 }
@@ -320,7 +320,7 @@ TEST_F(RunFolder, IsNotVerifiedWhereAStoredRealisationWasEdited) {
   change_store("UPDATE realisations SET mode = 'chaotic' WHERE condition = 1 AND realisation = 2");
   const auto outcome = rocking("verify out");
   EXPECT_EQ(outcome.exit_code, 65);
-  EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 is not what was written"));
+  EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 differs from what was written"));
 }
 
 TEST_F(RunFolder, IsMadeUnderARecordWhereEachBlockHasAHorizonOfItsOwn) {
@@ -338,7 +338,7 @@ TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {
   write("report.json", "{}");
   const auto outcome = rocking("verify .");
   EXPECT_EQ(outcome.exit_code, 65);
-  EXPECT_THAT(outcome.errors, HasSubstr("this is no report"));
+  EXPECT_THAT(outcome.errors, HasSubstr("this is not a report"));
 }
 
 }  // namespace

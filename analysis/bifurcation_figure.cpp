@@ -176,10 +176,12 @@ Figure figure_of(Diagram diagram, const std::string& pointer, const std::string&
     }
   }
   figure.caption =
-      as_image ? "Density of strobe points on a logarithmic scale: darker means more points; the lightest grey is a single "
-                 "point."
-               : "Strobe points, in the style of their response mode; of points nearer to each other than a thousandth of the "
-                 "range, one is drawn.";
+      as_image
+          ? "Density of strobe points on a logarithmic scale: darker means more points; the lightest grey is a single "
+            "point."
+          : "Strobe points, in the style of their response mode; of points nearer to each other than a thousandth of "
+            "the "
+            "range, one is drawn.";
   return figure;
 }
 

@@ -67,7 +67,8 @@ void check_fragility(const Json& output, Problems& problems) {
         reject(problems, place + '/' + std::to_string(j) + "/exact", "begins above its end");
       }
       if (j > 0 && levels[j]["intensity"] <= levels[j - 1]["intensity"]) {
-        reject(problems, place + '/' + std::to_string(j) + "/intensity", "is not greater than that of the previous level");
+        reject(problems, place + '/' + std::to_string(j) + "/intensity",
+               "is not greater than that of the previous level");
       }
       if (!problems.empty()) return;
     }

@@ -60,7 +60,8 @@ Figure normal_histogram(const Json& output) {
   read_or_refuse(output, [&] {
     const std::string mean = number_text(output.at("law").at("mean"));
     const std::string sigma = number_text(output.at("law").at("sigma"));
-    figure.title = std::to_string(output.at("n").get<std::uint64_t>()) + " random numbers from N(" + mean + ", " + sigma + "²)";
+    figure.title =
+        std::to_string(output.at("n").get<std::uint64_t>()) + " random numbers from N(" + mean + ", " + sigma + "²)";
     figure.subtitle =
         "sampler " + output.at("sampler").get<std::string>() + ", seed " + output.at("seed").get<std::string>();
     figure.tables = {count_table(output.at("histogram")), curve_table(output)};

@@ -110,8 +110,10 @@ std::optional<Figure> non_recurrence(const RunReport& report) {
     figure.tables.push_back(difference_table(report, view, view.slices[i]));
     add_curve(view.slices[i], i, {2, 3, 4}, figure);
   }
-  figure.caption = "Probability that two runs of one condition, with independent random numbers, differ in response mode, with its " +
-                   report.level() + " interval; " + spoken_realisations(report) + '.';
+  figure.caption =
+      "Probability that two runs of one condition, with independent random numbers, differ in response mode, with "
+      "its " +
+      report.level() + " interval; " + spoken_realisations(report) + '.';
   return figure;
 }
 
@@ -133,8 +135,10 @@ std::optional<Figure> parting_quartiles(const RunReport& report) {
   }
   if (!any) return std::nullopt;
   figure.caption =
-      "Periods until two runs of one condition, with independent random numbers, are more than 0.01 apart in (Θ, Θ′): median "
-      "(markers) and quartiles over pairs (ribbon, cut at the horizon). Where no marker or no ribbon is shown, more than half, or "
+      "Periods until two runs of one condition, with independent random numbers, are more than 0.01 apart in (Θ, Θ′): "
+      "median "
+      "(markers) and quartiles over pairs (ribbon, cut at the horizon). Where no marker or no ribbon is shown, more "
+      "than half, or "
       "three "
       "quarters, of the pairs had not diverged by the horizon.";
   return figure;

@@ -15,7 +15,8 @@ Json parsed_output(std::string_view text) {
     throw base::InputError({.place = "/format",
                             .value = "",
                             .reason = "is missing: this is not a file that rocking wrote",
-                            .remedy = "give the output of `rocking trajectory`, `bifurcation`, `cost --json`, `fragility --json` or `check-normal --json`"});
+                            .remedy = "give the output of `rocking trajectory`, `bifurcation`, `cost --json`, "
+                                      "`fragility --json` or `check-normal --json`"});
   }
   return output;
 }

@@ -95,7 +95,8 @@ std::optional<Figure> parting_times(const RunReport& report, const experiment::S
   }
   figure.panels.push_back(std::move(panel));
   figure.caption =
-      "Share of pairs of runs, with independent random numbers, that have diverged (are more than 0.01 apart in (Θ, Θ′) at a strobe "
+      "Share of pairs of runs, with independent random numbers, that have diverged (are more than 0.01 apart in (Θ, "
+      "Θ′) at a strobe "
       "instant), against time.";
   if (report.conditions.size() > most_curves)
     figure.caption += " Shown are the seven conditions in which two runs differ most often in response mode.";

@@ -82,7 +82,9 @@ Axis axis_of_parameter(const std::string& pointer) {
     const std::string whole = pointer.substr(0, pointer.rfind('/'));
     std::string of = last_key(whole);
     std::replace(of.begin(), of.end(), '_', ' ');
-    return {.quantity = (key == "sigma" ? "standard deviation of " : "relative standard deviation of ") + of, .symbol = "σ", .unit = ""};
+    return {.quantity = (key == "sigma" ? "standard deviation of " : "relative standard deviation of ") + of,
+            .symbol = "σ",
+            .unit = ""};
   }
   std::string words = key;
   std::replace(words.begin(), words.end(), '_', ' ');

@@ -112,7 +112,8 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   figure.panels[1].layers.push_back({.kind = LayerKind::line, .table = 0, .columns = {0, 3}, .style = curve});
   mark_impacts(file, window, figure);
   figure.caption =
-      "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: any state other than rocking without slip; "
+      "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: any state other than rocking "
+      "without slip; "
       "white: rocking without slip. Impacts are marked at Θ = 0.";
   return figure;
 }

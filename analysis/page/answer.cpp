@@ -90,8 +90,8 @@ std::string least_repeatable(const RunReport& report) {
       where = i;
     }
   }
-  std::string text =
-      fmt::format("<p>In {} of {} all realisations have the same response mode.", alike, counted(compared, "condition"));
+  std::string text = fmt::format("<p>In {} of {} all realisations have the same response mode.", alike,
+                                 counted(compared, "condition"));
   if (worst == nullptr || worst->differ == 0.0) return text + "</p>\n";
   return text + fmt::format(
                     " Least repeatable: {}. There, two runs under the same excitation have different responses with "
@@ -141,7 +141,8 @@ std::string responses_in_brief(const RunReport& report) {
 
 std::string recurrence_in_brief(const RunReport& report) {
   const bool compared = std::ranges::any_of(report.conditions, difference_of);
-  if (!compared) return "<p>There is one realisation per condition: nothing is random, or only one was requested.</p>\n";
+  if (!compared)
+    return "<p>There is one realisation per condition: nothing is random, or only one was requested.</p>\n";
   return least_repeatable(report) +
          "<p>Two runs have diverged when their strobe points are more than 0.01 apart. With</p>\n<ul>\n" +
          partings(report, "independent random numbers", &Difference::by_friction) +

@@ -121,7 +121,8 @@ std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& f
   auto content = figures_by_part(report, figures);
   const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
   text += card("asked", "What was simulated?", question_in_brief(report), "question");
-  text += card("likely", "Which responses occur, and how likely are they?", responses_in_brief(report), link("responses"));
+  text +=
+      card("likely", "Which responses occur, and how likely are they?", responses_in_brief(report), link("responses"));
   text += card("repeats", "Is the response repeatable?", recurrence_in_brief(report), link("recurrence"));
   text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
   text += "</div>\n";

@@ -50,11 +50,12 @@ constexpr Kind kinds[] = {
      "ended because of too many events or a vanishing step.", Verdict::look},
     {"contradictions", "sticking and slipping", "At every instant one of the two was consistent with the equations.",
      "had an instant at which neither is consistent with the equations.", Verdict::look},
-    {"in_transient", "settled at the horizon", "Every response had settled at the horizon.", "had not settled at the horizon.",
-     Verdict::look},
+    {"in_transient", "settled at the horizon", "Every response had settled at the horizon.",
+     "had not settled at the horizon.", Verdict::look},
     {"settled_late", "settled within the sampled periods", "No response settled late.",
      "settled within the sampled periods and are classified by the part after that.", Verdict::note},
-    {"past_balance", "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.", Verdict::note},
+    {"past_balance", "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.",
+     Verdict::note},
     {"clamped", "clamped random numbers", "No random number was clamped.",
      "had a random number clamped (for example friction below 0, or kinetic above static friction).", Verdict::note},
 };
@@ -111,8 +112,10 @@ Check unresolved(const RunReport& report) {
     }
   }
   if (count == 0)
-    return {
-        .name = "unresolved responses", .verdict = Verdict::fine, .finding = "Every response is classified.", .where = {}};
+    return {.name = "unresolved responses",
+            .verdict = Verdict::fine,
+            .finding = "Every response is classified.",
+            .where = {}};
   const double share = static_cast<double>(count) / static_cast<double>(realisations_of(report));
   return {.name = "unresolved responses",
           .verdict = worst > worrying_share ? Verdict::look : Verdict::note,
@@ -137,8 +140,9 @@ Check enough(const RunReport& report) {
   if (short_of == 0) return {.name = "enough realisations", .verdict = Verdict::fine, .finding = width, .where = {}};
   return {.name = "enough realisations",
           .verdict = Verdict::look,
-          .finding = fmt::format("{} reached the largest number of realisations before the intervals were as narrow as requested. {}",
-                                 counted(short_of, "condition"), width),
+          .finding = fmt::format(
+              "{} reached the largest number of realisations before the intervals were as narrow as requested. {}",
+              counted(short_of, "condition"), width),
           .where = {}};
 }
 

@@ -93,19 +93,25 @@ void add_bifurcation(CLI::App& app, Action& action) {
       app.add_subcommand("bifurcation", "Follow the responses along a swept parameter; shows which coexist");
   command->footer(
       "Example: rocking bifurcation experiments/reference_block/no_sliding.json -o out\n"
-      "runs every step of the sweep from the initial state of the file, and from the end of the previous step, upwards and\n"
-      "downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints the responses. In a\n"
+      "runs every step of the sweep from the initial state of the file, and from the end of the previous step, upwards "
+      "and\n"
+      "downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints the responses. "
+      "In a\n"
       "grid there is one diagram for each combination of values of the entries after the first.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON) with a sweep")->required();
   command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
       ->required()
       ->type_name("DIR");
-  command->add_option("--realisation", request->realisation, "Realisation whose random numbers are used, if something is random")
+  command
+      ->add_option("--realisation", request->realisation,
+                   "Realisation whose random numbers are used, if something is random")
       ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("K");
   add_threads(*command, request->labour);
-  command->add_option("--seed", request->overrides.seed, "Seed, instead of the one in the file, for example 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   command->add_flag("--overwrite", request->overwrite, "Replace the files of these names in the folder");
   add_loudness(*command, request->labour.loudness);

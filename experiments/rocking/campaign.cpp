@@ -55,7 +55,8 @@ std::string_view spoken(experiment::ArithmeticNoise noise) {
 std::string noise_line(const std::optional<experiment::NoiseFloor>& floor) {
   if (!floor) return "";
   return fmt::format(
-      "sensitivity to tolerance: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} %]; {} the "
+      "sensitivity to tolerance: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} "
+      "%]; {} the "
       "narrowest "
       "half-width, {:.1f} %\n",
       floor->flips.successes, floor->flips.trials, 100.0 * floor->interval.low, 100.0 * floor->interval.high,
@@ -138,7 +139,8 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
     stretch.end = experiment::run(experiment, store, options);
   } catch (const std::system_error&) {
     print_notice(
-        fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run", folder.name()));
+        fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run",
+                    folder.name()));
     throw;
   }
   stretch.duration_s = progress.elapsed();
@@ -148,7 +150,8 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
 ExitCode explain_stop(const RunFolder& folder, const experiment::Completeness& reached) {
   const bool interrupted = why_stopped() == StopReason::signal;
   print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` continues the run{}",
-                           interrupted ? "interrupted" : "the time limit was reached", reached.done, reached.all, folder.name(),
+                           interrupted ? "interrupted" : "the time limit was reached", reached.done, reached.all,
+                           folder.name(),
                            folder.has_earlier_run() ? ". Until it is complete the earlier run is kept" : ""));
   return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
 }

@@ -31,7 +31,8 @@ stats::NormalCheck check_sample(const CheckNormalRequest& request, std::uint64_t
   const auto of_next_realisation = drawn(1, random::Source::check_normal);
   const auto of_next_source = drawn(0, random::Source::slip_rate);
   const auto check = stats::check_normal({sample, of_next_realisation, of_next_source}, request.law);
-  if (!check) throw UsageError("--sigma: too small compared with --mean to give two different numbers; give a larger one");
+  if (!check)
+    throw UsageError("--sigma: too small compared with --mean to give two different numbers; give a larger one");
   return *check;
 }
 
@@ -68,7 +69,9 @@ void add_check_normal(CLI::App& app, Action& action) {
       ->check(number(0.0, 1e6))
       ->capture_default_str()
       ->type_name("S");
-  command->add_option("--seed", request->seed, "Seed, for example 0x2012 or 8210")->capture_default_str()->type_name("S");
+  command->add_option("--seed", request->seed, "Seed, for example 0x2012 or 8210")
+      ->capture_default_str()
+      ->type_name("S");
   command->add_option("--sampler", request->sampler, "Method that gives normal numbers; simulations use box-muller")
       ->check(one_of({"box-muller", "ziggurat", "inverse-cdf"}))
       ->capture_default_str()

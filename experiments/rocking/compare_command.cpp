@@ -35,10 +35,10 @@ ExitCode compare(const CompareRequest& request) {
   const FinishedRun first = finished_run(request.first);
   const FinishedRun second = finished_run(request.second);
   if (first.experiment.seed != second.experiment.seed) {
-    throw UsageError(
-        fmt::format("{} and {} have different seeds, so no common random numbers; run one of them again with the seed of the "
-                    "other",
-                    request.first, request.second));
+    throw UsageError(fmt::format(
+        "{} and {} have different seeds, so no common random numbers; run one of them again with the seed of the "
+        "other",
+        request.first, request.second));
   }
   const std::size_t conditions = first.experiment.conditions.size();
   if (second.experiment.conditions.size() != conditions) {
@@ -61,8 +61,10 @@ void add_compare(CLI::App& app, Action& action) {
       app.add_subcommand("compare", "Compare two runs, pairwise with common random numbers");
   command->footer(
       "Example: rocking compare out tighter\n"
-      "compares each realisation of out with the realisation of tighter that has the same random numbers. Both runs have the\n"
-      "same seed and number of conditions; they may differ in anything else (amplitude, tolerance, formulation, sigma).");
+      "compares each realisation of out with the realisation of tighter that has the same random numbers. Both runs "
+      "have the\n"
+      "same seed and number of conditions; they may differ in anything else (amplitude, tolerance, formulation, "
+      "sigma).");
   command->add_option("DIR_A", request->first, "Folder of a run")->required();
   command->add_option("DIR_B", request->second, "Folder of another run")->required();
   add_loudness(*command, request->loudness);

@@ -144,15 +144,20 @@ void add_cost(CLI::App& app, Action& action) {
       app.add_subcommand("cost", "Measure the cost of accuracy in time, on a sample of an experiment");
   command->footer(
       "Example: rocking cost experiments/headline/headline.json --time 5min -o out\n"
-      "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for each tolerance, the\n"
-      "error, the number of response modes that change, and the time per period; for larger numbers of realisations, the width\n"
-      "of the intervals and the time; and a recommended tolerance. `-o` saves the numbers in out/cost.json. Times are processor\n"
+      "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for each "
+      "tolerance, the\n"
+      "error, the number of response modes that change, and the time per period; for larger numbers of realisations, "
+      "the width\n"
+      "of the intervals and the time; and a recommended tolerance. `-o` saves the numbers in out/cost.json. Times are "
+      "processor\n"
       "times of this machine.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
   command->add_option("-o,--output", request->folder, "Folder for cost.json; created if necessary")->type_name("DIR");
   add_budget(*command, *request);
   add_threads(*command, request->labour);
-  command->add_option("--seed", request->overrides.seed, "Seed, instead of the one in the file, for example 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   command
       ->add_option("--realisations", request->overrides.realisations,

@@ -55,7 +55,8 @@ void add_figure(CLI::App& app, Action& action) {
       app.add_subcommand("figure", "Draw the output of trajectory, bifurcation, cost, fragility, check-normal");
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
-      "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, and their\n"
+      "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, and "
+      "their\n"
       "Poincare section. Also draws bifurcation.json, cost.json, fragility.json and the output of\n"
       "`rocking check-normal --json`.");
   command->add_option("FILE", request->files, "JSON files that rocking printed")->required();

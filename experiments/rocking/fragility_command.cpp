@@ -33,9 +33,10 @@ report::RunFragility fragility_of(const std::string& name) {
                      "/excitation/scale");
   }
   if (run.experiment.conditions.front().until) {
-    throw UsageError(name +
-                     ": its number of realisations was determined by `until`, which a fragility function does not allow; give a "
-                     "run with a fixed number of realisations");
+    throw UsageError(
+        name +
+        ": its number of realisations was determined by `until`, which a fragility function does not allow; give a "
+        "run with a fixed number of realisations");
   }
   try {
     run.curves = experiment::fragility(run.experiment, store);
@@ -75,12 +76,16 @@ void add_fragility(CLI::App& app, Action& action) {
       app.add_subcommand("fragility", "Fit the probability of overturning as a function of intensity");
   command->footer(
       "Example: rocking fragility out -o out\n"
-      "counts for each amplitude (or scale of a ground motion) the realisations that overturned, with exact intervals, and fits\n"
-      "a lognormal fragility function with its band. A grid has one curve for each combination of values of the other entries;\n"
-      "the curves of several runs are shown together. `-o` saves the numbers in out/fragility.json, which `rocking figure`\n"
+      "counts for each amplitude (or scale of a ground motion) the realisations that overturned, with exact intervals, "
+      "and fits\n"
+      "a lognormal fragility function with its band. A grid has one curve for each combination of values of the other "
+      "entries;\n"
+      "the curves of several runs are shown together. `-o` saves the numbers in out/fragility.json, which `rocking "
+      "figure`\n"
       "draws.");
   command->add_option("DIR", request->folders, "Folders of finished runs")->required();
-  command->add_option("-o,--output", request->output, "Folder for fragility.json; created if necessary")->type_name("DIR");
+  command->add_option("-o,--output", request->output, "Folder for fragility.json; created if necessary")
+      ->type_name("DIR");
   command->add_flag("--overwrite", request->overwrite, "Replace fragility.json in the folder");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return fragility(*request); }; });

@@ -87,7 +87,8 @@ class DiscardUnlessJoined {
 // The whole takes at most as much room as its parts.
 void expect_room(const RunFolder& folder, const MergeRequest& request) {
   if (!request.overwrite && (folder.has_store() || folder.has_report() || folder.has_replacement())) {
-    throw InTheWay(request.folder + ": already contains a run; choose another folder for the whole, or add --overwrite");
+    throw InTheWay(request.folder +
+                   ": already contains a run; choose another folder for the whole, or add --overwrite");
   }
   std::uintmax_t need = 0;
   for (const std::string& shard : request.shards) need += std::filesystem::file_size(RunFolder(shard).store_path());
@@ -115,8 +116,8 @@ std::optional<ExitCode> join(experiment::Store& whole, const std::vector<Source>
 ExitCode explain_missing(RunFolder& folder, const experiment::Completeness& found) {
   const bool replaces = folder.has_earlier_run();
   if (!replaces) folder.install_replacement();
-  print_notice(fmt::format("{} of {} realisations are present; `rocking resume {}` runs the rest{}", found.done, found.all,
-                           folder.name(), replaces ? ". Until then the earlier run is kept" : ""));
+  print_notice(fmt::format("{} of {} realisations are present; `rocking resume {}` runs the rest{}", found.done,
+                           found.all, folder.name(), replaces ? ". Until then the earlier run is kept" : ""));
   return ExitCode::stopped_early;
 }
 
@@ -150,7 +151,8 @@ void add_merge(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("merge", "Join the shards of a run");
   command->footer(
       "Example: rocking merge out shard1 shard2 shard3\n"
-      "copies the realisations of the three folders to out and writes the report, with the same bytes as that of one run. The\n"
+      "copies the realisations of the three folders to out and writes the report, with the same bytes as that of one "
+      "run. The\n"
       "order of the folders has no influence; shards may overlap if their common realisations agree.");
   command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();

@@ -82,8 +82,9 @@ ExitCode carry_out(const Action& action) {
   } catch (const std::bad_alloc&) {
     return fail(ExitCode::input_output, "not enough memory; use fewer realisations, conditions or sampled periods");
   } catch (const std::exception& error) {
-    return fail(ExitCode::our_bug,
-                fmt::format("a bug of this program; please report it with the output of `rocking doctor`: {}", error.what()));
+    return fail(
+        ExitCode::our_bug,
+        fmt::format("a bug of this program; please report it with the output of `rocking doctor`: {}", error.what()));
   }
 }
 

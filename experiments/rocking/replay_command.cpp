@@ -29,8 +29,8 @@ ExitCode replay(const ReplayRequest& request) {
   const auto stored = condition_number < experiment.conditions.size() ? store.find(request.key) : std::nullopt;
   if (!stored) {
     static_cast<void>(folder.open_sound_store());  // in a damaged store a row may be there and not be found
-    throw UsageError(fmt::format("{} contains no realisation {} of condition {}; both numbers start at 0", request.folder,
-                                 number, condition_number));
+    throw UsageError(fmt::format("{} contains no realisation {} of condition {}; both numbers start at 0",
+                                 request.folder, number, condition_number));
   }
   const experiment::Condition& condition = experiment.conditions.at(condition_number);
   const experiment::Record record = experiment::realise(condition, experiment.seed, number);
@@ -53,7 +53,8 @@ void add_replay(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("replay", "Print one realisation of a run again, checked against its digest");
   command->footer(
       "Example: rocking replay out --condition 12 --realisation 3\n"
-      "prints the same as `rocking trajectory`, from the folder of a run. The exit code is 1 if the bits differ from those of\n"
+      "prints the same as `rocking trajectory`, from the folder of a run. The exit code is 1 if the bits differ from "
+      "those of\n"
       "the run.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--condition", request->key.condition, "Number of the condition, from 0")

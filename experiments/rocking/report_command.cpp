@@ -123,8 +123,10 @@ void add_report(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("report", "Write page, figures and tables of a finished run again");
   command->footer(
       "Example: rocking report out --format html,gnuplot\n"
-      "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as data (tsv), script\n"
-      "(gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: the table of response\n"
+      "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as data "
+      "(tsv), script\n"
+      "(gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: the table of "
+      "response\n"
       "modes, on standard output.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--format", request->formats, "What to write; default: all files")

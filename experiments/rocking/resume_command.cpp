@@ -29,10 +29,10 @@ bool holds_run(const RunFolder& folder) {
 // Realisations of another results version are not mixed with this program's: the bits could differ.
 void expect_known_results(const RunFolder& folder, const experiment::Identity& identity) {
   if (1 <= identity.results && identity.results <= experiment::results_version) return;
-  throw InTheWay(
-      fmt::format("{}: was begun by rocking {}, this is {}, which may give different results; finish it with the former, "
-                  "or start again in another folder",
-                  folder.name(), identity.code, code_identity()));
+  throw InTheWay(fmt::format(
+      "{}: was begun by rocking {}, this is {}, which may give different results; finish it with the former, "
+      "or start again in another folder",
+      folder.name(), identity.code, code_identity()));
 }
 
 // Whatever is damaged is found before anything is added to it. A store of an earlier layout or results version is renewed.
@@ -88,8 +88,10 @@ void add_resume(CLI::App& app, Action& action, const Crew& crew) {
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
   command->footer(
       "Example: rocking resume out\n"
-      "runs the realisations that are missing in out/realisations.sqlite and writes the report, with the same bytes as that of\n"
-      "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under another name.");
+      "runs the realisations that are missing in out/realisations.sqlite and writes the report, with the same bytes as "
+      "that of\n"
+      "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under "
+      "another name.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   add_threads(*command, request->labour);
   add_max_time(*command, request->labour);

@@ -38,7 +38,8 @@ experiment::Shard shard_from(const std::string& text) {
     shard = {.part = whole(0, slash), .parts = whole(slash + 1, std::string::npos)};
     if (1 <= shard.part && shard.part <= shard.parts) return shard;
   }
-  throw UsageError(fmt::format("--shard {}: is not a part of a whole; give i/n with 1 <= i <= n, for example 2/5", text));
+  throw UsageError(
+      fmt::format("--shard {}: is not a part of a whole; give i/n with 1 <= i <= n, for example 2/5", text));
 }
 
 Means means_of(const RunRequest& request) {
@@ -69,7 +70,8 @@ void expect_fixed_numbers(const experiment::Experiment& experiment) {
   for (const experiment::Condition& condition : experiment.conditions) {
     if (condition.until) {
       throw UsageError(
-          "--shard: cannot be combined with `until`, because one part does not know the counts of the others; give a number of realisations");
+          "--shard: cannot be combined with `until`, because one part does not know the counts of the others; give a "
+          "number of realisations");
     }
   }
 }
@@ -108,14 +110,18 @@ void add_run(CLI::App& app, Action& action, const Crew& crew) {
   CLI::App* command = app.add_subcommand("run", "Simulate an experiment and estimate the probability of each response");
   command->footer(
       "Example: rocking run experiments/headline/headline.json -o out\n"
-      "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json and\n"
+      "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json "
+      "and\n"
       "out/report.html, and prints a table of the responses.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); `rocking schema experiment` describes it")
       ->required();
   const auto folder =
-      command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")->type_name("DIR");
+      command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
+          ->type_name("DIR");
   add_threads(*command, request->labour);
-  command->add_option("--seed", request->overrides.seed, "Seed, instead of the one in the file, for example 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   command
       ->add_option("--realisations", request->overrides.realisations,

@@ -108,8 +108,10 @@ void add_status(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("status", "Print the progress of a run, also while it is in progress");
   command->footer(
       "Example: rocking status out\n"
-      "prints the numbers of finished, missing and failed realisations (failed: the model has no solution, or a limit on the\n"
-      "work was reached); while another `rocking` is working in out, also its rate and the remaining time. It only reads.");
+      "prints the numbers of finished, missing and failed realisations (failed: the model has no solution, or a limit "
+      "on the\n"
+      "work was reached); while another `rocking` is working in out, also its rate and the remaining time. It only "
+      "reads.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return status(*request); }; });

@@ -65,7 +65,9 @@ void add_trajectory(CLI::App& app, Action& action) {
       ->check(whole_number(0, 100'000))
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--seed", request->overrides.seed, "Seed, instead of the one in the file, for example 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return print_trajectory(*request); }; });

@@ -57,7 +57,8 @@ std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, c
     }
     if (command == &app && !word.starts_with('-')) {
       command = command_named(app, word);
-      if (command == nullptr) return fmt::format("\"{}\" is not a command{}", word, suggestion(word, command_names(app)));
+      if (command == nullptr)
+        return fmt::format("\"{}\" is not a command{}", word, suggestion(word, command_names(app)));
     }
   }
   return std::nullopt;

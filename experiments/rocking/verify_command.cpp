@@ -74,8 +74,8 @@ class Verifier {
     }
     if (!findings_.wrong.empty() && claims_.code != code_identity()) {
       findings_.wrong.push_back(
-          fmt::format("the run was made by rocking {}, this is {}: another version may give different results", claims_.code,
-                      code_identity()));
+          fmt::format("the run was made by rocking {}, this is {}: another version may give different results",
+                      claims_.code, code_identity()));
     }
     return findings_;
   }
@@ -172,8 +172,10 @@ void add_verify(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("verify", "Run a finished run again and compare the bits");
   command->footer(
       "Example: rocking verify out --sample 100\n"
-      "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations give the\n"
-      "same bits when they are run again. Without --sample all of them are run. Without the store, the report is compared with\n"
+      "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations "
+      "give the\n"
+      "same bits when they are run again. Without --sample all of them are run. Without the store, the report is "
+      "compared with\n"
       "a new run.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command

@@ -54,7 +54,8 @@ TEST_F(Process, StopsWithinARealisationWhenItsTimeIsUp) {
   for (const std::string question : {"endless", "endless_rest"}) {
     const auto outcome = rocking("run " + question + ".json -o " + question + " --max-time 1s");
     EXPECT_EQ(outcome.exit_code, 75) << question << outcome.errors;
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("0 of "), HasSubstr("`rocking resume " + question + "` continues the run")));
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("0 of "), HasSubstr("`rocking resume " + question + "` continues the run")));
   }
 }
 

@@ -74,7 +74,8 @@ TEST_F(RunFolder, IsFinishedAfterItsTimeWasUp) {
   write_slow();
   const auto stopped = rocking("run slow.json -j 1 -o out --max-time 0.2s");
   EXPECT_EQ(stopped.exit_code, 75);
-  EXPECT_THAT(stopped.errors, AllOf(HasSubstr("the time limit was reached"), HasSubstr("`rocking resume out` continues the run")));
+  EXPECT_THAT(stopped.errors,
+              AllOf(HasSubstr("the time limit was reached"), HasSubstr("`rocking resume out` continues the run")));
   EXPECT_FALSE(exists("out/report.json"));
   EXPECT_EQ(rocking("resume out -q").exit_code, 0);
   ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
@@ -301,8 +302,9 @@ TEST_F(RunFolder, IsNotVerifiedWhereTheSeedWasEdited) {
                              std::filesystem::copy_options::overwrite_existing);
   const auto foreign = rocking("verify out");
   EXPECT_EQ(foreign.exit_code, 1);
-  EXPECT_THAT(foreign.output,
-              HasSubstr("report.json and realisations.sqlite have different experiments: /seed is \"0x2013\", not \"0x2012\""));
+  EXPECT_THAT(
+      foreign.output,
+      HasSubstr("report.json and realisations.sqlite have different experiments: /seed is \"0x2013\", not \"0x2012\""));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {

@@ -197,7 +197,8 @@ TEST(CostWords, SayWhatIsRecommendedWhyAndWhatIsGained) {
   const auto measured = cost_with(experiment, curve_of({30, 1, 0, 0}, 4000), {.half_width = 0.04});
   EXPECT_EQ(
       report::cost_recommendation(measured),
-      "Recommended: tolerance 1e-08. 1 of 4000 response modes change (0 at 1e-12); the tolerance causes a change of at most "
+      "Recommended: tolerance 1e-08. 1 of 4000 response modes change (0 at 1e-12); the tolerance causes a change of at "
+      "most "
       "0.14 %, 1/29 of the half-width of the intervals, 4.00 %. Error in the first 10 periods: 1e-07 (median). It is "
       "4.00 times faster than 1e-12, the tolerance of the experiment.");
 }

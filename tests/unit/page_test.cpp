@@ -184,7 +184,8 @@ TEST(Page, SaysWhatItLeavesOut) {
 
 TEST(Page, SaysThatItHasNoPictures) {
   EXPECT_THAT(page_of(quick_report(), ""), HasSubstr("no picture for printing"));
-  EXPECT_THAT(page_of(quick_report()), AllOf(Not(HasSubstr("no picture for printing")), HasSubstr("data:image/svg+xml;base64,")));
+  EXPECT_THAT(page_of(quick_report()),
+              AllOf(Not(HasSubstr("no picture for printing")), HasSubstr("data:image/svg+xml;base64,")));
 }
 
 TEST(Page, HasPicturesThatCutNoWordOff) {
@@ -204,8 +205,9 @@ TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {
   question.erase("sweep");
   question.erase("fluctuation");
   question.erase("friction");
-  EXPECT_THAT(page_of(report_of(question)), AllOf(HasSubstr("It cannot slide. Nothing is random."),
-                                                  HasSubstr("one realisation per condition"), HasSubstr("the only one")));
+  EXPECT_THAT(page_of(report_of(question)),
+              AllOf(HasSubstr("It cannot slide. Nothing is random."), HasSubstr("one realisation per condition"),
+                    HasSubstr("the only one")));
 }
 
 TEST(Page, ChecksWhatCouldMakeAResultUntrue) {

@@ -115,11 +115,16 @@ INSTANTIATE_TEST_SUITE_P(
         BadRecord{"0 1\n1,2,\n", {}, "r.txt, line 2", "\"1,2,\"", "3 columns", "same columns"},
         BadRecord{"0 1\n1\n", {}, "r.txt, line 2", "\"1\"", "1 column,", "same columns"},
         BadRecord{"0 1\n1 1e7\n", {}, "r.txt, line 2", "\"1e7\"", "exceeds 1e6", "m/s^2"},
-        BadRecord{
-            "0 1\n0.5 2\n0.4 3\n1 1", {}, "r.txt, line 3", "\"0.4\"", "earlier than the time of the previous sample, 0.5", "order"},
+        BadRecord{"0 1\n0.5 2\n0.4 3\n1 1",
+                  {},
+                  "r.txt, line 3",
+                  "\"0.4\"",
+                  "earlier than the time of the previous sample, 0.5",
+                  "order"},
         BadRecord{"-1 1\n0 0\n1 1\n", {}, "r.txt, line 1", "\"-1\"", "not a time", "begin at 0"},
         BadRecord{"0 1\n1e8 0\n", {}, "r.txt, line 2", "\"1e8\"", "not a time", "0"},
-        BadRecord{std::string("0 1\n1 2\xff\x01\n"), {}, "r.txt, line 2", "\"2\\ufffd\\u0001\"", "not a number", "0.25"}));
+        BadRecord{
+            std::string("0 1\n1 2\xff\x01\n"), {}, "r.txt, line 2", "\"2\\ufffd\\u0001\"", "not a number", "0.25"}));
 
 INSTANTIATE_TEST_SUITE_P(Whole, RecordFault,
                          ::testing::Values(BadRecord{"", {}, "r.txt", "", "no sample", "one line"},

@@ -110,7 +110,8 @@ void check_diagrams(const Experiment& experiment) {
   for (const Condition& condition : experiment.conditions) {
     if (!diagram_value(condition)) {
       throw base::InputError({"/sweep/0", condition.parameters.front().value,
-                              "is not a number: the first swept parameter must take numbers", "make a parameter with numerical values the first entry"});
+                              "is not a number: the first swept parameter must take numbers",
+                              "make a parameter with numerical values the first entry"});
     }
     if (condition.scene.excitation.record != nullptr) {
       throw base::InputError({"/excitation/kind", "\"recorded\"", "has no periods at which a diagram could be sampled",

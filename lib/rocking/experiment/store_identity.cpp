@@ -122,8 +122,8 @@ Identity read_identity(const Database& database, std::int64_t layout) {
                      written.experiment_sha256 == base::to_hex(base::sha256(written.identity.experiment));
   if (!sound) fail(database);
   if (written.draws != random::draws_format) {
-    throw sqlite::UnusableFile(database.path() + ": its random numbers have format " + written.draws + ", those of this program are " +
-                               std::string(random::draws_format));
+    throw sqlite::UnusableFile(database.path() + ": its random numbers have format " + written.draws +
+                               ", those of this program are " + std::string(random::draws_format));
   }
   return std::move(written.identity);
 }

@@ -71,7 +71,8 @@ void refuse_huge_numbers(const Json& value, const std::string& place, Problems& 
       if (part.is_structured()) {
         refuse_huge_numbers(part, child_pointer(place, key), problems);
       } else if (part.is_number_float() && !(std::abs(part.get<double>()) <= largest_number)) {
-        problems.push_back({child_pointer(place, key), brief(part), "exceeds 1e18 in absolute value, which does not occur in files of rocking", ""});
+        problems.push_back({child_pointer(place, key), brief(part),
+                            "exceeds 1e18 in absolute value, which does not occur in files of rocking", ""});
       }
     }
   }

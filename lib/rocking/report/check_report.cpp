@@ -149,7 +149,8 @@ class ReportChecker {
     const auto n = whole(condition["realisations"], "/realisations");
     if (!n) return;
     if (*n > static_cast<std::uint64_t>(rules::realisations.high)) {
-      reject_here("/realisations", condition["realisations"], "is greater than the largest number that an experiment may have");
+      reject_here("/realisations", condition["realisations"],
+                  "is greater than the largest number that an experiment may have");
       return;
     }
     check_modes(condition, *n);

@@ -71,7 +71,8 @@ std::string realisations_table(const MeasuredCost& measured) {
             "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
   }
   return text +
-         "half-widths in per cent, of each condition's widest simultaneous interval, if the shares of the modes stay the same; "
+         "half-widths in per cent, of each condition's widest simultaneous interval, if the shares of the modes stay "
+         "the same; "
          "time of one\nprocessor at the experiment's tolerance, without reruns and label checks\n";
 }
 
@@ -104,7 +105,8 @@ std::string speed_words(const Cost& cost, std::size_t place) {
 
 std::string unrecommended(const Cost& cost) {
   if (cost.yardstick.is_everything) {
-    return "No tolerance can be recommended: at each of them response modes change that do not change at the next tighter one.";
+    return "No tolerance can be recommended: at each of them response modes change that do not change at the next "
+           "tighter one.";
   }
   return "No tolerance can be recommended: " + std::to_string(cost.sample) + " realisations are too few to decide.";
 }
@@ -116,7 +118,8 @@ std::string advice(const MeasuredCost& measured) {
   if (found.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
   if (!cost.yardstick.half_width) return " Increase --time, so that every condition is measured.";
   const std::string bearable = per_cent(found.bearable, 2) + " %";
-  if (!found.sample_needed) return " With this share of changes, no sample can show that it is less than " + bearable + '.';
+  if (!found.sample_needed)
+    return " With this share of changes, no sample can show that it is less than " + bearable + '.';
   const double seconds = measured.system.duration_s * ratio(*found.sample_needed, cost.sample);
   return " To show that at most " + bearable + " change requires " + std::to_string(*found.sample_needed) +
          " realisations, if the share stays the same: about " + spoken_time(seconds) + " at this rate.";
@@ -143,8 +146,8 @@ std::string cost_recommendation(const MeasuredCost& measured) {
   if (!found.place) return unrecommended(cost) + advice(measured);
   const ToleranceCost& chosen = cost.curve[*found.place];
   const Departure& departure = *chosen.departure;
-  std::string text =
-      found.assurance == Assurance::shown ? "Recommended: tolerance " : "Not distinguishable from the tightest: tolerance ";
+  std::string text = found.assurance == Assurance::shown ? "Recommended: tolerance "
+                                                         : "Not distinguishable from the tightest: tolerance ";
   text += tolerance_name(chosen) + ". " + changes(cost, departure) + blame_words(cost);
   if (departure.median_error) {
     text += "Error in the first " + std::to_string(experiment::cost_error_periods) +
@@ -163,9 +166,11 @@ std::string cost_table(const MeasuredCost& measured) {
          std::to_string(cost.sampled_conditions) +
          " conditions with the same random numbers as the reference, which is the last line. Error: of the first " +
          std::to_string(experiment::cost_error_periods) +
-         " periods;\ndiverged: motions that diverged before the horizon, per cent; changed: response modes, with the exact " +
+         " periods;\ndiverged: motions that diverged before the horizon, per cent; changed: response modes, with the "
+         "exact " +
          level_text(confidence) +
-         " % interval of their\nshare, and of its excess over that at the second tightest tolerance, per cent; steps and "
+         " % interval of their\nshare, and of its excess over that at the second tightest tolerance, per cent; steps "
+         "and "
          "processor "
          "time per period, with\n" +
          std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +

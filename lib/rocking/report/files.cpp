@@ -88,8 +88,9 @@ void expect_regular_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, unknown);
   if (unknown || status.type() == std::filesystem::file_type::not_found || is_regular_file(status)) return;
   const bool is_folder = is_directory(status);
-  throw std::system_error(std::make_error_code(is_folder ? std::errc::is_a_directory : std::errc::not_supported),
-                          path.string() + (is_folder ? ": is not a file" : ": is a pipe or a device; give a regular file"));
+  throw std::system_error(
+      std::make_error_code(is_folder ? std::errc::is_a_directory : std::errc::not_supported),
+      path.string() + (is_folder ? ": is not a file" : ": is a pipe or a device; give a regular file"));
 }
 
 std::string read_file(const std::filesystem::path& path, std::size_t most) {

@@ -35,7 +35,8 @@ MotionFiles::Reading MotionFiles::read(const RecordReading& how) {
   if (!motion) return reading;
   samples_ += motion->samples.size();
   if (samples_ > most_samples_held) {
-    reading.problems.push_back({how.name, "", "is needed with so many settings that these have more than 20 million samples together",
+    reading.problems.push_back({how.name, "",
+                                "is needed with so many settings that these have more than 20 million samples together",
                                 "sweep fewer values of gravity, time step or file in one experiment"});
     return reading;
   }

@@ -174,9 +174,10 @@ Json ObjectReader::finish() {
     problems_->push_back({place_of(key), brief(found), "is not a key of this format", correction(key, known_)});
   }
   if (unknown > most_unknown_keys) {
-    problems_->push_back({place_.empty() ? "the file" : place_, "",
-                          "contains " + std::to_string(unknown - most_unknown_keys) + " more keys that are not of this format",
-                          "see `rocking schema`"});
+    problems_->push_back(
+        {place_.empty() ? "the file" : place_, "",
+         "contains " + std::to_string(unknown - most_unknown_keys) + " more keys that are not of this format",
+         "see `rocking schema`"});
   }
   return std::move(canonical_);
 }

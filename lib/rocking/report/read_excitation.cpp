@@ -23,7 +23,8 @@ void read_harmonic(ObjectReader& keys, experiment::Excitation& excitation) {
 std::string read_file_name(ObjectReader& keys) {
   const Json* found = keys.value("file");
   if (found == nullptr) {
-    keys.reject("file", "is missing", "add \"file\": \"record.txt\", its path relative to the folder of the experiment file");
+    keys.reject("file", "is missing",
+                "add \"file\": \"record.txt\", its path relative to the folder of the experiment file");
     return {};
   }
   const std::string name = keys.text("file", "");

@@ -69,7 +69,8 @@ class FluctuationReader {
 
   void check_may_stand(std::string_view key) {
     if (!scene_.friction) {
-      in_.reject(key, "the file has no friction that could fluctuate", "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}");
+      in_.reject(key, "the file has no friction that could fluctuate",
+                 "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}");
     }
     if (key != "friction" && in_.has("friction")) {
       in_.reject(key, "excludes \"friction\", which sets both static and kinetic friction", "keep one of them");

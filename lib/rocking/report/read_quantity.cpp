@@ -23,7 +23,8 @@ Uniform read_uniform(ObjectReader& law, const NumberRule& rule) {
   const auto low = checked_number(ends[0], child_pointer(place, "0"), rule, law.problems());
   const auto high = checked_number(ends[1], child_pointer(place, "1"), rule, law.problems());
   if (!low || !high) return {};
-  if (!(*low < *high)) law.reject("uniform", "its first end must be less than its second", "swap them, or write a number");
+  if (!(*low < *high))
+    law.reject("uniform", "its first end must be less than its second", "swap them, or write a number");
   law.write("uniform", Json::array({*low, *high}));
   return {*low, *high};
 }

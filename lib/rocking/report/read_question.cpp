@@ -33,7 +33,8 @@ experiment::Horizon read_horizon(ObjectReader& in, const experiment::Scene& scen
     horizon.transient_periods =
         static_cast<int>(keys.derived_integer("transient_periods", rules::transient_periods, transient, spelling));
     if (sampled > rules::sampled_periods.high && !keys.has("sampled_periods")) {
-      keys.reject("sampled_periods", "would be " + std::to_string(sampled) + ", until the block rests after the ground motion",
+      keys.reject("sampled_periods",
+                  "would be " + std::to_string(sampled) + ", until the block rests after the ground motion",
                   "lower \"frequency_ratio\", so that strobe periods are longer, or give at most 1000000");
       return;
     }

@@ -159,7 +159,8 @@ class RecordReader {
       return false;
     }
     if (!motion_.samples.empty() && time < motion_.samples.back().time) {
-      reject_line(fields_[0], "is earlier than the time of the previous sample, " + Json(motion_.samples.back().time).dump(),
+      reject_line(fields_[0],
+                  "is earlier than the time of the previous sample, " + Json(motion_.samples.back().time).dump(),
                   "put the samples in the order of their times");
       return false;
     }

@@ -63,7 +63,8 @@ class AxisReader {
  private:
   std::string read_pointer() {
     if (!in_.has("parameter")) {
-      in_.reject("parameter", "is missing", "give the swept parameter, for example \"parameter\": \"/excitation/amplitude\"");
+      in_.reject("parameter", "is missing",
+                 "give the swept parameter, for example \"parameter\": \"/excitation/amplitude\"");
       return {};
     }
     std::string pointer = in_.text("parameter", "");

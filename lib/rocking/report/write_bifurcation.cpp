@@ -118,7 +118,8 @@ std::string bifurcation_table(const DrawnDiagrams& drawn) {
     }
     text += (name.empty() ? "" : name + '\n') + table_of(drawn, diagram) + '\n';
   }
-  text += "initial: each step from the initial state of the file; upwards, downwards: from the end of the previous step\n";
+  text +=
+      "initial: each step from the initial state of the file; upwards, downwards: from the end of the previous step\n";
   if (text.find(" *\n") != std::string::npos || text.find(" * ") != std::string::npos) {
     text += "*: from the initial state of the file, because the previous step did not reach its horizon\n";
   }

@@ -95,7 +95,8 @@ std::string comparison_table(const ComparedRuns& runs) {
   return text + aligned(rows) +
          "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +
          level_text(confidence_of(runs)) + " % interval;\np: exact McNemar test, one of " +
-         std::to_string(number_of_tests(runs)) + "; worth: variance with independent random numbers over that with common ones\n";
+         std::to_string(number_of_tests(runs)) +
+         "; worth: variance with independent random numbers over that with common ones\n";
 }
 
 }  // namespace rocking::report

@@ -31,10 +31,13 @@ std::string_view name_of(FragilityOutcome outcome) {
 std::string_view words_for(FragilityOutcome outcome) {
   switch (outcome) {
     case FragilityOutcome::fitted: return "";
-    case FragilityOutcome::never_happened: return "no function is fitted: the block never overturned; add higher intensities";
-    case FragilityOutcome::always_happened: return "no function is fitted: the block always overturned; add lower intensities";
+    case FragilityOutcome::never_happened:
+      return "no function is fitted: the block never overturned; add higher intensities";
+    case FragilityOutcome::always_happened:
+      return "no function is fitted: the block always overturned; add lower intensities";
     case FragilityOutcome::separated:
-      return "no function is fitted: the block never overturned below an intensity and always above it; add intensities between";
+      return "no function is fitted: the block never overturned below an intensity and always above it; add "
+             "intensities between";
     case FragilityOutcome::does_not_rise:
       return "no function is fitted: the share of overturned realisations does not clearly increase with intensity";
     case FragilityOutcome::no_scatter:
@@ -186,7 +189,8 @@ std::string fragility_table(const std::vector<RunFragility>& runs) {
     for (const FragilityCurve& curve : run.curves) text += heading_of(run, curve) + table_of(curve) + '\n';
   }
   return text +
-         "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum likelihood "
+         "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
+         "likelihood "
          "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
          "them as one\ncluster\n";
 }

@@ -72,7 +72,7 @@ void add_check_normal(CLI::App& app, Action& action) {
   command->add_option("--seed", request->seed, "Seed, for example 0x2012 or 8210")
       ->capture_default_str()
       ->type_name("S");
-  command->add_option("--sampler", request->sampler, "Method that gives normal numbers; simulations use box-muller")
+  command->add_option("--sampler", request->sampler, "Method for normal numbers; simulations use box-muller")
       ->check(one_of({"box-muller", "ziggurat", "inverse-cdf"}))
       ->capture_default_str()
       ->type_name("NAME");

@@ -25,8 +25,8 @@ constexpr std::size_t most_points = 12'000;
 
 constexpr std::array<std::pair<std::string_view, std::string_view>, 3> branches{
     {{"initial", "each step from the initial state"},
-     {"upwards", "upwards: each step from where the one before ended"},
-     {"downwards", "downwards: each step from where the one before ended"}}};
+     {"upwards", "upwards: each step from the end of the previous one"},
+     {"downwards", "downwards: each step from the end of the previous one"}}};
 
 struct Step {
   double value = 0.0;
@@ -88,7 +88,7 @@ std::map<ResponseMode, Table> point_tables(const Diagram& diagram, const std::ve
     }
     Table& table = tables[step.mode];
     table.name = to_string(step.mode);
-    table.columns = {value, {"tilt", "Θ at the strobe"}, {"points", "points so near that they are drawn as one"}};
+    table.columns = {value, {"tilt", "Θ at the strobe"}, {"points", "number of points that are drawn as one"}};
     for (const auto& [level, cell] : cells) table.rows.push_back({step.value, cell.first, cell.second});
   }
   std::erase_if(tables, [](const auto& entry) { return entry.second.rows.empty(); });
@@ -147,7 +147,7 @@ void widen(Range& range) {
 Figure figure_of(Diagram diagram, const std::string& pointer, const std::string& others) {
   Figure figure;
   figure.name = "bifurcation";
-  figure.title = "Which responses coexist?";
+  figure.title = "Coexisting responses";
   figure.subtitle = others;
   figure.arrangement = Arrangement::stacked;
   Axis x = axis_of_parameter(pointer);
@@ -176,10 +176,12 @@ Figure figure_of(Diagram diagram, const std::string& pointer, const std::string&
     }
   }
   figure.caption =
-      as_image ? "Density of strobe points: the darker, the more, by their logarithm; the lightest grey is a single "
-                 "point."
-               : "Strobe points, with the look of their response mode; of points nearer than a thousandth of the "
-                 "range one is drawn.";
+      as_image
+          ? "Density of strobe points on a logarithmic scale: darker means more points; the lightest grey is a single "
+            "point."
+          : "Strobe points, in the style of their response mode; of points nearer to each other than a thousandth of "
+            "the "
+            "range, one is drawn.";
   return figure;
 }
 

@@ -16,7 +16,7 @@ using report::Json;
 using report::Problems;
 
 void reject(Problems& problems, const std::string& place, const std::string& reason) {
-  problems.push_back({place, "", reason, "let the command write the file again"});
+  problems.push_back({place, "", reason, "write the file again with the command that made it"});
 }
 
 /// The title of the experiment that an output quotes.
@@ -51,7 +51,7 @@ void check_cost(const Json& output, Problems& problems) {
   }
   const Json& tolerances = output["result"]["tolerances"];
   if (output["system"]["processor_s_per_period"].size() != tolerances.size()) {
-    reject(problems, "/system/processor_s_per_period", "has another length than /result/tolerances");
+    reject(problems, "/system/processor_s_per_period", "differs in length from /result/tolerances");
   }
 }
 
@@ -61,13 +61,14 @@ void check_fragility(const Json& output, Problems& problems) {
     const Json& levels = output["curves"][i]["levels"];
     for (std::size_t j = 0; j < levels.size(); ++j) {
       if (levels[j]["overturned"] > levels[j]["realisations"]) {
-        reject(problems, place + '/' + std::to_string(j) + "/overturned", "is more than the realisations");
+        reject(problems, place + '/' + std::to_string(j) + "/overturned", "is greater than the number of realisations");
       }
       if (levels[j]["exact"][0] > levels[j]["exact"][1]) {
         reject(problems, place + '/' + std::to_string(j) + "/exact", "begins above its end");
       }
       if (j > 0 && levels[j]["intensity"] <= levels[j - 1]["intensity"]) {
-        reject(problems, place + '/' + std::to_string(j) + "/intensity", "is not above that of the level before");
+        reject(problems, place + '/' + std::to_string(j) + "/intensity",
+               "is not greater than that of the previous level");
       }
       if (!problems.empty()) return;
     }
@@ -82,20 +83,20 @@ void check_histogram(const Json& output, Problems& problems) {
   }
   for (std::size_t i = 1; i < histogram["edges"].size(); ++i) {
     if (histogram["edges"][i] > histogram["edges"][i - 1]) continue;
-    return reject(problems, "/histogram/edges/" + std::to_string(i), "is not above the edge before");
+    return reject(problems, "/histogram/edges/" + std::to_string(i), "is not greater than the previous edge");
   }
 }
 
 void check_trajectory(const Json& output, Problems& problems) {
   const bool sampled = output.contains("samples_per_period");
   if (output.contains("history") != sampled) {
-    return reject(problems, "/history", "and samples_per_period stand together or not at all");
+    return reject(problems, "/history", "and samples_per_period must both be given or both be absent");
   }
   if (!sampled) return;
   const Json& history = output["history"];
   for (std::size_t i = 1; i < history.size(); ++i) {
     if (history[i]["tau"] > history[i - 1]["tau"]) continue;
-    return reject(problems, "/history/" + std::to_string(i) + "/tau", "is not later than the sample before");
+    return reject(problems, "/history/" + std::to_string(i) + "/tau", "is not later than the previous sample");
   }
 }
 

@@ -39,11 +39,11 @@ Table tolerance_table(const Json& output) {
               .columns = {{"tolerance", "tolerance of the steps"},
                           {"median_error", "median over the realisations of the largest error in the first periods"},
                           {"largest_error", "the largest of all realisations"},
-                          {"changed", "response modes that differ from the tightest tolerance's [%]"},
+                          {"changed", "response modes that differ from those at the tightest tolerance [%]"},
                           {"changed_low",
-                           "lower end of its exact interval [%]; nothing where the share is that of all there are"},
+                           "lower end of its exact interval [%]; absent if all realisations were measured"},
                           {"changed_high", "upper end of its exact interval [%]"},
-                          {"time", "processor time a period [us]"},
+                          {"time", "processor time per period [us]"},
                           {"name", "the tolerance, as text"}},
               .rows = {}};
   const Json& tolerances = output.at("result").at("tolerances");
@@ -88,7 +88,7 @@ Axis tolerance_axis() { return {.quantity = "tolerance", .symbol = "", .unit = "
 Figure cost_tolerance(const Json& output) {
   Figure figure;
   figure.name = "cost_tolerance";
-  figure.title = "What a tolerance does, and what it costs";
+  figure.title = "Effect and cost of a tolerance";
   figure.arrangement = Arrangement::stacked;
   figure.tables = {tolerance_table(output)};
   figure.panels = {
@@ -103,9 +103,9 @@ Figure cost_tolerance(const Json& output) {
                   {.kind = LayerKind::error_bars, .table = 0, .columns = {0, 3, 4, 5}, .style = style_of_curve(0)}}},
       {.title = "",
        .x = tolerance_axis(),
-       .y = {.quantity = "time a period", .symbol = "", .unit = "µs", .low = 0.0},
+       .y = {.quantity = "time per period", .symbol = "", .unit = "µs", .low = 0.0},
        .layers = {curve(0, {0, 6}, "")}}};
-  figure.caption = "Error: largest difference to the tightest tolerance in Θ, Θ′, V over the first " +
+  figure.caption = "Error: largest difference from the tightest tolerance in Θ, Θ′, V over the first " +
                    std::to_string(output.at("result").at("error_periods").get<std::int64_t>()) +
                    " periods. Changed modes with the exact interval of a sample. The experiment's own tolerance is " +
                    spoken(own_tolerance(output)) + ".";
@@ -116,15 +116,15 @@ Figure cost_tolerance(const Json& output) {
 Figure work_precision(const Json& output) {
   Figure figure;
   figure.name = "work_precision";
-  figure.title = "What accuracy costs in time";
+  figure.title = "Cost of accuracy in time";
   figure.tables = {tolerance_table(output)};
   figure.panels = {{.title = "",
                     .x = {.quantity = "error in the first periods", .symbol = "", .unit = "", .logarithmic = true},
-                    .y = {.quantity = "processor time a period", .symbol = "", .unit = "µs", .low = 0.0},
+                    .y = {.quantity = "processor time per period", .symbol = "", .unit = "µs", .low = 0.0},
                     .layers = {curve(0, {1, 6}, "median"), curve(1, {2, 6}, "largest")}}};
-  figure.caption = "A point for each tolerance from " + cell_text(figure.tables[0].rows.front()[7]) + " to " +
+  figure.caption = "One point for each tolerance from " + cell_text(figure.tables[0].rows.front()[7]) + " to " +
                    cell_text(figure.tables[0].rows[figure.tables[0].rows.size() - 2][7]) +
-                   ", from left to right the tighter one first.";
+                   "; tighter tolerances are to the left.";
   add_title(figure, output);
   return figure;
 }
@@ -133,11 +133,11 @@ Figure work_precision(const Json& output) {
 Table realisations_table(const Json& output) {
   Table table{
       .name = "realisations",
-      .columns = {{"factor", "times the realisations that the experiment asks for"},
+      .columns = {{"factor", "factor on the number of realisations of the experiment"},
                   {"periods", "of the whole run"},
                   {"time", "processor time at the experiment's tolerance [s]"},
                   {"mean", "half-width of a condition's widest simultaneous interval, mean over conditions [%]"},
-                  {"widest", "the largest of all conditions [%]"},
+                  {"widest", "the largest over all conditions [%]"},
                   {"wilson", "the largest half-width of Wilson's intervals [%]"}},
       .rows = {}};
   const Json& tolerances = output.at("result").at("tolerances");
@@ -157,7 +157,7 @@ Table realisations_table(const Json& output) {
 Figure cost_realisations(const Json& output) {
   Figure figure;
   figure.name = "cost_realisations";
-  figure.title = "What narrower intervals cost in time";
+  figure.title = "Cost of narrower intervals in time";
   figure.tables = {realisations_table(output)};
   figure.panels = {
       {.title = "",
@@ -170,8 +170,8 @@ Figure cost_realisations(const Json& output) {
         {.place = time, .text = time < 100.0 ? spoken(time) : report::fixed_point(time, 0)});
   }
   figure.caption =
-      "Half-width of each condition's widest simultaneous interval at 1, 4 and 16 times the realisations asked for, if "
-      "response modes keep their shares: widest and mean over the conditions.";
+      "Half-width of each condition's widest simultaneous interval at 1, 4 and 16 times the requested realisations, if "
+      "the shares of the response modes stay the same: widest and mean over the conditions.";
   add_title(figure, output);
   return figure;
 }

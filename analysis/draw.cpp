@@ -58,7 +58,7 @@ void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vec
     const fs::path drawn = kept.string() + unfinished;
     if (drawing.is_drawn() && !keep_picture(drawn, kept, format)) {
       drawing = {.end = DrawingEnd::broken_off,
-                 .reason = kept.string() + ": gnuplot left it unfinished; is the disk full?"};
+                 .reason = kept.string() + ": gnuplot left this file unfinished; check whether the disk is full"};
     }
     fs::remove(drawn);
   }
@@ -84,7 +84,7 @@ std::string svg_of(const Figure& figure, Drawing& drawing, base::StopRequest sto
     return drawing.is_drawn() ? report::read_file(folder.path() / (figure.name + ".svg")) : std::string();
   } catch (const std::system_error& error) {
     drawing = {.end = DrawingEnd::broken_off,
-               .reason = std::string(error.what()) + "; set TMPDIR to a folder that can be written to, and see that the disk "
+               .reason = std::string(error.what()) + "; set TMPDIR to a writable folder, and check that the disk "
                                                      "is not full"};
     return {};
   }

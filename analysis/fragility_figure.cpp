@@ -37,9 +37,9 @@ std::string name_of(const Json& curve) {
 Table level_table(const Json& curve, const std::string& name) {
   const std::string level = report::level_text(curve.at("confidence")) + " % interval";
   Table table{.name = name,
-              .columns = {{"intensity", "of the shaking"},
+              .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
-                          {"overturned", "of them, those that overturned"},
+                          {"overturned", "number of them that overturned"},
                           {"estimate", "estimated probability of overturning"},
                           {"low", "lower end of its exact " + level},
                           {"high", "upper end of its exact " + level}},
@@ -55,8 +55,8 @@ Table level_table(const Json& curve, const std::string& name) {
 /// Columns: intensity, probability, low, high.
 Table law_table(const Json& curve, const std::string& name) {
   Table table{.name = "law of " + name,
-              .columns = {{"intensity", "of the shaking"},
-                          {"law", "probability by the fitted lognormal law"},
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"law", "probability by the fitted lognormal function"},
                           {"law_low", "lower edge of its band"},
                           {"law_high", "upper edge of its band"}},
               .rows = {}};
@@ -111,7 +111,7 @@ std::string value_and_interval(const Json& bounded) {
 
 std::string description_of(const Json& curve) {
   std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve));
-  if (curve.at("law").is_null()) return text + ": no law (" + curve.at("outcome").get<std::string>() + ").";
+  if (curve.at("law").is_null()) return text + ": no function fitted (" + curve.at("outcome").get<std::string>() + ").";
   return text + ": median " + value_and_interval(curve.at("law").at("median")) + ", dispersion " +
          value_and_interval(curve.at("law").at("dispersion")) + '.';
 }
@@ -119,11 +119,11 @@ std::string description_of(const Json& curve) {
 Figure drawn(const Json& output) {
   Figure figure;
   figure.name = "fragility";
-  figure.title = "How likely does it overturn, the harder it is shaken?";
+  figure.title = "Probability of overturning as a function of intensity";
   figure.caption =
       "Markers: share of the realisations that overturned, with its exact interval. Lines and ribbons: the lognormal "
-      "law "
-      "of the largest likelihood, with its band.";
+      "function "
+      "of maximum likelihood, with its confidence band.";
   std::string run;
   std::size_t number = 0;
   for (const Json& curve : output.at("curves")) {

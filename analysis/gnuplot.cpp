@@ -93,7 +93,7 @@ Drawing drawing_from(int status, const std::string& words, const std::string& sc
   if (words.find("unknown or ambiguous terminal type") != std::string::npos) {
     return {.end = DrawingEnd::broken_off,
             .reason = script + ": this gnuplot cannot draw a format: " + on_one_line(words) +
-                      "; install one that has svg, pngcairo and pdfcairo (Debian: gnuplot-nox)"};
+                      "; install a gnuplot with svg, pngcairo and pdfcairo (Debian: gnuplot-nox)"};
   }
   return {.end = DrawingEnd::refused, .reason = script + ": gnuplot failed: " + on_one_line(words)};
 }

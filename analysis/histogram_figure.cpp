@@ -15,7 +15,7 @@ Table count_table(const Json& histogram) {
   Table table{.name = "counts",
               .columns = {{"from", "left edge of the bin"},
                           {"to", "its right edge"},
-                          {"zero", "foot of the bar"},
+                          {"zero", "bottom of the bar"},
                           {"count", "numbers in the bin"},
                           {"expected", "expected number"}},
               .rows = {}};
@@ -60,27 +60,28 @@ Figure normal_histogram(const Json& output) {
   read_or_refuse(output, [&] {
     const std::string mean = number_text(output.at("law").at("mean"));
     const std::string sigma = number_text(output.at("law").at("sigma"));
-    figure.title = std::to_string(output.at("n").get<std::uint64_t>()) + " draws from N(" + mean + ", " + sigma + "²)";
+    figure.title =
+        std::to_string(output.at("n").get<std::uint64_t>()) + " random numbers from N(" + mean + ", " + sigma + "²)";
     figure.subtitle =
         "sampler " + output.at("sampler").get<std::string>() + ", seed " + output.at("seed").get<std::string>();
     figure.tables = {count_table(output.at("histogram")), curve_table(output)};
     figure.panels.push_back({.title = "",
-                             .x = {.quantity = "value drawn", .symbol = "", .unit = ""},
+                             .x = {.quantity = "value", .symbol = "", .unit = ""},
                              .y = {.quantity = "numbers in a bin", .symbol = "", .unit = "", .low = 0.0},
                              .layers = {}});
     figure.panels.back().layers = {{.kind = LayerKind::boxes,
                                     .table = 0,
                                     .columns = {0, 1, 2, 3},
                                     .style = {.colour = "#9fc5e8"},
-                                    .legend = "drawn"},
+                                    .legend = "random numbers"},
                                    {.kind = LayerKind::line,
                                     .table = 1,
                                     .columns = {0, 1},
                                     .style = {.colour = "#d55e00", .marker = 0, .width = 2.0},
-                                    .legend = "normal law"}};
+                                    .legend = "normal distribution"}};
     figure.caption = "Mean " + moment(output, "mean") + ", standard deviation " + moment(output, "standard_deviation") +
                      ", skewness " + moment(output, "skewness") + ", kurtosis " + moment(output, "kurtosis") +
-                     " (3 for a normal law).";
+                     " (3 for a normal distribution).";
   });
   return figure;
 }

@@ -52,8 +52,8 @@ Table band_table(const RunReport& report, const SweepView& view, const Slice& sl
   const auto modes = shown_modes(report);
   Table table{.name = table_name(slice),
               .columns = {view.column,
-                          {view.column.name + "_from", "where its stretch begins"},
-                          {view.column.name + "_to", "where its stretch ends"},
+                          {view.column.name + "_from", "start of its interval"},
+                          {view.column.name + "_to", "end of its interval"},
                           {"n", "realisations"}},
               .rows = {}};
   for (const ResponseMode& mode : modes) {
@@ -145,15 +145,15 @@ void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Fi
 Table bar_table(const RunReport& report, const ConditionReport& condition, const std::string& name) {
   const std::string level = report.level() + " simultaneous interval";
   Table table{.name = name,
-              .columns = {{"place", "place of the bar's middle"},
+              .columns = {{"place", "position of the middle of the bar"},
                           {"from", "its left edge"},
                           {"to", "its right edge"},
-                          {"zero", "its foot"},
+                          {"zero", "its bottom"},
                           {"estimate", "estimated probability"},
                           {"low", "lower end of its " + level},
                           {"high", "upper end of its " + level},
                           {"count", "realisations"},
-                          {"n", "of so many"},
+                          {"n", "number of realisations"},
                           {"mode", "response mode"}},
               .rows = {}};
   double place = 0.0;
@@ -210,7 +210,7 @@ std::string spoken_realisations(const RunReport& report) {
 Figure mode_bands(const RunReport& report) {
   const SweepView view = view_of(report);
   Figure figure = figure_of(report, view, "mode_bands");
-  figure.title = "How likely is each response?";
+  figure.title = "Probability of each response mode";
   const auto modes = shown_modes(report);
   const bool with_others = report.occurring().size() > modes.size();
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
@@ -233,7 +233,7 @@ Figure mode_bands(const RunReport& report) {
                             .legend = "others"});
   }
   figure.caption = "Estimated probability of each response mode, stacked to 1; " + spoken_realisations(report) +
-                   ". Each condition fills the stretch halfway to its neighbours.";
+                   ". Each condition extends halfway to its neighbours.";
   return figure;
 }
 
@@ -262,7 +262,7 @@ void add_bars(const std::vector<ResponseMode>& modes, Figure& figure) {
 Figure mode_bars(const RunReport& report, const SweepView& view) {
   Figure figure;
   figure.name = "mode_probabilities";
-  figure.title = "How likely is each response, and how sure is that?";
+  figure.title = "Probability of each response mode, with intervals";
   figure.subtitle = report.title;
   for (const Slice& slice : view.slices) {
     for (const std::size_t i : slice.conditions) {
@@ -273,7 +273,7 @@ Figure mode_bars(const RunReport& report, const SweepView& view) {
     }
   }
   figure.caption = "Estimated probability of each response mode with its " + report.level() +
-                   " interval, which holds for all modes of a condition at once; " + spoken_realisations(report) +
+                   " simultaneous interval for all modes of a condition; " + spoken_realisations(report) +
                    '.';
   return figure;
 }
@@ -284,7 +284,7 @@ Figure mode_probabilities(const RunReport& report) {
   const SweepView view = view_of(report);
   if (!view.is_line) return mode_bars(report, view);
   Figure figure = figure_of(report, view, "mode_probabilities");
-  figure.title = "How likely is each response, and how sure is that?";
+  figure.title = "Probability of each response mode, with intervals";
   const auto modes = shown_modes(report);
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(probability_table(report, view, view.slices[i]));
@@ -296,7 +296,7 @@ Figure mode_probabilities(const RunReport& report) {
   figure.caption =
       "Estimated probability of each response mode (markers, joined to guide the eye) with its " +
       report.level() +
-      " interval, which holds for all modes of a condition at once (ribbon, left out where a mode does not occur); " +
+      " simultaneous interval for all modes of a condition (ribbon, omitted where a mode does not occur); " +
       spoken_realisations(report) + '.';
   return figure;
 }

@@ -51,11 +51,11 @@ Table parting_table(const RunReport& report, const SweepView& view, const Slice&
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"pairs", "pairs of runs"},
-                          {"parted", "of them, those that parted before the horizon"},
-                          {"median", "median of the time to parting [periods]"},
+                          {"parted", "number of them that diverged before the horizon"},
+                          {"median", "median of the divergence time [periods]"},
                           {"lower", "lower quartile [periods]"},
                           {"upper", "upper quartile [periods]"},
-                          {"upper_drawn", "the same, at the horizon where it lies beyond [periods]"}},
+                          {"upper_drawn", "the same, but at most the horizon [periods]"}},
               .rows = {}};
   const auto periods = report.periods();
   const Cell end = periods ? Cell(static_cast<double>(*periods)) : Cell();
@@ -103,15 +103,17 @@ std::optional<Figure> non_recurrence(const RunReport& report) {
   const SweepView view = view_of(report);
   Figure figure = empty_figure(report, view);
   figure.name = "non_recurrence";
-  figure.title = "How often do two equal runs respond differently?";
+  figure.title = "Probability that two equal runs have different responses";
   figure.panels.front().y = {
       .quantity = "probability that two runs differ", .symbol = "", .unit = "", .low = 0.0, .high = 1.0};
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(difference_table(report, view, view.slices[i]));
     add_curve(view.slices[i], i, {2, 3, 4}, figure);
   }
-  figure.caption = "Probability that two runs of one condition, with other draws, differ in response mode, with its " +
-                   report.level() + " interval; " + spoken_realisations(report) + '.';
+  figure.caption =
+      "Probability that two runs of one condition, with independent random numbers, differ in response mode, with "
+      "its " +
+      report.level() + " interval; " + spoken_realisations(report) + '.';
   return figure;
 }
 
@@ -120,9 +122,9 @@ std::optional<Figure> parting_quartiles(const RunReport& report) {
   const SweepView view = view_of(report);
   Figure figure = empty_figure(report, view);
   figure.name = "parting_quartiles";
-  figure.title = "After how long have two equal runs parted?";
+  figure.title = "Divergence time of two equal runs";
   figure.panels.front().y = {
-      .quantity = "time to parting", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true};
+      .quantity = "divergence time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true};
   bool any = false;
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(parting_table(report, view, view.slices[i]));
@@ -133,10 +135,12 @@ std::optional<Figure> parting_quartiles(const RunReport& report) {
   }
   if (!any) return std::nullopt;
   figure.caption =
-      "Periods until two runs of one condition, with other draws, are more than 0.01 apart in (Θ, Θ′): median "
-      "(markers) and quartiles over pairs (ribbon, cut at the horizon). Where nothing is drawn, more than half, or "
+      "Periods until two runs of one condition, with independent random numbers, are more than 0.01 apart in (Θ, Θ′): "
+      "median "
+      "(markers) and quartiles over pairs (ribbon, cut at the horizon). Where no marker or no ribbon is shown, more "
+      "than half, or "
       "three "
-      "quarters, of the pairs had not parted by the horizon.";
+      "quarters, of the pairs had not diverged by the horizon.";
   return figure;
 }
 

@@ -41,7 +41,7 @@ void collect(const OutputFile& file, Collection& found) {
     throw base::InputError(
         {.place = "/format",
          .value = '"' + format + '"',
-         .reason = "has no figure here",
+         .reason = "has no figure in this command",
          .remedy = "give a trajectory, a bifurcation, a cost, a fragility or a check-normal; `rocking report DIR` draws a run"});
   }
 }

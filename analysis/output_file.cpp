@@ -15,7 +15,8 @@ Json parsed_output(std::string_view text) {
     throw base::InputError({.place = "/format",
                             .value = "",
                             .reason = "is missing: this is not a file that rocking wrote",
-                            .remedy = "give what `rocking trajectory`, `bifurcation`, `cost --json`, `fragility --json` or `check-normal --json` prints"});
+                            .remedy = "give the output of `rocking trajectory`, `bifurcation`, `cost --json`, "
+                                      "`fragility --json` or `check-normal --json`"});
   }
   return output;
 }
@@ -28,7 +29,7 @@ void read_or_refuse(const Json& output, const std::function<void()>& read) {
   } catch (const Json::exception& error) {
     throw base::InputError({.place = "/",
                             .value = "",
-                            .reason = "is not as " + format_of(output) + " demands: " + error.what(),
+                            .reason = "does not conform to " + format_of(output) + ": " + error.what(),
                             .remedy = ""});
   }
 }

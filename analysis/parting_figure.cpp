@@ -54,9 +54,9 @@ double last_period(const RunReport& report, const std::vector<Pairs>& all) {
 Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
   Table table{.name = name,
               .columns = {{"period", "excitation periods since the start"},
-                          {"share", "share of pairs that have parted by then"},
-                          {"parted", "pairs that have parted by then"},
-                          {"pairs", "of so many"}},
+                          {"share", "share of pairs that have diverged by then"},
+                          {"parted", "pairs that have diverged by then"},
+                          {"pairs", "number of pairs"}},
               .rows = {}};
   const auto count = static_cast<double>(pairs.count);
   double parted = 0.0;
@@ -77,11 +77,11 @@ std::optional<Figure> parting_times(const RunReport& report, const experiment::S
   if (all.empty()) return std::nullopt;
   Figure figure;
   figure.name = "parting_times";
-  figure.title = "By when have two equal runs parted?";
+  figure.title = "Share of diverged pairs of equal runs against time";
   figure.subtitle = report.title;
   Panel panel{.title = "",
               .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
-              .y = {.quantity = "share of pairs that have parted", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
+              .y = {.quantity = "share of pairs that have diverged", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
               .layers = {}};
   panel.x.high = std::max(last_period(report, all), 2.0);
   for (std::size_t i = 0; i < all.size(); ++i) {
@@ -95,10 +95,11 @@ std::optional<Figure> parting_times(const RunReport& report, const experiment::S
   }
   figure.panels.push_back(std::move(panel));
   figure.caption =
-      "Share of pairs of runs, with other draws, that have parted (are more than 0.01 apart in (Θ, Θ′) at a strobe "
+      "Share of pairs of runs, with independent random numbers, that have diverged (are more than 0.01 apart in (Θ, "
+      "Θ′) at a strobe "
       "instant), against time.";
   if (report.conditions.size() > most_curves)
-    figure.caption += " The seven conditions in which two runs differ most often in response mode.";
+    figure.caption += " Shown are the seven conditions in which two runs differ most often in response mode.";
   return figure;
 }
 

@@ -78,7 +78,7 @@ class Sketch {
 
   std::vector<Table> tables_;
   std::vector<Layer> layers_;
-  Table words_{.name = "words", .columns = {corners[0], corners[1], {"text", "what stands there"}}, .rows = {}};
+  Table words_{.name = "words", .columns = {corners[0], corners[1], {"text", "text at this point"}}, .rows = {}};
 };
 
 constexpr double right_angle = 1.5707963267948966;
@@ -137,7 +137,7 @@ std::string spoken_scene(const report::Json& experiment) {
   text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");
   text += spoken(experiment, "/friction/static", "μ_s =");
   text += spoken(experiment, "/friction/kinetic", "μ_k =");
-  text += spoken(experiment, "/fluctuation/friction/sigma", "friction scatters with σ =");
+  text += spoken(experiment, "/fluctuation/friction/sigma", "friction fluctuates with σ =");
   return text;
 }
 
@@ -149,7 +149,7 @@ Figure scene_sketch(const report::Json& experiment) {
   const double tilt = std::min(0.14, 0.5 * shape_angle);
   Figure figure;
   figure.name = "scene";
-  figure.title = "The block, to scale, and what acts on it";
+  figure.title = "The block, to scale, and the forces on it";
   figure.subtitle = experiment.at("title").get<std::string>();
   figure.panels.push_back({.title = "", .x = {}, .y = {}, .layers = {}, .to_scale = true});
   Panel& panel = figure.panels.front();

@@ -66,7 +66,7 @@ Axis axis_of_parameter(const std::string& pointer) {
   static const std::map<std::string, Axis> known{{"/excitation/amplitude", {"base amplitude", "A_h", ""}},
                                                  {"/excitation/frequency_ratio", {"frequency ratio", "Ω_h", ""}},
                                                  {"/excitation/phase_rad", {"phase", "Φ", "rad"}},
-                                                 {"/excitation/scale", {"scale of the record", "", ""}},
+                                                 {"/excitation/scale", {"scale of the ground motion", "", ""}},
                                                  {"/friction/static", {"static friction", "μ_s", ""}},
                                                  {"/friction/kinetic", {"kinetic friction", "μ_k", ""}},
                                                  {"/friction", {"friction", "μ_s/μ_k", ""}},
@@ -82,7 +82,9 @@ Axis axis_of_parameter(const std::string& pointer) {
     const std::string whole = pointer.substr(0, pointer.rfind('/'));
     std::string of = last_key(whole);
     std::replace(of.begin(), of.end(), '_', ' ');
-    return {.quantity = (key == "sigma" ? "scatter of " : "relative scatter of ") + of, .symbol = "σ", .unit = ""};
+    return {.quantity = (key == "sigma" ? "standard deviation of " : "relative standard deviation of ") + of,
+            .symbol = "σ",
+            .unit = ""};
   }
   std::string words = key;
   std::replace(words.begin(), words.end(), '_', ' ');

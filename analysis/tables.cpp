@@ -156,7 +156,7 @@ std::string modes_latex(const RunReport& report) {
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
           "Response modes in per cent of $n$ realisations, with " +
           latex_text(report.level()) +
-          " intervals that hold for all modes of a condition at once.}\n";
+          " simultaneous intervals for all modes of a condition.}\n";
   text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
           "}\n    \\toprule\n    ";
   for (const std::string& pointer : report.swept) text += latex_symbol(pointer) + " & ";

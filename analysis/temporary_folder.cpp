@@ -49,7 +49,7 @@ TemporaryFolder::TemporaryFolder() {
   for (int attempt = 0;; ++attempt) {
     std::string name = (place / (std::string(beginning_of_name) + "XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr) {
-      throw std::system_error(errno, std::generic_category(), name + ": cannot be made");
+      throw std::system_error(errno, std::generic_category(), name + ": cannot be created");
     }
     path_ = name;
     lock_ = locked(path_);

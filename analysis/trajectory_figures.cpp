@@ -112,15 +112,16 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   figure.panels[1].layers.push_back({.kind = LayerKind::line, .table = 0, .columns = {0, 3}, .style = curve});
   mark_impacts(file, window, figure);
   figure.caption =
-      "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: the block does not rock alone; "
-      "white: it rocks without slipping. Impacts are marked at Θ = 0.";
+      "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: any state other than rocking "
+      "without slip; "
+      "white: rocking without slip. Impacts are marked at Θ = 0.";
   return figure;
 }
 
 Figure responses(const std::vector<TrajectoryFile>& files, const Window& window) {
   Figure figure;
   figure.name = "responses";
-  figure.title = "Repeated responses over one another";
+  figure.title = "Responses of several realisations";
   double end = 0.0;
   for (const TrajectoryFile& file : files) end = std::max(end, file.history.back().time);
   Panel panel{.title = "", .x = time_axis(window, end), .y = {"tilt", "Θ", ""}, .layers = {}};
@@ -143,7 +144,7 @@ Figure poincare(const std::vector<TrajectoryFile>& files, const Window& window) 
   Panel panel{.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
     Table table{.name = described(files[i]),
-                .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}, {"period", "at the end of which period"}},
+                .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}, {"period", "period at whose end the state is taken"}},
                 .rows = {}};
     for (const StrobeRow& row : files[i].strobe) {
       if (is_within(row.period, window)) table.rows.push_back({row.tilt, row.tilt_rate, row.period});

@@ -38,8 +38,8 @@ void read_history(const Json& output, TrajectoryFile& file) {
   if (samples == 0 || history.size() <= samples) {
     throw base::InputError(base::Problem{.place = "/history",
                                          .value = "",
-                                         .reason = "is shorter than a period",
-                                         .remedy = "run `rocking trajectory` over one period or more"});
+                                         .reason = "is shorter than one period",
+                                         .remedy = "run `rocking trajectory` over at least one period"});
   }
   const double period = history.at(samples).at("tau").get<double>();  // 2 pi/Omega_h
   const auto add = [&file, period](const Json& state) {

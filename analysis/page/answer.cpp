@@ -90,11 +90,11 @@ std::string least_repeatable(const RunReport& report) {
       where = i;
     }
   }
-  std::string text =
-      fmt::format("<p>In {} of {} all realisations were named alike.", alike, counted(compared, "condition"));
+  std::string text = fmt::format("<p>In {} of {} all realisations have the same response mode.", alike,
+                                 counted(compared, "condition"));
   if (worst == nullptr || worst->differ == 0.0) return text + "</p>\n";
   return text + fmt::format(
-                    " Least repeatable: {}; there two runs of the same shaking respond differently with "
+                    " Least repeatable: {}. There, two runs under the same excitation have different responses with "
                     "probability <strong>{}</strong>.</p>\n",
                     escaped(condition_name(report, where)), per_cent(worst->differ, worst->interval));
 }
@@ -112,11 +112,11 @@ std::string partings(const RunReport& report, const char* cause, Parting Differe
     if (parting.median) medians.push_back(*parting.median);
   }
   if (pairs == 0) return "";
-  std::string text = fmt::format("{}: {} of {} part", cause, parted, counted(pairs, "pair"));
+  std::string text = fmt::format("{}: {} of {} diverge", cause, parted, counted(pairs, "pair"));
   if (!medians.empty()) {
     std::ranges::sort(medians);
     const double middle = medians[medians.size() / 2];
-    text += fmt::format("; median time, in the middle one of the conditions: {} {}", report::significant(middle, 4),
+    text += fmt::format("; median divergence time (median over the conditions): {} {}", report::significant(middle, 4),
                         middle == 1.0 ? "period" : "periods");
   }
   return "<li>" + text + ".</li>\n";
@@ -132,7 +132,7 @@ std::string responses_in_brief(const RunReport& report) {
         escaped(to_string(mode)), meaning_of(mode), prevalence.most_likely, prevalence.occurs, prevalence.realisations);
   }
   return fmt::format(
-             "<table class=\"brief\"><caption>Of {}, of {}</caption>\n<thead><tr><th scope=\"col\">response</th><th "
+             "<table class=\"brief\"><caption>{}, {}</caption>\n<thead><tr><th scope=\"col\">response</th><th "
              "scope=\"col\">most likely in</th><th scope=\"col\">occurs in</th><th scope=\"col\">realisations</th>"
              "</tr></thead>\n<tbody>\n{}</tbody></table>\n",
              counted(report.conditions.size(), "condition"), counted(realisations_of(report), "realisation"), rows) +
@@ -141,11 +141,12 @@ std::string responses_in_brief(const RunReport& report) {
 
 std::string recurrence_in_brief(const RunReport& report) {
   const bool compared = std::ranges::any_of(report.conditions, difference_of);
-  if (!compared) return "<p>One realisation says all: nothing is random, or only one was asked for.</p>\n";
+  if (!compared)
+    return "<p>There is one realisation per condition: nothing is random, or only one was requested.</p>\n";
   return least_repeatable(report) +
-         "<p>Two runs have parted when their strobe points lie more than 0.01 apart. With</p>\n<ul>\n" +
-         partings(report, "draws of their own", &Difference::by_friction) +
-         partings(report, "the same draws, arithmetic alone", &Difference::by_arithmetic) + "</ul>\n";
+         "<p>Two runs have diverged when their strobe points are more than 0.01 apart. With</p>\n<ul>\n" +
+         partings(report, "independent random numbers", &Difference::by_friction) +
+         partings(report, "common random numbers and another tolerance", &Difference::by_arithmetic) + "</ul>\n";
 }
 
 }  // namespace rocking::analysis

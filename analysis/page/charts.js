@@ -18,7 +18,7 @@ var charts = (function () {
     this.cursor = shapes.make('div', { class: 'cursor', hidden: '' }, this.frame);
     var foot = shapes.make('div', { class: 'foot' }, holder);
     this.readout = shapes.make('output', { class: 'readout',
-      text: 'Point at the chart, or focus it and press arrow keys, to read values; drag to zoom.' }, foot);
+      text: 'To read values, point at the chart, or focus it and press the arrow keys. Drag to zoom.' }, foot);
     this.addTools(foot);
   }
 

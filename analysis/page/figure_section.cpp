@@ -119,7 +119,7 @@ std::string charts_html(const Figure& figure) {
 }
 
 std::string picture_html(const DrawnFigure& drawn, bool charted) {
-  if (drawn.svg.empty()) return "<p class=\"limit\">No picture for paper: gnuplot could not draw it.</p>\n";
+  if (drawn.svg.empty()) return "<p class=\"limit\">There is no picture for printing: gnuplot could not draw it.</p>\n";
   if (drawn.svg.size() > most_picture_bytes) {
     return "<p class=\"limit\">The picture is too large for a page: <code>rocking report DIR --format gnuplot</code> "
            "draws it.</p>\n";

@@ -22,9 +22,9 @@ struct Part {
 };
 
 const std::vector<Part>& parts() {
-  static const std::vector<Part> all{{"responses", "Which responses, and how likely?", {"mode_"}},
-                                     {"recurrence", "Does it repeat?", {"non_recurrence", "parting"}},
-                                     {"question", "What was asked?", {"scene"}},
+  static const std::vector<Part> all{{"responses", "Which responses occur, and how likely are they?", {"mode_"}},
+                                     {"recurrence", "Is the response repeatable?", {"non_recurrence", "parting"}},
+                                     {"question", "What was simulated?", {"scene"}},
                                      {"more", "More figures", {""}}};
   return all;
 }
@@ -115,24 +115,25 @@ std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& f
   const auto checks = checks_of(report);
   std::string text = head(title);
   text += fmt::format(
-      "<body>\n<a class=\"skip\" href=\"#main\">To the answers</a>\n<header>\n<h1>{}</h1>\n</header>\n<main "
+      "<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n<header>\n<h1>{}</h1>\n</header>\n<main "
       "id=\"main\">\n<div class=\"cards\">\n",
       escaped(title));
   auto content = figures_by_part(report, figures);
   const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
-  text += card("asked", "What was asked?", question_in_brief(report), "question");
-  text += card("likely", "Which responses, and how likely?", responses_in_brief(report), link("responses"));
-  text += card("repeats", "Does it repeat?", recurrence_in_brief(report), link("recurrence"));
-  text += card("believe", "May I believe it?", trust_in_brief(checks), "trust");
+  text += card("asked", "What was simulated?", question_in_brief(report), "question");
+  text +=
+      card("likely", "Which responses occur, and how likely are they?", responses_in_brief(report), link("responses"));
+  text += card("repeats", "Is the response repeatable?", recurrence_in_brief(report), link("recurrence"));
+  text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
   text += "</div>\n";
   for (const Part& part : parts()) {
     if (part.id != std::string_view("question") && content.contains(part.id)) {
       text += section(part.id, part.heading, content[part.id]);
     }
   }
-  text += section("trust", "May I believe it?", trust_in_full(checks));
-  text += section("question", "What was asked?", content["question"] + question_in_full(report));
-  text += section("again", "Where does it come from?", provenance(report));
+  text += section("trust", "Can the results be trusted?", trust_in_full(checks));
+  text += section("question", "What was simulated?", content["question"] + question_in_full(report));
+  text += section("again", "Origin of the results", provenance(report));
   return text + "</main>\n" + footer() + scripts() + "</body>\n</html>\n";
 }
 

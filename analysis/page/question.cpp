@@ -51,9 +51,9 @@ std::string swept_mark(const RunReport& report, const std::string& pointer) {
 std::string shaking_in_brief(const RunReport& report) {
   const Json& excitation = report.experiment.at("excitation");
   if (excitation.at("kind") == "recorded") {
-    return "on a floor that moves as recorded in " + escaped(excitation.at("file").get<std::string>());
+    return "on a base that moves as recorded in " + escaped(excitation.at("file").get<std::string>());
   }
-  std::string text = "on a floor that shakes harmonically";
+  std::string text = "on a base that shakes harmonically";
   if (!is_swept(report, "/excitation/amplitude")) {
     text += fmt::format(" with amplitude {} = {}", symbol_html("A_h"), number(excitation.at("amplitude")));
   }
@@ -137,9 +137,9 @@ void add_settings(const RunReport& report, const std::string& pointer, const Jso
 }
 
 std::string horizon_in_brief(const RunReport& report) {
-  if (!report.periods()) return "each as long as the record, and until the block has come to rest";
+  if (!report.periods()) return "each as long as the ground motion, and until the block has come to rest";
   const Json& horizon = report.experiment.at("horizon");
-  return fmt::format("{} dropped, then {} sampled",
+  return fmt::format("{} of transient, then {} sampled",
                      counted(horizon.at("transient_periods").get<std::uint64_t>(), "period"),
                      number(horizon.at("sampled_periods")));
 }
@@ -160,7 +160,7 @@ std::string question_in_full(const RunReport& report) {
   const Shape shape = shape_of(report.experiment);
   std::string rows;
   rows += row("shape angle", fmt::format("&psi; = {} rad", significant(shape.shape_angle(), 4)));
-  rows += row("half of the diagonal", fmt::format("<i>R</i> = {} m", significant(shape.half_diagonal(), 4)));
+  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", significant(shape.half_diagonal(), 4)));
   rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", significant(shape.frequency_parameter(), 4)));
   for (const auto& [key, value] : report.experiment.items()) {
     if (key != "format" && key != "title" && key != "sweep") {

@@ -78,7 +78,7 @@ std::string mode_table_html(const RunReport& report, ModeCells cells) {
   PageTable table;
   table.caption = "Response modes in per cent of the realisations";
   if (cells == ModeCells::with_intervals) {
-    table.caption += fmt::format(" [{} interval, for all modes of a condition at once]", escaped(report.level()));
+    table.caption += fmt::format(" [{} interval, simultaneous for all modes of a condition]", escaped(report.level()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
   for (const std::string& pointer : report.swept) table.head.push_back(column_name(pointer));

@@ -43,20 +43,21 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {"left_ground", "contact with the floor", "The normal force stayed positive.",
-     "met a normal force of zero or less: the model ends there.", Verdict::look},
-    {"painleve", "Painlev&eacute;&#39;s paradox", "Not met.", "ended in it.", Verdict::look},
+    {"left_ground", "contact with the base", "The normal force was positive throughout.",
+     "met a normal force of zero or less, where the model is not valid.", Verdict::look},
+    {"painleve", "Painlev&eacute;&#39;s paradox", "Did not occur.", "ended because of it.", Verdict::look},
     {"stopped", "event budget", "Every realisation reached its horizon or overturned.",
-     "ended by too many events or a vanishing step.", Verdict::look},
-    {"contradictions", "sticking and slipping", "One of the two always agreed with the equations.",
-     "met an instant at which neither agrees with the equations.", Verdict::look},
-    {"in_transient", "settled at the horizon", "No response was still drifting.", "were still drifting.",
-     Verdict::look},
-    {"settled_late", "settled within the sampled periods", "None settled late.",
-     "settled within the sampled periods and are named by what they settled on.", Verdict::note},
-    {"past_balance", "beyond the balance point", "|&Theta;| stayed below 1.", "passed |&Theta;| = 1.", Verdict::note},
-    {"clamped", "clamped draws", "No draw had to be clamped.",
-     "had a draw clamped (friction below 0, kinetic above static friction, and the like).", Verdict::note},
+     "ended because of too many events or a vanishing step.", Verdict::look},
+    {"contradictions", "sticking and slipping", "At every instant one of the two was consistent with the equations.",
+     "had an instant at which neither is consistent with the equations.", Verdict::look},
+    {"in_transient", "settled at the horizon", "Every response had settled at the horizon.",
+     "had not settled at the horizon.", Verdict::look},
+    {"settled_late", "settled within the sampled periods", "No response settled late.",
+     "settled within the sampled periods and are classified by the part after that.", Verdict::note},
+    {"past_balance", "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.",
+     Verdict::note},
+    {"clamped", "clamped random numbers", "No random number was clamped.",
+     "had a random number clamped (for example friction below 0, or kinetic above static friction).", Verdict::note},
 };
 
 Check check_of(const RunReport& report, const Kind& kind) {
@@ -69,10 +70,10 @@ Check check_of(const RunReport& report, const Kind& kind) {
 }
 
 Check arithmetic(const RunReport& report) {
-  Check check{.name = "arithmetic noise", .verdict = Verdict::note, .finding = {}, .where = {}};
+  Check check{.name = "sensitivity to tolerance", .verdict = Verdict::note, .finding = {}, .where = {}};
   const Json& floor = report.text.at("result").at("noise_floor");
   if (floor.is_null()) {
-    check.finding = "Not measured: no realisation was run again at another tolerance.";
+    check.finding = "Not measured: no realisation was rerun at another tolerance.";
     return check;
   }
   const std::string noise = floor.at("arithmetic_noise");
@@ -83,12 +84,12 @@ Check arithmetic(const RunReport& report) {
   const std::string half_width = per_cent(floor.at("half_width")) + " %.";
   if (noise == "small") {
     check.verdict = Verdict::fine;
-    check.finding += "small beside the narrowest half-width of an interval, " + half_width;
+    check.finding += "small compared with the narrowest half-width of an interval, " + half_width;
   } else if (noise == "not_small") {
     check.verdict = Verdict::look;
-    check.finding += "<strong>not</strong> small beside the narrowest half-width of an interval, " + half_width;
+    check.finding += "<strong>not</strong> small compared with the narrowest half-width of an interval, " + half_width;
   } else {
-    check.finding += "too few repeats to set beside the narrowest half-width of an interval, " + half_width;
+    check.finding += "too few reruns to compare with the narrowest half-width of an interval, " + half_width;
   }
   return check;
 }
@@ -111,8 +112,10 @@ Check unresolved(const RunReport& report) {
     }
   }
   if (count == 0)
-    return {
-        .name = "unresolved responses", .verdict = Verdict::fine, .finding = "Every response has a name.", .where = {}};
+    return {.name = "unresolved responses",
+            .verdict = Verdict::fine,
+            .finding = "Every response is classified.",
+            .where = {}};
   const double share = static_cast<double>(count) / static_cast<double>(realisations_of(report));
   return {.name = "unresolved responses",
           .verdict = worst > worrying_share ? Verdict::look : Verdict::note,
@@ -133,12 +136,13 @@ Check enough(const RunReport& report) {
       widest = std::max(widest, 0.5 * (share.interval.high - share.interval.low));
     }
   }
-  const std::string width = fmt::format("The widest interval reaches {} % to either side.", per_cent(widest));
+  const std::string width = fmt::format("The half-width of the widest interval is {} %.", per_cent(widest));
   if (short_of == 0) return {.name = "enough realisations", .verdict = Verdict::fine, .finding = width, .where = {}};
   return {.name = "enough realisations",
           .verdict = Verdict::look,
-          .finding = fmt::format("{} used up their realisations before their intervals were as narrow as asked. {}",
-                                 counted(short_of, "condition"), width),
+          .finding = fmt::format(
+              "{} reached the largest number of realisations before the intervals were as narrow as requested. {}",
+              counted(short_of, "condition"), width),
           .where = {}};
 }
 
@@ -168,7 +172,7 @@ std::vector<Check> checks_of(const RunReport& report) {
 std::string trust_in_brief(const std::vector<Check>& checks) {
   const auto fine = std::ranges::count(checks, Verdict::fine, &Check::verdict);
   std::string text =
-      fmt::format("<p>{} of {} checks find nothing to remark.</p>\n<ul class=\"checks\">\n", fine, checks.size());
+      fmt::format("<p>{} of {} checks passed without remark.</p>\n<ul class=\"checks\">\n", fine, checks.size());
   for (const Verdict verdict : {Verdict::look, Verdict::note}) {
     for (const Check& check : checks) {
       if (check.verdict != verdict) continue;
@@ -186,13 +190,13 @@ std::string trust_in_full(const std::vector<Check>& checks) {
                         badge(check.verdict), check.finding, check.where);
   }
   return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table "
-         "class=\"words\"><caption>What "
-         "could make a result untrue, and what was found</caption>\n<thead><tr><th scope=\"col\">check</th><th "
-         "scope=\"col\">verdict</th><th scope=\"col\">finding</th></tr></thead>\n<tbody>\n" +
+         "class=\"words\"><caption>Possible "
+         "causes of a wrong result, and what was found</caption>\n<thead><tr><th scope=\"col\">check</th><th "
+         "scope=\"col\">result</th><th scope=\"col\">finding</th></tr></thead>\n<tbody>\n" +
          rows +
-         "</tbody></table></div>\n<p>A number of a condition and a realisation is what <code>rocking replay</code> "
-         "takes to "
-         "show it in full.</p>\n";
+         "</tbody></table></div>\n<p><code>rocking replay</code> with the numbers of a condition and a realisation "
+         "prints "
+         "this realisation in full.</p>\n";
 }
 
 std::string provenance(const RunReport& report) {

@@ -36,9 +36,9 @@ std::string meaning_of(const section::ResponseMode& mode) {
       if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
       return "rocks " + times(mode.rocks) + " in " + spoken(mode.periods) + " periods";
     case section::ResponseKind::chaotic: return "never repeats";
-    case section::ResponseKind::overturned: return "falls over";
-    case section::ResponseKind::rest: return "does not rock, or no longer";
-    case section::ResponseKind::unresolved: return "could not be named";
+    case section::ResponseKind::overturned: return "overturns";
+    case section::ResponseKind::rest: return "does not rock, or has stopped rocking";
+    case section::ResponseKind::unresolved: return "could not be classified";
   }
   return "";
 }

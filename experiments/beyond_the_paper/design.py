@@ -1,4 +1,4 @@
-"""The 2^3 design in published reports: what fluctuates in each run, and what that changes, with intervals."""
+"""The 2^3 design in the published reports: the fluctuating sources of each run and their effects, with intervals."""
 
 import itertools
 import json
@@ -14,7 +14,7 @@ QUANTITIES = {"(1,1)": lambda mode: mode == "(1,1)", "(1,3)": lambda mode: mode 
 
 
 def path_of(folder, names):
-    """Where the report of a combination stands, below reports/beyond_the_paper."""
+    """Path of the report of a combination, below reports/beyond_the_paper."""
     return f"{folder}/{'_'.join(names)}/report.json" if names else "none/report.json"
 
 
@@ -25,9 +25,9 @@ def wilson(successes, trials, z):
 
 
 def mover(terms):
-    """Sum of weight x estimate over (weight, estimate, low, high), and its interval from theirs, if they are independent.
+    """Sum of weight x estimate over (weight, estimate, low, high), and its interval from theirs; they must be independent.
 
-    Source: Zou & Donner (2008), Stat. Med. 27, 1693-1702; of two proportions it is Newcombe's (1998) tenth method.
+    Source: Zou & Donner (2008), Stat. Med. 27, 1693-1702; for two proportions it is Newcombe's (1998) method 10.
     """
     total = sum(weight * estimate for weight, estimate, _, _ in terms)
     below = above = 0.0
@@ -39,7 +39,7 @@ def mover(terms):
 
 
 class Cell:
-    """One condition of one run: counts of its response modes, and how often two of its realisations differ."""
+    """One condition of one run: counts of its response modes, and the probability that two realisations differ."""
 
     def __init__(self, condition):
         self.n = condition["realisations"]
@@ -74,14 +74,14 @@ class Design:
         return len(EFFECTS) * len(self.amplitudes)
 
     def z(self, is_simultaneous):
-        doubt = (1 - self.confidence) / (self.tests() if is_simultaneous else 1)
-        return NormalDist().inv_cdf(1 - doubt / 2)
+        significance = (1 - self.confidence) / (self.tests() if is_simultaneous else 1)
+        return NormalDist().inv_cdf(1 - significance / 2)
 
     def effect(self, names, quantity, amplitude):
-        """Estimate, low, high. One source: how much more probable with it than without, mean over the others. Two: by how
-        much one changes the other's effect, mean over the third. Three: by how much the third changes that.
+        """Estimate, low, high. One source: the increase of the probability by the source, mean over the others. Two: the
+        change of the effect of one by the other, mean over the third. Three: the change of that interaction by the third.
 
-        Simultaneous over all effects and amplitudes, but for non-recurrence, whose intervals each hold by themselves.
+        Simultaneous over all effects and amplitudes, except for non-recurrence, whose intervals are individual.
         """
         z = self.z(is_simultaneous=quantity != "non-recurrence")
         mean_over = 2 ** (len(SOURCES) - len(names))

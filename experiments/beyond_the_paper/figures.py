@@ -47,7 +47,7 @@ def bands(design):
 
 
 def effects(design):
-    """A panel for each effect: what it does to each probability, with its simultaneous interval."""
+    """A panel for each effect: the change of each probability, with its simultaneous interval."""
     amplitudes = design.amplitudes
     step = min(b - a for a, b in zip(amplitudes, amplitudes[1:]))
     text = "set multiplot layout 3,3 margins 0.06,0.98,0.10,0.93 spacing 0.05,0.10\n"
@@ -68,9 +68,9 @@ def effects(design):
 
 
 def draw(name, text, folder):
-    """Writes NAME.png; says so where gnuplot is missing."""
+    """Writes NAME.png; prints a message if gnuplot is missing."""
     if not shutil.which("gnuplot"):
-        print(f"{name}: not drawn, since gnuplot is missing (Debian: gnuplot-nox)")
+        print(f"{name}.png was not drawn because gnuplot is missing; install it (Debian: gnuplot-nox) and run again")
         return
     terminal = ("pngcairo enhanced size 1440,1080 font 'DejaVu Sans,9' fontscale 1.5 linewidth 1.5 pointscale 1.5 "
                 "background '#ffffff'")

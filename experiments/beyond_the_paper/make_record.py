@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Writes motion.txt: horizontal base motion as of an earthquake. Not measured: numbers from a formula and a seed.
+"""Writes motion.txt: a synthetic horizontal earthquake motion. It is not measured but computed from a formula and a seed.
 
-A sum of 80 sines from 0.2 to 6 Hz with phases from a seeded generator and amplitudes after Kanai and Tajimi's spectrum
-(Tajimi 1960, Proc. 2nd World Conf. Earthquake Eng., 781-797) for a ground of 1.2 Hz and damping 0.5, under an envelope that
-grows with the square of the time for 2 s, lasts to 8 s and fades as exp(-(t - 8)/3) till 20 s. Scaled to a peak of 1 m/s^2,
-so that the scale in an experiment file is the peak in m/s^2. Rounded to four decimals, every 0.02 s.
+A sum of 80 sines from 0.2 to 6 Hz with phases from a seeded generator and amplitudes from the Kanai-Tajimi spectrum
+(Tajimi 1960, Proc. 2nd World Conf. Earthquake Eng., 781-797) for a ground of 1.2 Hz and damping 0.5. The envelope increases
+with the square of time for 2 s, is constant until 8 s and decreases as exp(-(t - 8)/3) until 20 s. The motion is scaled to a
+peak of 1 m/s^2, so that the scale in an experiment file is the peak in m/s^2. Rounded to four decimals, every 0.02 s.
 """
 
 import math

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Writes README.md and pictures of reports/beyond_the_paper from the reports there.
+"""Writes README.md and the pictures of reports/beyond_the_paper from the reports there.
 
 usage: write_report.py [--check]
 
---check: writes nothing; exit code 1 where README.md is not what would be written.
+--check: writes nothing; exit code 1 if README.md differs from the text that would be written.
 """
 
 import json
@@ -56,7 +56,7 @@ def response_tables(design):
 
 
 def clear_effects(design, names, quantity):
-    """(amplitude, effect) where the interval leaves out 0, the largest first."""
+    """(amplitude, effect) where the interval does not contain 0, the largest first."""
     found = [(a, design.effect(names, quantity, a)) for a in design.amplitudes]
     return sorted(((a, e) for a, e in found if e[1] > 0 or e[2] < 0), key=lambda item: -abs(item[1][0]))
 
@@ -77,33 +77,33 @@ def effect_table(design):
 
 
 def ranking(design):
-    """Which source alone changes most, by the number of amplitudes with a clear main effect."""
+    """Which source has the largest effect, by the number of amplitudes with a significant main effect."""
     clear = {s: sum(len(clear_effects(design, (s,), q)) for q in QUANTITIES) for s in SOURCES}
     order = sorted(SOURCES, key=lambda s: -clear[s])
     told = ", ".join(f"{s} {clear[s]}" for s in order)
     of = len(design.amplitudes) * len(QUANTITIES)
-    first = (f"At {per_cent(design.relative_sigma)} %, of {of} main effects of each source (responses times amplitudes) so "
-             f"many are clear: {told}.")
+    first = (f"At {per_cent(design.relative_sigma)} %, each source has {of} main effects (responses times amplitudes). The "
+             f"number of significant ones, whose simultaneous interval does not contain 0: {told}.")
     if clear[order[0]] == 0:
-        return first + " None of the three is seen to decide."
+        return first + " None of the three sources has a detectable effect."
     if clear[order[0]] == clear[order[1]]:
-        return first + " No source stands out."
-    return first + f" Fluctuation of the {order[0]} changes most."
+        return first + " No source has the largest number alone."
+    return first + f" Fluctuation of the {order[0]} has the largest number."
 
 
 def interaction(design):
     clear = {names: sum(len(clear_effects(design, names, q)) for q in QUANTITIES) for names in EFFECTS if len(names) > 1}
     if not any(clear.values()):
-        return f"At {per_cent(design.relative_sigma)} %, no interaction is clear."
+        return f"At {per_cent(design.relative_sigma)} %, no interaction is significant."
     told = ", ".join(f"{' × '.join(names)} {count}" for names, count in clear.items())
     best = max(clear, key=lambda names: clear[names])
     quantity = max(QUANTITIES, key=lambda q: max((abs(e[0]) for _, e in clear_effects(design, best, q)), default=0))
     amplitude, (value, low, high) = clear_effects(design, best, quantity)[0]
-    text = (f"At {per_cent(design.relative_sigma)} %, clear interactions by number: {told}. The sources do not act one by "
-            f"one: at A_h = {amplitude:g} {' and '.join(best)} together make {quantity} {'more' if value > 0 else 'less'} "
-            f"probable than their effects one by one say, by {per_cent(abs(value))} ")
+    text = (f"At {per_cent(design.relative_sigma)} %, the numbers of significant interactions are: {told}. The effects "
+            f"of the sources are not additive: at A_h = {amplitude:g} {' and '.join(best)} together make {quantity} "
+            f"{'more' if value > 0 else 'less'} probable than the sum of their separate effects, by {per_cent(abs(value))} ")
     ends = sorted((abs(low), abs(high)))
-    text += f"[{per_cent(ends[0])}, {per_cent(ends[1])}] percentage points. Why no name was found there:\n\n"
+    text += f"[{per_cent(ends[0])}, {per_cent(ends[1])}] percentage points. Reasons for unresolved responses there:\n\n"
     rows = [[name(names), f"{design.cells[names][amplitude].count('irregular')} of {design.cells[names][amplitude].n}",
              ", ".join(f"{reason} {k}" for reason, k in design.cells[names][amplitude].reasons.items()) or "-"]
             for names in COMBINATIONS]
@@ -142,10 +142,11 @@ def fragility_words(curves):
             a, b = max(pairs, key=lambda pair: pair[0]["estimate"] - pair[1]["estimate"])
             falls.append(f"{who(curve)}: {per_cent(a['estimate'])} % at {a['intensity']:g}, "
                          f"{per_cent(b['estimate'])} % at {b['intensity']:g}")
-    text = f"The lognormal law misses levels of {len(missed)} of the {len(fitted)} fitted curves."
+    text = f"The lognormal fit misses levels of {len(missed)} of the {len(fitted)} fitted curves."
     if not falls:
-        return text + " No curve is seen to fall anywhere."
-    text += " Harder shaking is not always worse. The deepest falls, beyond simultaneous intervals:\n\n- "
+        return text + " No curve decreases detectably."
+    text += (" The probability of overturning does not always increase with the intensity. The largest decreases between levels "
+             "whose simultaneous intervals do not overlap:\n\n- ")
     return text + "\n- ".join(falls)
 
 
@@ -160,7 +161,7 @@ def fragility_tables(curves):
                 row += [per_cent(level["fitted"], 1), "[" + ", ".join(per_cent(end, 1) for end in level["band"]) + "]"]
             rows.append(row)
         head = [curve["parameter"].rsplit("/", 1)[1], "overturned", "exact, %"]
-        head += ["law, %", "band, %"] if curve["law"] else []
+        head += ["fit, %", "band, %"] if curve["law"] else []
         parts.append(f"<details><summary>{curve['title']}</summary>\n\n{table(head, rows)}\n\n</details>")
     return "\n\n".join(parts)
 
@@ -221,7 +222,8 @@ def main():
     text = filled((HERE / "README.template").read_text(), found)
     if "--check" in sys.argv[1:]:
         if (PUBLISHED / "README.md").read_text() != text:
-            sys.exit(f"{PUBLISHED / 'README.md'} is not what write_report.py makes of the reports beside it")
+            sys.exit(f"{PUBLISHED / 'README.md'} differs from what write_report.py writes for the reports in its folder: "
+                     "run write_report.py without --check")
         return
     (PUBLISHED / "README.md").write_text(text)
     figures.draw("modes", figures.bands(five), PUBLISHED)

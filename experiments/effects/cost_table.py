@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Prints what each effect costs for the reference block, a period of the excitation: the table of lib/docs/effects.md.
+"""Prints the cost of each effect for the reference block per excitation period: the table of lib/docs/effects.md.
 
 usage: experiments/effects/cost_table.py [build/release/rocking]
 
-Counts are those of `internal` in the reports of 20 realisations of 300 periods. Instructions are counted by valgrind (no
-column without it): those of one realisation of 300 periods less those of 100, over 200, which leaves out start and end.
+Counts are those of `internal` in the reports of 20 realisations of 300 periods (of one realisation if nothing is random).
+Instructions are counted by valgrind (without it the column has a dash): those of one realisation of 300 periods minus
+those of 100 periods, divided by 200, which excludes the start and the end of the run.
 """
 
 import json
@@ -25,10 +26,11 @@ FRICTION_SCATTER = {"static_friction": {"sigma": 0.03}, "kinetic_friction": {"si
 OTHER_SCATTER = {"restitution": {"sigma": 0.05}, "amplitude": {"sigma": 0.2}}
 SCENES = {
     "no friction, A_h = 4.5": {"excitation": HARMONIC},
-    "the same, friction 5 that never gives way": {"excitation": HARMONIC, "friction": {"static": 5.0, "kinetic": 1.0}},
+    "the same, with friction 5, at which the block never slides": {
+        "excitation": HARMONIC, "friction": {"static": 5.0, "kinetic": 1.0}},
     "the same, restitution fluctuates": {"excitation": HARMONIC, "fluctuation": {"restitution": {"sigma": 0.05}}},
     "the same, amplitude fluctuates": {"excitation": HARMONIC, "fluctuation": {"amplitude": {"sigma": 0.2}}},
-    "the same motion as a record, 20 samples a period": {"excitation": RECORDED},
+    "the same motion as recorded excitation, 20 samples per period": {"excitation": RECORDED},
     "the same, with vertical motion": {"excitation": WITH_VERTICAL},
     "friction 0.40/0.35, A_h = 7": {"excitation": STRONGER, "friction": STICK_SLIP},
     "the same, static friction fluctuates": {
@@ -40,8 +42,8 @@ SCENES = {
 }
 
 
-def write_records(folder):
-    """The harmonic base of A_h = 4.5 for 320 periods as a broken line; vertical, a fifth of it at twice the pace."""
+def write_ground_motions(folder):
+    """The harmonic base motion of A_h = 4.5 for 320 periods, piecewise linear; vertical: a fifth at twice the frequency."""
     pace = 10.0 * math.sqrt(0.75 * 9.81 / (0.5 * math.hypot(1.0, 4.0)))  # [rad/s]
     peak = 4.5 * math.atan(0.25) * 9.81
     lines, both = [], []
@@ -84,23 +86,23 @@ def instructions(folder, scene):
 def row(folder, scene):
     realisations = 20 if "fluctuation" in scene else 1
     report, _ = run(folder, scene, 300, realisations)
-    effort = report["internal"]["total"]
-    if effort["events"].get("overturn", 0) > 0:
+    counts = report["internal"]["total"]
+    if counts["events"].get("overturn", 0) > 0:
         raise SystemExit("a block overturned: its periods are not 300")
     periods = 300.0 * realisations
-    numbers = [effort["steps"], effort["slip_steps"], effort["root_isolations"], sum(effort["draws"].values()),
-               effort["record_segments"], effort["companion_periods"]]
+    numbers = [counts["steps"], counts["slip_steps"], counts["root_isolations"], sum(counts["draws"].values()),
+               counts["record_segments"], counts["companion_periods"]]
     cells = [f"{number / periods:.2f}" if number else "0" for number in numbers]
     return cells + ([f"{instructions(folder, scene) / 1000.0:.1f}"] if shutil.which("valgrind") else ["-"])
 
 
 def main():
-    print("| scene | steps | of them slipping | root isolations | draws | record look-ups | companion periods "
-          "| thousand instructions |")
+    print("| scene | steps | steps with slip | root isolations | random numbers | ground motion segments "
+          "| exponent periods | thousand instructions |")
     print("| --- | --- | --- | --- | --- | --- | --- | --- |")
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        write_records(folder)
+        write_ground_motions(folder)
         for title, scene in SCENES.items():
             print("| " + " | ".join([title, *row(folder, scene)]) + " |", flush=True)
 

@@ -13,7 +13,7 @@ from published import RUNS, read
 
 
 def modes_of(store):
-    """The modes that occur, and for each condition a list with the place of each realisation's mode among them."""
+    """The modes that occur, and for each condition a list of the index of each realisation's mode among them."""
     with sqlite3.connect(f"file:{store}?mode=ro", uri=True) as connection:
         rows = connection.execute("SELECT condition, mode FROM realisations ORDER BY condition, realisation").fetchall()
     modes = sorted({mode for _, mode in rows})
@@ -22,7 +22,7 @@ def modes_of(store):
 
 
 def conditions_of(experiment):
-    """Parameters of each condition of a grid whose entries all have values."""
+    """Parameters of each condition of a grid; all sweep entries must have `values`."""
     entries = experiment["sweep"]
     for values in itertools.product(*(entry["values"] for entry in entries)):
         yield {entry["parameter"]: value for entry, value in zip(entries, values)}

@@ -1,4 +1,4 @@
-"""Exact binomial intervals, and what chance leaves of a difference."""
+"""Exact binomial intervals, and tests of a share against one half."""
 
 import math
 
@@ -9,7 +9,7 @@ def _upper_tail(k, n, p):
 
 
 def _root(function, low, high):
-    """Where a rising function passes 0, by halving."""
+    """The zero of an increasing function, by bisection."""
     for _ in range(60):
         middle = 0.5 * (low + high)
         if function(middle) < 0.0:
@@ -19,10 +19,10 @@ def _root(function, low, high):
     return 0.5 * (low + high)
 
 
-def clopper_pearson(k, n, doubt=0.05):
+def clopper_pearson(k, n, significance=0.05):
     """The exact interval of a share, k of n independent trials (Clopper & Pearson 1934)."""
-    low = 0.0 if k == 0 else _root(lambda p: _upper_tail(k, n, p) - doubt / 2, 0.0, 1.0)
-    high = 1.0 if k == n else _root(lambda p: doubt / 2 - (1.0 - _upper_tail(k + 1, n, p)), 0.0, 1.0)
+    low = 0.0 if k == 0 else _root(lambda p: _upper_tail(k, n, p) - significance / 2, 0.0, 1.0)
+    high = 1.0 if k == n else _root(lambda p: significance / 2 - (1.0 - _upper_tail(k + 1, n, p)), 0.0, 1.0)
     return low, high
 
 
@@ -35,7 +35,7 @@ def share(k, n):
 
 
 def beyond_half(k, n):
-    """True: a share is above one half; False: below; None: not known. With 95 % confidence."""
+    """True: the share is above one half; False: below; None: undecided. With 95 % confidence."""
     if n == 0:
         return None
     low, high = clopper_pearson(k, n)

@@ -1,4 +1,4 @@
-"""What is measured on strobe points and energies, from the outputs of `rocking bifurcation` and `rocking trajectory`."""
+"""Measures of strobe points and energies, from the outputs of `rocking bifurcation` and `rocking trajectory`."""
 
 import itertools
 import random
@@ -7,17 +7,17 @@ import statistics
 from intervals import clopper_pearson
 from published import FRICTIONS, place_of
 
-STRETCH = 120  # strobe points
-VISIBLE = 0.01  # in Theta: a hundredth of the tilt of balance, as for the parting of two runs
+SEGMENT = 120  # strobe points
+VISIBLE = 0.01  # in Theta: a hundredth of the tilt of balance, as for the divergence of two runs
 
 
 def transport(a, b):
-    """Mean distance by which equally many numbers must be moved to become others (Wasserstein)."""
+    """Wasserstein distance of two samples of equal size: the mean distance of their sorted values."""
     return statistics.fmean(abs(x - y) for x, y in zip(sorted(a), sorted(b), strict=True))
 
 
 def area(points):
-    """Root of the determinant of the covariance: the extent of a cloud in the plane."""
+    """Root of the determinant of the covariance: the size of a cloud in the plane."""
     xs, ys = zip(*points)
     return (statistics.pvariance(xs) * statistics.pvariance(ys) - statistics.covariance(xs, ys) ** 2) ** 0.5
 
@@ -27,12 +27,12 @@ def shift(a, b, scales):
     return max(transport([p[i] for p in a], [p[i] for p in b]) / scales[i] for i in (0, 1))
 
 
-def stretches(points):
-    return [points[i:i + STRETCH] for i in range(0, len(points), STRETCH)]
+def segments(points):
+    return [points[i:i + SEGMENT] for i in range(0, len(points), SEGMENT)]
 
 
 def steps(bifurcation):
-    """Place to step, of the branch that begins as the file says."""
+    """Conditions with their steps, of the branch that begins from the initial state in the file."""
     for diagram in bifurcation["diagrams"]:
         for step in diagram["steps"]:
             if step["branch"] == "initial":
@@ -48,13 +48,13 @@ def attractor_rows(fixed, fluctuating):
                "chaotic": step["mode"] == "chaotic"}
         small, large = (shaken[reading, start, friction, sigma, amplitude] for sigma in (0.003, 0.03))
         if row["chaotic"] and len(small["points"]) == len(large["points"]) == len(step["points"]):
-            own = stretches(step["points"])
+            own = segments(step["points"])
             scales = [statistics.pstdev(column) for column in zip(*step["points"])]
             row["shift_within"] = max(shift(a, b, scales) for a, b in itertools.combinations(own, 2))
-            between = [shift(a, b, scales) for a, b in itertools.product(own, stretches(small["points"]))]
+            between = [shift(a, b, scales) for a, b in itertools.product(own, segments(small["points"]))]
             row["shift_small"] = statistics.median(between)
             row["shift_small_least"] = min(between)
-            ratios = [area(b) / area(a) for a, b in itertools.product(own, stretches(large["points"]))]
+            ratios = [area(b) / area(a) for a, b in itertools.product(own, segments(large["points"]))]
             row["stays_chaotic"] = large["mode"] == "chaotic"
             row["growth"] = area(large["points"]) / area(step["points"])
             row["growth_range"] = [min(ratios), max(ratios)]
@@ -65,7 +65,7 @@ def attractor_rows(fixed, fluctuating):
 
 
 def bootstrap(numbers, resamples=2000, seed=2012):
-    """95 % of the means of numbers drawn again and again, with replacement."""
+    """The 95 % bootstrap interval of the mean of numbers."""
     source = random.Random(seed)
     n = len(numbers)
     means = sorted(sum(numbers[int(n * source.random())] for _ in range(n)) / n for _ in range(resamples))
@@ -73,12 +73,12 @@ def bootstrap(numbers, resamples=2000, seed=2012):
 
 
 def interval_of_mean(shares):
-    """Of numbers from 0 to 1, independent of one another. Where all are 0 it is the exact interval of how many are not."""
+    """Of independent numbers from 0 to 1. If all are 0, it is the exact interval of the share that is not 0."""
     return bootstrap(shares) if any(shares) else list(clopper_pearson(0, len(shares)))
 
 
 def diagram_rows(diagrams):
-    """For each reading: at how many amplitudes two diagrams of equal conditions visibly differ, pair by disjoint pair."""
+    """For each reading: the amplitudes at which two diagrams of equal conditions visibly differ, by disjoint pairs."""
     by_reading = {}
     for diagram in diagrams:
         for (reading, _, _, _, amplitude), step in steps(diagram):

@@ -1,4 +1,4 @@
-"""The published results, as a reader of them needs them: response modes by reading, start, friction, sigma, amplitude."""
+"""Access to the published results: response modes by reading, start, friction, sigma and amplitude."""
 
 import json
 import lzma
@@ -26,14 +26,14 @@ RUNS = (
 
 
 def read(path):
-    """A JSON file, compressed where its name says so."""
+    """A JSON file; decompressed if its name ends in .xz."""
     path = Path(path)
     with lzma.open(path, "rt") if path.suffix == ".xz" else open(path, encoding="utf-8") as file:
         return json.load(file)
 
 
 def place_of(parameters):
-    """Where a condition belongs: (reading, start, friction, sigma, amplitude); None for what is not swept."""
+    """(reading, start, friction, sigma, amplitude) of a condition; None for a parameter that is not swept."""
     reading = parameters.get("/formulation")
     if reading is None and "/restitution" in parameters:
         options = tuple(parameters.get("/" + key, default) for key, default in
@@ -62,24 +62,24 @@ class Published:
             modes = [rows["modes"][number] for number in numbers]
             counts = {mode: count for mode, count in condition["counts"].items() if count}
             if counts != {mode: modes.count(mode) for mode in set(modes)}:
-                raise ValueError(f"{name}: the report counts other modes than the realisations have")
+                raise ValueError(f"{name}: the counts of the report differ from the response modes of the realisations")
             places[place_of(condition["parameters"])] = modes
         return places
 
     def modes(self, run):
-        """Of one run: place to the modes of its realisations."""
+        """Of one run: the modes of its realisations, by condition."""
         return self._modes[run]
 
     def non_recurrence(self, run):
-        """Of one run: place, and what the report says of it."""
+        """Of one run: each condition with its non-recurrence in the report."""
         return [(place_of(condition["parameters"]), condition["non_recurrence"])
                 for condition in self.reports[run]["result"]["conditions"]]
 
     def series(self, reading, start, friction, sigma=0.0):
-        """Amplitude to modes, a mode for each realisation: the campaign's run of this cell."""
+        """The modes of all realisations by amplitude, from the run that contains this cell."""
         kind = "no_sliding" if friction is None else "fixed_friction" if sigma == 0.0 else "fluctuating_friction"
         run = ("any_start_" if start == "any" else "rest_") + kind
-        if friction is None:  # there only the restitution makes a difference
+        if friction is None:  # without sliding only the restitution matters
             reading = "jy25" if READINGS[reading][1] == "jy25" else "consistent"
         wanted = (reading, None if start == "any" else start, friction, sigma or None)
         return {place[4]: modes for place, modes in self._modes[run].items() if place[:4] == wanted}

@@ -26,7 +26,7 @@ def flips():
             yield option, without, next(name for name, other in READINGS.items() if other == flipped)
 
 
-def verdict(findings):
+def result(findings):
     """In words: holds, fails, or on what it depends."""
     judged = {cell: finding.holds for cell, finding in findings.items() if finding.holds is not None}
     open_cells = len(findings) - len(judged)
@@ -35,7 +35,7 @@ def verdict(findings):
         return "open"
     if len(set(judged.values())) == 1:
         mark = MARKS[next(iter(judged.values()))]
-        return f"{mark} in {len(judged)} of {len(findings)} cells, open in the rest" if open_cells else mark
+        return f"{mark} in {len(judged)} of {len(findings)} cells, open in the others" if open_cells else mark
 
     def differ(fixed, names):
         return any(len({judged[cell] for cell in judged if cell[fixed] == name}) > 1 for name in names)
@@ -46,7 +46,7 @@ def verdict(findings):
 
 
 def deciding(findings):
-    """For each option: in how many pairs of cells that differ in it alone the verdict changes."""
+    """For each option: the number of pairs of cells that differ in it alone and have different results."""
     words = []
     for option in range(3):
         pairs = [(findings[a, start].holds, findings[b, start].holds)
@@ -59,7 +59,7 @@ def deciding(findings):
 
 
 def where(findings):
-    """The readings under which it holds, each with its starts unless all."""
+    """The readings under which it holds, each with its starts unless it holds from all."""
     words = []
     for reading in READINGS:
         starts = [start for start in STARTS if findings[reading, start].holds]
@@ -70,9 +70,9 @@ def where(findings):
 
 
 def claims_table(all_findings):
-    rows = [(i, claim.words, verdict(findings), where(findings), deciding(findings))
+    rows = [(i, claim.words, result(findings), where(findings), deciding(findings))
             for i, (claim, findings) in enumerate(all_findings, 1)]
-    return table(("", "claim", "verdict", "holds under (start)", "changes with the option"), rows)
+    return table(("", "claim", "result", "holds under (start)", "changes with the option"), rows)
 
 
 def claim_sections(all_findings):
@@ -102,7 +102,7 @@ def tally_table(all_findings):
 
 
 def nearest(all_findings):
-    """Words on the readings under which most claims hold, and what fails there."""
+    """Text on the readings under which most claims hold, and which claims fail there."""
     counts = tallies(all_findings)
     best = max(held for held, _, _ in counts.values())
     lines = []
@@ -110,12 +110,12 @@ def nearest(all_findings):
         if held == best:
             fails = [str(i) for i, (_, findings) in enumerate(all_findings, 1) if findings[reading, start].holds is False]
             unsure = [str(i) for i, (_, findings) in enumerate(all_findings, 1) if findings[reading, start].holds is None]
-            line = f"`{reading}`, start {start}: {held} of {len(all_findings)} hold"
-            line += f"; claims {', '.join(fails)} fail" if fails else "; none fails"
-            lines.append(line + (f"; {', '.join(unsure)} are open" if unsure else ""))
+            line = f"`{reading}`, start {start}: {held} of {len(all_findings)}"
+            line += f"; failing claims: {', '.join(fails)}" if fails else "; none fails"
+            lines.append(line + (f"; open: {', '.join(unsure)}" if unsure else ""))
     complete = [f"`{reading}`, start {start}" for (reading, start), (_, failed, _) in counts.items() if not failed]
     first = ("No claim fails under: " + ", ".join(complete) if complete
-             else "There is no reading and start under which none of the claims fails; the nearest")
+             else "At least one claim fails under every reading and start. The largest number of claims holds under")
     return first + ": " + ". ".join(lines) + "."
 
 
@@ -126,8 +126,8 @@ def under(all_findings, reading):
         lists = [[str(i) for i, (_, findings) in enumerate(all_findings, 1) if findings[reading, start].holds is holds]
                  for holds in (True, False)]
         held, failed = (", ".join(numbers) or "none" for numbers in lists)
-        parts.append(f"start {start}: {held} hold, {failed} fail")
-    return f"Under `{reading}`: " + "; ".join(parts) + "; the others are open."
+        parts.append(f"start {start}: claims that hold: {held}; claims that fail: {failed}")
+    return f"Under `{reading}`, " + ". ".join(parts).replace(". start", ". Start") + ". The others are open."
 
 
 def energy_of(data, reading, what):
@@ -147,8 +147,8 @@ def energy_table(data):
         rows.append((reading, "yes" if balanced else "no",
                      "below 1e-9" if balanced else f"{100 * min(shares):+.1f} to {100 * max(shares):+.1f} %",
                      f"{100 * max(gains):.2g} %" if max(gains) > 1e-9 else "none"))
-    return table(("reading", "balances", "made (+) or lost (-) by the equations, least to most",
-                  "made in impacts, at most"), rows)
+    return table(("reading", "balances", "gained (+) or lost (-) by the equations, minimum to maximum",
+                  "gained in impacts, at most"), rows)
 
 
 def chaos_somewhere(series):
@@ -157,14 +157,14 @@ def chaos_somewhere(series):
 
 
 def chaos_table(data):
-    """How much chaos there is, by reading: the share of amplitudes from rest; of runs from any start."""
+    """The amount of chaos, by reading: the share of amplitudes from rest; the share of runs from any start."""
     rows = []
     for reading in READINGS:
         cells = []
         for pair in FRICTIONS:
             from_rest = [data.series(reading, start, pair) for start in STARTS[:2]]
-            named = [modes[0] for series in from_rest for modes in series.values()]
-            cells.append(f"{named.count('chaotic')} of {len(named)}")
+            found = [modes[0] for series in from_rest for modes in series.values()]
+            cells.append(f"{found.count('chaotic')} of {len(found)}")
         for pair in FRICTIONS:
             cells.append(chaos_somewhere(data.series(reading, "any", pair)))
         for pair in FRICTIONS:
@@ -184,7 +184,7 @@ def chaos_at_three(data):
 
 
 def attractor_chaos(data, inertia):
-    """For each start: at how many of the paper's amplitudes there is chaos, over the readings with this inertia."""
+    """For each start: the number of the paper's amplitudes with chaos, summed over the readings with this inertia."""
     counts = 0
     for reading, pair in itertools.product(READINGS, FRICTIONS):
         if READINGS[reading][0] == inertia:
@@ -195,7 +195,7 @@ def attractor_chaos(data, inertia):
 
 
 def chaos_windows(data, reading):
-    """Where a reading has chaos from any start: pair, amplitude, share."""
+    """Where a reading has chaos from any start: friction pair, amplitude, share."""
     rows = []
     for pair in FRICTIONS:
         for amplitude, modes in data.series(reading, "any", pair).items():
@@ -205,7 +205,7 @@ def chaos_windows(data, reading):
 
 
 def chaos_by_option(data):
-    """Sign tests over starts: does an option alone make chaos at more amplitudes?"""
+    """Sign tests over starts: does an option alone cause chaos at more amplitudes?"""
     rows = []
     for option, without, with_it in flips():
         for pair in FRICTIONS:
@@ -216,7 +216,7 @@ def chaos_by_option(data):
             answer = {True: "more", False: "less", None: "open"}[beyond_half(more, more + less)]
             means = " to ".join(f"{statistics.fmean(column):.1f}" for column in counts)
             rows.append((OPTIONS[option], without, pair, means, share(more, more + less), answer))
-    return table(("option added", "to", "friction", "chaotic amplitudes a start, mean",
+    return table(("option added", "to", "friction", "chaotic amplitudes per start, mean",
                   "starts with more, of those that change", "chaos"), rows)
 
 
@@ -237,9 +237,9 @@ def recurrences(data, reading, pair, sigma):
 
 
 def mean_difference(series):
-    """How often two runs differ in response, per cent, on the average over the amplitudes. The disjoint pairs are the
-    independent trials: the interval is that of the mean over them when they are drawn again; where none differs at any
-    amplitude it is the exact one of how many pairs do."""
+    """The share of amplitudes at which two runs differ in response, per cent, mean over the disjoint pairs, which are the
+    independent trials. The interval is a bootstrap over the pairs; where no pair differs at any amplitude, it is the exact
+    interval of the share of pairs that differ."""
     rows = transposed(series)
     shares = [statistics.fmean(a != b for a, b in zip(*pair)) for pair in zip(rows[::2], rows[1::2])]
     low, high = interval_of_mean(shares)
@@ -247,7 +247,7 @@ def mean_difference(series):
 
 
 def recurrence_means(data, reading, pair, sigma):
-    """Means over the amplitudes by friction and by the initial state; names that arithmetic changed, of how many."""
+    """Means over the amplitudes by friction and by the initial state; modes changed in the reruns at another tolerance."""
     found = recurrences(data, reading, pair, sigma)
     amplitudes = {amplitude for amplitude, _ in found}
     shaken = {place[4]: modes for place, modes in data.modes("non_recurrence").items()
@@ -264,8 +264,8 @@ def recurrence_summary(data):
         friction, start, flipped = recurrence_means(data, reading, pair, sigma)
         amplitude, worst = max(recurrences(data, reading, pair, sigma), key=lambda row: row[1]["differ"])
         rows.append((reading, pair, sigma, friction, f"{amplitude:g}: {per_cent(worst)}", flipped, start))
-    return table(("reading", "friction", "sigma", "friction: mean over A_h, %", "most, at A_h: % [interval]",
-                  "arithmetic: names changed", "initial state: mean over A_h, %"), rows)
+    return table(("reading", "friction", "sigma", "friction: mean over A_h, %", "largest, at A_h: % [interval]",
+                  "tolerance: modes changed", "initial state: mean over A_h, %"), rows)
 
 
 def recurrence_by_amplitude(data, reading):
@@ -292,8 +292,8 @@ def diagram_table(data):
                      f"{100 * row['differ']:.0f} [{100 * low:.0f}, {100 * high:.0f}]",
                      f"{100 * row['least']:.0f} to {100 * row['most']:.0f}", tiny(row["median_distance"]),
                      tiny(row["largest_distance"])))
-    return table(("reading", "pairs", "amplitudes", "visibly different amplitudes, % [bootstrap]", "least to most, %",
-                  "median distance in Theta", "largest"), rows)
+    return table(("reading", "pairs", "amplitudes", "visibly different amplitudes, % [bootstrap]", "minimum to maximum, %",
+                  "median distance in Theta", "largest distance"), rows)
 
 
 def diagrams_by_mode(data):
@@ -305,11 +305,12 @@ def diagrams_by_mode(data):
         counts = [sum(a != b for a, b in zip(*pair)) for pair in pairs]
         rows.append((reading, share(sum(count > 0 for count in counts), len(pairs)), f"{min(counts)} to {max(counts)}",
                      len(series)))
-    return table(("reading", "pairs of diagrams that differ in a response", "at how many amplitudes", "of"), rows)
+    return table(("reading", "pairs of diagrams that differ in a response", "amplitudes at which they differ",
+                  "of"), rows)
 
 
 def between_table(data):
-    """Figure 10: responses between 3.2 and 4.6, with every realisation counted."""
+    """Figure 10: responses between 3.2 and 4.6, over all realisations."""
     rows = []
     for reading, start in itertools.product(("consistent", "as-plotted"), STARTS[:2]):
         series = {place[4]: modes for place, modes in data.modes("figure_10").items() if place[:2] == (reading, start)}
@@ -318,7 +319,8 @@ def between_table(data):
         third = [f"{a:g}" for a, modes in series.items() if "(1,3)" in modes]
         rows.append((reading, start, share(sum("(1,3)" in run for run in runs), len(runs)), share(both, len(runs)),
                      ", ".join(third) or "none"))
-    return table(("reading", "start", "realisations with (1,3) at some A_h", "with both", "A_h with (1,3)"), rows)
+    return table(("reading", "start", "realisations with (1,3) at one A_h or more", "with (1,1) and (1,3)",
+                  "A_h with (1,3)"), rows)
 
 
 def all_findings(data):

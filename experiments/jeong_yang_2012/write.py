@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """write.py PUBLISHED [--check]: README.md of the published results, from the template and the results.
 
-With --check it writes nothing, and fails where README.md is not what would be written."""
+With --check it writes nothing, and fails if README.md differs from the text that would be written."""
 
 import argparse
 import math
@@ -13,9 +13,9 @@ from pathlib import Path
 
 import tables
 from intervals import beyond_half, share
-from measures import STRETCH, VISIBLE
+from measures import SEGMENT, VISIBLE
 from published import FRICTIONS, READINGS, Published
-from tables import table, verdict
+from tables import result, table
 
 
 def runs_table(data):
@@ -32,36 +32,38 @@ def skewness_words(check):
     found = check["skewness"]
     near = found["nearness"][0]
     by_chance = 0.05 < near["probability"] < 0.95
-    sure = "so this is left to chance and says nothing of a sampler" if by_chance else "so this is telling"
+    sure = ("so this criterion does not distinguish samplers" if by_chance
+            else "so this criterion distinguishes samplers")
     held = "holds" if abs(found["value"]) < near["distance"] else "fails"
-    return (f"Ours: {found['value']:+.4f}, standard error {found['standard_error']:.4f}: {held} for this sample. A true "
-            f"normal sample of this size is that near to 0 with probability {near['probability']:.2f}, {sure}.")
+    return (f"This program: {found['value']:+.4f}, standard error {found['standard_error']:.4f}; the claim {held} for this "
+            f"sample. The skewness of a true normal sample of this size is that close to 0 with probability "
+            f"{near['probability']:.2f}, {sure}.")
 
 
 def answers(data, findings):
-    verdicts = [verdict(found) for _, found in findings]
+    results = [result(found) for _, found in findings]
 
     def numbers(first):
-        return [str(i) for i, words in enumerate(verdicts, 1) if words.startswith(first)]
-    lines = [f"Of {len(findings)} claims {len(numbers('holds'))} hold wherever they can be judged "
-             f"({', '.join(numbers('holds')) or 'none'}), {len(numbers('fails'))} nowhere "
-             f"({', '.join(numbers('fails')) or 'none'}); "
-             f"{len(numbers('depends'))} depend on the reading or the start ({', '.join(numbers('depends')) or 'none'}); "
-             f"{len(numbers('open'))} cannot be judged.", tables.nearest(findings),
+        return [str(i) for i, words in enumerate(results, 1) if words.startswith(first)]
+    def told(first):
+        return f"{len(numbers(first))} ({', '.join(numbers(first)) or 'none'})"
+    lines = [f"Of {len(findings)} claims: hold in all cells that can be judged: {told('holds')}; fail in all of them: "
+             f"{told('fails')}; depend on the reading or the start: {told('depends')}; cannot be judged: "
+             f"{len(numbers('open'))}.", tables.nearest(findings),
              tables.under(findings, "consistent"), chaos_words(data), energy_words(data),
              recurrence_words(data)]
     return "\n".join("- " + line for line in lines)
 
 
 def chaos_words(data):
-    """What the chaos at the paper's amplitudes rests on. Starts are the independent trials; the readings share them."""
+    """The cause of the chaos at the paper's amplitudes. Starts are the independent trials; the readings share them."""
     right, edge = (tables.attractor_chaos(data, inertia) for inertia in ("centroidal", "edge"))
     more = sum(b > a for a, b in zip(right, edge))
     less = sum(b < a for a, b in zip(right, edge))
     never = sum(count == 0 for count in right)
     rests = beyond_half(more, more + less) and beyond_half(never, len(right))
-    opening = ("The chaos at A_h = 6.6, 8 and 9 rests on the inertia about the edge, with which energy does not balance"
-               if rests else "Whether the chaos at A_h = 6.6, 8 and 9 rests on the inertia about the edge is open")
+    opening = ("The chaos at A_h = 6.6, 8 and 9 is due to the inertia about the edge, with which energy does not balance"
+               if rests else "Whether the chaos at A_h = 6.6, 8 and 9 is due to the inertia about the edge is open")
     cells = 2 * len(READINGS) // 2 * len(tables.ATTRACTORS)
     elsewhere = "; ".join(f"{tables.chaos_somewhere(data.series('consistent', 'any', pair))} with {pair}"
                           for pair in FRICTIONS)
@@ -69,12 +71,13 @@ def chaos_words(data):
     for pair in FRICTIONS:
         series = data.series("edge", "any", pair)
         alone.append(f"{tables.chaos_somewhere({a: series[a] for a in tables.ATTRACTORS})} with {pair}")
-    return (f"{opening}: from any start, {sum(edge)} of {cells * len(edge)} realisations are chaotic with it, {sum(right)} "
-            f"of {cells * len(right)} with the right inertia, whatever the other two options; {share(more, more + less)} of "
-            f"the starts that make a difference have more chaos with it, {share(never, len(right))} of the starts have "
-            f"none at all with the right one. With that inertia alone (`edge`), of the starts {'; '.join(alone)} are "
-            f"chaotic at one of the three or more; with right mechanics (`consistent`), {elsewhere} at one of all "
-            f"amplitudes or more.")
+    return (f"{opening}. From any start, {sum(edge)} of {cells * len(edge)} realisations are chaotic with it, and "
+            f"{sum(right)} of {cells * len(right)} with the inertia about the centre of mass, over all values of the other "
+            f"two options. Of the starts for which the inertia makes a difference, {share(more, more + less)} have more "
+            f"chaos with the inertia about the edge; {share(never, len(right))} of the starts have no chaos at all with "
+            f"the inertia about the centre of mass. With the inertia about the edge as the only deviation (`edge`), the starts "
+            f"that are chaotic at one of the three amplitudes or more are {'; '.join(alone)}. With consistent mechanics "
+            f"(`consistent`), the starts that are chaotic at one of all amplitudes or more are {elsewhere}.")
 
 
 def energy_words(data):
@@ -89,10 +92,10 @@ def recurrence_words(data):
     for reading in ("consistent", "as-plotted"):
         for pair in FRICTIONS:
             friction, start, flipped = tables.recurrence_means(data, reading, pair, 0.03)
-            parts.append(f"`{reading}`, {pair}: {friction} % by friction, {start} % by the initial state, {flipped} names "
-                         f"changed by arithmetic")
-    return ("Two runs under equal conditions with sigma 0.03 differ in response, on the average over the amplitudes, with a "
-            "probability of " + "; ".join(parts) + " (section 7).")
+            parts.append(f"`{reading}`, {pair}: {friction} % by friction, {start} % by the initial state; {flipped} modes "
+                         f"changed in reruns at a tighter tolerance")
+    return ("The probability that two runs under equal conditions with sigma 0.03 differ in response, as a mean over the "
+            "amplitudes (section 7): " + ". ".join(parts) + ".")
 
 
 def step_of(data, name):
@@ -145,17 +148,17 @@ def values(data):
         "sampled": horizon["sampled_periods"],
         **{f"step_of_{name}": step_of(data, name)
            for name in ("rest_no_sliding", "rest_fixed_friction", "figure_09", "figure_10")},
-        "stretch": STRETCH,
-        "attractor_points": 4 * STRETCH,
+        "segment": SEGMENT,
+        "attractor_points": 4 * SEGMENT,
         "repeats": data.reports["figure_10"]["result"]["conditions"][0]["realisations"],
         "chaos_windows": tables.chaos_windows(data, "consistent"),
-        "minutes": f"{sum(report['system']['duration_s'] for report in reports) / 60:.0f} minutes",
+        "minutes": f"{sum(report['system']['duration_s'] for report in reports) / 60:.0f} min",
         "threads": max(report["system"]["threads"] for report in reports),
     }
 
 
 def wrapped(text):
-    """The text with its prose in lines of 120; tables, titles, pictures and code as they are."""
+    """The text with its prose wrapped at 120 characters; tables, titles, pictures and code are not changed."""
     blocks = []
     for block in text.split("\n\n"):
         if block.startswith(("|", "#", "!", "    ")):
@@ -181,7 +184,7 @@ def main():
     if not arguments.check:
         readme.write_text(text, encoding="utf-8")
     elif not readme.exists() or readme.read_text(encoding="utf-8") != text:
-        sys.exit(f"{readme}: is not what write.py makes of the results beside it")
+        sys.exit(f"{readme} differs from what write.py writes for the results in its folder: run write.py without --check")
 
 
 if __name__ == "__main__":

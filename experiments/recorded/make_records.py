@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""Writes the two synthetic records of this folder. Not measured: numbers from a formula.
+"""Writes the two synthetic ground motions of this folder. They are not measured but computed from a formula.
 
 A Ricker pulse of peak frequency f is r(u) = (1 - 2 x) exp(-x), x = (pi f u)^2 (Ricker 1953, Geophysics 18, 10-40).
-Horizontal: three of them, of alternating sign, about 2.0, 2.9 and 4.1 s. Vertical: shorter pulses that come earlier,
+Horizontal: three pulses of alternating sign, centred at 2.0, 2.9 and 4.1 s. Vertical: shorter pulses that arrive earlier,
 as faster waves do. In m/s^2, rounded to four decimals, every 0.01 s for 8 s.
 """
 

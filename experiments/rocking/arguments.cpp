@@ -42,7 +42,7 @@ CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
   const auto check = [low, high](const std::string& written) -> std::string {
     const auto value = read_whole<std::uint64_t>(written);
     if (value && low <= *value && *value <= high) return "";
-    return fmt::format("\"{}\" is no whole number from {} to {}; give a value such as {}", written, low, high, low);
+    return fmt::format("\"{}\" is not a whole number from {} to {}; give a value such as {}", written, low, high, low);
   };
   return {check, "", "whole number"};
 }
@@ -51,7 +51,7 @@ CLI::Validator number(double low, double high) {
   const auto check = [low, high](const std::string& written) -> std::string {
     const auto value = read_whole<double>(written);
     if (value && low <= *value && *value <= high) return "";
-    return fmt::format("\"{}\" is no number from {:g} to {:g}", written, low, high);
+    return fmt::format("\"{}\" is not a number from {:g} to {:g}", written, low, high);
   };
   return {check, "", "number"};
 }
@@ -60,7 +60,7 @@ CLI::Validator duration() {
   const auto transform = [](std::string& written) -> std::string {
     const auto seconds = seconds_in(written);
     if (!seconds) {
-      return fmt::format("\"{}\" is no time longer than nothing; give one such as 90s, 15min, 2h or 1d", written);
+      return fmt::format("\"{}\" is not a positive duration; give one such as 90s, 15min, 2h or 1d", written);
     }
     written = fmt::format("{}", *seconds);
     return "";

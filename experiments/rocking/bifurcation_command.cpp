@@ -37,7 +37,7 @@ struct DiagramFiles {
 void expect_room(const DiagramFiles& files, bool overwrite) {
   for (const auto& path : {files.json, files.csv}) {
     if (overwrite || !std::filesystem::exists(path)) continue;
-    throw InTheWay(path.string() + ": is already there; choose another folder, or add --overwrite to replace it");
+    throw InTheWay(path.string() + ": already exists; choose another folder, or add --overwrite to replace it");
   }
 }
 
@@ -70,7 +70,7 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   expect_room(files, request.overwrite);
   auto diagrams = draw(experiment, request);
   if (!diagrams) {
-    print_notice(fmt::format("interrupted; nothing is written: `rocking bifurcation {} -o {}` begins anew",
+    print_notice(fmt::format("interrupted; nothing was written. `rocking bifurcation {} -o {}` starts again",
                              request.file, request.folder));
     return ExitCode::interrupted;
   }
@@ -90,26 +90,30 @@ ExitCode bifurcation(const BifurcationRequest& request) {
 void add_bifurcation(CLI::App& app, Action& action) {
   const auto request = std::make_shared<BifurcationRequest>();
   CLI::App* command =
-      app.add_subcommand("bifurcation", "Follow the responses along a swept parameter: which of them coexist?");
+      app.add_subcommand("bifurcation", "Follow the responses along a swept parameter; shows which coexist");
   command->footer(
       "Example: rocking bifurcation experiments/reference_block/no_sliding.json -o out\n"
-      "runs every step of the sweep from the file's initial state, and from where the step before it ended, upwards "
+      "runs every step of the sweep from the initial state of the file, and from the end of the previous step, upwards "
       "and\n"
-      "downwards; writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints the responses. "
-      "A\n"
-      "grid gives a diagram for each point of the entries after the first.");
+      "downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints the responses. "
+      "In a\n"
+      "grid there is one diagram for each combination of values of the entries after the first.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON) with a sweep")->required();
-  command->add_option("-o,--output", request->folder, "Folder for the results; made if need be")
+  command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
       ->required()
       ->type_name("DIR");
-  command->add_option("--realisation", request->realisation, "Whose draws are used, if something is random")
+  command
+      ->add_option("--realisation", request->realisation,
+                   "Realisation whose random numbers are used, if something is random")
       ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("K");
   add_threads(*command, request->labour);
-  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
-  command->add_flag("--overwrite", request->overwrite, "Replace what is in the folder under these names");
+  command->add_flag("--overwrite", request->overwrite, "Replace the files of these names in the folder");
   add_loudness(*command, request->labour.loudness);
   command->final_callback([&action, request] { action = [request] { return bifurcation(*request); }; });
 }

@@ -45,9 +45,9 @@ std::uint64_t unresolved_realisations(const experiment::ExperimentResult& result
 
 std::string_view spoken(experiment::ArithmeticNoise noise) {
   switch (noise) {
-    case experiment::ArithmeticNoise::small: return "small beside";
-    case experiment::ArithmeticNoise::not_small: return "NOT small beside";
-    case experiment::ArithmeticNoise::undecided: return "too few repeats to set beside";
+    case experiment::ArithmeticNoise::small: return "small compared with";
+    case experiment::ArithmeticNoise::not_small: return "NOT small compared with";
+    case experiment::ArithmeticNoise::undecided: return "too few reruns to compare with";
   }
   return "";
 }
@@ -55,7 +55,8 @@ std::string_view spoken(experiment::ArithmeticNoise noise) {
 std::string noise_line(const std::optional<experiment::NoiseFloor>& floor) {
   if (!floor) return "";
   return fmt::format(
-      "arithmetic: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} %]; {} the "
+      "sensitivity to tolerance: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} "
+      "%]; {} the "
       "narrowest "
       "half-width, {:.1f} %\n",
       floor->flips.successes, floor->flips.trials, 100.0 * floor->interval.low, 100.0 * floor->interval.high,
@@ -71,7 +72,7 @@ std::string late_settling_of(const experiment::ExperimentResult& result) {
     least_held = std::min(least_held, condition.validity.least_held);
   }
   if (count == 0) return "";
-  return fmt::format("settled late: {}, named by the last {:g} % of their sampled periods or more\n",
+  return fmt::format("settled late: {}, classified by the last {:g} % of their sampled periods or more\n",
                      counted(count, "realisation"), 100.0 * least_held);
 }
 
@@ -90,7 +91,7 @@ std::string summary_of(const experiment::Experiment& experiment, const experimen
   text += report::mode_table(experiment, result, table_look());
   text += fmt::format("\nper cent of n realisations [simultaneous {} interval{}]; {}, {}, of which {} unresolved\n",
                       level_of(experiment),
-                      experiment.conditions.front().until ? ", whenever the run stopped" : "",
+                      experiment.conditions.front().until ? ", valid whenever the run stops" : "",
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
   text += late_settling_of(result);
@@ -138,7 +139,8 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
     stretch.end = experiment::run(experiment, store, options);
   } catch (const std::system_error&) {
     print_notice(
-        fmt::format("what was stored is kept; once the cause is mended, `rocking resume {}` goes on", folder.name()));
+        fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run",
+                    folder.name()));
     throw;
   }
   stretch.duration_s = progress.elapsed();
@@ -147,16 +149,17 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
 
 ExitCode explain_stop(const RunFolder& folder, const experiment::Completeness& reached) {
   const bool interrupted = why_stopped() == StopReason::signal;
-  print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` goes on{}",
-                           interrupted ? "interrupted" : "the time is up", reached.done, reached.all, folder.name(),
-                           folder.has_earlier_run() ? ". Until it is complete the earlier run stays in place" : ""));
+  print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` continues the run{}",
+                           interrupted ? "interrupted" : "the time limit was reached", reached.done, reached.all,
+                           folder.name(),
+                           folder.has_earlier_run() ? ". Until it is complete the earlier run is kept" : ""));
   return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
 }
 
 ExitCode explain_shard(RunFolder& folder, const experiment::Shard& shard) {
   folder.install_replacement();
   print_notice(fmt::format(
-      "shard {} of {} is done; with the others in their folders, `rocking merge DIR {} ...` makes the report",
+      "shard {} of {} is done; when the other shards are done too, `rocking merge DIR {} ...` writes the report",
       shard.part, shard.parts, folder.name()));
   return ExitCode::done;
 }
@@ -183,7 +186,7 @@ std::exception_ptr failure_of(const std::function<void()>& act) {
 }  // namespace
 
 void add_threads(CLI::App& command, Labour& labour) {
-  command.add_option("-j,--threads", labour.threads, "Threads; changes the time, never the result")
+  command.add_option("-j,--threads", labour.threads, "Number of threads; changes the time, never the result")
       ->check(whole_number(1, 4096))
       ->capture_default_str()
       ->type_name("N");
@@ -191,14 +194,14 @@ void add_threads(CLI::App& command, Labour& labour) {
 
 void add_max_time(CLI::App& command, Labour& labour) {
   add_duration(command, "--max-time", labour.max_time,
-               "Stop cleanly after this long, as 90s, 15min, 2h; `rocking resume` goes on");
+               "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
 }
 
 experiment::ExperimentResult complete_result(const RunFolder& folder, const experiment::Experiment& experiment,
                                              const experiment::Store& store) {
   if (auto result = experiment::result_of(experiment, store, stop_on_signal())) return std::move(*result);
   throw experiment::sqlite::UnusableFile(
-      fmt::format("{}: is damaged: realisations that were stored are no longer there; `rocking resume {}` runs them "
+      fmt::format("{}: is damaged: stored realisations are missing; `rocking resume {}` runs them "
                   "again",
                   folder.store_path().string(), folder.name()));
 }
@@ -240,8 +243,8 @@ ExitCode carry_through(RunFolder& folder, const experiment::Experiment& experime
   report::SystemFacts system = system_facts(labour.threads * labour.crew.processes);
   if (store.journalling() == experiment::Journalling::rollback) {
     print_notice(
-        fmt::format("{}: this file system has no shared memory for SQLite's log; realisations are kept the slower "
-                    "way, and looking on may have to wait for a moment",
+        fmt::format("{}: this file system has no shared memory for SQLite's log; a slower journal is "
+                    "used, and commands that read the run may have to wait for a moment",
                     folder.name()));
   }
   const Stretch stretch = work(folder, experiment, store, labour);

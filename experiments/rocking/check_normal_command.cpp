@@ -31,7 +31,8 @@ stats::NormalCheck check_sample(const CheckNormalRequest& request, std::uint64_t
   const auto of_next_realisation = drawn(1, random::Source::check_normal);
   const auto of_next_source = drawn(0, random::Source::slip_rate);
   const auto check = stats::check_normal({sample, of_next_realisation, of_next_source}, request.law);
-  if (!check) throw UsageError("--sigma: too small beside --mean to make two different numbers; give a larger one");
+  if (!check)
+    throw UsageError("--sigma: too small compared with --mean to give two different numbers; give a larger one");
   return *check;
 }
 
@@ -44,7 +45,7 @@ ExitCode check_normal(const CheckNormalRequest& request) {
   const report::SamplerCheck check{request.sampler, *seed, check_sample(request, *seed)};
   print_result(request.loudness.json ? check_normal_text(check) : check_normal_summary(check));
   if (!stats::is_refuted(check.found)) return ExitCode::done;
-  print_notice("these numbers do not follow the law: a p-value is below 1e-6");
+  print_notice("these numbers do not follow the distribution: a p-value is below 1e-6");
   return ExitCode::check_failed;
 }
 
@@ -52,24 +53,26 @@ ExitCode check_normal(const CheckNormalRequest& request) {
 
 void add_check_normal(CLI::App& app, Action& action) {
   const auto request = std::make_shared<CheckNormalRequest>();
-  CLI::App* command = app.add_subcommand("check-normal", "Check the random numbers: moments, tests of fit, histogram");
+  CLI::App* command = app.add_subcommand("check-normal", "Test the random numbers: moments, tests of fit, histogram");
   command->footer(
       "Example: rocking check-normal --n 20000 --mean 0.4 --sigma 0.03\n"
-      "draws 20000 friction coefficients as a simulation does and compares them with the normal law.");
+      "generates 20000 friction coefficients as a simulation does and compares them with the normal distribution.");
   command->add_option("--n", request->n, "How many numbers")
       ->check(whole_number(20, 100'000'000))
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--mean", request->law.mean, "Mean of the law")
+  command->add_option("--mean", request->law.mean, "Mean of the distribution")
       ->check(number(-1e6, 1e6))
       ->capture_default_str()
       ->type_name("M");
-  command->add_option("--sigma", request->law.sigma, "Standard deviation of the law")
+  command->add_option("--sigma", request->law.sigma, "Standard deviation of the distribution")
       ->check(number(0.0, 1e6))
       ->capture_default_str()
       ->type_name("S");
-  command->add_option("--seed", request->seed, "Seed, as 0x2012 or 8210")->capture_default_str()->type_name("S");
-  command->add_option("--sampler", request->sampler, "How numbers become normal; simulations use box-muller")
+  command->add_option("--seed", request->seed, "Seed, for example 0x2012 or 8210")
+      ->capture_default_str()
+      ->type_name("S");
+  command->add_option("--sampler", request->sampler, "Method for normal numbers; simulations use box-muller")
       ->check(one_of({"box-muller", "ziggurat", "inverse-cdf"}))
       ->capture_default_str()
       ->type_name("NAME");

@@ -35,14 +35,14 @@ ExitCode compare(const CompareRequest& request) {
   const FinishedRun first = finished_run(request.first);
   const FinishedRun second = finished_run(request.second);
   if (first.experiment.seed != second.experiment.seed) {
-    throw UsageError(
-        fmt::format("{} and {} have other seeds, so no draws in common; run one of them again with the seed of the "
-                    "other",
-                    request.first, request.second));
+    throw UsageError(fmt::format(
+        "{} and {} have different seeds, so no common random numbers; run one of them again with the seed of the "
+        "other",
+        request.first, request.second));
   }
   const std::size_t conditions = first.experiment.conditions.size();
   if (second.experiment.conditions.size() != conditions) {
-    throw UsageError(fmt::format("{} has {}, {} has {}; compare runs of which the sweeps go over as many points",
+    throw UsageError(fmt::format("{} has {}, {} has {}; compare runs with the same number of conditions",
                                  request.first, counted(conditions, "condition"), request.second,
                                  counted(second.experiment.conditions.size(), "condition")));
   }
@@ -58,14 +58,15 @@ ExitCode compare(const CompareRequest& request) {
 void add_compare(CLI::App& app, Action& action) {
   const auto request = std::make_shared<CompareRequest>();
   CLI::App* command =
-      app.add_subcommand("compare", "What does a setting change? Two runs, pairwise with their common draws");
+      app.add_subcommand("compare", "Compare two runs, pairwise with common random numbers");
   command->footer(
       "Example: rocking compare out tighter\n"
-      "sets each realisation of out beside the one of tighter that has the same draws. Both runs have the same seed "
-      "and as\n"
-      "many conditions; they may differ in anything else (amplitude, tolerance, formulation, sigma).");
+      "compares each realisation of out with the realisation of tighter that has the same random numbers. Both runs "
+      "have the\n"
+      "same seed and number of conditions; they may differ in anything else (amplitude, tolerance, formulation, "
+      "sigma).");
   command->add_option("DIR_A", request->first, "Folder of a run")->required();
-  command->add_option("DIR_B", request->second, "Folder of another")->required();
+  command->add_option("DIR_B", request->second, "Folder of another run")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return compare(*request); }; });
 }

@@ -106,9 +106,9 @@ void add_completion(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("completion", "Print a script that completes commands, flags and files");
   command->footer(
       "Example: eval \"$(rocking completion bash)\"\n"
-      "in ~/.bashrc; from then on the tabulator key completes what is written after `rocking`.");
+      "in ~/.bashrc; the tabulator key then completes the words after `rocking`.");
   const auto shell = std::make_shared<std::string>();
-  command->add_option("SHELL", *shell, "For which shell")->required()->check(one_of({"bash"}));
+  command->add_option("SHELL", *shell, "Name of the shell")->required()->check(one_of({"bash"}));
   command->final_callback([&app, &action, shell] {
     action = [&app, shell] {
       print_result(bash_completion(app));

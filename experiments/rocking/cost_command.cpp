@@ -43,7 +43,7 @@ std::vector<double> tolerances_of(const CostRequest& request, const experiment::
   if (all.size() < 3) {
     throw UsageError(
         "--tolerances: with the experiment's own these are fewer than three; the tightest is the reference and the "
-        "second tightest the floor, so give at least three, as 1e-8,1e-11,1e-14");
+        "second tightest the floor, so give at least three, for example 1e-8,1e-11,1e-14");
   }
   return {all.begin(), all.end()};
 }
@@ -66,7 +66,7 @@ std::optional<experiment::Cost> measured(const experiment::Experiment& experimen
   options.stop_requested = &stop_on_interrupt();
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)),
-                  [] { return "then times are taken"; });
+                  [] { return "times are measured afterwards"; });
   };
   experiment::CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
   if (!request.sample) plan.is_enough = [&] { return progress.elapsed() >= time; };
@@ -86,7 +86,7 @@ std::filesystem::path cost_file_in(const std::string& folder) { return std::file
 void expect_room(const CostRequest& request) {
   if (request.overwrite || !std::filesystem::exists(cost_file_in(request.folder))) return;
   throw InTheWay(cost_file_in(request.folder).string() +
-                 ": is already there; choose another folder, or add --overwrite to replace it");
+                 ": already exists; choose another folder, or add --overwrite to replace it");
 }
 
 ExitCode cost(const CostRequest& request) {
@@ -106,7 +106,7 @@ ExitCode cost(const CostRequest& request) {
     system.duration_s = progress.elapsed();
   }
   if (!found) {
-    print_notice(fmt::format("interrupted; nothing is written: `rocking cost {}` begins anew", request.file));
+    print_notice(fmt::format("interrupted; nothing was written. `rocking cost {}` starts again", request.file));
     return ExitCode::interrupted;
   }
   const report::MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
@@ -122,15 +122,15 @@ ExitCode cost(const CostRequest& request) {
 
 void add_budget(CLI::App& command, CostRequest& request) {
   CLI::Option* time = add_duration(command, "--time", request.time,
-                                   "Measure as many realisations as this takes, as 20s, 5min; at least one")
+                                   "Measure as many realisations as possible in this time, e.g. 5min")
                           ->capture_default_str();
-  command.add_option("--sample", request.sample, "Measure so many instead: the same numbers again, but for times")
+  command.add_option("--sample", request.sample, "Measure N realisations; gives the same numbers again, except times")
       ->check(whole_number(1, largest_sample))
       ->excludes(time)
       ->type_name("N");
   command
       .add_option("--tolerances", request.tolerances,
-                  "Tolerances in place of 1e-4, 1e-5, ... 1e-14; the experiment's own is added")
+                  "Instead of 1e-4, 1e-5, ... 1e-14; the experiment's own is added")
       ->delimiter(',')
       ->check(number(1e-16, 1e-2))
       ->type_name("T,T,T");
@@ -141,24 +141,27 @@ void add_budget(CLI::App& command, CostRequest& request) {
 void add_cost(CLI::App& app, Action& action) {
   const auto request = std::make_shared<CostRequest>();
   CLI::App* command =
-      app.add_subcommand("cost", "What does accuracy cost in time? Measured on a sample of an experiment");
+      app.add_subcommand("cost", "Measure the cost of accuracy in time, on a sample of an experiment");
   command->footer(
       "Example: rocking cost experiments/headline/headline.json --time 5min -o out\n"
-      "runs a sample of the realisations at a ladder of tolerances with the same draws, and tells for each tolerance "
-      "the\n"
-      "error, how many response modes it changes, and the time a period; for more realisations the width of the "
-      "intervals and\n"
-      "the time; and which tolerance will do. `-o` keeps the numbers in out/cost.json. Times are processor times of "
-      "this machine.");
+      "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for each "
+      "tolerance, the\n"
+      "error, the number of response modes that change, and the time per period; for larger numbers of realisations, "
+      "the width\n"
+      "of the intervals and the time; and a recommended tolerance. `-o` saves the numbers in out/cost.json. Times are "
+      "processor\n"
+      "times of this machine.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
-  command->add_option("-o,--output", request->folder, "Folder for cost.json; made if need be")->type_name("DIR");
+  command->add_option("-o,--output", request->folder, "Folder for cost.json; created if necessary")->type_name("DIR");
   add_budget(*command, *request);
   add_threads(*command, request->labour);
-  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   command
       ->add_option("--realisations", request->overrides.realisations,
-                   "Realisations of each condition that are intended, in place of the file's")
+                   "Intended realisations per condition, instead of the file's")
       ->type_name("N");
   command->add_flag("--overwrite", request->overwrite, "Replace cost.json in the folder");
   add_loudness(*command, request->labour.loudness);

@@ -93,7 +93,7 @@ ExitCode examine(const Loudness& loudness) {
   }
   facts.insert(facts.end(), checks.begin(), checks.end());
   facts.push_back({"sound", sound});
-  text += sound ? "all is well: results have the same bits here as elsewhere\n"
+  text += sound ? "all checks passed: results have the same bits on this machine as on others\n"
                 : "results will differ from those of other machines; please report this output\n";
   print_result(loudness.json ? report::facts_text(facts) : text);
   return sound ? ExitCode::done : ExitCode::check_failed;
@@ -104,8 +104,8 @@ ExitCode examine(const Loudness& loudness) {
 void add_doctor(CLI::App& app, Action& action) {
   const auto loudness = std::make_shared<Loudness>();
   CLI::App* command =
-      app.add_subcommand("doctor", "Say what was built, where it runs, and whether its arithmetic is right");
-  command->footer("Example: rocking doctor\nAdd its output when you report a problem.");
+      app.add_subcommand("doctor", "Print build and machine, and check the arithmetic of this machine");
+  command->footer("Example: rocking doctor\nInclude its output when you report a problem.");
   add_loudness(*command, *loudness);
   command->final_callback([&action, loudness] { action = [loudness] { return examine(*loudness); }; });
 }

@@ -25,7 +25,7 @@ ExitCode DrawingFailures::tell(std::string_view consequence) const {
   for (const auto& [reason, end] : reasons_) {
     print_notice(fmt::format("{}: {}", consequence, reason));
     if (end == analysis::DrawingEnd::refused) {
-      print_notice("this is a bug of ours, please report it with the output of `rocking doctor`");
+      print_notice("this is a bug of this program; please report it with the output of `rocking doctor`");
       code = ExitCode::our_bug;
     }
     if (end == analysis::DrawingEnd::broken_off && code == ExitCode::done) code = ExitCode::input_output;

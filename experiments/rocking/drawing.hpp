@@ -34,7 +34,7 @@ class DrawingFailures {
 
 /// What a failure means to whoever wanted figures, and to a page.
 inline constexpr std::string_view no_figure = "a figure was not drawn";
-inline constexpr std::string_view no_page_picture = "report.html has no pictures for paper";
+inline constexpr std::string_view no_page_picture = "report.html has no pictures for printing";
 
 struct WrittenFigures {
   std::vector<std::string> files;

@@ -38,7 +38,7 @@ std::vector<analysis::OutputFile> read_all(const std::vector<std::string>& paths
 
 ExitCode draw(const FigureRequest& request) {
   if (!(request.window.from < request.window.to)) {
-    throw UsageError(fmt::format("--from {:g}: must lie before --to {:g}", request.window.from, request.window.to));
+    throw UsageError(fmt::format("--from {:g}: must be less than --to {:g}", request.window.from, request.window.to));
   }
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
   const WrittenFigures written = write_figures(figures, request.folder);
@@ -52,21 +52,22 @@ ExitCode draw(const FigureRequest& request) {
 void add_figure(CLI::App& app, Action& action) {
   const auto request = std::make_shared<FigureRequest>();
   CLI::App* command =
-      app.add_subcommand("figure", "Draw what trajectory, bifurcation, cost, fragility and check-normal print");
+      app.add_subcommand("figure", "Draw the output of trajectory, bifurcation, cost, fragility, check-normal");
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
-      "draws two files that `rocking trajectory --samples 100` printed: each against time, both over one another, and\n"
-      "their Poincare section. Also draws bifurcation.json, cost.json, fragility.json and what\n"
-      "`rocking check-normal --json` prints.");
+      "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, and "
+      "their\n"
+      "Poincare section. Also draws bifurcation.json, cost.json, fragility.json and the output of\n"
+      "`rocking check-normal --json`.");
   command->add_option("FILE", request->files, "JSON files that rocking printed")->required();
-  command->add_option("-o,--output", request->folder, "Folder for the figures; made if need be")
+  command->add_option("-o,--output", request->folder, "Folder for the figures; created if necessary")
       ->required()
       ->type_name("DIR");
-  command->add_option("--from", request->window.from, "First excitation period to show of trajectories")
+  command->add_option("--from", request->window.from, "First excitation period of trajectories to show")
       ->check(number(0.0, 1e9))
       ->capture_default_str()
       ->type_name("P");
-  command->add_option("--to", request->window.to, "Last excitation period to show of trajectories; default: the last")
+  command->add_option("--to", request->window.to, "Last excitation period of trajectories to show; default: the last")
       ->check(number(0.0, 1e9))
       ->type_name("P");
   add_loudness(*command, request->loudness);

@@ -29,13 +29,14 @@ report::RunFragility fragility_of(const std::string& name) {
   report::RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
   if (experiment::intensity_of(run.experiment).empty()) {
     throw UsageError(name +
-                     ": sweeps no intensity of the shaking; give a run whose sweep has /excitation/amplitude or "
+                     ": sweeps no intensity of the excitation; give a run whose sweep has /excitation/amplitude or "
                      "/excitation/scale");
   }
   if (run.experiment.conditions.front().until) {
-    throw UsageError(name +
-                     ": took as many realisations as its intervals wanted, and its counts fit no fixed number; give a "
-                     "run with a number of realisations");
+    throw UsageError(
+        name +
+        ": its number of realisations was determined by `until`, which a fragility function does not allow; give a "
+        "run with a fixed number of realisations");
   }
   try {
     run.curves = experiment::fragility(run.experiment, store);
@@ -52,7 +53,7 @@ std::filesystem::path curve_file_in(const std::string& folder) {
 ExitCode fragility(const FragilityRequest& request) {
   if (!request.output.empty() && !request.overwrite && std::filesystem::exists(curve_file_in(request.output))) {
     throw InTheWay(curve_file_in(request.output).string() +
-                   ": is already there; choose another folder, or add --overwrite to replace it");
+                   ": already exists; choose another folder, or add --overwrite to replace it");
   }
   std::vector<report::RunFragility> runs;
   for (const std::string& name : request.folders) runs.push_back(fragility_of(name));
@@ -72,16 +73,19 @@ ExitCode fragility(const FragilityRequest& request) {
 void add_fragility(CLI::App& app, Action& action) {
   const auto request = std::make_shared<FragilityRequest>();
   CLI::App* command =
-      app.add_subcommand("fragility", "How likely does it overturn, the harder it is shaken? With a lognormal law");
+      app.add_subcommand("fragility", "Fit the probability of overturning as a function of intensity");
   command->footer(
       "Example: rocking fragility out -o out\n"
-      "counts for each amplitude (or scale of a record) the realisations that overturned, with exact intervals, and "
-      "fits a\n"
-      "lognormal law with its band. A grid gives a curve for each point of the other entries; several runs stand "
-      "together.\n"
-      "`-o` keeps the numbers in out/fragility.json, which `rocking figure` draws.");
+      "counts for each amplitude (or scale of a ground motion) the realisations that overturned, with exact intervals, "
+      "and fits\n"
+      "a lognormal fragility function with its band. A grid has one curve for each combination of values of the other "
+      "entries;\n"
+      "the curves of several runs are shown together. `-o` saves the numbers in out/fragility.json, which `rocking "
+      "figure`\n"
+      "draws.");
   command->add_option("DIR", request->folders, "Folders of finished runs")->required();
-  command->add_option("-o,--output", request->output, "Folder for fragility.json; made if need be")->type_name("DIR");
+  command->add_option("-o,--output", request->output, "Folder for fragility.json; created if necessary")
+      ->type_name("DIR");
   command->add_flag("--overwrite", request->overwrite, "Replace fragility.json in the folder");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return fragility(*request); }; });

@@ -57,8 +57,8 @@ void expect_kin(const Source& first, const Source& other) {
 ExitCode explain_conflicts(const Source& source, const std::vector<experiment::Difference>& conflicts) {
   const experiment::Difference& first = conflicts.front();
   print_notice(fmt::format(
-      "{}: {} not what an earlier folder says; the first: condition {}, realisation {} ({}). Nothing was "
-      "written. `rocking verify` tells which folder is right",
+      "{}: {} different from an earlier folder; the first: condition {}, realisation {} ({}). Nothing was "
+      "written. `rocking verify` shows which folder is right",
       source.name, conflicts.size() == 1 ? "1 realisation is" : counted(conflicts.size(), "realisation") + " are",
       first.key.condition, first.key.realisation, fmt::join(first.fields, ", ")));
   return ExitCode::check_failed;
@@ -87,7 +87,8 @@ class DiscardUnlessJoined {
 // The whole takes at most as much room as its parts.
 void expect_room(const RunFolder& folder, const MergeRequest& request) {
   if (!request.overwrite && (folder.has_store() || folder.has_report() || folder.has_replacement())) {
-    throw InTheWay(request.folder + ": holds a run already; choose another folder for the whole, or add --overwrite");
+    throw InTheWay(request.folder +
+                   ": already contains a run; choose another folder for the whole, or add --overwrite");
   }
   std::uintmax_t need = 0;
   for (const std::string& shard : request.shards) need += std::filesystem::file_size(RunFolder(shard).store_path());
@@ -97,7 +98,7 @@ void expect_room(const RunFolder& folder, const MergeRequest& request) {
 void expect_shards_elsewhere(const MergeRequest& request) {
   for (const std::string& shard : request.shards) {
     if (std::filesystem::exists(request.folder) && std::filesystem::equivalent(shard, request.folder)) {
-      throw UsageError(shard + ": cannot be a shard and the folder for the whole at once");
+      throw UsageError(shard + ": cannot be both a shard and the folder for the whole");
     }
   }
 }
@@ -115,8 +116,8 @@ std::optional<ExitCode> join(experiment::Store& whole, const std::vector<Source>
 ExitCode explain_missing(RunFolder& folder, const experiment::Completeness& found) {
   const bool replaces = folder.has_earlier_run();
   if (!replaces) folder.install_replacement();
-  print_notice(fmt::format("{} of {} realisations are there; `rocking resume {}` runs the rest{}", found.done, found.all,
-                           folder.name(), replaces ? ". Until then the earlier run stays in place" : ""));
+  print_notice(fmt::format("{} of {} realisations are present; `rocking resume {}` runs the rest{}", found.done,
+                           found.all, folder.name(), replaces ? ". Until then the earlier run is kept" : ""));
   return ExitCode::stopped_early;
 }
 
@@ -150,12 +151,12 @@ void add_merge(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("merge", "Join the shards of a run");
   command->footer(
       "Example: rocking merge out shard1 shard2 shard3\n"
-      "puts the realisations of the three folders together in out and writes the report, with the bytes of one run. "
-      "The\n"
-      "order does not matter; shards may overlap where they agree.");
-  command->add_option("DIR", request->folder, "Folder for the whole; made if need be")->required();
+      "copies the realisations of the three folders to out and writes the report, with the same bytes as that of one "
+      "run. The\n"
+      "order of the folders has no influence; shards may overlap if their common realisations agree.");
+  command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
-  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, once all shards are joined");
+  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, after all shards are joined");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return merge(*request); }; });
 }

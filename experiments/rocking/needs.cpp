@@ -76,8 +76,8 @@ void expect_memory(std::uint64_t bytes) {
   if (!free || bytes <= *free) return;
   throw std::system_error(
       std::make_error_code(std::errc::not_enough_memory),
-      fmt::format("the run may need {} of memory, {} are free; divide the sweep between several files, ask for shorter "
-                  "horizons or fewer threads, or take a larger machine",
+      fmt::format("the run may need {} of memory, {} are free; divide the sweep between several files, use shorter "
+                  "horizons or fewer threads, or use a machine with more memory",
                   spoken_size(bytes), spoken_size(*free)));
 }
 

@@ -13,8 +13,8 @@ namespace rocking::program {
 
 void add_loudness(CLI::App& command, Loudness& loudness) {
   command.add_flag("--json", loudness.json, "Print the result as JSON on standard output, and nothing else there");
-  const auto quiet = command.add_flag("-q,--quiet", loudness.quiet, "Say nothing but results and errors");
-  command.add_flag("-v,--verbose", loudness.verbose, "Say more about what is done")->excludes(quiet);
+  const auto quiet = command.add_flag("-q,--quiet", loudness.quiet, "Print only results and errors");
+  command.add_flag("-v,--verbose", loudness.verbose, "Print more details of the work")->excludes(quiet);
   command.add_flag("--no-progress", loudness.no_progress, "Show no progress on standard error");
 }
 

@@ -72,10 +72,10 @@ std::string to_text(const Plan& plan) {
   text += fmt::format("{}, {}{}, {} of the {}\n", counted(plan.conditions, "condition"), plan.at_most ? "at most " : "",
                       counted(plan.realisations, "realisation"), counted(plan.periods, "period"),
                       plan.has_record ? "strobe" : "excitation");
-  text += fmt::format("{} {} on the disk, {} of memory\n", plan.at_most ? "at most" : "about",
+  text += fmt::format("{} {} of disk space, {} of memory\n", plan.at_most ? "at most" : "about",
                       spoken_size(plan.needs.disk_bytes), spoken_size(plan.needs.memory_bytes));
-  if (plan.effects.empty()) return text + "rocking only: nothing slides and nothing is random\n";
-  text += "beside rocking:\n";
+  if (plan.effects.empty()) return text + "rocking only: no sliding, and nothing is random\n";
+  text += "in addition to rocking:\n";
   for (const std::string& effect : plan.effects) text += "  " + effect + '\n';
   return text;
 }

@@ -26,9 +26,9 @@ void add_commands(CLI::App& app, Action& action, const Crew& crew) {
   app.set_version_flag("--version", std::string(base::build_info().version));
   app.require_subcommand(1);
   app.footer(
-      "`rocking COMMAND --help` tells more, with an example.\n"
-      "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 a bug of ours,\n"
-      "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` goes on after both).\n");
+      "`rocking COMMAND --help` describes a command, with an example.\n"
+      "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 bug of rocking,\n"
+      "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` continues the run after both).\n");
   add_run(app, action, crew);
   add_resume(app, action, crew);
   add_status(app, action);
@@ -66,7 +66,7 @@ ExitCode carry_out(const Action& action) {
   try {
     return action();
   } catch (const base::Stopped&) {
-    return fail(ExitCode::interrupted, "interrupted; the same command begins anew");
+    return fail(ExitCode::interrupted, "interrupted; the same command starts again");
   } catch (const base::InputError& error) {
     return fail(code_of(error), "the input cannot be used: " + listed_problems(error));
   } catch (const UsageError& error) {
@@ -80,10 +80,11 @@ ExitCode carry_out(const Action& action) {
   } catch (const std::system_error& error) {
     return fail(ExitCode::input_output, error.what());
   } catch (const std::bad_alloc&) {
-    return fail(ExitCode::input_output, "not enough memory; ask for fewer realisations, conditions or sampled periods");
+    return fail(ExitCode::input_output, "not enough memory; use fewer realisations, conditions or sampled periods");
   } catch (const std::exception& error) {
-    return fail(ExitCode::our_bug,
-                fmt::format("a bug of ours, please report it with the output of `rocking doctor`: {}", error.what()));
+    return fail(
+        ExitCode::our_bug,
+        fmt::format("a bug of this program; please report it with the output of `rocking doctor`: {}", error.what()));
   }
 }
 
@@ -92,7 +93,7 @@ ExitCode carry_out(const Action& action) {
 ExitCode carry_out_command_line(int argc, const char* const* argv, const Crew& crew) {
   hold_standard_streams();
   meet_limits_as_errors();
-  CLI::App app("How likely is each response of a rocking block?", "rocking");
+  CLI::App app("Probabilities of the responses of a rocking block", "rocking");
   Action action;
   add_commands(app, action, crew);
   try {

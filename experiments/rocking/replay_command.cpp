@@ -29,15 +29,15 @@ ExitCode replay(const ReplayRequest& request) {
   const auto stored = condition_number < experiment.conditions.size() ? store.find(request.key) : std::nullopt;
   if (!stored) {
     static_cast<void>(folder.open_sound_store());  // in a damaged store a row may be there and not be found
-    throw UsageError(fmt::format("{} holds no realisation {} of condition {}; both count from 0", request.folder,
-                                 number, condition_number));
+    throw UsageError(fmt::format("{} contains no realisation {} of condition {}; both numbers start at 0",
+                                 request.folder, number, condition_number));
   }
   const experiment::Condition& condition = experiment.conditions.at(condition_number);
   const experiment::Record record = experiment::realise(condition, experiment.seed, number);
   if (experiment::digest_of(record, number) != stored->digest) {
     print_notice(
-        fmt::format("condition {}, realisation {}: this program gives another realisation than the one stored in {}, "
-                    "which rocking {} made; this is {}",
+        fmt::format("condition {}, realisation {}: this program gives a result different from the one stored in {}, "
+                    "which rocking {} computed; this is {}",
                     condition_number, number, request.folder, store.identity().code, code_identity()));
     return ExitCode::check_failed;
   }
@@ -50,17 +50,18 @@ ExitCode replay(const ReplayRequest& request) {
 
 void add_replay(CLI::App& app, Action& action) {
   const auto request = std::make_shared<ReplayRequest>();
-  CLI::App* command = app.add_subcommand("replay", "Follow one realisation of a run again, checked against its digest");
+  CLI::App* command = app.add_subcommand("replay", "Print one realisation of a run again, checked against its digest");
   command->footer(
       "Example: rocking replay out --condition 12 --realisation 3\n"
-      "prints what `rocking trajectory` does, from a run's folder alone. Exit code 1 if the bits differ from the "
-      "run's.");
+      "prints the same as `rocking trajectory`, from the folder of a run. The exit code is 1 if the bits differ from "
+      "those of\n"
+      "the run.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  command->add_option("--condition", request->key.condition, "Which point of the sweep")
+  command->add_option("--condition", request->key.condition, "Number of the condition, from 0")
       ->required()
       ->check(whole_number(0, random::realisation_limit - 1))
       ->type_name("I");
-  command->add_option("--realisation", request->key.realisation, "Which realisation of it")
+  command->add_option("--realisation", request->key.realisation, "Number of the realisation, from 0")
       ->required()
       ->check(whole_number(0, random::realisation_limit - 1))
       ->type_name("K");

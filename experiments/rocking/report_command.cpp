@@ -43,7 +43,7 @@ analysis::RunReport load_report(const RunFolder& folder) {
     throw MissingInput(
         folder.has_store()
             ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
-            : folder.name() + ": holds no run (there is no report.json)");
+            : folder.name() + ": contains no run (there is no report.json)");
   }
   std::string text;
   try {
@@ -120,16 +120,16 @@ ExitCode report_again(const ReportRequest& request) {
 
 void add_report(CLI::App& app, Action& action) {
   const auto request = std::make_shared<ReportRequest>();
-  CLI::App* command = app.add_subcommand("report", "Draw and tabulate a finished run again, without simulating");
+  CLI::App* command = app.add_subcommand("report", "Write page, figures and tables of a finished run again");
   command->footer(
       "Example: rocking report out --format html,gnuplot\n"
-      "html: out/report.html, a page that needs nothing beside it. gnuplot: the figures of out/report.json in "
-      "out/figures,\n"
-      "of each the data (tsv), a script (gp), and what gnuplot makes of them (svg, png, pdf). csv and latex: tables "
-      "in\n"
-      "out/tables. text: the table of response modes, here.");
+      "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as data "
+      "(tsv), script\n"
+      "(gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: the table of "
+      "response\n"
+      "modes, on standard output.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  command->add_option("--format", request->formats, "What to make; default: all files")
+  command->add_option("--format", request->formats, "What to write; default: all files")
       ->delimiter(',')
       ->check(one_of(all_formats))
       ->type_name("LIST");

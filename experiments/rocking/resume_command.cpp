@@ -29,10 +29,10 @@ bool holds_run(const RunFolder& folder) {
 // Realisations of another results version are not mixed with this program's: the bits could differ.
 void expect_known_results(const RunFolder& folder, const experiment::Identity& identity) {
   if (1 <= identity.results && identity.results <= experiment::results_version) return;
-  throw InTheWay(
-      fmt::format("{}: was begun by rocking {}, this is {}, which may give other results; finish it with that, "
-                  "or begin anew in another folder",
-                  folder.name(), identity.code, code_identity()));
+  throw InTheWay(fmt::format(
+      "{}: was begun by rocking {}, this is {}, which may give different results; finish it with the former, "
+      "or start again in another folder",
+      folder.name(), identity.code, code_identity()));
 }
 
 // Whatever is damaged is found before anything is added to it. A store of an earlier layout or results version is renewed.
@@ -46,12 +46,12 @@ experiment::Store usable_store(const RunFolder& folder, const experiment::Experi
   experiment::Store renewed = folder.open_store(experiment::sqlite::Access::write);
   if (!damage) {
     if (loudness.quiet) return renewed;
-    print_notice(fmt::format("{}: was written in an earlier layout or by an earlier program; {} taken over",
+    print_notice(fmt::format("{}: was written in an earlier layout or by an earlier program; {} converted",
                              folder.store_path().string(), counted(renewal.realisations, "realisation")));
     return renewed;
   }
   const auto missing = experiment::missing_realisations(experiment, renewed);
-  print_notice(fmt::format("{}; {} in it {} sound and kept, the rest is run again: {}. The damaged file is now {}",
+  print_notice(fmt::format("{}; {} in it {} intact and kept, the rest is run again: {}. The damaged file is now {}",
                            *damage, counted(renewal.realisations, "realisation"),
                            renewal.realisations == 1 ? "is" : "are", listed_realisations(missing),
                            renewal.former_file.string()));
@@ -60,7 +60,7 @@ experiment::Store usable_store(const RunFolder& folder, const experiment::Experi
 
 ExitCode resume(const ResumeRequest& request) {
   if (!holds_run(RunFolder(request.folder))) {
-    throw MissingInput(request.folder + ": holds no run to go on with (realisations.sqlite is not there, or empty)");
+    throw MissingInput(request.folder + ": contains no run to resume (realisations.sqlite is missing or empty)");
   }
   RunFolder folder(request.folder);
   folder.claim();
@@ -88,9 +88,10 @@ void add_resume(CLI::App& app, Action& action, const Crew& crew) {
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
   command->footer(
       "Example: rocking resume out\n"
-      "runs what out/realisations.sqlite lacks and writes the report, with the same bytes as if nothing had happened. "
-      "Of a\n"
-      "damaged file it keeps what is sound, and the file itself under another name.");
+      "runs the realisations that are missing in out/realisations.sqlite and writes the report, with the same bytes as "
+      "that of\n"
+      "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under "
+      "another name.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   add_threads(*command, request->labour);
   add_max_time(*command, request->labour);

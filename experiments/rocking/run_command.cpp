@@ -38,7 +38,8 @@ experiment::Shard shard_from(const std::string& text) {
     shard = {.part = whole(0, slash), .parts = whole(slash + 1, std::string::npos)};
     if (1 <= shard.part && shard.part <= shard.parts) return shard;
   }
-  throw UsageError(fmt::format("--shard {}: is no part of a whole; give i/n with 1 <= i <= n, as 2/5", text));
+  throw UsageError(
+      fmt::format("--shard {}: is not a part of a whole; give i/n with 1 <= i <= n, for example 2/5", text));
 }
 
 Means means_of(const RunRequest& request) {
@@ -55,12 +56,12 @@ ExitCode show_plan(const RunRequest& request, const experiment::Experiment& expe
 void expect_no_run(const RunFolder& folder) {
   if (folder.has_report()) {
     throw InTheWay(folder.report_path().string() +
-                   ": is already there; choose another folder, or add --overwrite to replace it");
+                   ": already exists; choose another folder, or add --overwrite to replace it");
   }
   if (folder.has_store() || folder.has_replacement()) {
     throw InTheWay(
-        fmt::format("{0}: holds a run; `rocking resume {0}` goes on with it. Otherwise choose another folder, "
-                    "or add --overwrite to lose it",
+        fmt::format("{0}: contains a run; `rocking resume {0}` continues it. Otherwise choose another folder, "
+                    "or add --overwrite to replace it",
                     folder.name()));
   }
 }
@@ -69,7 +70,8 @@ void expect_fixed_numbers(const experiment::Experiment& experiment) {
   for (const experiment::Condition& condition : experiment.conditions) {
     if (condition.until) {
       throw UsageError(
-          "--shard: a part cannot know when the whole has enough; give a number of realisations in place of until");
+          "--shard: cannot be combined with `until`, because one part does not know the counts of the others; give a "
+          "number of realisations");
     }
   }
 }
@@ -105,29 +107,32 @@ ExitCode run(const RunRequest& request) {
 void add_run(CLI::App& app, Action& action, const Crew& crew) {
   const auto request = std::make_shared<RunRequest>();
   request->labour = {.threads = crew.threads, .max_time = {}, .loudness = {}, .crew = crew};
-  CLI::App* command = app.add_subcommand("run", "Simulate an experiment: how likely is each response?");
+  CLI::App* command = app.add_subcommand("run", "Simulate an experiment and estimate the probability of each response");
   command->footer(
       "Example: rocking run experiments/headline/headline.json -o out\n"
-      "simulates every realisation of every condition, keeps them in out/realisations.sqlite, writes out/report.json "
+      "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json "
       "and\n"
-      "prints a table of the responses.");
+      "out/report.html, and prints a table of the responses.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); `rocking schema experiment` describes it")
       ->required();
   const auto folder =
-      command->add_option("-o,--output", request->folder, "Folder for the results; made if need be")->type_name("DIR");
+      command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
+          ->type_name("DIR");
   add_threads(*command, request->labour);
-  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   command
       ->add_option("--realisations", request->overrides.realisations,
-                   "Realisations of each condition in place of the file's")
+                   "Realisations per condition, instead of the number in the file")
       ->type_name("N");
-  command->add_option("--shard", request->shard, "Do the i-th of n parts only; `rocking merge` joins them")
+  command->add_option("--shard", request->shard, "Run only the i-th of n parts; `rocking merge` joins them")
       ->type_name("I/N");
   add_max_time(*command, request->labour);
   const auto dry_run =
-      command->add_flag("--dry-run", request->dry_run, "Say what would be done, and stop; writes nothing");
-  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, once this one is complete");
+      command->add_flag("--dry-run", request->dry_run, "Print what would be done, and stop; writes nothing");
+  command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder when this one is complete");
   add_loudness(*command, request->labour.loudness);
   command->final_callback([&action, request, folder, dry_run] {
     if (folder->empty() && dry_run->empty()) throw CLI::RequiredError("-o DIR (the folder for the results)");

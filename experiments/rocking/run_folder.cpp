@@ -96,7 +96,7 @@ void RunFolder::wait_for_lock() {
     if (errno != EWOULDBLOCK) return;  // a file system that knows no locks cannot tell; there the user has to
     if (attempt == 10) {
       ::close(std::exchange(lock_, -1));
-      throw InTheWay(name() + ": another `rocking` is at work in this folder; wait for it, or choose another folder");
+      throw InTheWay(name() + ": another `rocking` is working in this folder; wait for it, or choose another folder");
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(20));  // `rocking status` holds it for a moment
   }
@@ -116,7 +116,7 @@ void RunFolder::expect_room(std::uint64_t bytes) const {
   if (unknown || bytes <= free) return;
   throw std::system_error(
       std::make_error_code(std::errc::no_space_on_device),
-      fmt::format("{}: its realisations may need {}, {} are free; make room, choose another disk, or "
+      fmt::format("{}: its realisations may need {}, {} are free; free some space, choose another disk, or "
                   "divide the run with --shard",
                   name(), spoken_size(bytes), spoken_size(free)));
 }
@@ -135,7 +135,7 @@ bool RunFolder::has_store() const {
 experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const {
   expect_short_path(store_path());
   expect_installed();
-  if (!has_store()) throw MissingInput(name() + ": holds no run (there is no realisations.sqlite)");
+  if (!has_store()) throw MissingInput(name() + ": contains no run (there is no realisations.sqlite)");
   report::expect_regular_file(store_path());
   return experiment::Store::open(store_path(), access);
 }
@@ -144,7 +144,7 @@ experiment::Store RunFolder::open_sound_store() const {
   experiment::Store store = open_store(experiment::sqlite::Access::read);
   if (const auto damage = store.damage()) {
     throw experiment::sqlite::UnusableFile(
-        fmt::format("{}. `rocking resume {}` keeps what is sound and runs the rest again", *damage, name()));
+        fmt::format("{}. `rocking resume {}` keeps the intact rows and runs the rest again", *damage, name()));
   }
   return store;
 }
@@ -160,8 +160,8 @@ RunFolder::Renewal RunFolder::renew_store(experiment::Store former, const experi
     const bool same_results = former.identity().results == identity.results;
     if (renewal.realisations == 0 && same_results && has_rows(former)) {
       throw experiment::sqlite::UnusableFile(fmt::format(
-          "{}: is damaged: not one of its realisations belongs to the experiment that it names, which may be "
-          "that of another store; run the experiment anew, with --overwrite",
+          "{}: is damaged: none of its realisations belongs to its experiment, which may be "
+          "that of another store; run the experiment again, with --overwrite",
           store_path().string()));
     }
     store.close_up();
@@ -216,8 +216,8 @@ void RunFolder::tidy_up() const {
 
 void RunFolder::expect_installed() const {
   if (!is_half_installed()) return;
-  throw InTheWay(fmt::format("{0}: a run that replaces the one here was interrupted on its way into its place; `rocking "
-                             "resume {0}` moves the rest",
+  throw InTheWay(fmt::format("{0}: a new run was interrupted while it replaced the one in this folder; `rocking "
+                             "resume {0}` completes the replacement",
                              name()));
 }
 

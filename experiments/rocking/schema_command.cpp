@@ -14,7 +14,7 @@ void add_schema(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("schema", "Print the JSON Schema of a format");
   command->footer(
       "Example: rocking schema experiment > experiment.schema.json\n"
-      "An editor that knows JSON Schema then completes and checks experiment files.");
+      "An editor that supports JSON Schema then completes and checks experiment files.");
   std::vector<std::string> names;
   for (const report::Schema& schema : report::schemas()) names.emplace_back(schema.name);
   command->add_option("NAME", *name, "Format")->required()->check(one_of(names));

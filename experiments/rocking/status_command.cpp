@@ -75,7 +75,7 @@ std::string to_text(const StatusRequest& request, const Standing& standing) {
     text += fmt::format("rate     {:.3g}/s\nto go    {}\n", standing.rate,
                         spoken_duration(static_cast<double>(standing.missing()) / standing.rate));
   }
-  if (standing.state == "stopped") text += fmt::format("`rocking resume {}` goes on\n", request.folder);
+  if (standing.state == "stopped") text += fmt::format("`rocking resume {}` continues the run\n", request.folder);
   return text;
 }
 
@@ -105,13 +105,13 @@ ExitCode status(const StatusRequest& request) {
 
 void add_status(CLI::App& app, Action& action) {
   const auto request = std::make_shared<StatusRequest>();
-  CLI::App* command = app.add_subcommand("status", "Say how far a run has come, also while it works");
+  CLI::App* command = app.add_subcommand("status", "Print the progress of a run, also while it is in progress");
   command->footer(
       "Example: rocking status out\n"
-      "counts what is done, missing and failed (the model had no answer, or a budget ran out), and tells rate and time "
-      "to "
-      "go\n"
-      "while another `rocking` is at work in out. It only reads.");
+      "prints the numbers of finished, missing and failed realisations (failed: the model has no solution, or a limit "
+      "on the\n"
+      "work was reached); while another `rocking` is working in out, also its rate and the remaining time. It only "
+      "reads.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return status(*request); }; });

@@ -43,16 +43,16 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
 void add_trajectory(CLI::App& app, Action& action) {
   const auto request = std::make_shared<TrajectoryRequest>();
   CLI::App* command =
-      app.add_subcommand("trajectory", "Follow one realisation: every event and the state at each period, as JSON");
+      app.add_subcommand("trajectory", "Print the events and states of one realisation as JSON");
   command->footer(
       "Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
-      "prints the fourth realisation of the thirteenth condition over 20 periods. Counting starts at 0.");
+      "prints the fourth realisation of the thirteenth condition over 20 periods. Numbers start at 0.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
-  command->add_option("--condition", request->key.condition, "Which point of the sweep")
+  command->add_option("--condition", request->key.condition, "Number of the condition, from 0")
       ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("I");
-  command->add_option("--realisation", request->key.realisation, "Which realisation of it")
+  command->add_option("--realisation", request->key.realisation, "Number of the realisation, from 0")
       ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("K");
@@ -61,11 +61,13 @@ void add_trajectory(CLI::App& app, Action& action) {
       ->type_name("N");
   command
       ->add_option("--samples", request->samples,
-                   "Adds a history: so many states of each period, evenly spaced; 0: none")
+                   "Adds a history: N states per period, evenly spaced; 0: none")
       ->check(whole_number(0, 100'000))
       ->capture_default_str()
       ->type_name("N");
-  command->add_option("--seed", request->overrides.seed, "Seed in place of the file's, as 0x2012 or 8210")
+  command
+      ->add_option("--seed", request->overrides.seed,
+                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return print_trajectory(*request); }; });

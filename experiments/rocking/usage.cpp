@@ -52,12 +52,13 @@ std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, c
     if (word.starts_with("--")) {
       const std::string flag = word.substr(0, word.find('='));
       if (flag == "--" || command->get_option_no_throw(flag) != nullptr) continue;
-      return fmt::format("\"{}\" is no flag of `{}`{}", flag, called(app, *command),
+      return fmt::format("\"{}\" is not a flag of `{}`{}", flag, called(app, *command),
                          suggestion(flag, flag_names(*command)));
     }
     if (command == &app && !word.starts_with('-')) {
       command = command_named(app, word);
-      if (command == nullptr) return fmt::format("\"{}\" is no command{}", word, suggestion(word, command_names(app)));
+      if (command == nullptr)
+        return fmt::format("\"{}\" is not a command{}", word, suggestion(word, command_names(app)));
     }
   }
   return std::nullopt;
@@ -67,7 +68,7 @@ CLI::Validator one_of(std::vector<std::string> words) {
   const std::string list = fmt::format("{}", fmt::join(words, ","));
   const auto check = [words = std::move(words)](const std::string& written) -> std::string {
     if (std::ranges::find(words, written) != words.end()) return "";
-    return fmt::format("\"{}\" is none of {}{}", written, fmt::join(words, ", "), suggestion(written, words));
+    return fmt::format("\"{}\" is not one of {}{}", written, fmt::join(words, ", "), suggestion(written, words));
   };
   return CLI::Validator(check, '{' + list + '}');
 }

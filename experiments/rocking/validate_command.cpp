@@ -40,8 +40,9 @@ void add_validate(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("validate", "Check an experiment file without simulating");
   command->footer(
       "Example: rocking validate my-experiment.json\n"
-      "tells every problem at once, each with its place, value and remedy; with --json it prints the file with\n"
-      "every default written out.");
+      "prints all problems together, each with its place, value and remedy; with --json it prints the experiment with "
+      "every\n"
+      "default written out.");
   command->add_option("FILE", request->file, "Experiment file (JSON)")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return validate(*request); }; });

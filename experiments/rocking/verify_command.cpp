@@ -68,14 +68,14 @@ class Verifier {
       check_with_store(folder_.open_sound_store());
     } else if (request_->sample) {
       throw UsageError(folder_.store_path().string() +
-                       ": is not there, so --sample has nothing to take one from; leave it out");
+                       ": is missing, so there are no realisations for --sample; omit --sample");
     } else {
       check_without_store();
     }
     if (!findings_.wrong.empty() && claims_.code != code_identity()) {
       findings_.wrong.push_back(
-          fmt::format("the run is by rocking {}, this is {}: another version may give other results", claims_.code,
-                      code_identity()));
+          fmt::format("the run was made by rocking {}, this is {}: another version may give different results",
+                      claims_.code, code_identity()));
     }
     return findings_;
   }
@@ -91,7 +91,7 @@ class Verifier {
   void check_with_store(const experiment::Store& store) {
     const experiment::Identity& identity = store.identity();
     for (const std::string& difference : report::experiment_differences(claims_.experiment, identity.experiment)) {
-      findings_.wrong.push_back("report.json asks another question than realisations.sqlite answers: " + difference);
+      findings_.wrong.push_back("report.json and realisations.sqlite have different experiments: " + difference);
     }
     if (!findings_.wrong.empty()) return;
     const experiment::Experiment experiment = experiment_of(identity);
@@ -105,7 +105,7 @@ class Verifier {
     findings_.checked = again.checked;
     for (const auto& [key, fields] : again.differences) {
       findings_.wrong.push_back(
-          fmt::format("condition {}, realisation {}: run again it differs from realisations.sqlite in {}",
+          fmt::format("condition {}, realisation {}: the new result differs from realisations.sqlite in {}",
                       key.condition, key.realisation, fmt::join(fields, ", ")));
     }
     if (again.different > again.differences.size()) {
@@ -148,7 +148,7 @@ class Verifier {
 ExitCode verify(const VerifyRequest& request) {
   const Findings findings = Verifier(request).check();
   if (why_stopped() != StopReason::none) {
-    print_notice("interrupted before the check was through");
+    print_notice("interrupted before the check was complete");
     return ExitCode::interrupted;
   }
   const bool right = findings.wrong.empty();
@@ -156,7 +156,7 @@ ExitCode verify(const VerifyRequest& request) {
     print_result(report::facts_text(std::vector<report::Fact>{
         {"verified", right}, {"realisations_run_again", findings.checked}, {"findings", findings.wrong}}));
   } else if (right) {
-    print_result(base::printable(fmt::format("{}: {} run again, all with the same bits; the report is what follows from them\n",
+    print_result(base::printable(fmt::format("{}: {} run again, all with the same bits; the report follows from them\n",
                              request.folder, counted(findings.checked, "realisation"))));
   } else {
     print_result(
@@ -173,12 +173,13 @@ void add_verify(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking verify out --sample 100\n"
       "checks that out/report.json follows from out/realisations.sqlite, and that about a hundred of its realisations "
-      "come out\n"
-      "the same again. Without --sample all of them are run. Without the store, the report is compared with a new "
-      "run.");
+      "give the\n"
+      "same bits when they are run again. Without --sample all of them are run. Without the store, the report is "
+      "compared with\n"
+      "a new run.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
-      ->add_option("--sample", request->sample, "Run about this many realisations again, evenly spread; default: all")
+      ->add_option("--sample", request->sample, "Run about N realisations again, evenly spaced; default: all")
       ->check(whole_number(1, random::realisation_limit))
       ->type_name("N");
   add_threads(*command, request->labour);

@@ -58,7 +58,8 @@ TEST_F(Command, RunSaysHowManySettledLateAndOnHowLittleTheirNamesRest) {
   experiment["excitation"]["amplitude"] = 5.5;
   experiment["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
   write("late.json", experiment.dump());
-  const std::string line = "settled late: 1 realisation, named by the last 62.5 % of their sampled periods or more";
+  const std::string line =
+      "settled late: 1 realisation, classified by the last 62.5 % of their sampled periods or more";
   EXPECT_THAT(rocking("run late.json -o late").output, HasSubstr(line));
   EXPECT_THAT(rocking("run quick.json -o out").output, Not(HasSubstr("settled late")));
 }
@@ -177,10 +178,11 @@ TEST_F(Command, CheckNormalKnowsThreeSamplers) {
 TEST_F(Command, CheckNormalSaysWhatASmallSkewnessIsWorth) {
   const auto outcome = rocking("check-normal --n 20000 --mean 0.4 --sigma 0.03 --seed 7");
   EXPECT_EQ(outcome.exit_code, 0);
-  EXPECT_THAT(outcome.output, HasSubstr("skewness within 0.01: expected in 44 % of samples of this size; within "));
+  EXPECT_THAT(outcome.output,
+              HasSubstr("skewness within 0.01: expected in 44 % of normal samples of this size; within "));
   EXPECT_THAT(outcome.output, HasSubstr("neighbouring realisations"));
-  EXPECT_THAT(outcome.output, Not(HasSubstr("read D'Agostino-Pearson's")));
-  EXPECT_THAT(rocking("check-normal --n 9999").output, HasSubstr("below 10000 numbers read D'Agostino-Pearson's"));
+  EXPECT_THAT(outcome.output, Not(HasSubstr("use D'Agostino-Pearson")));
+  EXPECT_THAT(rocking("check-normal --n 9999").output, HasSubstr("below 10000 numbers use D'Agostino-Pearson"));
 }
 
 TEST_F(Command, ValidateTellsProblemsAsJsonToo) {

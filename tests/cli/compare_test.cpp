@@ -60,7 +60,7 @@ TEST_F(Compare, RefusesRunsThatCannotBePaired) {
   ASSERT_EQ(rocking("run first.json -q -o b --seed 9").exit_code, 0);
   const auto seeds = rocking("compare a b");
   EXPECT_EQ(seeds.exit_code, 64);
-  EXPECT_THAT(seeds.errors, HasSubstr("other seeds"));
+  EXPECT_THAT(seeds.errors, HasSubstr("different seeds"));
   auto shorter = quick_experiment();
   shorter.erase("sweep");
   write("one.json", shorter.dump());

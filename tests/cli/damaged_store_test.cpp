@@ -216,7 +216,7 @@ TEST_F(DamagedRun, OfWhichTheStoreIsAPipeIsRefusedAtOnce) {
   for (const char* command : {"status out", "resume out"}) {
     const Outcome refused = shell(std::string("exec timeout 20 '") + ROCKING_PROGRAM + "' " + command);
     EXPECT_EQ(refused.exit_code, 65) << command;
-    EXPECT_THAT(refused.errors, HasSubstr("no regular file"));
+    EXPECT_THAT(refused.errors, HasSubstr("not a regular file"));
   }
 }
 

@@ -56,7 +56,7 @@ TEST_F(ExitCode, Is64ForATimeThatIsNone) {
     for (const std::string flag : {"run quick.json -o out --max-time", "cost quick.json --time"}) {
       const auto outcome = rocking(flag + " '" + written + "'");
       EXPECT_EQ(outcome.exit_code, 64) << flag << written;
-      EXPECT_THAT(outcome.errors, AllOf(HasSubstr("time: \"" + std::string(written) + "\" is no time"),
+      EXPECT_THAT(outcome.errors, AllOf(HasSubstr("time: \"" + std::string(written) + "\" is not a positive duration"),
                                         HasSubstr("give one such as 90s")));
     }
   }
@@ -141,7 +141,7 @@ TEST_F(ExitCode, Is65ForARecordOfWhichEveryBadLineIsTold) {
   write("pulse.txt", "0 0\n1 x\n2 NaN\n");
   const auto outcome = rocking("run record.json -o out");
   EXPECT_EQ(outcome.exit_code, 65);
-  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("pulse.txt, line 2 = \"x\": is no number"),
+  EXPECT_THAT(outcome.errors, AllOf(HasSubstr("2 problems"), HasSubstr("pulse.txt, line 2 = \"x\": is not a number"),
                                     HasSubstr("pulse.txt, line 3 = \"NaN\": is not finite")));
   EXPECT_FALSE(exists("out"));
 }
@@ -191,7 +191,7 @@ TEST_F(ExitCode, Is130WhereItIsInterruptedAndWhatIsDoneIsKept) {
                                "sleep 1; kill -" + signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
     EXPECT_THAT(outcome.errors,
-                AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` goes on")));
+                AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` continues the run")));
     EXPECT_TRUE(exists(folder + "/realisations.sqlite"));
     EXPECT_FALSE(exists(folder + "/report.json"));
   }

@@ -40,7 +40,7 @@ TEST_F(FormerStore, IsLookedAt) {
 TEST_F(FormerStore, IsResumedWithTheDigestOfTheWhole) {
   const auto resumed = rocking("resume stopped");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
-  EXPECT_THAT(resumed.errors, HasSubstr("62 realisations taken over"));
+  EXPECT_THAT(resumed.errors, HasSubstr("62 realisations converted"));
   EXPECT_EQ(digest_of("stopped/report.json"), digest_of("whole/report.json"));
   EXPECT_TRUE(rocking::experiment::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read)
                   .is_of_current_layout());

@@ -82,7 +82,7 @@ TEST_F(Ranks, StopCleanlyWhenTheirTimeIsUpOrTheyAreAskedTo) {
   ASSERT_EQ(shell(ranks(3, "run long.json -q -o whole")).exit_code, 0);
   const auto timed = shell(ranks(3, "run long.json -q -o out --max-time 0.01s"));
   EXPECT_EQ(timed.exit_code, 75) << timed.errors;
-  EXPECT_THAT(timed.errors, HasSubstr("`rocking resume out` goes on"));
+  EXPECT_THAT(timed.errors, HasSubstr("`rocking resume out` continues the run"));
   const auto asked = shell(ranks(3, "resume out -q") + " & job=$!; until test -e out/progress.json || "
                            "test -e out/report.json; do sleep 0.01; done; kill -USR1 $job; wait $job");
   EXPECT_TRUE(asked.exit_code == 130 || exists("out/report.json")) << asked.exit_code << asked.errors;

@@ -178,7 +178,7 @@ TEST_F(NothingIsLost, OfWhatIsSoundInADamagedStore) {
     change_byte("out/realisations.sqlite", place);
     const auto resumed = rocking("resume out -q");
     EXPECT_EQ(resumed.exit_code, 0);
-    EXPECT_THAT(resumed.errors, AllOf(HasSubstr("sound and kept"), HasSubstr("out/damaged-1.sqlite")));
+    EXPECT_THAT(resumed.errors, AllOf(HasSubstr("intact and kept"), HasSubstr("out/damaged-1.sqlite")));
     EXPECT_EQ(read("out/damaged-1.sqlite").size(), read("whole/realisations.sqlite").size());
     expect_the_whole_of("out");
   }
@@ -189,7 +189,7 @@ TEST_F(NothingIsLost, OfWhatIsLeftOfACutStore) {
   EXPECT_EQ(rocking("verify out").exit_code, 65);
   const auto resumed = rocking("resume out -q");
   EXPECT_EQ(resumed.exit_code, 0);
-  EXPECT_THAT(resumed.errors, AllOf(HasSubstr("sound and kept"), Not(HasSubstr("; 0 realisations"))));
+  EXPECT_THAT(resumed.errors, AllOf(HasSubstr("intact and kept"), Not(HasSubstr("; 0 realisations"))));
   expect_the_whole_of("out");
 }
 
@@ -207,7 +207,7 @@ TEST_F(NothingIsLost, ToOneWhoAsksHowFarItIs) {
   EXPECT_EQ(stopped.at("state"), "stopped");
   EXPECT_EQ(stopped.at("shard"), "2/3");
   EXPECT_EQ(stopped.at("done").get<int>() + stopped.at("missing").get<int>(), 60);
-  EXPECT_THAT(rocking("status part").output, HasSubstr("`rocking resume part` goes on"));
+  EXPECT_THAT(rocking("status part").output, HasSubstr("`rocking resume part` continues the run"));
   EXPECT_EQ(rocking("status absent").exit_code, 66);
 
   // The disk's part of the store is behind by a commit, the note in progress.json by seconds.

@@ -54,7 +54,8 @@ TEST_F(Process, StopsWithinARealisationWhenItsTimeIsUp) {
   for (const std::string question : {"endless", "endless_rest"}) {
     const auto outcome = rocking("run " + question + ".json -o " + question + " --max-time 1s");
     EXPECT_EQ(outcome.exit_code, 75) << question << outcome.errors;
-    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("0 of "), HasSubstr("`rocking resume " + question + "` goes on")));
+    EXPECT_THAT(outcome.errors,
+                AllOf(HasSubstr("0 of "), HasSubstr("`rocking resume " + question + "` continues the run")));
   }
 }
 
@@ -95,7 +96,7 @@ TEST_F(Process, KeepsTableAndPageWhereNothingCanBeDrawn) {
     const auto outcome = shell("rm -rf out; " + disturbance + program("run quick.json -o out"));
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
     EXPECT_THAT(outcome.output, HasSubstr("report: out/report.json"));
-    EXPECT_THAT(outcome.errors, HasSubstr("no pictures for paper"));
+    EXPECT_THAT(outcome.errors, HasSubstr("no pictures for printing"));
     EXPECT_TRUE(exists("out/report.html"));
   }
 }
@@ -127,7 +128,7 @@ TEST_F(Process, ReplacesARunOnlyOnceTheNewOneIsComplete) {
   const std::string earlier = files_of("out");
   const auto stopped = rocking("run endless.json -o out --overwrite --max-time 1s");
   EXPECT_EQ(stopped.exit_code, 75);
-  EXPECT_THAT(stopped.errors, HasSubstr("the earlier run stays in place"));
+  EXPECT_THAT(stopped.errors, HasSubstr("the earlier run is kept"));
   EXPECT_EQ(files_of("out"), earlier);
   EXPECT_THAT(rocking("status out").output, AllOf(HasSubstr("out: stopped"), HasSubstr("earlier run")));
   EXPECT_EQ(rocking("verify out -q").exit_code, 0);
@@ -170,7 +171,7 @@ TEST_F(Process, CompletesAReplacementThatWasKilledOnItsWay) {
     for (const char* command : {"status", "verify", "report"}) {
       const auto refused = rocking(std::string(command) + " half");
       EXPECT_EQ(refused.exit_code, 74) << command << refused.output;
-      EXPECT_THAT(refused.errors, HasSubstr("`rocking resume half` moves the rest"));
+      EXPECT_THAT(refused.errors, HasSubstr("`rocking resume half` completes the replacement"));
     }
     ASSERT_EQ(rocking("resume half -q").exit_code, 0) << moved;
     EXPECT_EQ(rocking("verify half -q").exit_code, 0) << moved;

@@ -74,7 +74,8 @@ TEST_F(RunFolder, IsFinishedAfterItsTimeWasUp) {
   write_slow();
   const auto stopped = rocking("run slow.json -j 1 -o out --max-time 0.2s");
   EXPECT_EQ(stopped.exit_code, 75);
-  EXPECT_THAT(stopped.errors, AllOf(HasSubstr("the time is up"), HasSubstr("`rocking resume out` goes on")));
+  EXPECT_THAT(stopped.errors,
+              AllOf(HasSubstr("the time limit was reached"), HasSubstr("`rocking resume out` continues the run")));
   EXPECT_FALSE(exists("out/report.json"));
   EXPECT_EQ(rocking("resume out -q").exit_code, 0);
   ASSERT_EQ(rocking("run slow.json -q -o whole").exit_code, 0);
@@ -97,7 +98,7 @@ TEST_F(RunFolder, IsUsedByOneAtATime) {
                              "'; \"$r\" run slow.json -j 1 -o out -q >first & sleep 0.2; \"$r\" resume out; "
                              "echo second $?; wait; \"$r\" verify out --sample 5 -q");
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("second 74"), HasSubstr("same bits")));
-  EXPECT_THAT(outcome.errors, HasSubstr("another `rocking` is at work"));
+  EXPECT_THAT(outcome.errors, HasSubstr("another `rocking` is working"));
 }
 
 TEST_F(RunFolder, ResumeAsksForARun) {
@@ -170,7 +171,7 @@ TEST_F(RunFolder, OfShardsThatDisagreeIsNotMade) {
   const auto refused = rocking("merge out a b");
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.errors,
-              AllOf(HasSubstr("b: 1 realisation is not what"), HasSubstr("condition 1, realisation 2 (steps)")));
+              AllOf(HasSubstr("b: 1 realisation is different from"), HasSubstr("condition 1, realisation 2 (steps)")));
   EXPECT_FALSE(exists("out/report.json"));
   EXPECT_FALSE(exists("out/realisations.sqlite"));
 }
@@ -253,8 +254,8 @@ TEST_F(RunFolder, HoldsAPageWithoutPicturesWhereGnuplotIsMissing) {
   const std::string without = std::string("PATH=$PWD/nothing '") + ROCKING_PROGRAM + "' ";
   const auto told = shell(without + "run quick.json -o out");
   EXPECT_EQ(told.exit_code, 0);
-  EXPECT_THAT(told.errors, HasSubstr("report.html has no pictures for paper: gnuplot"));
-  EXPECT_THAT(read("out/report.html"), HasSubstr("No picture for paper"));
+  EXPECT_THAT(told.errors, HasSubstr("report.html has no pictures for printing: gnuplot"));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("no picture for printing"));
   EXPECT_EQ(shell(without + "run quick.json -q -o quiet").errors, "");
 }
 
@@ -301,8 +302,9 @@ TEST_F(RunFolder, IsNotVerifiedWhereTheSeedWasEdited) {
                              std::filesystem::copy_options::overwrite_existing);
   const auto foreign = rocking("verify out");
   EXPECT_EQ(foreign.exit_code, 1);
-  EXPECT_THAT(foreign.output,
-              HasSubstr("asks another question than realisations.sqlite answers: /seed is \"0x2013\", not \"0x2012\""));
+  EXPECT_THAT(
+      foreign.output,
+      HasSubstr("report.json and realisations.sqlite have different experiments: /seed is \"0x2013\", not \"0x2012\""));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {
@@ -320,7 +322,7 @@ TEST_F(RunFolder, IsNotVerifiedWhereAStoredRealisationWasEdited) {
   change_store("UPDATE realisations SET mode = 'chaotic' WHERE condition = 1 AND realisation = 2");
   const auto outcome = rocking("verify out");
   EXPECT_EQ(outcome.exit_code, 65);
-  EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 is not what was written"));
+  EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 differs from what was written"));
 }
 
 TEST_F(RunFolder, IsMadeUnderARecordWhereEachBlockHasAHorizonOfItsOwn) {
@@ -330,7 +332,7 @@ TEST_F(RunFolder, IsMadeUnderARecordWhereEachBlockHasAHorizonOfItsOwn) {
   write("pulse.txt", rocking::support::recorded_pulse());
   const auto outcome = rocking("run record.json -q -o out");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the record"));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the ground motion"));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {
@@ -338,7 +340,7 @@ TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {
   write("report.json", "{}");
   const auto outcome = rocking("verify .");
   EXPECT_EQ(outcome.exit_code, 65);
-  EXPECT_THAT(outcome.errors, HasSubstr("this is no report"));
+  EXPECT_THAT(outcome.errors, HasSubstr("this is not a report"));
 }
 
 }  // namespace

@@ -197,30 +197,31 @@ TEST(CostWords, SayWhatIsRecommendedWhyAndWhatIsGained) {
   const auto measured = cost_with(experiment, curve_of({30, 1, 0, 0}, 4000), {.half_width = 0.04});
   EXPECT_EQ(
       report::cost_recommendation(measured),
-      "Recommended: tolerance 1e-08. 1 of 4000 response modes change by it (0 at 1e-12); it is to blame for at most "
+      "Recommended: tolerance 1e-08. 1 of 4000 response modes change (0 at 1e-12); the tolerance causes a change of at "
+      "most "
       "0.14 %, 1/29 of the half-width of the intervals, 4.00 %. Error in the first 10 periods: 1e-07 (median). It is "
-      "4.00 times faster than 1e-12, the experiment's own.");
+      "4.00 times faster than 1e-12, the tolerance of the experiment.");
 }
 
 TEST(CostWords, OfTooFewRealisationsSayHowManyWouldDo) {
   const Experiment experiment = experiment_of({true});
   const auto some = cost_with(experiment, curve_of({9, 0, 0, 0}, 1000), {.half_width = 0.04});
-  EXPECT_THAT(report::cost_recommendation(some), HasSubstr("Not told apart from the tightest: tolerance 1e-08. "));
+  EXPECT_THAT(report::cost_recommendation(some), HasSubstr("Not distinguishable from the tightest: tolerance 1e-08. "));
   EXPECT_THAT(
       report::cost_recommendation(some),
       HasSubstr(
-          "To show that no more than 0.20 % change takes 1843 realisations, if as large a share does: some 1.8 min"));
+          "To show that at most 0.20 % change requires 1843 realisations, if the share stays the same: about 1.8 min"));
   const auto few = cost_with(experiment, curve_of({0, 0, 0, 0}, 50), {.half_width = 0.04});
   EXPECT_THAT(report::cost_recommendation(few),
-              HasSubstr("No tolerance can be recommended: 50 realisations are too few to tell. To show"));
+              HasSubstr("No tolerance can be recommended: 50 realisations are too few to decide. To show"));
 }
 
 TEST(CostWords, OfEverythingSpeakOfNoInterval) {
   const Experiment experiment = experiment_of({false});
   const auto measured = cost_with(experiment, curve_of({1, 0, 0, 0}, 91), {.half_width = {}, .is_everything = true});
   EXPECT_THAT(report::cost_recommendation(measured),
-              HasSubstr("0 of 91 response modes change by it (0 at 1e-12), of all"));
-  EXPECT_THAT(report::cost_table(measured), HasSubstr("nothing is drawn at random"));
+              HasSubstr("0 of 91 response modes change (0 at 1e-12), of all"));
+  EXPECT_THAT(report::cost_table(measured), HasSubstr("nothing is random"));
   EXPECT_THAT(report::cost_table(measured), Not(HasSubstr("[0.00")));
 }
 

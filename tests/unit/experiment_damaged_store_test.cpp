@@ -226,7 +226,7 @@ TEST_F(DamagedStore, IsRefusedWhereItsIdentityWasChanged) {
       (void)Store::open(path_, Access::read);
       ADD_FAILURE() << change;
     } catch (const sqlite::UnusableFile& error) {
-      EXPECT_THAT(error.what(), HasSubstr("does not say soundly to what experiment it belongs")) << change;
+      EXPECT_THAT(error.what(), HasSubstr("the experiment to which it belongs cannot be read")) << change;
     }
     put(sound);
   }

@@ -183,8 +183,9 @@ TEST(Page, SaysWhatItLeavesOut) {
 }
 
 TEST(Page, SaysThatItHasNoPictures) {
-  EXPECT_THAT(page_of(quick_report(), ""), HasSubstr("No picture"));
-  EXPECT_THAT(page_of(quick_report()), AllOf(Not(HasSubstr("No picture")), HasSubstr("data:image/svg+xml;base64,")));
+  EXPECT_THAT(page_of(quick_report(), ""), HasSubstr("no picture for printing"));
+  EXPECT_THAT(page_of(quick_report()),
+              AllOf(Not(HasSubstr("no picture for printing")), HasSubstr("data:image/svg+xml;base64,")));
 }
 
 TEST(Page, HasPicturesThatCutNoWordOff) {
@@ -204,31 +205,32 @@ TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {
   question.erase("sweep");
   question.erase("fluctuation");
   question.erase("friction");
-  EXPECT_THAT(page_of(report_of(question)), AllOf(HasSubstr("It cannot slide. Nothing is random."),
-                                                  HasSubstr("One realisation says all"), HasSubstr("the only one")));
+  EXPECT_THAT(page_of(report_of(question)),
+              AllOf(HasSubstr("It cannot slide. Nothing is random."), HasSubstr("one realisation per condition"),
+                    HasSubstr("the only one")));
 }
 
 TEST(Page, ChecksWhatCouldMakeAResultUntrue) {
-  EXPECT_EQ(check_named(quick_report(), "contact with the floor").verdict, Verdict::fine);
+  EXPECT_EQ(check_named(quick_report(), "contact with the base").verdict, Verdict::fine);
   Json left = changed("/result/conditions/1/validity/left_ground", 2);
   left["result"]["conditions"][1]["validity"]["first_realisations"]["left_ground"] = {3, 1};
-  const Check check = check_named(left, "contact with the floor");
+  const Check check = check_named(left, "contact with the base");
   EXPECT_EQ(check.verdict, Verdict::look);
   EXPECT_THAT(check.finding, StartsWith("2 realisations met a normal force"));
   EXPECT_THAT(check.where, HasSubstr("--condition 1 --realisation 3"));
 }
 
-TEST(Page, TellsArithmeticNoiseAsTheReportDoes) {
+TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
   const Json floor = {
       {"flips", 3}, {"of", 40}, {"interval", {0.01, 0.2}}, {"half_width", 0.05}, {"arithmetic_noise", "small"}};
   Json report = changed("/result/noise_floor", floor);
-  EXPECT_EQ(check_named(report, "arithmetic noise").verdict, Verdict::fine);
+  EXPECT_EQ(check_named(report, "sensitivity to tolerance").verdict, Verdict::fine);
   report["result"]["noise_floor"]["arithmetic_noise"] = "undecided";
-  EXPECT_EQ(check_named(report, "arithmetic noise").verdict, Verdict::note);
+  EXPECT_EQ(check_named(report, "sensitivity to tolerance").verdict, Verdict::note);
   report["result"]["noise_floor"]["arithmetic_noise"] = "not_small";
-  EXPECT_EQ(check_named(report, "arithmetic noise").verdict, Verdict::look);
-  EXPECT_THAT(check_named(report, "arithmetic noise").finding, HasSubstr("3 of 40 response modes"));
-  EXPECT_EQ(check_named(changed("/result/noise_floor", nullptr), "arithmetic noise").verdict, Verdict::note);
+  EXPECT_EQ(check_named(report, "sensitivity to tolerance").verdict, Verdict::look);
+  EXPECT_THAT(check_named(report, "sensitivity to tolerance").finding, HasSubstr("3 of 40 response modes"));
+  EXPECT_EQ(check_named(changed("/result/noise_floor", nullptr), "sensitivity to tolerance").verdict, Verdict::note);
 }
 
 TEST(Page, AsksForALookWhereRealisationsRanOut) {

@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{"/friction/kinetic", "-0.3", "", "must not be negative", "0.35"},
                       Fault{"/accuracy/tolerance", "1e-17", "", "1e-16", "1e-13"},
                       Fault{"/accuracy/tolerance", "0.1", "", "1e-2", "1e-13"},
-                      Fault{"/confidence", "1", "", "between 0 and 1", "0.95"},
+                      Fault{"/confidence", "1", "", "above 0 and below 1", "0.95"},
                       Fault{"/realisations", "0", "", "must be a whole number from 1", "1"},
                       Fault{"/horizon/sampled_periods", "0", "", "from 1", "120"},
                       Fault{"/fluctuation/friction/sigma", "-0.1", "", "must not be negative", "0.03"},
@@ -97,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{"/initial/tilt", R"({"uniform": [0.2]})", "/initial/tilt/uniform", "two numbers", "["},
                       Fault{"/initial/tilt", R"({"triangular": 1, "normal": {"mean": 0, "sigma": 1}})",
                             "/initial/tilt/triangular", "is not a key", ""},
-                      Fault{"/initial/tilt_rate", "{}", "", "names no law", "uniform"},
+                      Fault{"/initial/tilt_rate", "{}", "", "has no distribution", "uniform"},
                       Fault{"/excitation/phase_rad", R"({"normal": {"mean": 0, "sigma": -1}})",
                             "/excitation/phase_rad/normal/sigma", "negative", "0.03"}));
 
@@ -106,8 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Fault{"/friction/static", "0.2", "", "below the kinetic", "at least 0.3"},
         Fault{"/friction", R"({"static": 2, "kinetic": 1.34})", "/friction/kinetic", "Painleve", "less than 1.33333"},
-        Fault{"/initial/tilt", "6.42", "", "lies on its side", "smaller"},
-        Fault{"/initial/tilt", R"({"uniform": [-7, 0]})", "", "lies on its side", "smaller"},
+        Fault{"/initial/tilt", "6.42", "", "overturned block", "smaller"},
+        Fault{"/initial/tilt", R"({"uniform": [-7, 0]})", "", "overturned block", "smaller"},
         Fault{"/fluctuation/friction/relative_sigma", "0.1", "", "excludes", "keep one"},
         Fault{"/fluctuation/kinetic_friction", R"({"sigma": 0.1})", "", "excludes \"friction\"", "keep one"}));
 

@@ -103,34 +103,39 @@ TEST_P(RecordFault, IsToldWithFileLineValueReasonAndRemedy) {
 INSTANTIATE_TEST_SUITE_P(
     Lines, RecordFault,
     ::testing::Values(
-        BadRecord{"0 1\ntime a\n1 2", {}, "r.txt, line 2", "\"time\"", "no number", "#"},
-        BadRecord{"0 1\n1 2.5m\n", {}, "r.txt, line 2", "\"2.5m\"", "no number", "0.25"},
-        BadRecord{"0 1\n1 0x1p3\n", {}, "r.txt, line 2", "\"0x1p3\"", "no number", "0.25"},
-        BadRecord{"0 1\n1 +-2\n", {}, "r.txt, line 2", "\"+-2\"", "no number", "0.25"},
-        BadRecord{"0 1\n1 NaN\n", {}, "r.txt, line 2", "\"NaN\"", "not finite", "leave the line out"},
-        BadRecord{"0 1\n1 -Infinity\n", {}, "r.txt, line 2", "\"-Infinity\"", "not finite", "leave the line out"},
+        BadRecord{"0 1\ntime a\n1 2", {}, "r.txt, line 2", "\"time\"", "not a number", "#"},
+        BadRecord{"0 1\n1 2.5m\n", {}, "r.txt, line 2", "\"2.5m\"", "not a number", "0.25"},
+        BadRecord{"0 1\n1 0x1p3\n", {}, "r.txt, line 2", "\"0x1p3\"", "not a number", "0.25"},
+        BadRecord{"0 1\n1 +-2\n", {}, "r.txt, line 2", "\"+-2\"", "not a number", "0.25"},
+        BadRecord{"0 1\n1 NaN\n", {}, "r.txt, line 2", "\"NaN\"", "not finite", "omit the line"},
+        BadRecord{"0 1\n1 -Infinity\n", {}, "r.txt, line 2", "\"-Infinity\"", "not finite", "omit the line"},
         BadRecord{"0 1\n1 1e999\n", {}, "r.txt, line 2", "\"1e999\"", "range of doubles", "finite"},
         BadRecord{"0 1\n1 1e-999\n", {}, "r.txt, line 2", "\"1e-999\"", "range of doubles", "or 0"},
         BadRecord{"0 1\n1,,2\n", {}, "r.txt, line 2", "\"1,,2\"", "3 columns", "same columns"},
         BadRecord{"0 1\n,2\n", {}, "r.txt, line 2", "\"\"", "empty field", "comma"},
         BadRecord{"0 1\n1,2,\n", {}, "r.txt, line 2", "\"1,2,\"", "3 columns", "same columns"},
         BadRecord{"0 1\n1\n", {}, "r.txt, line 2", "\"1\"", "1 column,", "same columns"},
-        BadRecord{"0 1\n1 1e7\n", {}, "r.txt, line 2", "\"1e7\"", "beyond 1e6", "m/s^2"},
+        BadRecord{"0 1\n1 1e7\n", {}, "r.txt, line 2", "\"1e7\"", "exceeds 1e6", "m/s^2"},
+        BadRecord{"0 1\n0.5 2\n0.4 3\n1 1",
+                  {},
+                  "r.txt, line 3",
+                  "\"0.4\"",
+                  "earlier than the time of the previous sample, 0.5",
+                  "order"},
+        BadRecord{"-1 1\n0 0\n1 1\n", {}, "r.txt, line 1", "\"-1\"", "not a time", "begin at 0"},
+        BadRecord{"0 1\n1e8 0\n", {}, "r.txt, line 2", "\"1e8\"", "not a time", "0"},
         BadRecord{
-            "0 1\n0.5 2\n0.4 3\n1 1", {}, "r.txt, line 3", "\"0.4\"", "before that of the sample above, 0.5", "order"},
-        BadRecord{"-1 1\n0 0\n1 1\n", {}, "r.txt, line 1", "\"-1\"", "no time", "begin at 0"},
-        BadRecord{"0 1\n1e8 0\n", {}, "r.txt, line 2", "\"1e8\"", "no time", "0"},
-        BadRecord{std::string("0 1\n1 2\xff\x01\n"), {}, "r.txt, line 2", "\"2\\ufffd\\u0001\"", "no number", "0.25"}));
+            std::string("0 1\n1 2\xff\x01\n"), {}, "r.txt, line 2", "\"2\\ufffd\\u0001\"", "not a number", "0.25"}));
 
 INSTANTIATE_TEST_SUITE_P(Whole, RecordFault,
                          ::testing::Values(BadRecord{"", {}, "r.txt", "", "no sample", "one line"},
                                            BadRecord{"# a\n\n  \n", 0.1, "r.txt", "", "no sample", "one line"},
-                                           BadRecord{"0 1", {}, "r.txt", "", "one sample", "two"},
-                                           BadRecord{"1 1\n1 2\n", {}, "r.txt", "", "no time", "different"}));
+                                           BadRecord{"0 1", {}, "r.txt", "", "only one sample", "two"},
+                                           BadRecord{"1 1\n1 2\n", {}, "r.txt", "", "duration of zero", "different"}));
 
 TEST(RecordFault, OfTheColumnsPointsAtTheTimeStep) {
   EXPECT_THAT(problems_of_record("1\n2\n")[0].remedy, HasSubstr("set \"time_step_s\""));
-  EXPECT_THAT(problems_of_record("0 1 2\n", 0.1)[0].remedy, HasSubstr("leave out \"time_step_s\""));
+  EXPECT_THAT(problems_of_record("0 1 2\n", 0.1)[0].remedy, HasSubstr("omit \"time_step_s\""));
 }
 
 TEST(RecordFault, IsToldForEveryLineButNotForThousands) {
@@ -300,20 +305,20 @@ INSTANTIATE_TEST_SUITE_P(
     All, RecordedFault,
     ::testing::Values(
         BadExcitation{R"({"kind": "recorded"})", "/excitation/file", "is missing", "record.txt"},
-        BadExcitation{R"({"kind": "recorded", "file": ""})", "/excitation/file", "no name", "folder"},
-        BadExcitation{R"({"kind": "recorded", "file": "r.txt\u0000"})", "/excitation/file", "no name", "folder"},
+        BadExcitation{R"({"kind": "recorded", "file": ""})", "/excitation/file", "not the name", "folder"},
+        BadExcitation{R"({"kind": "recorded", "file": "r.txt\u0000"})", "/excitation/file", "not the name", "folder"},
         BadExcitation{R"({"kind": "recorded", "file": 3})", "/excitation/file", "must be text", "quotes"},
-        BadExcitation{R"({"kind": "recorded", "file": "bad.txt"})", "bad.txt, line 1", "no number", "#"},
+        BadExcitation{R"({"kind": "recorded", "file": "bad.txt"})", "bad.txt, line 1", "not a number", "#"},
         BadExcitation{R"({"kind": "recorded", "file": "long.txt"})", "long.txt", "64 MB", "shorter"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "scale": -1})", "/excitation/scale", "factor", "1.0"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "time_step_s": 0})", "/excitation/time_step_s",
                       "positive", "0.005"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "phase_rad": 0})", "/excitation/phase_rad",
-                      "a record begins where it begins", "shift"},
+                      "a ground motion has no phase", "shift"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "amplitude": 2})", "/excitation/amplitude", "scale",
                       "\"scale\""},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "sha256": "00"})", "/excitation/sha256", "digest",
-                      "leave"},
+                      "omit"},
         BadExcitation{R"({"kind": "recorded", "file": "r.txt", "frequency_ratio": 1e6})", "/horizon/sampled_periods",
                       "until the block rests", "lower"},
         BadExcitation{R"({"kind": "recoded", "file": "r.txt"})", "/excitation/kind", "one of", "recorded"}));

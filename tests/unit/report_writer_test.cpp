@@ -222,11 +222,12 @@ TEST(SamplerCheck, WritesWhatWasFound) {
 // skewness within 0.01, standard error sqrt(6 198/(201 203)) = 0.1706: erf(0.01/0.1706/sqrt 2) = 0.047
 TEST(SamplerCheck, SaysInPlainWordsWhatIsRemarkable) {
   const std::string text = report::check_normal_summary(example_check());
-  EXPECT_THAT(text, ::testing::HasSubstr("skewness within 0.01: expected in 5 % of samples of this size; within "));
+  EXPECT_THAT(text,
+              ::testing::HasSubstr("skewness within 0.01: expected in 5 % of normal samples of this size; within "));
   EXPECT_THAT(text, ::testing::ContainsRegex("mean +0\\.4 .* not remarkable\n"));
-  EXPECT_THAT(text, ::testing::ContainsRegex("lag 1 .* not this law\n"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("lag 1 .* not this distribution\n"));
   EXPECT_THAT(text, ::testing::ContainsRegex(
-                        "D'Agostino-Pearson .* 1 sample in [0-9.e+]+\n|D'Agostino-Pearson .* not this law\n"));
+                        "D'Agostino-Pearson .* 1 sample in [0-9.e+]+\n|D'Agostino-Pearson .* not this distribution\n"));
   EXPECT_THAT(text, ::testing::HasSubstr("smallest of 18 p-values: "));
 }
 

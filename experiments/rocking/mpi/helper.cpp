@@ -49,8 +49,8 @@ std::vector<PairOutcome> outcomes_of(const Session& session, const experiment::E
 
 void expect_same_code(const experiment::Identity& identity) {
   if (identity.code == code_identity()) return;
-  throw InTheWay(fmt::format("here `rocking` is {}, the first process is {}; let all be one build", code_identity(),
-                             identity.code));
+  throw InTheWay(fmt::format("this process runs `rocking` {}, the first process runs {}; use the same build for all",
+                             code_identity(), identity.code));
 }
 
 // Until the job ends; returns with what order.

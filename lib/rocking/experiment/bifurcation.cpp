@@ -103,14 +103,15 @@ class DiagramWorkers {
 
 void check_diagrams(const Experiment& experiment) {
   if (experiment.sweep_sizes.empty()) {
-    throw base::InputError({"/sweep", "", "is missing: a diagram needs a parameter to be swept",
+    throw base::InputError({"/sweep", "", "is missing: a diagram needs a swept parameter",
                             "add one, as [{\"parameter\": \"/excitation/amplitude\", \"from\": 3, \"to\": 5, "
                             "\"step\": 0.1}]"});
   }
   for (const Condition& condition : experiment.conditions) {
     if (!diagram_value(condition)) {
       throw base::InputError({"/sweep/0", condition.parameters.front().value,
-                              "is no number: a diagram is drawn against one", "sweep a number first"});
+                              "is not a number: the first swept parameter must take numbers",
+                              "make a parameter with numerical values the first entry"});
     }
     if (!is_periodic(condition.scene.excitation)) {
       throw base::InputError({"/excitation/kind", '"' + std::string(name_of(condition.scene.excitation)) + '"',

@@ -55,13 +55,13 @@ class ConditionChecker {
   }
 
   void not_negative(const char* place, double value) {
-    if (!(value >= 0.0) || !std::isfinite(value)) reject(place, value, "is not a number from 0 on", "give one");
+    if (!(value >= 0.0) || !std::isfinite(value)) reject(place, value, "is not a number of at least 0", "give one");
   }
 
   /// `derived`: what is worked out of it.
   void positive(const char* place, double value, double derived) {
     if (value > 0.0 && std::isnormal(value) && std::isnormal(derived)) return;
-    reject(place, value, "is not a positive number of a size to compute with", "give one nearer to 1");
+    reject(place, value, "is not a positive number within the range of the computation", "give one nearer to 1");
   }
 
   void check_block() {

@@ -106,7 +106,7 @@ std::optional<ExperimentResult> result_of(const Experiment& experiment, const St
     stop.check();
     if (key.condition >= reductions.size()) {
       throw sqlite::UnusableFile("the store has a row of condition " + std::to_string(key.condition) +
-                                 ", of which its experiment knows nothing");
+                                 ", which is not in its experiment");
     }
     Reduction& reduction = reductions[key.condition];
     if (key.realisation == reduction.realisations()) reduction.add(summary);  // else one before it is missing

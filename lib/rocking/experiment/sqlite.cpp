@@ -40,7 +40,7 @@ bool is_fault_of_file(int code) {
 [[noreturn]] void fail(const std::string& path, int code, const char* message) {
   if (is_fault_of_file(code)) throw UnusableFile(path + ": is damaged: " + message);
   if (code == SQLITE_READONLY_ROLLBACK || code == SQLITE_READONLY_RECOVERY) {
-    throw UnusableFile(path + ": a journal lies beside it, as after a kill; `rocking resume` takes it into account");
+    throw UnusableFile(path + ": a journal is beside it, as after a kill; `rocking resume` includes it");
   }
   throw std::system_error(errno_of(code), std::generic_category(), path + ": " + message);
 }
@@ -69,7 +69,7 @@ void expect_regular_file(const std::filesystem::path& path) {
   std::error_code ignored;
   const auto status = std::filesystem::status(path, ignored);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw UnusableFile(path.string() + ": is no regular file");
+    throw UnusableFile(path.string() + ": is not a regular file");
   }
 }
 

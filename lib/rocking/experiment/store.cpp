@@ -149,7 +149,7 @@ Row Store::sound_row(const Statement& statement) const {
   if (auto row = rows_.read(statement)) return std::move(*row);
   const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
                            static_cast<std::uint64_t>(statement.integer(1))};
-  throw sqlite::UnusableFile(database_.path() + ": the row of " + spoken(key) + " is not what was written");
+  throw sqlite::UnusableFile(database_.path() + ": the row of " + spoken(key) + " differs from what was written");
 }
 
 std::optional<Summary> Store::find(const RealisationKey& key) const {

@@ -55,8 +55,8 @@ std::uint64_t results_of_layout_1(const std::string& code) { return code == "0.1
 
 [[noreturn]] void fail(const Database& database) {
   throw sqlite::UnusableFile(database.path() +
-                             ": is damaged: it does not say soundly to what experiment it belongs, so nothing in it "
-                             "can be used; run the experiment anew, with --overwrite");
+                             ": is damaged: the experiment to which it belongs cannot be read, so nothing in it "
+                             "can be used; run the experiment again, with --overwrite");
 }
 
 // Absent for the whole. Numbers that no shard has are damage, whatever the checksum says.
@@ -122,8 +122,8 @@ Identity read_identity(const Database& database, std::int64_t layout) {
                      written.experiment_sha256 == base::to_hex(base::sha256(written.identity.experiment));
   if (!sound) fail(database);
   if (written.draws != random::draws_format) {
-    throw sqlite::UnusableFile(database.path() + ": its draws are " + written.draws + ", those of this program are " +
-                               std::string(random::draws_format));
+    throw sqlite::UnusableFile(database.path() + ": its random numbers have format " + written.draws +
+                               ", those of this program are " + std::string(random::draws_format));
   }
   return std::move(written.identity);
 }

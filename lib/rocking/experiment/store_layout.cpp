@@ -26,7 +26,7 @@ void expect_two_tables(const Database& database) {
       "WHERE NOT (type = 'table' AND rootpage > 0 AND name IN ('identity', 'realisations'))");
   if (foreign.step()) {
     throw UnusableFile(database.path() + ": is damaged, or was changed by another program: it holds the " +
-                       foreign.text(0) + " \"" + foreign.text(1) + "\", which belongs to no store; remove that");
+                       foreign.text(0) + " \"" + foreign.text(1) + "\", which is not part of a store; remove it");
   }
   if (number_in(database, "SELECT count(*) FROM sqlite_master") != 2) {
     throw UnusableFile(database.path() + ": is damaged: it lacks a table of a store of realisations");
@@ -38,7 +38,7 @@ void expect_two_tables(const Database& database) {
   Statement writer = database.prepare("SELECT code FROM identity");
   const std::string code = writer.step() ? writer.text(0) : "unknown";
   throw UnusableFile(database.path() + ": was written by rocking " + code + " in layout " + std::to_string(layout) +
-                     ", this program knows layouts up to " + std::to_string(current_layout) +
+                     ", but this program reads layouts up to " + std::to_string(current_layout) +
                      "; use the program that wrote it, or a later one");
 }
 
@@ -57,7 +57,7 @@ std::int64_t layout_of(const Database& database) {
   }
   const std::int64_t number = number_in(database, "PRAGMA user_version");
   if (number > current_layout) refuse(database, number);
-  if (number < 0 || number == 1) throw UnusableFile(database.path() + ": is damaged: no store has its layout number");
+  if (number < 0 || number == 1) throw UnusableFile(database.path() + ": is damaged: its layout number is invalid");
   expect_two_tables(database);
   return number == 0 ? 1 : number;
 }

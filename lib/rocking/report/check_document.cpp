@@ -71,7 +71,8 @@ void refuse_huge_numbers(const Json& value, const std::string& place, Problems& 
       if (part.is_structured()) {
         refuse_huge_numbers(part, child_pointer(place, key), problems);
       } else if (part.is_number_float() && !(std::abs(part.get<double>()) <= largest_number)) {
-        problems.push_back({child_pointer(place, key), brief(part), "is beyond 1e18, which no file of ours holds", ""});
+        problems.push_back({child_pointer(place, key), brief(part),
+                            "exceeds 1e18 in absolute value, which does not occur in files of rocking", ""});
       }
     }
   }
@@ -94,12 +95,12 @@ void check_document(const Json& document, std::string_view schema_name, const st
       if (found.size() == most_errors) break;
       const ValueAt at = value_at(document, place, error.context);
       found.push_back({at.pointer.empty() ? "/" : at.pointer, brief(*at.value),
-                       "does not fit the schema: " + without_full_stop(error.description),
+                       "does not conform to the schema: " + without_full_stop(error.description),
                        "see `rocking schema " + std::string(schema_name) + "`"});
     }
   }
   keep_innermost(found);
-  if (!valid && found.empty()) found.push_back({place, "", "does not fit the schema", ""});
+  if (!valid && found.empty()) found.push_back({place, "", "does not conform to the schema", ""});
   refuse_huge_numbers(document, place, found);
   if (found.size() > most_schema_problems) found.resize(most_schema_problems);
   problems.insert(problems.end(), found.begin(), found.end());

@@ -13,7 +13,7 @@ namespace {
 // What a p-value says, in plain words. Of nineteen p-values one below 0.01 is no news: every sixth true sample has one.
 std::string verdict(double p_value) {
   if (p_value >= 0.01) return "not remarkable";
-  if (p_value < 1e-6) return "not this law";
+  if (p_value < 1e-6) return "not this distribution";
   return "1 sample in " + significant(1.0 / p_value, 2);
 }
 
@@ -39,18 +39,18 @@ TextRow tail_row(const stats::TailCount& tail) {
 std::string nearness_line(const std::string& name, const stats::ShapeTest& shape) {
   const auto per_cent = [](const stats::Nearness& near) { return fixed_point(100.0 * near.probability, 0) + " %"; };
   return name + " within " + significant(shape.near.distance, 3) + ": expected in " + per_cent(shape.near) +
-         " of samples of this size; within " + significant(shape.observed.distance, 3) + ", as here: in " +
+         " of normal samples of this size; within " + significant(shape.observed.distance, 3) + ", as found here: in " +
          per_cent(shape.observed) + '\n';
 }
 
 // The table of lib/docs/methods.md, section 4: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means 0.0011.
 std::string jarque_bera_line(const stats::NormalCheck& check) {
   if (check.n >= 10'000) return "";
-  return "Jarque-Bera's p-value is that of large samples: below 10000 numbers read D'Agostino-Pearson's\n";
+  return "The Jarque-Bera p-value is valid for large samples only: below 10000 numbers use D'Agostino-Pearson\n";
 }
 
 std::string moments_table(const stats::NormalCheck& check) {
-  std::vector<TextRow> rows{{"moment", "value", "standard error", "z", "p-value", "verdict"},
+  std::vector<TextRow> rows{{"moment", "value", "standard error", "z", "p-value", "result"},
                             moment_row("mean", check.mean),
                             moment_row("standard deviation", check.standard_deviation),
                             moment_row("skewness (0)", check.skewness.test),
@@ -60,7 +60,7 @@ std::string moments_table(const stats::NormalCheck& check) {
 }
 
 std::string correlations_table(const stats::NormalCheck& check) {
-  std::vector<TextRow> rows{{"correlation", "value", "standard error", "z", "p-value", "verdict"}};
+  std::vector<TextRow> rows{{"correlation", "value", "standard error", "z", "p-value", "result"}};
   for (const stats::CorrelationTest& correlation : check.correlations) {
     std::string name = correlation.between;
     std::replace(name.begin(), name.end(), '_', ' ');
@@ -75,7 +75,7 @@ std::string smallest_line(const stats::NormalCheck& check) {
   const double smallest = *std::min_element(p_values.begin(), p_values.end());
   const double probability = -std::expm1(static_cast<double>(p_values.size()) * std::log1p(-smallest));
   return "smallest of " + std::to_string(p_values.size()) + " p-values: " + significant(smallest, 3) + "; about " +
-         significant(100.0 * probability, 2) + " % of true samples have one as small\n";
+         significant(100.0 * probability, 2) + " % of normal samples have one as small\n";
 }
 
 std::string bars(const stats::Histogram& histogram) {
@@ -110,13 +110,13 @@ std::string check_normal_summary(const SamplerCheck& check) {
                      significant(found.law.sigma, 6) + "^2), sampler " + check.sampler + ", seed " +
                      seed_text(check.seed) + "\n\n";
   text += moments_table(found) + '\n' + correlations_table(found) + '\n';
-  text += aligned({{"test of fit", "statistic", "p-value", "verdict"},
+  text += aligned({{"test of fit", "statistic", "p-value", "result"},
                    test_row("Jarque-Bera", found.jarque_bera),
                    test_row("D'Agostino-Pearson", found.dagostino_pearson),
                    test_row("Anderson-Darling", found.anderson_darling),
                    test_row("Kolmogorov-Smirnov", found.kolmogorov_smirnov)});
   text += jarque_bera_line(found);
-  text += '\n' + aligned({{"tails", "count", "expected", "p-value", "verdict"},
+  text += '\n' + aligned({{"tails", "count", "expected", "p-value", "result"},
                           tail_row(found.tails[0]),
                           tail_row(found.tails[1]),
                           tail_row(found.tails[2])});

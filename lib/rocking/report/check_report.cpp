@@ -37,7 +37,7 @@ class ReportChecker {
       check_condition(conditions[i]);
     }
     if (report_["internal"]["conditions"].size() != conditions.size()) {
-      reject("/internal/conditions", "", "are not as many as /result/conditions");
+      reject("/internal/conditions", "", "differ in number from /result/conditions");
     }
     return std::move(problems_);
   }
@@ -123,7 +123,7 @@ class ReportChecker {
     check_document(document, "experiment", "", found);
     if (found.empty()) return;
     reject(std::string(experiment_place) + "/sweep/" + std::to_string(entry), brief(value),
-           "cannot stand at " + pointer + ": " + found.front().reason);
+           "is not allowed at " + pointer + ": " + found.front().reason);
   }
 
   void check_parameters(const Json& parameters, const std::vector<SweepAxis>& axes,
@@ -149,7 +149,8 @@ class ReportChecker {
     const auto n = whole(condition["realisations"], "/realisations");
     if (!n) return;
     if (*n > static_cast<std::uint64_t>(rules::realisations.high)) {
-      reject_here("/realisations", condition["realisations"], "is more than an experiment may ask for");
+      reject_here("/realisations", condition["realisations"],
+                  "is greater than the largest number that an experiment may have");
       return;
     }
     check_modes(condition, *n);
@@ -216,7 +217,7 @@ class ReportChecker {
       if (!cases.is_number_integer()) continue;
       const auto count = at_most(cases, n, "/validity/" + key);
       if (count && *count > 0 && !first.contains(key)) {
-        reject_here("/validity/first_realisations/" + key, Json(), "is missing, though there are such realisations");
+        reject_here("/validity/first_realisations/" + key, Json(), "is missing, although there are such realisations");
       }
     }
     for (const auto& [reason, cases] : validity["unresolved"].items()) {
@@ -252,7 +253,7 @@ class ReportChecker {
   std::optional<std::uint64_t> at_most(const Json& value, std::uint64_t most, const std::string& place) {
     const auto number = whole(value, place);
     if (!number || *number <= most) return number;
-    reject_here(place, value, "is more than there are, " + std::to_string(most));
+    reject_here(place, value, "is greater than their number, " + std::to_string(most));
     return std::nullopt;
   }
 

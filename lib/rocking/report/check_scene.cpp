@@ -51,7 +51,7 @@ class SceneChecker {
     const auto [at_rest, sliding] = *scene_.friction;
     if (at_rest >= sliding) return;
     reject("/friction/static",
-           "is below the kinetic coefficient, " + shown(sliding) + ", so that sliding has no consistent onset",
+           "is below the kinetic coefficient, " + shown(sliding) + ", so that the onset of sliding is not consistent",
            "give at least " + shown(sliding) + ", or lower \"kinetic\"");
   }
 
@@ -59,7 +59,7 @@ class SceneChecker {
     if (!scene_.friction) return;
     const double limit = painleve_friction(dynamics::geometry_of(scene_.block), scene_.slide_inertia);
     if (scene_.friction->kinetic_coefficient < limit) return;
-    reject("/friction/kinetic", "is so large that the equations of sliding lose their meaning (Painleve's paradox)",
+    reject("/friction/kinetic", "is so large that the equations of sliding have no valid solution (Painleve's paradox)",
            "give less than " + shown(limit) + " for this block and formulation");
   }
 
@@ -75,15 +75,15 @@ class SceneChecker {
     }
     if (largest < overturned) return;
     reject("/initial/tilt",
-           "reaches a block that lies on its side: abs(tilt) must stay below pi/2/psi = " + shown(overturned),
+           "reaches the tilt of an overturned block: abs(tilt) must be below pi/2/psi = " + shown(overturned),
            "give a smaller tilt, in units of the shape angle");
   }
 
   void check_slip_rate() {
     const auto* number = std::get_if<double>(&scene_.initial.slip_rate);
     if (scene_.friction || (number != nullptr && *number == 0.0)) return;
-    reject("/initial/slip_rate", "nothing can slide, for the file names no friction",
-           "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}, or take the slip rate out");
+    reject("/initial/slip_rate", "the block cannot slide, because the file has no friction",
+           "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}, or remove the slip rate");
   }
 
   const experiment::Scene& scene_;

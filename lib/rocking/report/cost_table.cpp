@@ -55,7 +55,7 @@ std::string spoken_time(double seconds) {
 
 std::string realisations_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
-  if (cost.planned.empty()) return "nothing is drawn at random: one realisation of each condition says all\n";
+  if (cost.planned.empty()) return "nothing is random: one realisation of each condition is sufficient\n";
   const double time = time_of(cost, cost.own);
   const auto run_time = [&](std::uint64_t periods) { return spoken_time(static_cast<double>(periods) * time); };
   const std::uint64_t asked_for = measured.experiment->conditions.front().realisations;
@@ -71,8 +71,9 @@ std::string realisations_table(const MeasuredCost& measured) {
             "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
   }
   return text +
-         "half-widths in per cent, of each condition's widest simultaneous interval, if modes keep their shares; "
-         "time of one\nprocessor at the experiment's tolerance, without repeats and checks\n";
+         "half-widths in per cent, of each condition's widest simultaneous interval, if the shares of the modes stay "
+         "the same; "
+         "time of one\nprocessor at the experiment's tolerance, without reruns and label checks\n";
 }
 
 std::string part_of_half_width(const Cost& cost) {
@@ -86,7 +87,7 @@ std::string part_of_half_width(const Cost& cost) {
 std::string changes(const Cost& cost, const Departure& departure) {
   const Departure& floor = *cost.curve[cost.curve.size() - 2].departure;
   std::string text = std::to_string(departure.flips.successes) + " of " + std::to_string(departure.flips.trials) +
-                     " response modes change by it";
+                     " response modes change";
   if (departure.beside_floor) {
     text +=
         " (" + std::to_string(floor.flips.successes) + " at " + tolerance_name(cost.curve[cost.curve.size() - 2]) + ')';
@@ -95,18 +96,19 @@ std::string changes(const Cost& cost, const Departure& departure) {
 }
 
 std::string speed_words(const Cost& cost, std::size_t place) {
-  if (place == cost.own) return "It is the experiment's own.";
+  if (place == cost.own) return "It is the tolerance of the experiment.";
   const double speed = speed_of(cost, place);
-  const std::string own = tolerance_name(cost.curve[cost.own]) + ", the experiment's own";
+  const std::string own = tolerance_name(cost.curve[cost.own]) + ", the tolerance of the experiment";
   if (speed >= 1.005) return "It is " + fixed_point(speed, 2) + " times faster than " + own + '.';
   return "It takes " + fixed_point(1.0 / speed, 2) + " times as long as " + own + '.';
 }
 
 std::string unrecommended(const Cost& cost) {
   if (cost.yardstick.is_everything) {
-    return "No tolerance can be recommended: at every one, response modes change that the next tighter keeps.";
+    return "No tolerance can be recommended: at each of them response modes change that do not change at the next "
+           "tighter one.";
   }
-  return "No tolerance can be recommended: " + std::to_string(cost.sample) + " realisations are too few to tell.";
+  return "No tolerance can be recommended: " + std::to_string(cost.sample) + " realisations are too few to decide.";
 }
 
 /// What it takes to show what is not shown.
@@ -114,17 +116,18 @@ std::string advice(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   const experiment::Recommendation& found = cost.recommendation;
   if (found.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
-  if (!cost.yardstick.half_width) return " Give more --time, so that every condition is measured.";
+  if (!cost.yardstick.half_width) return " Increase --time, so that every condition is measured.";
   const std::string bearable = per_cent(found.bearable, 2) + " %";
-  if (!found.sample_needed) return " While so many change, no sample shows that it is less than " + bearable + '.';
+  if (!found.sample_needed)
+    return " With this share of changes, no sample can show that it is less than " + bearable + '.';
   const double seconds = measured.system.duration_s * ratio(*found.sample_needed, cost.sample);
-  return " To show that no more than " + bearable + " change takes " + std::to_string(*found.sample_needed) +
-         " realisations, if as large a share does: some " + spoken_time(seconds) + " at this rate.";
+  return " To show that at most " + bearable + " change requires " + std::to_string(*found.sample_needed) +
+         " realisations, if the share stays the same: about " + spoken_time(seconds) + " at this rate.";
 }
 
 std::string blame_words(const Cost& cost) {
-  if (cost.yardstick.is_everything) return ", of all that there are. ";
-  return "; it is to blame for at most " + per_cent(cost.recommendation.at_most, 2) + " %, " +
+  if (cost.yardstick.is_everything) return ", of all realisations. ";
+  return "; the tolerance causes a change of at most " + per_cent(cost.recommendation.at_most, 2) + " %, " +
          part_of_half_width(cost) + ". ";
 }
 
@@ -132,7 +135,7 @@ std::string coarser_words(const Cost& cost) {
   const experiment::Recommendation& found = cost.recommendation;
   if (found.coarsest == found.place) return "";
   return " Coarser ones, up to " + tolerance_name(cost.curve[*found.coarsest]) +
-         ", do as well, but save less than a tenth of the steps.";
+         ", are sufficient too, but save less than a tenth of the steps.";
 }
 
 }  // namespace
@@ -143,8 +146,8 @@ std::string cost_recommendation(const MeasuredCost& measured) {
   if (!found.place) return unrecommended(cost) + advice(measured);
   const ToleranceCost& chosen = cost.curve[*found.place];
   const Departure& departure = *chosen.departure;
-  std::string text =
-      found.assurance == Assurance::shown ? "Recommended: tolerance " : "Not told apart from the tightest: tolerance ";
+  std::string text = found.assurance == Assurance::shown ? "Recommended: tolerance "
+                                                         : "Not distinguishable from the tightest: tolerance ";
   text += tolerance_name(chosen) + ". " + changes(cost, departure) + blame_words(cost);
   if (departure.median_error) {
     text += "Error in the first " + std::to_string(experiment::cost_error_periods) +
@@ -155,21 +158,23 @@ std::string cost_recommendation(const MeasuredCost& measured) {
 
 std::string cost_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
-  std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "parted", "changed", "interval",
+  std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "diverged", "changed", "interval",
                              "beyond " + tolerance_name(cost.curve[cost.curve.size() - 2]), "steps", "us", "speed"}};
   for (std::size_t i = 0; i < cost.curve.size(); ++i) rows.push_back(row_of(cost, i));
   const double confidence = measured.experiment->conditions.front().confidence;
   return aligned(rows) + '\n' + std::to_string(cost.sample) + " realisations of " +
          std::to_string(cost.sampled_conditions) +
-         " conditions with the draws of the reference, the last line. Error: of the first " +
+         " conditions with the same random numbers as the reference, which is the last line. Error: of the first " +
          std::to_string(experiment::cost_error_periods) +
-         " periods;\nparted: motions that did before the horizon, per cent; changed: response modes, with the exact " +
+         " periods;\ndiverged: motions that diverged before the horizon, per cent; changed: response modes, with the "
+         "exact " +
          level_text(confidence) +
-         " % interval of their\nshare, and of how much larger it is than at the second tightest, per cent; steps and "
+         " % interval of their\nshare, and of its excess over that at the second tightest tolerance, per cent; steps "
+         "and "
          "processor "
-         "time a period, with\n" +
+         "time per period, with\n" +
          std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
-         " periods on each thread; speed as a multiple of that at the experiment's own tolerance (*)\n\n" +
+         " periods on each thread; speed relative to that at the tolerance of the experiment (*)\n\n" +
          realisations_table(measured) + '\n' + cost_recommendation(measured) + '\n';
 }
 

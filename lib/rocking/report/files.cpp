@@ -38,7 +38,7 @@ constexpr std::string_view temporary_name = ".rocking-";
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& folder) : descriptor_(make_in(folder)) {
-    if (descriptor_.number() < 0) fail(folder, "cannot make a file here");
+    if (descriptor_.number() < 0) fail(folder, "cannot create a file here");
     static_cast<void>(::flock(descriptor_.number(), LOCK_EX | LOCK_NB));
   }
   TemporaryFile(const TemporaryFile&) = delete;
@@ -88,8 +88,9 @@ void expect_regular_file(const std::filesystem::path& path) {
   const auto status = std::filesystem::status(path, unknown);
   if (unknown || status.type() == std::filesystem::file_type::not_found || is_regular_file(status)) return;
   const bool is_folder = is_directory(status);
-  throw std::system_error(std::make_error_code(is_folder ? std::errc::is_a_directory : std::errc::not_supported),
-                          path.string() + (is_folder ? ": is no file" : ": is a pipe or a device; give a regular file"));
+  throw std::system_error(
+      std::make_error_code(is_folder ? std::errc::is_a_directory : std::errc::not_supported),
+      path.string() + (is_folder ? ": is not a file" : ": is a pipe or a device; give a regular file"));
 }
 
 std::string read_file(const std::filesystem::path& path, std::size_t most) {
@@ -129,7 +130,7 @@ void write_atomically(const std::filesystem::path& path, const std::function<voi
 void ensure_writable(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
-  if (error) throw std::system_error(error, folder.string() + ": cannot make this folder");
+  if (error) throw std::system_error(error, folder.string() + ": cannot create this folder");
   if (!std::filesystem::is_directory(folder)) {
     throw std::system_error(std::make_error_code(std::errc::not_a_directory), folder.string() + ": is not a folder");
   }

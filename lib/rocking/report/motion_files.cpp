@@ -28,15 +28,16 @@ MotionFiles::Reading MotionFiles::read(const RecordReading& how) {
   Reading reading;
   const std::string& text = file(how.name).text;
   if (text.size() > most_record_bytes) {
-    reading.problems.push_back({how.name, "", "is longer than 64 MB", "give a shorter record, or a coarser one"});
+    reading.problems.push_back({how.name, "", "is longer than 64 MB", "give a shorter or coarser ground motion"});
     return reading;
   }
   auto motion = read_record(text, how, reading.problems);
   if (!motion) return reading;
   samples_ += motion->samples.size();
   if (samples_ > most_samples_held) {
-    reading.problems.push_back({how.name, "", "is needed in so many forms that they hold more than 20 million samples",
-                                "sweep fewer values of gravity, time step or file at once"});
+    reading.problems.push_back({how.name, "",
+                                "is needed with so many settings that these have more than 20 million samples together",
+                                "sweep fewer values of gravity, time step or file in one experiment"});
     return reading;
   }
   reading.motion = std::make_shared<const experiment::GroundMotion>(std::move(*motion));

@@ -29,7 +29,7 @@ std::string listed(const Texts& texts) {
 
 std::string correction(const std::string& written, std::span<const std::string> known) {
   if (const auto nearest = nearest_word(written, known)) return "did you mean \"" + *nearest + "\"?";
-  return known.empty() ? "take it out" : "known here: " + listed(known);
+  return known.empty() ? "remove it" : "known keys: " + listed(known);
 }
 
 // A whole number, also where it is spelled 2e3 or 500.0.
@@ -174,9 +174,10 @@ Json ObjectReader::finish() {
     problems_->push_back({place_of(key), brief(found), "is not a key of this format", correction(key, known_)});
   }
   if (unknown > most_unknown_keys) {
-    problems_->push_back({place_.empty() ? "the file" : place_, "",
-                          "holds " + std::to_string(unknown - most_unknown_keys) + " more keys that are not of this format",
-                          "see `rocking schema`"});
+    problems_->push_back(
+        {place_.empty() ? "the file" : place_, "",
+         "contains " + std::to_string(unknown - most_unknown_keys) + " more keys that are not of this format",
+         "see `rocking schema`"});
   }
   return std::move(canonical_);
 }

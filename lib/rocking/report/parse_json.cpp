@@ -69,7 +69,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     frame.is_repeated = !frame.keys.insert(name).second;
     if (frame.is_repeated && repeated_++ < most_repeated) {
       problems_.push_back(
-          {.place = pointer(), .value = "", .reason = "this key stands twice", .remedy = "keep one of them"});
+          {.place = pointer(), .value = "", .reason = "this key occurs twice", .remedy = "keep one of them"});
     }
     return true;
   }
@@ -81,10 +81,10 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     const std::string key = pointer();
     if ((is_no_number || error.id == 406) && !key.empty()) problem.place = key + " (" + problem.place + ")";
     if (is_no_number) {
-      problem.reason = "not a number that JSON knows";
-      problem.remedy = "give a finite number, or leave the key out";
+      problem.reason = "not a number that JSON allows";
+      problem.remedy = "give a finite number, or omit the key";
     } else if (error.id == 406) {
-      problem.reason = "beyond the largest double, 1.8e308";
+      problem.reason = "exceeds the largest double, 1.8e308, in absolute value";
       problem.remedy = "give a finite number";
     } else {
       problem.reason = "not JSON: " + explanation_in(error.what());
@@ -136,7 +136,7 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
     if (open_.size() >= deepest) {
       throw base::InputError({.place = pointer(),
                               .value = "",
-                              .reason = "nested deeper than any of our formats",
+                              .reason = "nested more deeply than any format of rocking",
                               .remedy = "see `rocking schema experiment`"});
     }
     open_.push_back({attach(std::move(container)), {}});
@@ -175,7 +175,7 @@ Json parse_json(std::string_view text, std::vector<base::Problem>& problems) {
     throw base::InputError({.place = place_of(text, position + 1),
                             .value = "",
                             .reason = "a NUL byte, which JSON does not allow",
-                            .remedy = "take it out; the file may be damaged, or not be text in UTF-8"});
+                            .remedy = "remove it; the file may be damaged, or not be text in UTF-8"});
   }
   DocumentBuilder builder(text, problems);
   Json::sax_parse(text.begin(), text.end(), &builder);

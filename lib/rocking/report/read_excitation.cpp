@@ -25,13 +25,14 @@ experiment::Harmonic read_harmonic(ObjectReader& keys) {
 std::string read_file_name(ObjectReader& keys) {
   const Json* found = keys.value("file");
   if (found == nullptr) {
-    keys.reject("file", "is missing", "add \"file\": \"record.txt\", its place seen from the experiment file's folder");
+    keys.reject("file", "is missing",
+                "add \"file\": \"record.txt\", its path relative to the folder of the experiment file");
     return {};
   }
   const std::string name = keys.text("file", "");
   if (!found->is_string()) return {};
   if (!name.empty() && name.find('\0') == std::string::npos) return name;
-  keys.reject("file", "is no name of a file", "give its place seen from the experiment file's folder");
+  keys.reject("file", "is not the name of a file", "give its path relative to the folder of the experiment file");
   return {};
 }
 
@@ -43,7 +44,7 @@ void check_digest(ObjectReader& keys, const std::string& digest) {
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (written == digest) return;
   keys.reject("sha256", "is not the digest of the file, which is " + digest,
-              "put back the file that is meant, or leave \"sha256\" out to take the one that is there");
+              "restore the intended file, or omit \"sha256\" to accept the present one");
 }
 
 /// Omega at which a strobe period is one second, 2 pi/p, as far as the bounds of the ratio allow.
@@ -56,12 +57,12 @@ void refuse(ObjectReader& keys, std::string_view key, std::string reason, std::s
   if (keys.has(key)) keys.reject(key, std::move(reason), std::move(remedy));
 }
 
-/// Its ground motion is null where anything is wrong with it, which is a problem told.
+/// Its ground motion is null where anything is wrong with it; the problems are reported.
 experiment::Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading) {
   experiment::Recorded excitation;
-  refuse(keys, "amplitude", "is for harmonic shaking; a record has a scale", "write \"scale\" in its place");
-  refuse(keys, "phase_rad", "is for harmonic shaking; a record begins where it begins",
-         "shift the times of the record");
+  refuse(keys, "amplitude", "is for harmonic excitation; a ground motion has a scale", "write \"scale\" instead");
+  refuse(keys, "phase_rad", "is for harmonic excitation; a ground motion has no phase",
+         "shift the times of the ground motion");
   const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
   RecordReading how{.name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
   if (!how.name.empty()) {

@@ -85,7 +85,7 @@ class ExperimentBuilder {
     for (const SweepAxis& axis : axes_) {
       if (axis.pointer != "/realisations") continue;
       problems.push_back({"--realisations", *overrides.realisations, "the sweep of the file sets the realisations",
-                          "leave the flag out"});
+                          "omit the flag"});
     }
   }
 
@@ -195,7 +195,7 @@ experiment::Experiment read_experiment_file(const std::filesystem::path& path, c
     throw base::InputError({.place = path.string(),
                             .value = "",
                             .reason = "is longer than 64 MB",
-                            .remedy = "give a range in place of a list of values"});
+                            .remedy = "give a range instead of a list of values"});
   }
   try {
     return read_experiment(text, overrides, {.files = files_seen_from(path.parent_path())});

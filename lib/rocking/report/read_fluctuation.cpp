@@ -41,8 +41,8 @@ class FluctuationReader {
     }
     if (in_.has("amplitude")) {
       if (!is_periodic(scene_.excitation)) {
-        in_.reject("amplitude", "is redrawn at each period of the excitation, and a record has none",
-                   "sweep \"/excitation/scale\" to see what other sizes of the motion do");
+        in_.reject("amplitude", "is redrawn at each period of the excitation, and a ground motion has no periods",
+                   "sweep \"/excitation/scale\" to vary the size of the motion");
       }
       in_.object("amplitude", [this](ObjectReader& keys) {
         scene_.fluctuation.amplitude = read_scatter(keys).about(size_of(scene_.excitation));
@@ -69,10 +69,11 @@ class FluctuationReader {
 
   void check_may_stand(std::string_view key) {
     if (!scene_.friction) {
-      in_.reject(key, "there is no friction to fluctuate", "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}");
+      in_.reject(key, "the file has no friction that could fluctuate",
+                 "add \"friction\": {\"static\": 0.35, \"kinetic\": 0.30}");
     }
     if (key != "friction" && in_.has("friction")) {
-      in_.reject(key, "excludes \"friction\", which sets static and kinetic alike", "keep one of them");
+      in_.reject(key, "excludes \"friction\", which sets both static and kinetic friction", "keep one of them");
     }
   }
 

@@ -23,7 +23,8 @@ Uniform read_uniform(ObjectReader& law, const NumberRule& rule) {
   const auto low = checked_number(ends[0], child_pointer(place, "0"), rule, law.problems());
   const auto high = checked_number(ends[1], child_pointer(place, "1"), rule, law.problems());
   if (!low || !high) return {};
-  if (!(*low < *high)) law.reject("uniform", "its first end must be below its second", "swap them, or write a number");
+  if (!(*low < *high))
+    law.reject("uniform", "its first end must be less than its second", "swap them, or write a number");
   law.write("uniform", Json::array({*low, *high}));
   return {*low, *high};
 }
@@ -51,7 +52,7 @@ Quantity read_quantity(ObjectReader& in, std::string_view key, const NumberRule&
     const bool uniform = law.has("uniform");
     const bool normal = law.has("normal");
     if (uniform == normal) {
-      in.reject(key, uniform ? "cannot follow two laws" : "names no law",
+      in.reject(key, uniform ? "cannot have two distributions" : "has no distribution",
                 "give {\"uniform\": [a, b]} or {\"normal\": {\"mean\": m, \"sigma\": s}}");
     } else if (uniform) {
       quantity = read_uniform(law, rule);

@@ -33,7 +33,8 @@ experiment::Horizon read_horizon(ObjectReader& in, const experiment::Scene& scen
     horizon.transient_periods =
         static_cast<int>(keys.derived_integer("transient_periods", rules::transient_periods, transient, spelling));
     if (sampled > rules::sampled_periods.high && !keys.has("sampled_periods")) {
-      keys.reject("sampled_periods", "would be " + std::to_string(sampled) + ", until the block rests after the record",
+      keys.reject("sampled_periods",
+                  "would be " + std::to_string(sampled) + ", until the block rests after the ground motion",
                   "lower \"frequency_ratio\", so that strobe periods are longer, or give at most 1000000");
       return;
     }
@@ -66,7 +67,7 @@ void read_label_check(ObjectReader& in, experiment::Condition& condition) {
         .times_longer = static_cast<std::uint64_t>(keys.integer("times_longer", rules::times_longer))};
   });
   if (condition.until) {
-    in.reject("check_labels", "has no sound correction where the data say when to stop",
+    in.reject("check_labels", "has no valid correction if the data determine the number of realisations",
               "give a number of realisations");
   }
   const std::int64_t longer =

@@ -115,11 +115,11 @@ class RecordReader {
     if (count == columns_) return true;
     const std::string found = std::to_string(count) + (count == 1 ? " column" : " columns");
     if (columns_ != 0) {
-      reject_line(line, "has " + found + ", where the lines before it have " + std::to_string(columns_),
+      reject_line(line, "has " + found + ", but the lines before it have " + std::to_string(columns_),
                   "give every line the same columns");
     } else if (how_.time_step) {
       reject_line(line, "has " + found,
-                  "give horizontal[, vertical] in m/s^2; for a column of times leave out "
+                  "give horizontal[, vertical] in m/s^2; for a column of times omit "
                   "\"time_step_s\"");
     } else {
       reject_line(line, "has " + found,
@@ -136,13 +136,13 @@ class RecordReader {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
     const bool all_read = end == digits.data() + digits.size();
     if (field.empty()) {
-      reject_line(field, "is an empty field", "give a number, or take the comma out");
+      reject_line(field, "is an empty field", "give a number, or remove the comma");
     } else if (error == std::errc::invalid_argument || !all_read) {
-      reject_line(field, "is no number", "write it as 0.25 or 2.5e-1, and put # before what is no data");
+      reject_line(field, "is not a number", "write it as 0.25 or 2.5e-1, and put # before text that is not data");
     } else if (error == std::errc::result_out_of_range) {
       reject_line(field, "is outside the range of doubles, 5e-324 to 1.8e308", "give a finite number, or 0");
     } else if (!std::isfinite(value)) {
-      reject_line(field, "is not finite", "give a number; leave the line out where nothing was recorded");
+      reject_line(field, "is not finite", "give a number; omit the line if nothing was recorded");
     } else {
       return value;
     }
@@ -151,15 +151,16 @@ class RecordReader {
 
   [[nodiscard]] bool is_time(double time) {
     if (how_.time_step && time > longest_record) {
-      reject_line(fields_[0], "comes later than 1e7 s", "check \"time_step_s\", or give a shorter record");
+      reject_line(fields_[0], "is later than 1e7 s", "check \"time_step_s\", or give a shorter ground motion");
       return false;
     }
     if (!(0.0 <= time && time <= longest_record)) {
-      reject_line(fields_[0], "is no time that a run can have, from 0 to 1e7 s", "let the record begin at 0 s");
+      reject_line(fields_[0], "is not a time from 0 to 1e7 s", "let the ground motion begin at 0 s");
       return false;
     }
     if (!motion_.samples.empty() && time < motion_.samples.back().time) {
-      reject_line(fields_[0], "is a time before that of the sample above, " + Json(motion_.samples.back().time).dump(),
+      reject_line(fields_[0],
+                  "is earlier than the time of the previous sample, " + Json(motion_.samples.back().time).dump(),
                   "put the samples in the order of their times");
       return false;
     }
@@ -168,20 +169,20 @@ class RecordReader {
 
   [[nodiscard]] bool is_acceleration(double value, std::string_view field) {
     if (std::abs(value) <= largest_acceleration) return true;
-    reject_line(field, "is beyond 1e6 m/s^2", "give accelerations in m/s^2");
+    reject_line(field, "exceeds 1e6 m/s^2 in absolute value", "give accelerations in m/s^2");
     return false;
   }
 
   void check_whole() {
     const auto& samples = motion_.samples;
     if (samples.empty()) {
-      reject_file("holds no sample", "give one line for each sample");
+      reject_file("contains no sample", "give one line for each sample");
     } else if (samples.size() == 1) {
-      reject_file("holds one sample only", "give at least two: the motion is linear between samples");
+      reject_file("contains only one sample", "give at least two: the motion is linear between samples");
     } else if (samples.size() > most_samples) {
-      reject_file("holds more than 1000000 samples", "give a shorter record, or a coarser one");
+      reject_file("contains more than 1000000 samples", "give a shorter or coarser ground motion");
     } else if (!(samples.back().time > samples.front().time)) {
-      reject_file("lasts no time", "give samples at different times");
+      reject_file("has a duration of zero", "give samples at different times");
     }
   }
 

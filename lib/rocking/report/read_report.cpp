@@ -21,7 +21,7 @@ std::string text_at(const Json& report, const char* pointer) {
   const Json::json_pointer place(pointer);
   if (report.contains(place) && report.at(place).is_string()) return report.at(place).get<std::string>();
   throw base::InputError(
-      {.place = pointer, .value = "", .reason = "is missing, or no text: this is no report", .remedy = ""});
+      {.place = pointer, .value = "", .reason = "is missing, or is not text: this is not a report", .remedy = ""});
 }
 
 void list_differences(const Json& claimed, const Json& right, std::vector<std::string>& list) {

@@ -28,13 +28,13 @@ inline constexpr NumberRule time_step{.allows = [](double x) { return 1e-9 <= x 
                                       .demand = "must be a positive number of seconds, from 1e-9 to 1e6",
                                       .example = "0.005"};
 inline constexpr NumberRule friction_coefficient{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
-                                                 .demand = "must not be negative (nor beyond 1e6)",
+                                                 .demand = "must not be negative or above 1e6",
                                                  .example = "0.35"};
 inline constexpr NumberRule restitution{.allows = [](double x) { return -1.0 < x && x <= 1.0; },
-                                        .demand = "must lie above -1 and not above 1, or be \"jy25\"",
+                                        .demand = "must be above -1 and at most 1, or be \"jy25\"",
                                         .example = "0.0"};
 inline constexpr NumberRule sigma{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
-                                  .demand = "must not be negative (nor beyond 1e6): a standard deviation",
+                                  .demand = "must not be negative or above 1e6: a standard deviation",
                                   .example = "0.03"};
 inline constexpr IntegerRule refreshes{.low = 1, .high = 100'000, .standard = 200};
 inline constexpr NumberRule phase{.allows = [](double x) { return -1e3 <= x && x <= 1e3; },
@@ -58,7 +58,7 @@ inline constexpr NumberRule half_width{.allows = [](double x) { return 1e-4 <= x
                                        .demand = "must be a number from 0.0001 to below 0.5: of every mode's interval",
                                        .example = "0.02"};
 inline constexpr NumberRule confidence{.allows = [](double x) { return 0.0 < x && x < 1.0; },
-                                       .demand = "must lie between 0 and 1, both left out",
+                                       .demand = "must be above 0 and below 1",
                                        .example = "0.95",
                                        .standard = 0.95};
 

@@ -50,7 +50,7 @@ class AxisReader {
     const bool listed = in_.has("values");
     const bool stepped = in_.has("from") || in_.has("to") || in_.has("step");
     if (listed && stepped) {
-      in_.reject("values", "excludes \"from\", \"to\" and \"step\"", "keep one of the two ways");
+      in_.reject("values", "excludes \"from\", \"to\" and \"step\"", "keep one of the two");
     } else if (listed) {
       axis.values = read_values();
     } else {
@@ -63,7 +63,8 @@ class AxisReader {
  private:
   std::string read_pointer() {
     if (!in_.has("parameter")) {
-      in_.reject("parameter", "is missing", "name what is swept, as \"parameter\": \"/excitation/amplitude\"");
+      in_.reject("parameter", "is missing",
+                 "give the swept parameter, for example \"parameter\": \"/excitation/amplitude\"");
       return {};
     }
     std::string pointer = in_.text("parameter", "");
@@ -71,12 +72,12 @@ class AxisReader {
     if (is_text && (pointer.empty() || !leads_somewhere(pointer))) {
       const auto known = pointers_into(base_);
       const auto nearest = nearest_word(pointer, known);
-      in_.reject("parameter", "leads to nothing that this file holds and a sweep may change",
+      in_.reject("parameter", "is not a value of this file that a sweep may change",
                  nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"");
     }
     if (pointer == "/excitation/file") {
       in_.reject("parameter", "changes a file without its digest, by which a report identifies it",
-                 "sweep \"/excitation\" and give each record as an object of its own");
+                 "sweep \"/excitation\" and give each ground motion as a separate object");
     }
     return pointer;
   }
@@ -108,7 +109,7 @@ class AxisReader {
     const double step = in_.number("step", any_number);
     if (in_.problems().size() != problems_before) return {};
     if (step == 0.0) {
-      in_.reject("step", "must not be 0", "leave the sweep out to run one condition");
+      in_.reject("step", "must not be 0", "omit the sweep to run one condition");
       return {};
     }
     const double steps = (to - from) / step;
@@ -122,7 +123,7 @@ class AxisReader {
     }
     const double count = std::round(steps);
     if (std::abs(steps - count) > rounding) {
-      in_.reject("step", "does not divide the way from \"from\" to \"to\"",
+      in_.reject("step", "does not divide the distance from \"from\" to \"to\"",
                  "end at " + Json(from + std::floor(steps) * step).dump() + ", or give another step");
       return {};
     }
@@ -167,7 +168,7 @@ std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size
   std::vector<SweepAxis> axes;
   if (!sweep.is_array() || sweep.empty()) {
     problems.push_back(
-        {"/sweep", brief(sweep), "must be a list of at least one entry", "leave \"sweep\" out to run one condition"});
+        {"/sweep", brief(sweep), "must be a list of at least one entry", "omit \"sweep\" to run one condition"});
     return axes;
   }
   if (sweep.size() > most_axes) {

@@ -118,9 +118,10 @@ std::string bifurcation_table(const DrawnDiagrams& drawn) {
     }
     text += (name.empty() ? "" : name + '\n') + table_of(drawn, diagram) + '\n';
   }
-  text += "initial: each from the file's initial state; upwards, downwards: from where the step before ended\n";
+  text +=
+      "initial: each step from the initial state of the file; upwards, downwards: from the end of the previous step\n";
   if (text.find(" *\n") != std::string::npos || text.find(" * ") != std::string::npos) {
-    text += "*: from the file's initial state, since the step before did not reach its horizon\n";
+    text += "*: from the initial state of the file, because the previous step did not reach its horizon\n";
   }
   return text;
 }

@@ -74,7 +74,7 @@ std::string comparison_table(const ComparedRuns& runs) {
   std::string text;
   for (const std::string& difference :
        experiment_differences(runs.first->canonical_text, runs.second->canonical_text)) {
-    text += "the first: " + difference + " as in the second\n";
+    text += "first run: " + difference + " as in the second\n";
   }
   if (!text.empty()) text += '\n';
   std::vector<TextRow> rows{
@@ -93,9 +93,10 @@ std::string comparison_table(const ComparedRuns& runs) {
     }
   }
   return text + aligned(rows) +
-         "\nper cent of n realisations with common draws; difference = first - second with its exact " +
+         "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +
          level_text(confidence_of(runs)) + " % interval;\np: exact McNemar test, one of " +
-         std::to_string(number_of_tests(runs)) + "; worth: variance of independent draws over that of common ones\n";
+         std::to_string(number_of_tests(runs)) +
+         "; worth: variance with independent random numbers over that with common ones\n";
 }
 
 }  // namespace rocking::report

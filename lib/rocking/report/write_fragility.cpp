@@ -31,19 +31,22 @@ std::string_view name_of(FragilityOutcome outcome) {
 std::string_view words_for(FragilityOutcome outcome) {
   switch (outcome) {
     case FragilityOutcome::fitted: return "";
-    case FragilityOutcome::never_happened: return "no law is fitted: it never overturned; shake harder";
-    case FragilityOutcome::always_happened: return "no law is fitted: it always overturned; shake less";
+    case FragilityOutcome::never_happened:
+      return "no function is fitted: the block never overturned; add higher intensities";
+    case FragilityOutcome::always_happened:
+      return "no function is fitted: the block always overturned; add lower intensities";
     case FragilityOutcome::separated:
-      return "no law is fitted: it never overturned below an amplitude and always did above; add amplitudes between";
+      return "no function is fitted: the block never overturned below an intensity and always above it; add "
+             "intensities between";
     case FragilityOutcome::does_not_rise:
-      return "no law is fitted: it does not clearly overturn more often the harder it is shaken";
+      return "no function is fitted: the share of overturned realisations does not clearly increase with intensity";
     case FragilityOutcome::no_scatter:
-      return "no law is fitted: the realisations overturn at the same levels, or differ in one way only, so nothing "
-             "shows "
-             "how uncertain a law is; let more be random, or add realisations and amplitudes";
+      return "no function is fitted: the realisations overturn at the same levels, or differ in one way only, so the "
+             "uncertainty "
+             "cannot be estimated; make more parameters random, or add realisations and intensities";
     case FragilityOutcome::too_little: break;
   }
-  return "no law is fitted: that takes two amplitudes, and two realisations that differ by their draws";
+  return "no function is fitted: this requires two intensities, and two realisations with different random numbers";
 }
 
 /// A level as it is told: counts, their intervals, and what the law says there.
@@ -145,7 +148,7 @@ std::string heading_of(const RunFragility& run, const FragilityCurve& curve) {
 std::string table_of(const FragilityCurve& curve) {
   const auto views = views_of(curve);
   std::vector<TextRow> rows{
-      {curve.parameter.substr(curve.parameter.rfind('/') + 1), "n", "overturned", "exact", "law", "band"}};
+      {curve.parameter.substr(curve.parameter.rfind('/') + 1), "n", "overturned", "exact", "fitted", "band"}};
   for (const LevelView& view : views) {
     TextRow row{significant(view.intensity, 6),
                 std::to_string(view.overturned.trials),
@@ -165,7 +168,7 @@ std::string table_of(const FragilityCurve& curve) {
           spoken(curve.fit.law->dispersion(curve.confidence)) + '\n';
   if (missed(views) == 0) return text;
   return text + "* at " + std::to_string(missed(views)) + " of " + std::to_string(views.size()) +
-         " the law lies outside the simultaneous exact interval: it is not this curve's shape\n";
+         " levels the fitted function lies outside the simultaneous exact interval: it does not describe these data\n";
 }
 
 }  // namespace
@@ -186,7 +189,8 @@ std::string fragility_table(const std::vector<RunFragility>& runs) {
     for (const FragilityCurve& curve : run.curves) text += heading_of(run, curve) + table_of(curve) + '\n';
   }
   return text +
-         "per cent of n realisations [exact interval of each level alone]; law: lognormal of the largest likelihood "
+         "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
+         "likelihood "
          "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
          "them as one\ncluster\n";
 }

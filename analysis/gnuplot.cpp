@@ -95,6 +95,11 @@ Drawing drawing_from(int status, const std::string& words, const std::string& sc
             .reason = script + ": this gnuplot cannot draw a format: " + on_one_line(words) +
                       "; install a gnuplot with svg, pngcairo and pdfcairo (Debian: gnuplot-nox)"};
   }
+  // The real one names the line that it does not understand.
+  if (on_one_line(words).empty()) {
+    return {.end = DrawingEnd::broken_off,
+            .reason = script + ": gnuplot ended with code " + std::to_string(WEXITSTATUS(status)) + " and said nothing"};
+  }
   return {.end = DrawingEnd::refused, .reason = script + ": gnuplot failed: " + on_one_line(words)};
 }
 

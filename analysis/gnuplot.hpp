@@ -13,7 +13,7 @@ namespace rocking::analysis {
 enum class DrawingEnd : std::uint8_t {
   drawn,
   no_gnuplot,  ///< it is not installed
-  broken_off,  ///< this machine prevented it: a signal, a full disk, a gnuplot without the picture format
+  broken_off,  ///< this machine prevented it: a signal, a full disk, a gnuplot without the picture format or without a message
   refused,     ///< gnuplot did not understand the script, which is our fault
 };
 

@@ -78,10 +78,8 @@ std::string late_settling_of(const experiment::ExperimentResult& result) {
 
 /// `95 %`; where conditions differ in it, the words that say so.
 std::string level_of(const experiment::Experiment& experiment) {
-  const double first = experiment.conditions.front().confidence;
-  const bool differs = std::ranges::any_of(experiment.conditions,
-                                           [first](const auto& condition) { return condition.confidence != first; });
-  return differs ? "(at the confidence of each condition)" : report::level_text(first) + " %";
+  const auto common = experiment::common_confidence(experiment);
+  return common ? report::level_text(*common) + " %" : "(at the confidence of each condition)";
 }
 
 std::string summary_of(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
@@ -95,7 +93,7 @@ std::string summary_of(const experiment::Experiment& experiment, const experimen
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
   text += late_settling_of(result);
-  return text + noise_line(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
+  return text + noise_line(experiment::noise_floor(result.conditions, experiment::highest_confidence(experiment)));
 }
 
 /// How a run ended, and how long it took.
@@ -231,7 +229,7 @@ ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
     print_result(base::printable(summary_of(experiment, result) + where));
   }
   if (failure) std::rethrow_exception(failure);
-  return failures.tell(no_page_picture);
+  return failures.tell(no_page_picture, PictureRole::addition);
 }
 
 report::SystemFacts system_facts(unsigned threads) {

@@ -20,7 +20,7 @@ void DrawingFailures::add(const analysis::Drawing& drawing) {
   if (!drawing.is_drawn()) reasons_.emplace(drawing.reason, drawing.end);
 }
 
-ExitCode DrawingFailures::tell(std::string_view consequence) const {
+ExitCode DrawingFailures::tell(std::string_view consequence, PictureRole role) const {
   ExitCode code = ExitCode::done;
   for (const auto& [reason, end] : reasons_) {
     print_notice(fmt::format("{}: {}", consequence, reason));
@@ -28,7 +28,8 @@ ExitCode DrawingFailures::tell(std::string_view consequence) const {
       print_notice("this is a bug of this program; please report it with the output of `rocking doctor`");
       code = ExitCode::our_bug;
     }
-    if (end == analysis::DrawingEnd::broken_off && code == ExitCode::done) code = ExitCode::input_output;
+    const bool fails = end == analysis::DrawingEnd::broken_off && role == PictureRole::purpose;
+    if (fails && code == ExitCode::done) code = ExitCode::input_output;
   }
   return code;
 }

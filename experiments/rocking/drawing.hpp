@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -18,15 +19,19 @@ namespace rocking::program {
 /// does.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
 
+/// What a picture is to a command whose machine could not draw it: `report` and `figure` are there to draw, and fail. To `run`,
+/// `resume` and `merge` it is an addition: their results are complete, and a cluster that saw a failure would run them again.
+enum class PictureRole : std::uint8_t { purpose, addition };
+
 /// What kept figures from being drawn: each reason once.
 class DrawingFailures {
  public:
   void add(const analysis::Drawing& drawing);
 
   /// Says every reason on standard error; also where a command is to be quiet. Returns the code to exit with: done where only
-  /// gnuplot is missing, which leaves data and scripts; input_output where the machine stopped gnuplot; our_bug where gnuplot
-  /// refused a script.
-  [[nodiscard]] ExitCode tell(std::string_view consequence) const;
+  /// gnuplot is missing, which leaves data and scripts; input_output where the machine stopped gnuplot and pictures are the
+  /// purpose, done where they are an addition; our_bug where gnuplot refused a script.
+  [[nodiscard]] ExitCode tell(std::string_view consequence, PictureRole role) const;
 
  private:
   std::map<std::string, analysis::DrawingEnd> reasons_;

@@ -44,7 +44,7 @@ ExitCode draw(const FigureRequest& request) {
   const WrittenFigures written = write_figures(figures, request.folder);
   print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written.files}})
                                      : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
-  return written.failures.tell(no_figure);
+  return written.failures.tell(no_figure, PictureRole::purpose);
 }
 
 }  // namespace

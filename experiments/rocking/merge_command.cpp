@@ -11,6 +11,7 @@
 #include "campaign.hpp"
 #include "commands.hpp"
 #include "rocking/experiment/merge.hpp"
+#include "rocking/experiment/results_version.hpp"
 #include "rocking/experiment/run.hpp"
 #include "run_folder.hpp"
 
@@ -37,21 +38,23 @@ std::vector<Source> open_sources(const MergeRequest& request) {
   return sources;
 }
 
-// The rows of two programs belong together where both are known to give the same bits.
-bool give_the_same_bits(const experiment::Identity& one, const experiment::Identity& other) {
-  return one.code == other.code || (one.results == other.results && one.results != 0);
+// The report of the whole names this program, so its rows must have the bits that this program gives.
+void expect_current_results(const Source& source) {
+  const experiment::Identity& identity = source.store.identity();
+  if (identity.results == experiment::results_version) return;
+  const bool is_former = experiment::is_former_version(identity.results);
+  throw InTheWay(fmt::format("{}: was run by rocking {}, and this is {}, which may give other results; {}", source.name,
+                             identity.code, code_identity(),
+                             is_former ? fmt::format("`rocking resume {}` runs again what differs, then merge", source.name)
+                                       : "merge with that program"));
 }
 
-// One question, one results version: else the rows do not belong together.
 void expect_kin(const Source& first, const Source& other) {
   if (other.store.identity().experiment != first.store.identity().experiment) {
     throw InTheWay(fmt::format("{}: belongs to another experiment than {} (a setting or the seed differs)", other.name,
                                first.name));
   }
-  if (!give_the_same_bits(first.store.identity(), other.store.identity())) {
-    throw InTheWay(fmt::format("{}: was run by rocking {}, but {} by {}", other.name, other.store.identity().code,
-                               first.name, first.store.identity().code));
-  }
+  expect_current_results(other);
 }
 
 ExitCode explain_conflicts(const Source& source, const std::vector<experiment::Difference>& conflicts) {

@@ -10,6 +10,28 @@
 #include "exit_code.hpp"
 
 namespace rocking::program {
+namespace {
+
+// DEL and the control characters of Unicode from U+0080 to U+009F, some of which terminals obey. Other text than JSON has been
+// made printable before; in JSON they stand in strings only, and escaped they mean the same.
+std::string with_escaped_controls(std::string_view text) {
+  std::string escaped;
+  escaped.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0U;
+    if (text[i] == '\x7f') {
+      escaped += "\\u007f";
+    } else if (text[i] == '\xc2' && next >= 0x80 && next < 0xa0) {
+      escaped += fmt::format("\\u{:04x}", next);
+      ++i;
+    } else {
+      escaped += text[i];
+    }
+  }
+  return escaped;
+}
+
+}  // namespace
 
 void add_loudness(CLI::App& command, Loudness& loudness) {
   command.add_flag("--json", loudness.json, "Print the result as JSON on standard output, and nothing else there");
@@ -26,7 +48,10 @@ void print_result(const std::function<void(const report::TextSink& sink)>& write
   const auto expect = [](bool written) {
     if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
   };
-  write([&](std::string_view piece) { expect(std::fwrite(piece.data(), 1, piece.size(), stdout) == piece.size()); });
+  write([&](std::string_view piece) {
+    const std::string shown = with_escaped_controls(piece);
+    expect(std::fwrite(shown.data(), 1, shown.size(), stdout) == shown.size());
+  });
   expect(std::fflush(stdout) == 0);
 }
 

@@ -111,8 +111,8 @@ ExitCode report_again(const ReportRequest& request) {
   print_result(request.loudness.json
                    ? report::facts_text(std::vector<report::Fact>{{"written", written}})
                    : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n")));
-  const ExitCode page_code = of_the_page.tell(no_page_picture);
-  const ExitCode figure_code = of_figures.tell(no_figure);
+  const ExitCode page_code = of_the_page.tell(no_page_picture, PictureRole::purpose);
+  const ExitCode figure_code = of_figures.tell(no_figure, PictureRole::purpose);
   return figure_code == ExitCode::done ? page_code : figure_code;
 }
 

@@ -11,7 +11,6 @@
 #include "rocking/experiment/results_version.hpp"
 #include "rocking/experiment/run.hpp"
 #include "rocking/experiment/salvage.hpp"
-#include "rocking/report/files.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -66,7 +65,6 @@ ExitCode resume(const ResumeRequest& request) {
   folder.claim();
   folder.tidy_up();
   if (folder.has_replacement()) folder.enter_replacement();
-  report::expect_regular_file(folder.store_path());
   experiment::count_pages_again(folder.store_path());
   experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
   expect_known_results(folder, store.identity());

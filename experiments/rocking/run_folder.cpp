@@ -136,7 +136,6 @@ experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const
   expect_short_path(store_path());
   expect_installed();
   if (!has_store()) throw MissingInput(name() + ": contains no run (there is no realisations.sqlite)");
-  report::expect_regular_file(store_path());
   return experiment::Store::open(store_path(), access);
 }
 

@@ -13,6 +13,7 @@
 #include "progress.hpp"
 #include "rocking/base/digest.hpp"
 #include "rocking/experiment/run.hpp"
+#include "rocking/experiment/results_version.hpp"
 #include "rocking/experiment/verification.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/report/files.hpp"
@@ -34,6 +35,8 @@ struct VerifyRequest {
 struct Findings {
   std::vector<std::string> wrong;  ///< empty: nothing
   std::uint64_t checked = 0;       ///< realisations that were run again
+  std::uint64_t not_compared = 0;  ///< realisations of a former results version, of which this program gives other bits
+  std::string why_not_compared;    ///< empty: there are none
 };
 
 std::string text_of(const std::filesystem::path& path) {
@@ -103,6 +106,8 @@ class Verifier {
     }
     const auto again = experiment::verify(experiment, store, request_->sample, options());
     findings_.checked = again.checked;
+    findings_.not_compared = again.not_compared;
+    if (again.not_compared > 0) findings_.why_not_compared = explain_not_compared(again.not_compared, identity);
     for (const auto& [key, fields] : again.differences) {
       findings_.wrong.push_back(
           fmt::format("condition {}, realisation {}: the new result differs from realisations.sqlite in {}",
@@ -111,6 +116,14 @@ class Verifier {
     if (again.different > again.differences.size()) {
       findings_.wrong.push_back(fmt::format("{} realisations differ in all", again.different));
     }
+  }
+
+  [[nodiscard]] std::string explain_not_compared(std::uint64_t number, const experiment::Identity& identity) const {
+    return fmt::format(
+        "{} not compared: rocking {} stored the run under results version {}, which gave other bits for motions that leave the "
+        "ground than this program does (version {}). `rocking resume {}` runs what may differ again",
+        number == 1 ? "1 realisation was" : counted(number, "realisation") + " were", identity.code, identity.results,
+        experiment::results_version, request_->folder);
   }
 
   void check_without_store() {
@@ -154,10 +167,13 @@ ExitCode verify(const VerifyRequest& request) {
   const bool right = findings.wrong.empty();
   if (request.labour.loudness.json) {
     print_result(report::facts_text(std::vector<report::Fact>{
-        {"verified", right}, {"realisations_run_again", findings.checked}, {"findings", findings.wrong}}));
+        {"verified", right}, {"realisations_run_again", findings.checked}, {"realisations_not_compared", findings.not_compared},
+        {"findings", findings.wrong}}));
   } else if (right) {
-    print_result(base::printable(fmt::format("{}: {} run again, all with the same bits; the report follows from them\n",
-                             request.folder, counted(findings.checked, "realisation"))));
+    print_result(base::printable(
+        fmt::format("{}: {} run again, all with the same bits; the report follows from {}\n{}{}", request.folder,
+                    counted(findings.checked, "realisation"), findings.not_compared == 0 ? "them" : "the store",
+                    findings.why_not_compared, findings.not_compared == 0 ? "" : "\n")));
   } else {
     print_result(
         base::printable(fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(findings.wrong, "\n  "))));

@@ -1,5 +1,7 @@
 // `rocking compare`: what a setting changes.
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
@@ -53,6 +55,29 @@ TEST_F(Compare, FindsNothingBetweenARunAndItself) {
       EXPECT_TRUE(counts["variance_reduction"].is_null()) << mode;
     }
   }
+}
+
+TEST_F(Compare, HasTheConfidenceOfEachCondition) {
+  auto swept = quick_experiment();
+  swept["sweep"] = Json::parse(R"([ { "parameter": "/confidence", "values": [0.8, 0.999] } ])");
+  write("swept.json", swept.dump());
+  ASSERT_EQ(rocking("run swept.json -q -o a").exit_code, 0);
+  const auto told = rocking("compare a a --json");
+  EXPECT_EQ(objections("comparison", told.output), "");
+  const Json json = Json::parse(told.output);
+  EXPECT_TRUE(json["confidence"].is_null());
+  EXPECT_EQ(json["conditions"][0]["confidence"], 0.8);
+  EXPECT_EQ(json["conditions"][1]["confidence"], 0.999);
+  // The two conditions are equal but for the confidence: none of 4 realisations differs.
+  const auto upper_end = [&](int i) { return json["conditions"][i]["changed"]["interval"][1].get<double>(); };
+  EXPECT_NEAR(upper_end(0), 1.0 - std::pow(0.1, 0.25), 1e-12);
+  EXPECT_NEAR(upper_end(1), 1.0 - std::pow(0.0005, 0.25), 1e-12);
+  EXPECT_THAT(rocking("compare a a").output, HasSubstr("interval at the confidence of each condition"));
+
+  const Json floor = Json::parse(read("a/report.json"))["result"]["noise_floor"];
+  ASSERT_EQ(floor["of"], 2);
+  ASSERT_EQ(floor["flips"], 0);
+  EXPECT_NEAR(floor["interval"][1].get<double>(), 1.0 - std::pow(0.0005, 0.5), 1e-12) << "the highest confidence of all";
 }
 
 TEST_F(Compare, RefusesRunsThatCannotBePaired) {

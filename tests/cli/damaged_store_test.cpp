@@ -216,7 +216,7 @@ TEST_F(DamagedRun, OfWhichTheStoreIsAPipeIsRefusedAtOnce) {
   for (const char* command : {"status out", "resume out"}) {
     const Outcome refused = shell(std::string("exec timeout 20 '") + ROCKING_PROGRAM + "' " + command);
     EXPECT_EQ(refused.exit_code, 65) << command;
-    EXPECT_THAT(refused.errors, HasSubstr("not a regular file"));
+    EXPECT_THAT(refused.errors, HasSubstr("is a pipe or a device; give a regular file"));
   }
 }
 
@@ -225,8 +225,13 @@ TEST_F(DamagedRun, LeavesTheLockOfAnotherProcess) {
   ASSERT_EQ(plainly("run question.json -q -o out").exit_code, 0);
   EXPECT_EQ(read("out/.lock"), "17\n") << "another program's";
 
-  const Outcome replaced = shell("'" ROCKING_PROGRAM
-                                 "' run question.json -q -o busy --realisations 100000 & child=$!; "
+  ASSERT_EQ(shell("mkdir -p pipe/out; mkfifo pipe/out/.lock").exit_code, 0);
+  const Outcome ran = shell("timeout 60 '" ROCKING_PROGRAM "' run question.json -q -o pipe/out && timeout 60 '" ROCKING_PROGRAM
+                            "' status pipe/out");
+  EXPECT_EQ(ran.exit_code, 0) << ran.errors;
+
+  const Outcome replaced = shell(in_background("'" ROCKING_PROGRAM
+                                               "' run question.json -q -o busy --realisations 100000") +
                                  "until test -e busy/.lock; do sleep 0.01; done; sleep 0.2; rm busy/.lock; "
                                  "touch busy/.lock; kill -INT $child; wait $child; test -e busy/.lock");
   EXPECT_EQ(replaced.exit_code, 0) << "put there by another process while the run was at work";

@@ -30,7 +30,7 @@ class Ranks : public rocking::support::ProgramTest {
 
   /// The library of MPI leaks a little at its end, which is none of our business.
   static std::string ranks(int number, const std::string& arguments) {
-    return "ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) + " '" +
+    return "env ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) + " '" +
            ROCKING_PROGRAM "' " + arguments;
   }
 

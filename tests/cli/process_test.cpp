@@ -92,11 +92,29 @@ TEST_F(Process, RemovesTheTemporaryFilesOfOnesThatWereKilled) {
 }
 
 TEST_F(Process, KeepsTableAndPageWhereNothingCanBeDrawn) {
-  for (const std::string& disturbance : {std::string("export TMPDIR=/nowhere; "), with_gnuplot("exit 3")}) {
-    const auto outcome = shell("rm -rf out; " + disturbance + program("run quick.json -o out"));
-    EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-    EXPECT_THAT(outcome.output, HasSubstr("report: out/report.json"));
-    EXPECT_THAT(outcome.errors, HasSubstr("no pictures for printing"));
+  for (const std::string& disturbance :
+       {std::string("export TMPDIR=/nowhere; "), with_gnuplot("exit 3"), with_gnuplot("kill -9 $$"), with_gnuplot("exit 0"),
+        with_gnuplot("echo 'set terminal svg: unknown or ambiguous terminal type'; exit 1")}) {
+    for (const std::string command : {"rm -rf out; run quick.json -o out", "rm out/report.*; resume out"}) {
+      const std::size_t end = command.find("; ") + 2;
+      const auto outcome = shell(command.substr(0, end) + disturbance + program(command.substr(end)));
+      EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+      EXPECT_THAT(outcome.output, HasSubstr("report: out/report.json"));
+      EXPECT_THAT(outcome.errors, HasSubstr("no pictures for printing"));
+      EXPECT_TRUE(exists("out/report.html"));
+    }
+    EXPECT_THAT(shell(disturbance + program("resume out -q")).errors, HasSubstr("no pictures for printing"));
+    const auto drawn = shell(disturbance + program("report out --format html,gnuplot"));
+    EXPECT_EQ(drawn.exit_code, 74) << disturbance << drawn.errors;
+  }
+}
+
+TEST_F(Process, TellsOfAPictureThatGnuplotRefusesAsABug) {
+  const std::string refuses = with_gnuplot("echo 'line 3: undefined variable: x'; exit 1");
+  for (const std::string command : {"run quick.json -o out", "resume out", "report out"}) {
+    const auto outcome = shell(refuses + program(command));
+    EXPECT_EQ(outcome.exit_code, 70) << command << outcome.errors;
+    EXPECT_THAT(outcome.errors, AllOf(HasSubstr("undefined variable"), HasSubstr("a bug of this program")));
     EXPECT_TRUE(exists("out/report.html"));
   }
 }
@@ -118,8 +136,21 @@ TEST_F(Process, ReadsNoPipeAndNoDevice) {
        {"run pipe -o out", "validate /dev/zero", "trajectory pipe", "cost pipe", "run record.json -o out", "figure pipe -o out",
         "report folder", "verify folder", "status stored", "compare stored stored", "replay stored --condition 0 --realisation 0"}) {
     const auto outcome = shell("exec timeout 20 " + program(arguments));
-    EXPECT_TRUE(outcome.exit_code == 66 || outcome.exit_code == 74) << arguments << outcome.exit_code << outcome.errors;
+    EXPECT_EQ(outcome.exit_code, 65) << arguments << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("is a pipe or a device")) << arguments;
+  }
+}
+
+TEST_F(Process, ReadsNoFolderAsAFile) {
+  ASSERT_EQ(shell("mkdir -p folder/report.json stored/realisations.sqlite").exit_code, 0);
+  auto recorded = rocking::support::recorded_experiment();
+  recorded["excitation"]["file"] = "folder";
+  write("record.json", recorded.dump());
+  for (const std::string arguments : {"run folder -o out", "validate folder", "run record.json -o out", "figure folder -o out",
+                                      "report folder", "verify folder", "status stored", "resume stored"}) {
+    const auto outcome = rocking(arguments);
+    EXPECT_EQ(outcome.exit_code, 65) << arguments << outcome.errors;
+    EXPECT_THAT(outcome.errors, HasSubstr("is a folder; give a regular file")) << arguments;
   }
 }
 

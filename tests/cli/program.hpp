@@ -43,7 +43,7 @@ class ProgramTest : public ::testing::Test {
   /// Runs a script in the folder; its two streams end up in the outcome. After two minutes it is ended, with code 124.
   Outcome shell(const std::string& script) const {
     write("script", script + '\n');
-    const std::string command = "cd '" + folder_.string() + "' && timeout 120 sh script >stdout 2>stderr </dev/null";
+    const std::string command = "cd '" + folder_.string() + "' && timeout 120 env --default-signal=HUP,INT,TERM,USR1 sh script >stdout 2>stderr </dev/null";
     const int status = std::system(command.c_str());
     return {
         .exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = read("stdout"), .errors = read("stderr")};

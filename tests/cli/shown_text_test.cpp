@@ -38,12 +38,29 @@ TEST_F(ShownText, OfTitlesAndKeysSendsNoControlCharacters) {
   EXPECT_THAT(run(experiment, "b").errors, AllOf(HasSubstr("/\\x1b[31m"), Not(HasSubstr("\x1b"))));
 }
 
+TEST_F(ShownText, InJsonHasNoControlCharactersAndMeansTheSame) {
+  Json experiment = quick_experiment();
+  const std::string title = "\x7f a \xc2\x85 b \xc2\x9b[31m \xc2\xa0 \xc3\x85";
+  experiment["title"] = title;
+  ASSERT_EQ(run(experiment, "\"$(printf 'f\\177\\302\\205')\"").exit_code, 0);
+  for (const std::string& text : {rocking("run a.json -o b --json").output, rocking("validate a.json --json").output,
+                                  rocking("report \"$(printf 'f\\177\\302\\205')\" --format csv --json").output}) {
+    EXPECT_THAT(text, AllOf(Not(HasSubstr("\x7f")), Not(HasSubstr("\xc2\x85")), Not(HasSubstr("\xc2\x9b")))) << text;
+    ASSERT_TRUE(Json::accept(text));
+  }
+  EXPECT_EQ(Json::parse(rocking("validate a.json --json").output)["experiment"]["title"], title);
+}
+
 TEST_F(ShownText, OfNamesThatAreNotUtf8IsJsonAllTheSame) {
   ASSERT_EQ(run(quick_experiment(), "\"$(printf 'a\\377b')\"").exit_code, 0);
   const Outcome outcome = rocking("report \"$(printf 'a\\377b')\" --format csv --json");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_FALSE(Json::parse(outcome.output, nullptr, false).is_discarded());
   EXPECT_THAT(rocking("report \"$(printf 'a\\377b')\" --format csv").output, HasSubstr("a\\xffb/"));
+  ASSERT_EQ(rocking("check-normal --n 1000 --json >check.json").exit_code, 0);
+  const Outcome drawn = shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' figure check.json -o \"$(printf 'a\\377b')\" --json");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_TRUE(Json::accept(drawn.output)) << drawn.output;
 }
 
 TEST_F(ShownText, SaysThatAPathIsTooLongForTheStore) {

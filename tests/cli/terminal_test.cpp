@@ -239,8 +239,8 @@ TEST_F(Terminal, InterruptsABifurcationCleanlyAndIsToldHowToBeginAnew) {
   write("slow.json", slow.dump());
   for (const char* signal : {"INT", "TERM"}) {
     const std::string folder = std::string("out") + signal;
-    const Outcome outcome = shell(std::string("'") + ROCKING_PROGRAM + "' bifurcation slow.json -o " + folder +
-                                  " & child=$!; while [ ! -d " + folder + " ]; do sleep 0.02; done; sleep 0.3; kill -" +
+    const Outcome outcome = shell(in_background("'" ROCKING_PROGRAM "' bifurcation slow.json -o " + folder) +
+                                  "while [ ! -d " + folder + " ]; do sleep 0.02; done; sleep 0.3; kill -" +
                                   signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("`rocking bifurcation slow.json -o " + folder + "` starts again"));

@@ -176,8 +176,25 @@ TEST(Store, OfALayoutWithoutAColumnReadsItsFieldAsTheDefault) {
 }
 
 TEST(ResultsVersion, OfAnEarlierProgramIsNotTakenForThisOne) {
-  EXPECT_TRUE(has_current_bits(filled(1), results_version));
-  EXPECT_FALSE(has_current_bits(filled(1), 0)) << "not known";
+  EXPECT_TRUE(has_current_bits(filled(1), filled(2), results_version));
+  EXPECT_FALSE(has_current_bits(filled(1), filled(2), 0)) << "not known";
+  EXPECT_FALSE(has_current_bits(filled(1), filled(2), results_version + 1)) << "not known";
+}
+
+TEST(ResultsVersion, OneHasTheBitsOfMotionsThatStayOnTheGround) {
+  const Summary stayed;
+  Summary left = stayed;
+  left.left_ground = true;
+  EXPECT_TRUE(has_current_bits(stayed, stayed, 1));
+  EXPECT_TRUE(has_current_bits(stayed, std::nullopt, 1));
+  EXPECT_FALSE(has_current_bits(left, stayed, 1));
+  EXPECT_FALSE(has_current_bits(stayed, left, 1)) << "it says when it parted from that one";
+  Summary rerun = stayed;
+  rerun.repeat_mode = section::ResponseMode{};
+  EXPECT_FALSE(has_current_bits(rerun, stayed, 1)) << "the rerun may have left the ground";
+  Summary checked = stayed;
+  checked.long_mode = section::ResponseMode{};
+  EXPECT_FALSE(has_current_bits(checked, stayed, 1)) << "the longer run may have left the ground";
 }
 
 TEST(Store, TellsOfAFileThatWasCutShort) {

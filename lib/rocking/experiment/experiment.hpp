@@ -91,4 +91,10 @@ struct Experiment {
 /// Whether anything in the scene is drawn at random. If not, one realisation says all.
 [[nodiscard]] bool is_random(const Scene& scene);
 
+/// The confidence that all conditions have; absent where a sweep goes over it.
+[[nodiscard]] std::optional<double> common_confidence(const Experiment& experiment);
+
+/// Of an interval over all conditions together: it holds at the confidence of each.
+[[nodiscard]] double highest_confidence(const Experiment& experiment);
+
 }  // namespace rocking::experiment

@@ -2,16 +2,18 @@
 
 #include <fstream>
 #include <string>
+#include <utility>
 
 #include "rocking/experiment/work.hpp"
 
 namespace rocking::experiment {
 namespace {
 
-// Absent too where the way to it is damaged.
-std::optional<Summary> find_if_sound(const Store& store, const RealisationKey& key) {
+// Absent too where the way to it, or to its neighbour, is damaged: a pair of which one is missing is run as a whole.
+std::optional<Summary> find_if_current(const Store& store, const RealisationKey& key) {
   try {
-    return store.find(key);
+    auto summary = store.find(key);
+    return summary && store.has_current_bits(key, *summary) ? std::move(summary) : std::nullopt;
   } catch (const sqlite::UnusableFile&) {
     return std::nullopt;
   }
@@ -48,8 +50,8 @@ std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store&
     const std::uint64_t realisations = effective_realisations(experiment.conditions[condition]);
     for (std::uint64_t realisation = 0; realisation < realisations; ++realisation) {
       const RealisationKey key{condition, realisation};
-      const auto summary = find_if_sound(damaged, key);
-      if (!summary || !has_current_bits(*summary, damaged.identity().results)) continue;
+      const auto summary = find_if_current(damaged, key);
+      if (!summary) continue;
       into.add(key, *summary);
       ++kept;
     }

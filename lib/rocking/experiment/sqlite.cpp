@@ -5,6 +5,8 @@
 
 #include <sqlite3.h>
 
+#include "rocking/base/regular_file.hpp"
+
 namespace rocking::experiment::sqlite {
 namespace {
 
@@ -62,15 +64,6 @@ void distrust(sqlite3* database) {
   sqlite3_db_config(database, SQLITE_DBCONFIG_ENABLE_VIEW, 0, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
   sqlite3_exec(database, "PRAGMA cell_size_check = ON", nullptr, nullptr, nullptr);
-}
-
-// SQLite would wait for ever for the bytes of a pipe.
-void expect_regular_file(const std::filesystem::path& path) {
-  std::error_code ignored;
-  const auto status = std::filesystem::status(path, ignored);
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    throw UnusableFile(path.string() + ": is not a regular file");
-  }
 }
 
 }  // namespace
@@ -144,7 +137,7 @@ std::span<const std::byte> Statement::bytes(int column) const {
 void Database::Closer::operator()(sqlite3* database) const { sqlite3_close_v2(database); }
 
 Database::Database(const std::filesystem::path& path, Access access) : path_(path.string()) {
-  expect_regular_file(path);
+  base::expect_regular_file(path);  // SQLite would wait for ever for the bytes of a pipe
   sqlite3* database = nullptr;
   const int code = sqlite3_open_v2(path_.c_str(), &database, flags_of(access), nullptr);
   handle_.reset(database);

@@ -171,6 +171,12 @@ std::optional<Summary> Store::find(const RealisationKey& key) const {
   return found ? std::optional(std::move(found->summary)) : std::nullopt;
 }
 
+bool Store::has_current_bits(const RealisationKey& key, const Summary& row) const {
+  const bool is_first = key.realisation % 2 == 0;
+  const auto next = is_first && is_former_version(identity_.results) ? find({key.condition, key.realisation + 1}) : std::nullopt;
+  return experiment::has_current_bits(row, next, identity_.results);
+}
+
 void Store::walk(Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const {
   std::optional<RealisationKey> last;
   while (statement.step()) {

@@ -51,6 +51,8 @@ class Store {
   void close_up();
 
   [[nodiscard]] std::optional<Summary> find(const RealisationKey& key) const;
+  /// Whether this program gives the same bits for a row of this store: see results_version.hpp.
+  [[nodiscard]] bool has_current_bits(const RealisationKey& key, const Summary& row) const;
   /// Every row, in the order of the keys.
   void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
   /// What is wrong in the file, the first thing found; absent where every page and every row is as it was written. Reads all.

@@ -10,6 +10,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "rocking/base/regular_file.hpp"
+
 namespace rocking::report {
 namespace {
 
@@ -83,18 +85,8 @@ std::filesystem::path folder_of(const std::filesystem::path& path) {
 
 }  // namespace
 
-void expect_regular_file(const std::filesystem::path& path) {
-  std::error_code unknown;
-  const auto status = std::filesystem::status(path, unknown);
-  if (unknown || status.type() == std::filesystem::file_type::not_found || is_regular_file(status)) return;
-  const bool is_folder = is_directory(status);
-  throw std::system_error(
-      std::make_error_code(is_folder ? std::errc::is_a_directory : std::errc::not_supported),
-      path.string() + (is_folder ? ": is not a file" : ": is a pipe or a device; give a regular file"));
-}
-
 std::string read_file(const std::filesystem::path& path, std::size_t most) {
-  expect_regular_file(path);
+  base::expect_regular_file(path);
   const FileDescriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.number() < 0) fail(path, "cannot be opened");
   std::string content;

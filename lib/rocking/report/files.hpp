@@ -11,12 +11,8 @@
 
 namespace rocking::report {
 
-/// Throws std::system_error with the path where there is something of this name that is no regular file: to open a pipe, or to
-/// read a terminal or a device, may wait or go on for ever. A path that leads nowhere is left to whoever opens it.
-void expect_regular_file(const std::filesystem::path& path);
-
-/// All bytes of a regular file, but not much more than `most`: of a longer one at least `most` + 1. Throws std::system_error with
-/// the path.
+/// All bytes of a regular file, but not much more than `most`: of a longer one at least `most` + 1. Throws base::InputError where
+/// the path leads to no regular file, std::system_error with the path where that cannot be read.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path,
                                     std::size_t most = std::numeric_limits<std::size_t>::max());
 

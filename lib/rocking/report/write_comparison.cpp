@@ -29,7 +29,12 @@ Json mode_json(const PairedCounts& counts, double confidence) {
   return json;
 }
 
-double confidence_of(const ComparedRuns& runs) { return runs.first->conditions.front().confidence; }
+double confidence_of(const ComparedRuns& runs, std::size_t condition) { return runs.first->conditions[condition].confidence; }
+
+std::string level_of(const ComparedRuns& runs) {
+  const auto common = experiment::common_confidence(*runs.first);
+  return common ? level_text(*common) + " % interval" : "interval at the confidence of each condition";
+}
 
 std::size_t number_of_tests(const ComparedRuns& runs) {
   std::size_t tests = 0;
@@ -53,18 +58,21 @@ std::string comparison_text(const ComparedRuns& runs) {
   Json json = Json::object();
   json["format"] = comparison_format;
   json["settings"] = experiment_differences(runs.first->canonical_text, runs.second->canonical_text);
-  json["confidence"] = confidence_of(runs);
+  const auto common = experiment::common_confidence(*runs.first);
+  json["confidence"] = common ? Json(*common) : Json();
   json["tests"] = number_of_tests(runs);
   Json& conditions = json["conditions"] = Json::array();
   for (std::size_t i = 0; i < runs.conditions.size(); ++i) {
     const experiment::ConditionComparison& compared = runs.conditions[i];
+    const double confidence = confidence_of(runs, i);
     Json entry = Json::object();
     entry["parameters"] = parameters_json(runs.first->conditions[i]);
+    entry["confidence"] = confidence;
     entry["realisations"] = compared.realisations;
     entry["changed"] = {{"count", compared.changed.successes},
-                        {"interval", interval_json(stats::clopper_pearson(compared.changed, confidence_of(runs)))}};
+                        {"interval", interval_json(stats::clopper_pearson(compared.changed, confidence))}};
     Json& modes = entry["modes"] = Json::object();
-    for (const auto& [mode, counts] : compared.modes) modes[to_string(mode)] = mode_json(counts, confidence_of(runs));
+    for (const auto& [mode, counts] : compared.modes) modes[to_string(mode)] = mode_json(counts, confidence);
     conditions.push_back(std::move(entry));
   }
   return json.dump(2) + '\n';
@@ -88,14 +96,13 @@ std::string comparison_table(const ComparedRuns& runs) {
                       per_cent(share(counts.both + counts.first_only, counts.trials())),
                       per_cent(share(counts.both + counts.second_only, counts.trials())),
                       per_cent(stats::paired_difference(counts)),
-                      per_cent(stats::paired_difference_exact(counts, confidence_of(runs))),
+                      per_cent(stats::paired_difference_exact(counts, confidence_of(runs, i))),
                       significant(stats::mcnemar(counts).p_value, 2), factor ? significant(*factor, 2) + "x" : "."});
     }
   }
   return text + aligned(rows) +
          "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +
-         level_text(confidence_of(runs)) + " % interval;\np: exact McNemar test, one of " +
-         std::to_string(number_of_tests(runs)) +
+         level_of(runs) + ";\np: exact McNemar test, one of " + std::to_string(number_of_tests(runs)) +
          "; worth: variance with independent random numbers over that with common ones\n";
 }
 

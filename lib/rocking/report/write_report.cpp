@@ -9,7 +9,7 @@ namespace rocking::report {
 namespace {
 
 Json floor_json(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
-  return noise_floor_json(experiment::noise_floor(result.conditions, experiment.conditions.front().confidence));
+  return noise_floor_json(experiment::noise_floor(result.conditions, experiment::highest_confidence(experiment)));
 }
 
 void write_result(JsonWriter& out, const experiment::Experiment& experiment,

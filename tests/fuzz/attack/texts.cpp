@@ -91,8 +91,9 @@ void attack_texts(Attack& attack) {
   attack.write("odd.json", experiment.dump(1, ' ', false, Json::error_handler_t::replace));
   const std::string folder = odd_folder(attack);
 
-  const Ending ran = attack.run({"run", "odd.json", "-j", "1", "-q", "-o", folder}, {0, 65});
-  if (ran.exit_code == 65) return;  // what it refuses it may refuse
+  const Ending ran = attack.run({"run", "odd.json", "-j", "1", "-q", "-o", folder}, {0, 64, 65});
+  if (ran.exit_code == 64 && ran.errors.find("too long for SQLite") == std::string::npos) attack.find(ran.errors);
+  if (ran.exit_code != 0) return;  // what it refuses it may refuse
   attack.look_at_page(fs::path(folder) / "report.html");
   attack.run({"status", folder}, {0});
   const Ending told = attack.run({"report", folder, "--format", "csv,latex,html", "--json"}, {0});

@@ -273,7 +273,7 @@ TEST(Record, EndsAStepAtEachOfItsSamples) {
                                  [&](double end) { return std::abs(end - knots[i].tau) < 2e-15 * (1 + end); });
     EXPECT_TRUE(met) << "sample " << i;
   }
-  EXPECT_GE(motion.excitation().segments_looked_up(), 300U);
+  EXPECT_GE(motion.segments_looked_up(), 300U);
 }
 
 TEST(Record, IsLookedUpOnlyWhereThereIsOne) {

@@ -114,13 +114,13 @@ std::string spelled(const GuardTally& tally) {
   return text;
 }
 
-/// The same realisations side by side in lanes, where the base motion is one that they take.
+/// The same realisations side by side in lanes.
 void expect_the_same_in_lanes(const lanes::Kernels& kernels, const std::vector<Condition>& conditions,
                               const std::vector<std::string>& outcomes) {
   RealisationCrew crew(seed, kernels);
   for (std::size_t next = 0; next < conditions.size() || !crew.is_idle();) {
     for (; next < conditions.size() && crew.wants_more(); ++next) {
-      if (is_periodic(conditions[next].scene.excitation)) crew.start({&conditions[next], next}, next);
+      crew.start({&conditions[next], next}, next);
     }
     for (const auto& [ticket, record] : crew.work()) {
       ASSERT_EQ(outcome_of(record), outcomes[ticket]) << "random_condition(" << ticket << "), " << kernels.name;

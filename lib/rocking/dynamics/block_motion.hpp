@@ -113,11 +113,13 @@ class BlockMotion : public Automaton<Coefficients> {
   /// Whether the coming step is an ordinary one of rocking: nothing known about it but the state, and no guard armed but the
   /// ordinary ones. Then it may be done elsewhere, in company (module lanes), from what smooth_step() tells.
   [[nodiscard]] bool has_ordinary_step() const {
-    if (!excitation_.runs_in_lanes()) return false;
     const bool knows_more = known_ != KnownAtStart{} || (state_.tilt == 0.0 && state_.tilt_rate == 0.0);
     return is_rocking(state_.contact) && !ended() && !knows_more && !Base::was_past_balance_ && !off_ground_ &&
            !(this->is_slipping() && determinant_may_vanish());
   }
+
+  /// Pieces of a record that were expanded.
+  [[nodiscard]] std::uint64_t segments_looked_up() const { return segments_; }
 
   [[nodiscard]] bool slips() const { return this->is_slipping(); }
   [[nodiscard]] bool tests_friction() const { return coefficients_.has_friction(); }
@@ -142,7 +144,9 @@ class BlockMotion : public Automaton<Coefficients> {
             .next_strobe = next_strobe_,
             .strobes_left = schedule_.strobes - strobes_done_,
             .steps_since_strobe = steps_since_strobe_,
-            .breakpoint = breakpoint_ ? *breakpoint_ : never};
+            .breakpoint = breakpoint_ ? *breakpoint_ : never,
+            .coefficients_change = coefficients_change(),
+            .excitation = &excitation_};
   }
 
   /// A strobe point that was passed within a step done elsewhere; not the last one.
@@ -152,6 +156,7 @@ class BlockMotion : public Automaton<Coefficients> {
   /// rebound above its least. `progress` is in the frame of the new side.
   void pass_impact(const SmoothProgress& progress) {
     clock_.set(progress.now);
+    count_segments(progress.steps);
     steps_since_strobe_ = progress.steps_since_strobe;
     count_steps_elsewhere(progress.steps);
     this->change_edges(-state_.side * progress.state.tilt_rate);
@@ -162,6 +167,7 @@ class BlockMotion : public Automaton<Coefficients> {
   /// interval ends at a boundary of the grid (dynamics::grid_boundary).
   [[nodiscard]] FrictionForesight foresee() const {
     if constexpr (ForeseesCoefficients<Coefficients>) {
+      if (excitation_.has_knots()) return {};
       if (determinant_may_vanish(coefficients_.static_friction())) return {};  // a bound for kinetic friction
       const FrictionForesight known = coefficients_.foresee();
       if (static_cast<double>(known.per_period) * brief_step > 1.0) return known;
@@ -175,9 +181,11 @@ class BlockMotion : public Automaton<Coefficients> {
     clock_.set(progress.now);
     steps_since_strobe_ = progress.steps_since_strobe;
     if (progress.steps > 0) count_steps_elsewhere(progress.steps);
+    count_segments(progress.steps);
     if constexpr (ForeseesCoefficients<Coefficients>) {
       if (progress.foreseen > 0) coefficients_.pass_intervals(clock_, progress.foreseen);
     }
+    if (progress.at_breakpoint) this->check_contact();
     if (progress.breakpoints > 0) settle();
   }
 
@@ -185,6 +193,7 @@ class BlockMotion : public Automaton<Coefficients> {
   template <class Fired>
   void finish_step(const SmoothEnd& end, const Fired& fired) {
     count_step();
+    count_segments(1);
     after_reset_ = false;
     const bool at_breakpoint = end.duration >= time_to_breakpoint() - clock_.resolution();
     if (end.strobe) {
@@ -202,6 +211,7 @@ class BlockMotion : public Automaton<Coefficients> {
   /// A step done elsewhere in which the last strobe point comes before anything else: the run ends where the step began.
   void finish_at_strobe(const SmoothState& sample) {
     count_step();
+    count_segments(1);
     after_reset_ = false;
     tell_strobe(from_frame(sample));
     steps_since_strobe_ = 0;
@@ -290,6 +300,10 @@ class BlockMotion : public Automaton<Coefficients> {
     if (this->is_slipping()) ++slip_steps_;
   }
 
+  void count_segments(std::uint64_t expansions) {
+    if (excitation_.has_knots()) segments_ += expansions;
+  }
+
   void count_steps_elsewhere(std::uint64_t steps) {
     if (this->is_slipping()) slip_steps_ += steps;
     time_went_on_ = true;
@@ -332,6 +346,12 @@ class BlockMotion : public Automaton<Coefficients> {
       if (const std::optional<double> restitution = coefficients_.constant_restitution()) return *restitution;
     }
     return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// The next breakpoint that is not the base motion's; asked for where that has some of its own.
+  [[nodiscard]] Instant coefficients_change() const {
+    if (!excitation_.has_knots()) return never;
+    return coefficients_.next_change(clock_, this->is_slipping()).value_or(never);
   }
 
   [[nodiscard]] std::optional<Instant> earlier(const std::optional<Instant>& a, const std::optional<Instant>& b) const {
@@ -428,6 +448,7 @@ class BlockMotion : public Automaton<Coefficients> {
 
   template <int order>
   double expand_to() {
+    count_segments(1);
     return series_.template expand<order>({.setting = setting_,
                                            .state = state_,
                                            .clock = clock_,
@@ -445,6 +466,7 @@ class BlockMotion : public Automaton<Coefficients> {
   std::int64_t events_at_once_ = 0;
   bool time_went_on_ = false;  ///< in the last move
   std::uint64_t slip_steps_ = 0;
+  std::uint64_t segments_ = 0;
   std::optional<Instant> breakpoint_;
   double kinetic_friction_ = 0.0;  ///< mu_k in force over the coming step, while slipping
   StepSeries<Steps> series_;

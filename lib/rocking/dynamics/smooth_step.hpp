@@ -33,7 +33,9 @@ struct SmoothStep {
   Instant next_strobe;
   std::int64_t strobes_left;
   std::int64_t steps_since_strobe;
-  Instant breakpoint;  ///< until which the equations hold
+  Instant breakpoint;           ///< until which the equations hold
+  Instant coefficients_change;  ///< the earliest breakpoint that is not the base motion's
+  const Excitation* excitation;
 };
 
 inline constexpr std::size_t most_foreseen = 32;  ///< intervals of the friction grid, the present one among them
@@ -55,6 +57,7 @@ struct SmoothProgress {
   std::int64_t steps_since_strobe;
   std::uint64_t breakpoints = 0;  ///< that were come to in those steps, the last at its end
   std::uint64_t foreseen = 0;     ///< of the intervals that began so
+  bool at_breakpoint = false;     ///< the last of them is now, and what is in force is to be looked at
 };
 
 }  // namespace rocking::dynamics

@@ -42,10 +42,10 @@ class StepSeries {
 
   /// Fills the series to `order`; returns the length at which its last terms reach the tolerance.
   template <int order>
-  double expand(const StepStart& start, Excitation& excitation) {
+  double expand(const StepStart& start, const Excitation& excitation) {
     order_ = order;
     has_vertical_ = excitation.has_vertical();
-    return excitation.visit([&](auto& kind) { return expand_under<order>(start, kind); });
+    return excitation.visit([&](const auto& kind) { return expand_under<order>(start, kind); });
   }
 
   /// The state x after `start`, where the series begin.
@@ -71,11 +71,11 @@ class StepSeries {
 
  private:
   template <int order, BaseExcitation Kind>
-  double expand_under(const StepStart& start, Kind& excitation) {
+  double expand_under(const StepStart& start, const Kind& excitation) {
     const State& state = start.state;
     const double side = frame_side(state);
     constexpr bool vertical = Kind::has_vertical;
-    excitation.template expand<order>(rows_, start.clock, side * start.amplitude);
+    Kind::template expand<order>(rows_, excitation.piece(start.clock), side * start.amplitude, moment_of(start.clock));
     const double largest = start.setting.tolerance * start.setting.block.shape_angle;
     const SlipParameters<double> slip{.inertia = start.setting.inertia,
                                       .drag = side * state.slip_direction * start.kinetic_friction,

@@ -27,6 +27,8 @@ struct Harmonic {
   double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]
   Quantity phase = 0.0;          ///< Phi [rad]
 
+  friend bool operator==(const Harmonic&, const Harmonic&) = default;
+
   [[nodiscard]] double size() const { return amplitude; }
   [[nodiscard]] const Quantity& start_phase() const { return phase; }
   [[nodiscard]] double last_second() const { return std::numeric_limits<double>::infinity(); }
@@ -49,6 +51,8 @@ struct Recorded {
   std::shared_ptr<const GroundMotion> ground_motion{};  ///< null only while its file is found to be bad
   double scale = 1.0;                                   ///< [-]
   double frequency_ratio = 1.0;                         ///< of the strobe, over p [-]
+
+  friend bool operator==(const Recorded&, const Recorded&) = default;
 
   [[nodiscard]] double size() const { return scale; }
   [[nodiscard]] static Quantity start_phase() { return 0.0; }

@@ -34,7 +34,7 @@ inline void collect(Record& record, const Motion& motion, const StrobeRecorder& 
   record.effort.slip_steps = motion.slip_steps();
   record.effort.events = recorder.events();
   motion.coefficients().add_to(record.effort);
-  record.effort.record_segments = motion.excitation().segments_looked_up();
+  record.effort.record_segments = motion.segments_looked_up();
   record.clamps = motion.coefficients().clamps();
   record.strobe.reserve(recorder.periods().size());
   for (const section::Period& period : recorder.periods()) record.strobe.push_back(period.point);

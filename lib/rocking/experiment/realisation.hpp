@@ -48,16 +48,20 @@ struct Beginning {
 [[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
                                           Strobe strobe, std::int64_t periods);
 
-/// The motion of a block on the base that the scene asks for, ready to be advanced.
+/// How the base moves that the scene asks for.
+[[nodiscard]] inline dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning) {
+  return std::visit([&](const auto& kind) { return kind.motion(beginning.setting.block, beginning.clock); },
+                    scene.excitation);
+}
+
+/// The motion of a block on a base that moves so, ready to be advanced.
+[[nodiscard]] inline Motion motion_of(const Beginning& beginning, dynamics::Observer& observer,
+                                      const dynamics::Excitation& excitation) {
+  return {beginning.setting, beginning.clock, beginning.coefficients, beginning.state, beginning.schedule,
+          observer,          excitation};
+}
 [[nodiscard]] inline Motion motion_of(const Scene& scene, const Beginning& beginning, dynamics::Observer& observer) {
-  return {beginning.setting,
-          beginning.clock,
-          beginning.coefficients,
-          beginning.state,
-          beginning.schedule,
-          observer,
-          std::visit([&](const auto& kind) { return kind.motion(beginning.setting.block, beginning.clock); },
-                     scene.excitation)};
+  return motion_of(beginning, observer, excitation_of(scene, beginning));
 }
 
 }  // namespace rocking::experiment

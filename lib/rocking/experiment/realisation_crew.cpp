@@ -1,6 +1,7 @@
 #include "rocking/experiment/realisation_crew.hpp"
 
 #include <array>
+#include <optional>
 #include <utility>
 
 #include "rocking/experiment/horizon_run.hpp"
@@ -53,16 +54,12 @@ class RealisationCrew::Implementation {
 
   void start(const Task& task, std::size_t ticket) {
     const Condition& condition = *task.condition;
-    if (!is_periodic(condition.scene.excitation)) {
-      finished_.push_back({ticket, realise(condition, seed_, task.realisation, stop_)});
-      return;
-    }
     const random::Draws draws(seed_, task.realisation);
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
     runs_.push_back(std::make_unique<TicketedRun>(condition, ticket, start.draws, [&](dynamics::Observer& observer) {
-      return motion_of(condition.scene, beginning, observer);
+      return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
     }));
     crew_.add(runs_.back()->itself);
   }
@@ -74,6 +71,23 @@ class RealisationCrew::Implementation {
   }
 
  private:
+  /// What was last worked out of an excitation. Realisations of a condition share its record's knots.
+  struct LastExcitation {
+    Excitation asked;
+    double frequency_parameter;  ///< p
+    double start;                ///< of the clock
+    dynamics::Excitation excitation;
+  };
+
+  const dynamics::Excitation& shared_excitation(const Scene& scene, const Beginning& beginning) {
+    const double p = beginning.setting.block.frequency_parameter;
+    const double start = beginning.clock.start();
+    const bool is_known =
+        last_ && last_->asked == scene.excitation && last_->frequency_parameter == p && last_->start == start;
+    if (!is_known) last_ = LastExcitation{scene.excitation, p, start, excitation_of(scene, beginning)};
+    return last_->excitation;
+  }
+
   /// Whether there is a step to be made before something is finished.
   [[nodiscard]] bool is_under_way() {
     while (const Passenger* passenger = crew_.take_finished()) go_on(*passenger);
@@ -105,6 +119,7 @@ class RealisationCrew::Implementation {
 
   std::uint64_t seed_;
   base::StopRequest stop_;
+  std::optional<LastExcitation> last_;
   lanes::Crew<Passenger> crew_;
   std::vector<std::unique_ptr<TicketedRun>> runs_;
   std::vector<Finished> finished_;

@@ -22,7 +22,7 @@ struct Record {
   std::uint64_t losses_of_contact = 0;       ///< downward crossings of N = 0
   double first_loss_of_contact = 0.0;        ///< tau, where there was one
   bool was_past_balance = false;
-  std::uint64_t contradictions = 0;          ///< instants at which neither sticking nor slipping agrees with the equations
+  std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
   Effort effort;
   Clamps clamps;
 };

@@ -63,7 +63,8 @@ class Reduction {
   PartingTally by_friction_;
   stats::Proportion flips_;
   PartingTally by_arithmetic_;
-  std::map<std::pair<section::ResponseMode, section::ResponseMode>, std::uint64_t> checked_;  ///< by mode, and long mode
+  std::map<std::pair<section::ResponseMode, section::ResponseMode>, std::uint64_t>
+      checked_;  ///< by mode, and long mode
 };
 
 }  // namespace rocking::experiment

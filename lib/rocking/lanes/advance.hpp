@@ -14,12 +14,12 @@ namespace {
 /// brief step, at most one strobe point, not the last), or only an impact that sticks, the lane is moved on. The
 /// other lanes are left where they were, with what was found out: which guards fire, when, and the state then. What follows from
 /// it is left to each lane's motion.
-template <Kind kind, class Real>
-class Advance : Losses<kind, Real> {
-  using Base = Losses<kind, Real>;
-  using Base::b_, Base::duration_, Base::end_, Base::in_doubt_, Base::is_brief, Base::isolations_, Base::load,
-      Base::losses_, Base::lost_, Base::m_, Base::mark, Base::occupied_, Base::period_, Base::period_length_,
-      Base::presses_, Base::reach_, Base::slips, Base::store, Base::time_, Base::unclear_;
+template <Kind kind, class Shaking, class Real>
+class Advance : Losses<kind, Shaking, Real> {
+  using Base = Losses<kind, Shaking, Real>;
+  using Base::b_, Base::duration_, Base::end_, Base::in_doubt_, Base::is_brief, Base::on_grid, Base::passes_breakpoints,
+      Base::isolations_, Base::load, Base::losses_, Base::lost_, Base::m_, Base::mark, Base::occupied_, Base::period_,
+      Base::period_length_, Base::presses_, Base::reach_, Base::slips, Base::store, Base::time_, Base::unclear_;
   using typename Base::Strobing, typename Base::Truth;
 
  public:
@@ -36,6 +36,12 @@ class Advance : Losses<kind, Real> {
     const Strobing strobing = this->strobing(duration_ - resolution);
     Truth fits = !unclear_ && presses_ && this->is_finite(end_) && this->is_ordinary(resolution, steps_since) &&
                  strobing.is_simple;
+    mark(b_.at_breakpoint, 0);
+    if constexpr (Shaking::has_knots && lanes::tests_friction(kind)) {
+      const Truth unsure = slips_at_breakpoint();
+      mark(b_.at_breakpoint, bits_of(unsure));
+      fits = fits && !unsure;
+    }
     if (bits_of(fits && strobing.strobes) != 0) {
       fits = fits && (this->store_strobe(strobing, resolution) || !strobing.strobes);
     }
@@ -56,7 +62,17 @@ class Advance : Losses<kind, Real> {
   }
 
  private:
-  static constexpr bool may_land = !slips;
+  static constexpr bool may_land = !slips && Shaking::bounds_acceleration && !Shaking::has_vertical;
+
+  /// The lanes whose step begins at a breakpoint that was passed here, and that may not stick there: whether they do is the motion's
+  /// to say. To the bit as dynamics::Automaton::friction_holds.
+  [[nodiscard]] Truth slips_at_breakpoint() const {
+    const Real mu_s = load(b_.static_friction);
+    const Real most = mu_s * m_.normal[0];
+    const Real friction = Real(4.0 / 3.0) * m_.base[0] - m_.rate_cosine[1];
+    const Truth holds = presses_ && base::at_most(base::magnitude(friction), most);
+    return occupied_ && load(b_.fresh) == Real(1.0) && !holds;
+  }
 
   /// The lanes in which a block comes down at the end of the step and may rock on over the other edge at once: an impact that
   /// sticks is all that happens, and no chatter ends with it. As dynamics::Automaton::land says it.
@@ -65,7 +81,7 @@ class Advance : Losses<kind, Real> {
     Truth lands = fits && this->is_first(0) && time_ < time_ + duration_ && end_.tilt_rate < Real(0.0) &&
                   load(b_.least_rebound) < rebound_;
     for (std::size_t i = 1; i < Base::guards; ++i) lands = lands && !this->is_first(i);
-    if constexpr (kind == Kind::rock_with_friction) lands = lands && sticks();
+    if constexpr (lanes::tests_friction(kind)) lands = lands && sticks();
     return lands;
   }
 
@@ -91,13 +107,18 @@ class Advance : Losses<kind, Real> {
   /// Moves on the lanes that are `calm` or land, but for those that come to where the equations or the period end.
   void move(const Truth& calm, const Truth& lands, const Truth& strobed, const Real& steps_since) {
     using base::select;
-    // A brief step that is quiet ends at its breakpoint.
-    const Real later = is_brief ? load(b_.break_time) : time_ + duration_;
-    const Real from = is_brief ? load(b_.break_period) : period_;
+    Truth ends_at_break = !(duration_ < reach_ - load(b_.resolution));
+    if constexpr (on_grid) ends_at_break = calm;
+    Real later = time_ + duration_;
+    Real from = period_;
+    if constexpr (passes_breakpoints) {
+      later = select(ends_at_break, load(b_.break_time), later);
+      from = select(ends_at_break, load(b_.break_period), from);
+    }
     const Truth wraps = !(later < period_length_);
     const Real time = select(wraps, later - period_length_, later);
     Truth quiet = (may_land ? calm || lands : calm) && time < period_length_;
-    if constexpr (!is_brief) quiet = quiet && duration_ < reach_ - load(b_.resolution);
+    if constexpr (!passes_breakpoints) quiet = quiet && !ends_at_break;
     mark(b_.quiet, bits_of(quiet));
     const Truth landed = quiet && lands;
     mark(b_.landed, bits_of(landed));
@@ -124,15 +145,47 @@ class Advance : Losses<kind, Real> {
     }
     pass(b_.time, time, time_);
     pass(b_.period, select(wraps, from + Real(1.0), from), period_);
-    mark(b_.at_a_loss, 0);
-    if constexpr (is_brief) pass_interval(quiet);
+    if constexpr (on_grid) pass_interval(quiet);
+    if constexpr (Shaking::has_knots) pass_knots(bits_of(occupied_ && quiet), bits_of(quiet && ends_at_break));
+  }
+
+  /// Of the lanes that were moved on, those that came to a breakpoint go on with the piece that begins there. Where another than the
+  /// base motion's is reached too, the motion goes on.
+  void pass_knots(std::uint32_t moved, std::uint32_t arrived) {
+    for (std::size_t i = 0; i < static_cast<std::size_t>(Row<Real>::lanes); ++i) {
+      const std::size_t lane = Base::first_ + i;
+      if ((moved >> i & 1U) == 0) continue;
+      const bool at_break = (arrived >> i & 1U) != 0;
+      b_.fresh[lane] = at_break ? 1.0 : 0.0;
+      if (at_break) pass_knot(lane);
+    }
+  }
+
+  void pass_knot(std::size_t lane) {
+    b_.breakpoints[lane] += 1.0;
+    const dynamics::Moment<double> now{.period = b_.period[lane],
+                                       .time = b_.time[lane],
+                                       .period_length = b_.period_length[lane],
+                                       .frequency = b_.frequency[lane]};
+    const dynamics::Knot* knot = Shaking::template follow<Real>(b_.knot[lane], now, b_.resolution[lane]);
+    b_.knot[lane] = knot;
+    const auto piece = Shaking::template piece_from<Real>(knot, b_.piece[Shaking::piece_numbers - 1][lane]);
+    for (std::size_t i = 0; i < Shaking::piece_numbers; ++i) b_.piece[i][lane] = piece[i];
+    const double other_period = b_.other_break_period[lane];
+    const double other_time = b_.other_break_time[lane];
+    const double until_other = now.until(other_period, other_time);
+    if (until_other <= b_.resolution[lane]) b_.at_breakpoint |= 1U << lane;
+    const auto knot_period = static_cast<double>(knot[1].instant.period);
+    const bool other_first = until_other < now.until(knot_period, knot[1].instant.time);
+    b_.break_period[lane] = other_first ? other_period : knot_period;
+    b_.break_time[lane] = other_first ? other_time : knot[1].instant.time;
   }
 
   /// The breakpoint at the end of a brief step is a boundary of the friction grid, if it is known what comes after it.
   void pass_interval(const Truth& quiet) {
     using base::select;
     const Real known = load(b_.intervals.known);
-    mark(b_.at_a_loss, bits_of(quiet && known == Real(0.0)));
+    mark(b_.at_breakpoint, bits_of(quiet && known == Real(0.0)));
     store(b_.intervals.known, known - Real(1.0));
     for (std::size_t lane = Base::first_; lane < Base::first_ + Row<Real>::lanes; ++lane) {
       b_.intervals.present[lane] =

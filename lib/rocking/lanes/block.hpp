@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/smooth_step.hpp"
 
@@ -51,6 +52,14 @@ struct alignas(64) Block {
   LaneRow least_rebound;     ///< after an impact that is done here
   LaneRow slip_sign;         ///< S s
 
+  // The base motion's numbers until its next breakpoint; where it has knots, the steps pass on from one to the next.
+  std::array<LaneRow, dynamics::most_piece_numbers> piece;
+  std::array<const dynamics::Knot*, most_lanes> knot;  ///< at which the piece begins
+  LaneRow other_break_period;                          ///< of the next breakpoint that is not the base motion's
+  LaneRow other_break_time;
+  LaneRow breakpoints;  ///< passed in this lane
+  LaneRow fresh;        ///< 1 where the coming step begins at a breakpoint that was passed here
+
   // The intervals of the friction grid, in the block of brief steps, each of which ends with one. A lane's are in a row.
   struct Intervals {
     /// mu_k before it is held between 0 and mu_s: that above has no say.
@@ -63,12 +72,13 @@ struct alignas(64) Block {
   } intervals;
 
   // What the last step was like.
-  std::uint32_t quiet;      ///< lanes in which nothing happened: they were moved on
-  std::uint32_t landed;     ///< of them, those that landed at the end of the step and rock on the other edge
-  std::uint32_t held;       ///< lanes that wait for others, so that roots are looked for in several at once
-  std::uint32_t at_a_loss;  ///< of them, those in which the coming interval is not known
-  std::uint32_t strobed;    ///< lanes that passed a strobe point
-  LaneRow strobe_tilt;      ///< the state then
+  std::uint32_t quiet;   ///< lanes in which nothing happened: they were moved on
+  std::uint32_t landed;  ///< of them, those that landed at the end of the step and rock on the other edge
+  std::uint32_t held;    ///< lanes that wait for others, so that roots are looked for in several at once
+  std::uint32_t
+      at_breakpoint;      ///< lanes that stand at a breakpoint after which their motion must look at what is in force
+  std::uint32_t strobed;  ///< lanes that passed a strobe point
+  LaneRow strobe_tilt;    ///< the state then
   LaneRow strobe_tilt_rate;
   LaneRow strobe_slip;
   LaneRow strobe_slip_rate;

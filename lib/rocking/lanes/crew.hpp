@@ -31,7 +31,12 @@ class Crew {
  public:
   /// Once it is asked to stop, add() and step() throw base::Stopped from among the steps that a run does alone, of which there
   /// may be any number; the runs are of no further use then.
-  explicit Crew(const Kernels& kernels, base::StopRequest stop = {}) : kernels_(kernels), stop_(stop) {}
+  explicit Crew(const Kernels& kernels, base::StopRequest stop = {}) : kernels_(kernels), stop_(stop) {
+    for (std::size_t i = 0; i < groups_.size(); ++i) {
+      groups_[i].kind = {i / kind_count, static_cast<Kind>(i % kind_count)};
+      groups_[i].number = i;
+    }
+  }
 
   /// Runs that are neither finished nor taken away.
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -44,7 +49,7 @@ class Crew {
   }
 
   /// One step of the lanes of a kind, of which there are most.
-  void step() { advance(*std::ranges::max_element(groups_, {}, &Group::size)); }
+  void step() { advance(groups_[static_cast<std::size_t>(std::ranges::max_element(sizes_) - sizes_.begin())]); }
 
   /// One that has finished and was not taken yet; null if there is none.
   [[nodiscard]] Run* take_finished() {
@@ -55,16 +60,22 @@ class Crew {
   }
 
  private:
+  /// Of steps that are done in the lanes of one block.
+  struct StepKind {
+    std::size_t excitation = 0;  ///< dynamics::Excitation::index
+    Kind kind = Kind::rock;
+    friend bool operator==(const StepKind&, const StepKind&) = default;
+  };
+
   /// Runs of a kind: those in the lanes of a block, and those that wait for one.
   struct Group {
+    StepKind kind;
+    std::size_t number = 0;  ///< among the groups
     std::unique_ptr<Block> block = std::make_unique<Block>();
     std::array<Run*, most_lanes> runs{};
     std::uint32_t occupied = 0;
     std::vector<Run*> waiting;
 
-    [[nodiscard]] std::size_t size() const {
-      return static_cast<std::size_t>(std::popcount(occupied)) + waiting.size();
-    }
     void put(std::size_t lane, Run& run) {
       runs[lane] = &run;
       occupied |= 1U << lane;
@@ -80,7 +91,7 @@ class Crew {
     }
     void foresee(std::size_t lane, const dynamics::SmoothStep& step) {
       const auto& motion = runs[lane]->motion();
-      if (!motion.slips() || !motion.is_brief()) return;
+      if (!motion.slips() || !motion.is_brief() || motion.excitation().has_knots()) return;
       load_intervals(*block, lane, motion.foresee(), step.clock->start());
     }
     void vacate(std::size_t lane) {
@@ -97,15 +108,18 @@ class Crew {
   using Motion = std::remove_reference_t<decltype(std::declval<Run&>().motion())>;
 
   /// Absent where the coming step is to be done alone.
-  [[nodiscard]] static std::optional<Kind> kind_of(const Motion& motion) {
+  [[nodiscard]] static std::optional<StepKind> kind_of(const Motion& motion) {
     if (!motion.has_ordinary_step()) return std::nullopt;
-    if (motion.slips()) return motion.is_brief() ? Kind::rock_slide_briefly : Kind::rock_slide;
-    if (motion.is_brief()) return std::nullopt;
-    return motion.tests_friction() ? Kind::rock_with_friction : Kind::rock;
+    const bool is_brief = motion.is_brief();
+    const Kind kind = motion.slips() ? (is_brief ? Kind::rock_slide_briefly : Kind::rock_slide)
+                      : motion.tests_friction()
+                          ? (is_brief ? Kind::rock_with_friction_briefly : Kind::rock_with_friction)
+                          : (is_brief ? Kind::rock_briefly : Kind::rock);
+    return StepKind{motion.excitation().index(), kind};
   }
 
   /// The kind of the run's next step in company, after those that are not; absent if it has finished before.
-  [[nodiscard]] std::optional<Kind> next_kind(Run& run) {
+  [[nodiscard]] std::optional<StepKind> next_kind(Run& run) {
     auto& motion = run.motion();
     while (true) {
       if (motion.ended() && !run.go_on()) {
@@ -119,9 +133,11 @@ class Crew {
     }
   }
 
-  void wait(Run& run, Kind kind) { groups_[static_cast<std::size_t>(kind)].waiting.push_back(&run); }
-
-  [[nodiscard]] Kind kind_of(const Group& group) const { return static_cast<Kind>(&group - groups_.data()); }
+  void wait(Run& run, const StepKind& kind) {
+    const std::size_t index = kind.excitation * kind_count + static_cast<std::size_t>(kind.kind);
+    groups_[index].waiting.push_back(&run);
+    ++sizes_[index];
+  }
 
   void fill(Group& group) {
     for_each_lane(all_lanes() & ~group.occupied, [&](std::size_t lane) {
@@ -135,16 +151,17 @@ class Crew {
   void advance(Group& group) {
     fill(group);
     Block& block = *group.block;
-    kernels_.advance[static_cast<std::size_t>(kind_of(group))](block);
+    kernels_.advance[group.kind.excitation][static_cast<std::size_t>(group.kind.kind)](block);
     for_each_lane(block.quiet & block.strobed & group.occupied,
                   [&](std::size_t lane) { group.runs[lane]->motion().pass_strobe(strobe_point(block, lane)); });
     for_each_lane(block.landed & group.occupied, [&](std::size_t lane) { pass_impact(group, lane); });
-    for_each_lane(block.at_a_loss & group.occupied, [&](std::size_t lane) {
-      catch_up(group, lane, 1);
+    const std::uint32_t at_breakpoint = block.at_breakpoint & group.occupied;
+    for_each_lane(at_breakpoint, [&](std::size_t lane) {
+      catch_up(group, lane, true);
       go_on(group, lane);
     });
-    for_each_lane(~(block.quiet | block.held) & group.occupied, [&](std::size_t lane) {
-      catch_up(group, lane, 0);
+    for_each_lane(~(block.quiet | block.held | at_breakpoint) & group.occupied, [&](std::size_t lane) {
+      catch_up(group, lane, false);
       finish_step(group, lane);
       go_on(group, lane);
     });
@@ -171,22 +188,26 @@ class Crew {
   void go_on(Group& group, std::size_t lane) {
     Run& run = *group.runs[lane];
     const auto kind = next_kind(run);
-    if (kind == kind_of(group)) return group.stay(lane);
+    if (kind == group.kind) return group.stay(lane);
     group.vacate(lane);
+    --sizes_[group.number];
     if (kind) wait(run, *kind);
   }
 
-  /// Tells the lane's run of the steps that were done in the lane. Brief ones come to a breakpoint each; of the intervals that
-  /// begin there, the run has foreseen all but the last `unforeseen`.
-  void catch_up(Group& group, std::size_t lane, std::uint64_t unforeseen) {
+  /// Tells the lane's run of the steps that were done in the lane. Steps on the friction grid come to a breakpoint each.
+  /// `at_breakpoint`: the lane stands at one, and the interval that begins there is not known yet.
+  void catch_up(Group& group, std::size_t lane, bool at_breakpoint) {
     Run& run = *group.runs[lane];
     dynamics::SmoothProgress here = progress(*group.block, lane);
     run.counts().steps += here.steps;
     run.counts().root_isolations += count(group.block->root_isolations[lane]);
-    if (kind_of(group) == Kind::rock_slide_briefly) {
+    if (run.motion().excitation().has_knots()) {
+      here.breakpoints = count(group.block->breakpoints[lane]);
+    } else if (group.kind.kind == Kind::rock_slide_briefly) {
       here.breakpoints = here.steps;
-      here.foreseen = here.steps - unforeseen;
+      here.foreseen = here.steps - (at_breakpoint ? 1 : 0);
     }
+    here.at_breakpoint = at_breakpoint;
     run.motion().catch_up(here);
   }
 
@@ -194,7 +215,9 @@ class Crew {
 
   const Kernels& kernels_;
   base::StopRequest stop_;
-  std::array<Group, kind_count> groups_;
+  std::array<Group, dynamics::excitation_kinds * kind_count> groups_;
+  std::array<std::uint32_t, dynamics::excitation_kinds * kind_count>
+      sizes_{};  ///< runs in the lanes of each, or waiting
   std::vector<Run*> finished_;
   std::size_t size_ = 0;
 };

@@ -14,9 +14,9 @@ namespace {
 
 /// Which guards lose their sign in the coming step of every lane, and when. A cheap bound clears most; the roots of the others
 /// are asked for.
-template <Kind kind, class Real>
-class Losses : public Step<kind, Real> {
-  using Base = Step<kind, Real>;
+template <Kind kind, class Shaking, class Real>
+class Losses : public Step<kind, Shaking, Real> {
+  using Base = Step<kind, Shaking, Real>;
 
  protected:
   using Base::b_, Base::length_, Base::load, Base::mark;

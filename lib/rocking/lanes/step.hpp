@@ -34,7 +34,8 @@ struct NeverZero {};
 /// In place of the lanes where a guard is out of reach.
 struct InReach {};
 
-template <Kind kind, class Real>
+/// `Shaking`: the kind of the base motion.
+template <Kind kind, class Shaking, class Real>
 class Step {
  public:
   /// Of as many lanes as a Real has, from `first` on.
@@ -46,8 +47,9 @@ class Step {
     time_ = load(b_.time);
     period_ = load(b_.period);
     period_length_ = load(b_.period_length);
-    const Real frequency = load(b_.frequency);
-    dynamics::expand_harmonic<order_of(kind)>(m_.base, load(b_.amplitude), frequency, base::sin_cos(frequency * time_));
+    dynamics::Piece<Shaking, Real> piece;
+    for (std::size_t i = 0; i < Shaking::piece_numbers; ++i) piece[i] = load(b_.piece[i]);
+    Shaking::template expand<order_of(kind)>(m_, piece, load(b_.amplitude), moment());
     m_.tilt[0] = load(b_.tilt);
     m_.tilt_rate[0] = load(b_.tilt_rate);
     const auto angle = sin_cos_of_edge(load(b_.shape_angle) - m_.tilt[0]);
@@ -62,35 +64,43 @@ class Step {
     if constexpr (slips) {
       m_.slip_rate[0] = load(b_.slip_rate);
       m_.slip[0] = load(b_.slip);
-      dynamics::expand_rock_slide<order_of(kind), false>(
+      dynamics::expand_rock_slide<order_of(kind), Shaking::has_vertical>(
           m_,
           {.inertia = load(b_.inertia), .drag = load(b_.slip_sign) * kinetic_friction(), .first_rate_gate = Real(1.0)});
       length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
     } else {
-      dynamics::expand_rock<order_of(kind), false>(m_, Real(1.0));
+      dynamics::expand_rock<order_of(kind), Shaking::has_vertical>(m_, Real(1.0));
       length_ = length_of(m_.tilt_rate);
     }
     reach_ = until(load(b_.break_period), load(b_.break_time));
     if constexpr (is_brief) {
-      fits_ = reach_ < length_ || reach_ == length_;
+      fits_ = base::at_most(reach_, length_);
+      if constexpr (!on_grid) fits_ = fits_ && base::at_most(reach_, Real(dynamics::brief_step) * period_length_);
       length_ = reach_;
     } else {
       fits_ = Real(dynamics::brief_step) * period_length_ < reach_;
       length_ = smaller(period_length_, smaller(reach_, length_));
     }
-    if constexpr (!slips) {
+    if constexpr (knows_reach) {
       out_of_reach_ = dynamics::out_of_reach(m_.tilt[0], m_.tilt_rate[0], load(b_.amplitude), length_,
                                              load(b_.shape_angle), load(b_.sine));
       presses_ = out_of_reach_.normal;
       // Where no friction has to hold the block, N is of use for its guard alone.
-      if (kind == Kind::rock && bits_of(!presses_) == 0) return;
-      dynamics::expand_normal<order_of(kind), false>(m_);
+      if (!lanes::tests_friction(kind) && bits_of(!presses_) == 0) return;
     }
+    if constexpr (!slips) dynamics::expand_normal<order_of(kind), Shaking::has_vertical>(m_);
     presses_ = Real(0.0) < m_.normal[0];
   }
 
  protected:
-  static constexpr bool slips = kind == Kind::rock_slide || kind == Kind::rock_slide_briefly;
+  static constexpr bool slips = lanes::slips(kind);
+  static constexpr bool is_brief = lanes::is_brief(kind);
+  /// Steps end with the intervals of the friction grid, which are known beforehand.
+  static constexpr bool on_grid = slips && is_brief && !Shaking::has_knots;
+  /// Breakpoints are passed here.
+  static constexpr bool passes_breakpoints = on_grid || Shaking::has_knots;
+  /// Some guards may be known to be out of reach.
+  static constexpr bool knows_reach = !slips && Shaking::bounds_acceleration && !Shaking::has_vertical;
   static constexpr std::size_t order = order_of(kind);
 
   [[nodiscard]] Real load(const LaneRow& row) const { return Row<Real>::load(row.data() + first_); }
@@ -99,9 +109,8 @@ class Step {
   void mark(std::uint32_t& truths, std::uint32_t of_these) const {
     truths = (truths & ~(every_lane << first_)) | of_these << first_;
   }
-  static constexpr bool is_brief = kind == Kind::rock_slide_briefly;
   [[nodiscard]] Real kinetic_friction() const {
-    if constexpr (!is_brief) return load(b_.kinetic_friction);
+    if constexpr (!on_grid) return load(b_.kinetic_friction);
     using base::select, base::smaller;
     const Real wanted = Row<Real>::load_each(&b_.intervals.kinetic_friction[first_], &b_.intervals.present[first_]);
     return smaller(select(wanted < Real(0.0), Real(0.0), wanted), load(b_.static_friction));
@@ -118,11 +127,12 @@ class Step {
     return integrate::step_length(row[order - 1], row[order], static_cast<int>(order), load(b_.largest));
   }
 
-  [[nodiscard]] Real until(const Real& period, const Real& time) const {
-    return (period - period_) * period_length_ + (time - time_);
+  [[nodiscard]] dynamics::Moment<Real> moment() const {
+    return {.period = period_, .time = time_, .period_length = period_length_, .frequency = load(b_.frequency)};
   }
+  [[nodiscard]] Real until(const Real& period, const Real& time) const { return moment().until(period, time); }
 
-  static constexpr std::size_t guards = kind == Kind::rock ? 3 : kind == Kind::rock_with_friction ? 5 : 4;
+  static constexpr std::size_t guards = slips ? 4 : lanes::tests_friction(kind) ? 5 : 3;
 
   /// The guards that are armed in an ordinary step, as dynamics::for_each_rocking_guard asks for them. A first coefficient is known
   /// to be 0 where a truth says so.
@@ -132,20 +142,22 @@ class Step {
 
     static constexpr bool was_past_balance() { return false; }
     static constexpr bool slips() { return Step::slips; }
-    static constexpr bool tests_friction() { return kind == Kind::rock_with_friction; }
+    static constexpr bool tests_friction() { return lanes::tests_friction(kind); }
     static constexpr bool determinant_may_vanish() { return false; }
     static constexpr InReach in_reach() { return {}; }
     auto past_balance_out_of_reach() const {
-      if constexpr (Step::slips)
-        return InReach{};
-      else
+      if constexpr (Step::knows_reach) {
         return step_.out_of_reach_.past_balance;
+      } else {
+        return InReach{};
+      }
     }
     auto normal_out_of_reach() const {
-      if constexpr (Step::slips)
-        return InReach{};
-      else
+      if constexpr (Step::knows_reach) {
         return step_.out_of_reach_.normal;
+      } else {
+        return InReach{};
+      }
     }
     static constexpr NeverZero no_zeros() { return {}; }
     static constexpr NeverZero normal_zeros() { return {}; }

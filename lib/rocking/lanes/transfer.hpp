@@ -13,6 +13,19 @@
 /// Between the lanes of a block and the motions that are in them.
 namespace rocking::lanes {
 
+/// Of a base motion that has knots.
+inline void load_piece(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+  step.excitation->visit([&]<class Shaking>(const Shaking& excitation) {
+    if constexpr (Shaking::has_knots) {
+      const auto piece = excitation.piece(*step.clock);
+      for (std::size_t i = 0; i < piece.size(); ++i) block.piece[i][lane] = piece[i];
+      block.knot[lane] = excitation.knot(*step.clock);
+    }
+  });
+  block.other_break_period[lane] = static_cast<double>(step.coefficients_change.period);
+  block.other_break_time[lane] = step.coefficients_change.time;
+}
+
 /// Goes on in a lane after an event or a breakpoint.
 inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
   const dynamics::Instant& now = step.clock->now();
@@ -29,6 +42,9 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.steps_since_strobe[lane] = static_cast<double>(step.steps_since_strobe);
   block.break_period[lane] = static_cast<double>(step.breakpoint.period);
   block.break_time[lane] = step.breakpoint.time;
+  block.breakpoints[lane] = 0.0;
+  block.fresh[lane] = 0.0;
+  if (step.excitation->has_knots()) load_piece(block, lane, step);
   block.amplitude[lane] = step.amplitude;
   block.static_friction[lane] = step.static_friction;
   block.kinetic_friction[lane] = step.kinetic_friction;

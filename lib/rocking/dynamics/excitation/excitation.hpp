@@ -1,6 +1,8 @@
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -36,9 +38,11 @@ class Excitation {
   [[nodiscard]] bool has_vertical() const {
     return visit([]<class Kind>(const Kind&) { return Kind::has_vertical; });
   }
-  [[nodiscard]] bool runs_in_lanes() const {
-    return visit([]<class Kind>(const Kind&) { return Kind::runs_in_lanes; });
+  [[nodiscard]] bool has_knots() const {
+    return visit([]<class Kind>(const Kind&) { return Kind::has_knots; });
   }
+  /// Its place among the kinds.
+  [[nodiscard]] std::size_t index() const { return kind_.index(); }
   [[nodiscard]] double unit(const Geometry& block) const {
     return visit([&](const auto& kind) { return kind.unit(block); });
   }
@@ -54,12 +58,16 @@ class Excitation {
   [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const {
     return visit([&](const auto& kind) { return kind.next_change(clock); });
   }
-  [[nodiscard]] std::uint64_t segments_looked_up() const {
-    return visit([](const auto& kind) { return kind.segments_looked_up(); });
-  }
 
  private:
   Kinds kind_;
 };
+
+inline constexpr std::size_t excitation_kinds = std::variant_size_v<Excitation::Kinds>;
+
+/// Of the kinds' pieces.
+inline constexpr std::size_t most_piece_numbers = []<class... Kinds>(std::variant<Kinds...>*) {
+  return std::max({Kinds::piece_numbers...});
+}(static_cast<Excitation::Kinds*>(nullptr));
 
 }  // namespace rocking::dynamics

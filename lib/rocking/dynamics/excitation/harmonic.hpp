@@ -1,12 +1,13 @@
 #pragma once
 
-#include <cstdint>
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
-#include "rocking/dynamics/motion_series.hpp"
+#include "rocking/dynamics/excitation/base_excitation.hpp"
 
 namespace rocking::dynamics {
 
@@ -28,7 +29,9 @@ inline void expand_harmonic(typename MotionSeries<Real>::Row& base, Real amplitu
 struct HarmonicExcitation {
   static constexpr bool is_periodic = true;
   static constexpr bool has_vertical = false;
-  static constexpr bool runs_in_lanes = true;
+  static constexpr bool bounds_acceleration = true;
+  static constexpr bool has_knots = false;
+  static constexpr std::size_t piece_numbers = 0;
 
   [[nodiscard]] static double unit(const Geometry& block) { return block.shape_angle; }
   [[nodiscard]] static double horizontal(const Clock& clock, double amplitude) {
@@ -37,11 +40,12 @@ struct HarmonicExcitation {
   [[nodiscard]] static double most_horizontal(double amplitude) { return amplitude < 0.0 ? -amplitude : amplitude; }
   [[nodiscard]] static double weight(const Clock&) { return 1.0; }
   [[nodiscard]] static std::optional<Instant> next_change(const Clock&) { return std::nullopt; }
-  [[nodiscard]] static std::uint64_t segments_looked_up() { return 0; }
+  [[nodiscard]] static Piece<HarmonicExcitation, double> piece(const Clock&) { return {}; }
 
-  template <int order>
-  static void expand(MotionSeries<double>& series, const Clock& clock, double amplitude) {
-    expand_harmonic<order>(series.base, amplitude, clock.frequency(), base::sin_cos(clock.angle()));
+  template <int order, base::Lane Real>
+  static void expand(MotionSeries<Real>& series, const Piece<HarmonicExcitation, Real>&, const Real& amplitude,
+                     const Moment<Real>& now) {
+    expand_harmonic<order>(series.base, amplitude, now.frequency, base::sin_cos(now.frequency * now.time));
   }
 };
 

@@ -12,33 +12,28 @@ Instant instant_of(double tau, const Clock& clock) {
   return {.period = static_cast<std::int64_t>(periods), .time = std::fma(-periods, clock.period_length(), since_zero)};
 }
 
+Knot at_rest(const Instant& instant) { return {.instant = instant, .horizontal = 0.0, .vertical = 0.0}; }
+
 }  // namespace
 
 RecordedMotion::RecordedMotion(const std::vector<RecordSample>& samples, double frequency_parameter,
                                const Clock& clock) {
-  knots_.reserve(samples.size());
+  constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
+  knots_.reserve(samples.size() + 4);
+  knots_.push_back(at_rest({.period = -2, .time = 0.0}));
+  knots_.push_back(at_rest(samples.empty() ? never : instant_of(samples.front().time * frequency_parameter, clock)));
   for (const RecordSample& sample : samples) {
     knots_.push_back({.instant = instant_of(sample.time * frequency_parameter, clock),
                       .horizontal = sample.horizontal,
                       .vertical = sample.vertical});
   }
+  knots_.push_back(at_rest(knots_.back().instant));
+  knots_.push_back(at_rest(never));
 }
 
-RecordedMotion::Segment RecordedMotion::segment(const Clock& clock) const {
+const Knot* RecordedMotion::last_reached(const Clock& clock) const {
   const auto is_reached = [&clock](const Knot& knot) { return clock.until(knot.instant) <= clock.resolution(); };
-  const auto next = std::partition_point(knots_.begin(), knots_.end(), is_reached);
-  Segment segment;
-  if (next == knots_.end()) return segment;
-  segment.end = next->instant;
-  if (next == knots_.begin()) return segment;
-  const Knot& last = *(next - 1);
-  const double elapsed = -clock.until(last.instant);
-  const double span = clock.until(next->instant) + elapsed;
-  segment.horizontal_slope = (next->horizontal - last.horizontal) / span;
-  segment.vertical_slope = (next->vertical - last.vertical) / span;
-  segment.horizontal = std::fma(segment.horizontal_slope, elapsed, last.horizontal);
-  segment.vertical = std::fma(segment.vertical_slope, elapsed, last.vertical);
-  return segment;
+  return &*std::partition_point(knots_.begin() + 1, knots_.end() - 1, is_reached) - 1;
 }
 
 }  // namespace rocking::dynamics

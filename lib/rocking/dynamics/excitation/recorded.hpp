@@ -1,7 +1,7 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -10,7 +10,7 @@
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
-#include "rocking/dynamics/motion_series.hpp"
+#include "rocking/dynamics/excitation/base_excitation.hpp"
 
 namespace rocking::dynamics {
 
@@ -21,6 +21,13 @@ struct RecordSample {
   double vertical;    ///< over g
 };
 
+/// A sample on a run's clock.
+struct Knot {
+  Instant instant;
+  double horizontal;
+  double vertical;
+};
+
 /// A recorded base motion on a run's clock: linear between samples, at rest before the first and after the last. Samples
 /// need not be evenly spaced. Every sample is a breakpoint, so that a step never crosses a kink.
 class RecordedMotion {
@@ -28,24 +35,11 @@ class RecordedMotion {
   /// `frequency_parameter`: p, which turns seconds into normalised time.
   RecordedMotion(const std::vector<RecordSample>& samples, double frequency_parameter, const Clock& clock);
 
-  /// The acceleration at an instant and how it changes until the next sample.
-  struct Segment {
-    double horizontal = 0.0;
-    double horizontal_slope = 0.0;  ///< per unit of normalised time
-    double vertical = 0.0;
-    double vertical_slope = 0.0;
-    std::optional<Instant> end;  ///< absent after the last sample
-  };
-
-  [[nodiscard]] Segment segment(const Clock& clock) const;
+  /// The last knot that is reached; the piece goes from it to the knot behind it, which never is the last of all.
+  [[nodiscard]] const Knot* last_reached(const Clock& clock) const;
 
  private:
-  struct Knot {
-    Instant instant;
-    double horizontal;
-    double vertical;
-  };
-  std::vector<Knot> knots_;
+  std::vector<Knot> knots_;  ///< with two of rest on each side; the last is never reached
 };
 
 /// alpha = scale times the record's horizontal acceleration over g; likewise alpha_v where `vertical`.
@@ -54,7 +48,10 @@ class RecordedExcitation {
  public:
   static constexpr bool is_periodic = false;
   static constexpr bool has_vertical = vertical;
-  static constexpr bool runs_in_lanes = false;
+  static constexpr bool bounds_acceleration = false;
+  static constexpr bool has_knots = true;
+  /// Period, time, horizontal and vertical acceleration of two knots, and the scale.
+  static constexpr std::size_t piece_numbers = 9;
 
   /// `scale` of the vertical motion; the horizontal one's is the amplitude.
   RecordedExcitation(std::shared_ptr<const RecordedMotion> motion, double scale)
@@ -62,36 +59,85 @@ class RecordedExcitation {
 
   [[nodiscard]] static double unit(const Geometry&) { return 1.0; }
   [[nodiscard]] double horizontal(const Clock& clock, double amplitude) const {
-    return amplitude * motion_->segment(clock).horizontal;
+    return amplitude * acceleration(piece(clock), moment_of(clock)).horizontal;
   }
   /// Not known without looking through the record.
   [[nodiscard]] static double most_horizontal(double) { return std::numeric_limits<double>::infinity(); }
   [[nodiscard]] double weight(const Clock& clock) const {
-    return vertical ? 1.0 + scale_ * motion_->segment(clock).vertical : 1.0;
+    return vertical ? 1.0 + scale_ * acceleration(piece(clock), moment_of(clock)).upwards : 1.0;
   }
-  [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const { return motion_->segment(clock).end; }
+  [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const {
+    const Instant& next = motion_->last_reached(clock)[1].instant;
+    return next.time < std::numeric_limits<double>::infinity() ? std::optional(next) : std::nullopt;
+  }
 
-  /// Steps that asked the record for their piece of it.
-  [[nodiscard]] std::uint64_t segments_looked_up() const { return segments_looked_up_; }
+  [[nodiscard]] const Knot* knot(const Clock& clock) const { return motion_->last_reached(clock); }
+  [[nodiscard]] Piece<RecordedExcitation, double> piece(const Clock& clock) const {
+    return piece_from<double>(knot(clock), scale_);
+  }
 
-  template <int order>
-  void expand(MotionSeries<double>& series, const Clock& clock, double amplitude) {
-    ++segments_looked_up_;
-    const RecordedMotion::Segment now = motion_->segment(clock);
-    series.base.fill(0.0);
-    series.base[0] = amplitude * now.horizontal;
-    series.base[1] = amplitude * now.horizontal_slope;
+  /// The piece that begins at a knot.
+  template <base::Lane Real>
+  [[nodiscard]] static Piece<RecordedExcitation, double> piece_from(const Knot* knot, double scale) {
+    return {static_cast<double>(knot[0].instant.period),
+            knot[0].instant.time,
+            knot[0].horizontal,
+            knot[0].vertical,
+            static_cast<double>(knot[1].instant.period),
+            knot[1].instant.time,
+            knot[1].horizontal,
+            knot[1].vertical,
+            scale};
+  }
+
+  /// The last knot reached now, from one that was reached before. `Real`: of the lanes for which it is compiled.
+  template <base::Lane Real>
+  [[nodiscard]] static const Knot* follow(const Knot* knot, const Moment<double>& now, double resolution) {
+    while (now.until(static_cast<double>(knot[1].instant.period), knot[1].instant.time) <= resolution) ++knot;
+    return knot;
+  }
+
+  template <int order, base::Lane Real>
+  static void expand(MotionSeries<Real>& series, const Piece<RecordedExcitation, Real>& piece, const Real& amplitude,
+                     const Moment<Real>& now) {
+    const Acceleration<Real> start = acceleration(piece, now);
+    series.base.fill(Real(0.0));
+    series.base[0] = amplitude * start.horizontal;
+    series.base[1] = amplitude * start.horizontal_slope;
     if constexpr (vertical) {
-      series.weight.fill(0.0);
-      series.weight[0] = 1.0 + scale_ * now.vertical;
-      series.weight[1] = scale_ * now.vertical_slope;
+      const Real& scale = piece[8];
+      series.weight.fill(Real(0.0));
+      series.weight[0] = Real(1.0) + scale * start.upwards;
+      series.weight[1] = scale * start.upwards_slope;
     }
   }
 
  private:
+  /// The record now and how it changes, per unit of normalised time.
+  template <base::Lane Real>
+  struct Acceleration {
+    Real horizontal;
+    Real horizontal_slope;
+    Real upwards;
+    Real upwards_slope;
+  };
+
+  template <class Real>
+  [[nodiscard]] static Acceleration<Real> acceleration(const std::array<Real, piece_numbers>& piece,
+                                                       const Moment<Real>& now) {
+    using base::fused;
+    const Real elapsed = -now.until(piece[0], piece[1]);
+    const Real span = now.until(piece[4], piece[5]) + elapsed;
+    const Real horizontal_slope = (piece[6] - piece[2]) / span;
+    const Real upwards_slope = vertical ? (piece[7] - piece[3]) / span : Real(0.0);
+    return {.horizontal = fused(horizontal_slope, elapsed, piece[2]),
+            .horizontal_slope = horizontal_slope,
+            .upwards = fused(upwards_slope, elapsed, piece[3]),
+            .upwards_slope = upwards_slope};
+  }
+
   std::shared_ptr<const RecordedMotion> motion_;
   double scale_;
-  std::uint64_t segments_looked_up_ = 0;
 };
 
 }  // namespace rocking::dynamics

@@ -77,7 +77,7 @@ class ConditionChecker {
 
   template <class Kind>
   void check_numbers(const Kind& kind) {
-    kind.check([this](const char* place, const auto& value) { finite(place, value); });
+    kind.check([this](const char* place, const auto& value) { this->finite(place, value); });
   }
 
   void check_fluctuation() {

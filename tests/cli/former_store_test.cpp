@@ -88,7 +88,7 @@ TEST_F(FormerStore, IsReplayedWhereTheBitsAreThoseOfThisProgram) {
   EXPECT_EQ(rocking("replay whole --condition 2 --realisation 14").exit_code, 0);
   const auto other = rocking("replay whole --condition 3 --realisation 15");
   EXPECT_EQ(other.exit_code, 1);
-  EXPECT_THAT(other.errors, HasSubstr("which rocking 0.1.0 61b81ca4680c made"));
+  EXPECT_THAT(other.errors, HasSubstr("which rocking 0.1.0 61b81ca4680c computed"));
 }
 
 TEST_F(FormerStore, IsNotVerifiedWhereARowThatShouldHaveTheSameBitsHasOthers) {
@@ -97,7 +97,7 @@ TEST_F(FormerStore, IsNotVerifiedWhereARowThatShouldHaveTheSameBitsHasOthers) {
   put_row("whole", {0, 3}, *other.find({0, 3}));
   const auto verified = rocking("verify whole");
   EXPECT_EQ(verified.exit_code, 1);
-  EXPECT_THAT(verified.output, HasSubstr("condition 0, realisation 3: run again it differs"));
+  EXPECT_THAT(verified.output, HasSubstr("condition 0, realisation 3: the new result differs"));
 }
 
 TEST_F(FormerStore, IsMergedWithAShardOfThisProgramOnceItIsResumed) {

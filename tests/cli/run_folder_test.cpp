@@ -314,7 +314,7 @@ TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {
   change_report("/result/digest", std::string(64, '0'));
   const auto outcome = rocking("verify out");
   EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("the run is by rocking 0.0.9"), HasSubstr("/result/digest")));
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("the run was made by rocking 0.0.9"), HasSubstr("/result/digest")));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWhereAStoredRealisationWasEdited) {

@@ -85,7 +85,8 @@ TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
   Json& values = scattered["sweep"][1]["values"] = Json::array();
   for (int i = 0; i < 30; ++i) values.push_back(1.5 + 0.1 * i);
   scattered["realisations"] = 3;
-  for (const Json& curve : fragility_of(scattered, "out")["curves"]) {
+  const Json fitted = fragility_of(scattered, "out");
+  for (const Json& curve : fitted.at("curves")) {
     EXPECT_EQ(curve["outcome"], "no_scatter");
     EXPECT_TRUE(curve["law"].is_null());
   }

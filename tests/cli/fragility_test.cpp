@@ -10,6 +10,7 @@ namespace {
 using rocking::report::Json;
 using rocking::support::objections;
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
 class Fragility : public rocking::support::ProgramTest {
@@ -86,10 +87,13 @@ TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
   for (int i = 0; i < 30; ++i) values.push_back(1.5 + 0.1 * i);
   scattered["realisations"] = 3;
   const Json fitted = fragility_of(scattered, "out");
+  std::vector<std::string> outcomes;
   for (const Json& curve : fitted.at("curves")) {
-    EXPECT_EQ(curve["outcome"], "no_scatter");
-    EXPECT_TRUE(curve["law"].is_null());
+    outcomes.push_back(curve.at("outcome"));
+    EXPECT_TRUE(curve.at("law").is_null());
   }
+  // With restitution 0 the outcome changes once with the amplitude, with 0.2 more than once.
+  EXPECT_THAT(outcomes, ElementsAre("separated", "no_scatter"));
   const auto told = rocking("fragility out -o kept");
   EXPECT_THAT(told.output, HasSubstr("the realisations overturn at the same levels"));
   EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);

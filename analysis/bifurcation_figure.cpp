@@ -11,14 +11,14 @@
 #include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
 using section::ResponseMode;
 
-// No more cells than an SVG has pixels for them: a picture that is scaled down drops some, and with them thin branches.
+// At most one cell per pixel of the SVG: a picture that is scaled down drops cells, and with them thin branches.
 constexpr std::size_t levels = 190;
 constexpr std::size_t most_columns = 600;
 constexpr std::size_t most_points = 12'000;
@@ -42,7 +42,7 @@ struct Range {
     low = std::min(low, number);
     high = std::max(high, number);
   }
-  /// Which of `count` equal parts a number is in.
+  /// Index of the part that contains a number if the range is divided into `count` equal parts.
   [[nodiscard]] std::size_t part(double number, std::size_t count) const {
     if (!(high > low)) return 0;
     const double place = (number - low) / (high - low) * static_cast<double>(count);
@@ -50,7 +50,7 @@ struct Range {
   }
 };
 
-/// A diagram's steps, branch by branch, and what they span.
+/// Steps of a diagram by branch, with their ranges.
 struct Diagram {
   std::map<std::string, std::vector<Step>> branches;
   Range values, tilts;
@@ -76,12 +76,12 @@ Diagram diagram_from(const Json& json) {
   return diagram;
 }
 
-/// Points that differ by more than a thousandth of the range, by mode; with how many lie so near.
+/// By mode, the points that differ by more than a thousandth of the range, with the number of points near each.
 std::map<ResponseMode, Table> point_tables(const Diagram& diagram, const std::vector<Step>& steps,
                                            const Column& value) {
   std::map<ResponseMode, Table> tables;
   for (const Step& step : steps) {
-    std::map<std::size_t, std::pair<double, double>> cells;  // by level: a tilt there, and how many
+    std::map<std::size_t, std::pair<double, double>> cells;  // by level: one tilt in the cell, and the number of points
     for (const double tilt : step.tilts) {
       auto& [first, count] = cells.try_emplace(diagram.tilts.part(tilt, 1000), tilt, 0.0).first->second;
       ++count;
@@ -137,7 +137,7 @@ void add_points(const Diagram& diagram, const std::vector<Step>& steps, const Co
   }
 }
 
-/// Room for a picture of nothing but one value or one tilt.
+/// Extends a range that consists of a single value or tilt.
 void widen(Range& range) {
   const double room = range.high > range.low ? 0.0 : std::max(0.1, 0.1 * std::abs(range.low));
   range.low -= room;
@@ -151,7 +151,7 @@ Figure figure_of(Diagram diagram, const std::string& pointer, const std::string&
   figure.subtitle = others;
   figure.arrangement = Arrangement::stacked;
   Axis x = axis_of_parameter(pointer);
-  const Column value{pointer.substr(pointer.rfind('/') + 1), label_of(x)};
+  const Column value{last_key(pointer), label_of(x)};
   if (!(diagram.tilts.low <= diagram.tilts.high)) diagram.tilts = {.low = 0.0, .high = 0.0};
   widen(diagram.tilts);
   const bool as_image = diagram.different_values > 1 && points_drawn(diagram) > most_points;

@@ -3,14 +3,14 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 
-/// `bifurcation`, for each diagram of what `rocking bifurcation` wrote: Theta at the strobe against the parameter, a
-/// panel for each way in which steps begin. Few points are drawn as such, with the look of their response mode; many as
-/// an image whose cells are shaded by the logarithm of the number of points in them, in which a single point is plain to
-/// see. Throws base::InputError where it is no such file.
-[[nodiscard]] std::vector<Figure> bifurcation_figures(const report::Json& output);
+/// The figures `bifurcation` of the output of `rocking bifurcation`, one for each diagram: Theta at the strobe against the
+/// parameter, with a panel for each way in which steps begin. A small number of points is drawn as markers in the style of
+/// their response mode. A large number is drawn as an image whose cells are shaded by the logarithm of their number of
+/// points; a single point is clearly visible. Throws base::InputError if `output` is no such output.
+[[nodiscard]] std::vector<Figure> bifurcation_figures(const Json& output);
 
 }  // namespace rocking::analysis

@@ -6,20 +6,17 @@
 
 #include "analysis/output_file.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/report/check_document.hpp"
+#include "rocking/input/check_document.hpp"
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
-using report::Problems;
-
 void reject(Problems& problems, const std::string& place, const std::string& reason) {
   problems.push_back({place, "", reason, "write the file again with the command that made it"});
 }
 
-/// The title of the experiment that an output quotes.
+/// Checks the title of the experiment that is contained in an output.
 void check_quoted_experiment(const Json& output, Problems& problems) {
   const Json& experiment = output["input"]["experiment"];
   if (!experiment.contains("title") || !experiment["title"].is_string()) {
@@ -38,7 +35,8 @@ void check_bifurcation(const Json& output, Problems& problems) {
   for (std::size_t i = 0; i < output["diagrams"].size(); ++i) {
     const Json& steps = output["diagrams"][i]["steps"];
     for (std::size_t j = 0; j < steps.size() && problems.empty(); ++j) {
-      check_mode(steps[j]["mode"], "/diagrams/" + std::to_string(i) + "/steps/" + std::to_string(j) + "/mode", problems);
+      check_mode(steps[j]["mode"], "/diagrams/" + std::to_string(i) + "/steps/" + std::to_string(j) + "/mode",
+                 problems);
     }
   }
 }
@@ -116,7 +114,7 @@ void check_output(const Json& output) {
   const auto format = formats.find(format_of(output));
   if (format == formats.end()) return;
   Problems problems;
-  report::check_document(output, format->second.schema, "", problems);
+  check_document(output, format->second.schema, "", problems);
   if (problems.empty()) format->second.check(output, problems);
   if (!problems.empty()) throw base::InputError(std::move(problems));
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 
-/// Checks what a command printed before it is drawn: against the schema of its format, and for what its parts demand of
-/// each other, such as lists of equal length. Throws base::InputError. A format that has no figure is left to the caller.
-void check_output(const report::Json& output);
+/// Checks the output of a command before it is drawn: the schema of its format, and conditions between its parts, such as
+/// lists of equal length. Throws base::InputError. A format without a figure is not an error here.
+void check_output(const Json& output);
 
 }  // namespace rocking::analysis

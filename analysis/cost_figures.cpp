@@ -6,17 +6,16 @@
 #include "analysis/data_file.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
-
 constexpr double micro = 1e6;
 constexpr double hundred = 100.0;
 
-/// A number that a logarithmic axis can show, or nothing.
+/// A number that can be drawn on a logarithmic axis, or nothing.
 Cell positive(const Json& number) {
   if (number.is_null() || number.get<double>() <= 0.0) return {};
   return number.get<double>();
@@ -24,28 +23,28 @@ Cell positive(const Json& number) {
 
 Cell share(const Json& number) { return hundred * number.get<double>(); }
 
-std::string spoken(double number) { return report::significant(number, 3); }
+std::string spoken(double number) { return significant(number, 3); }
 
 double own_tolerance(const Json& output) { return output.at("input").at("experiment").at("accuracy").at("tolerance"); }
 
-/// Processor time a period of the `i`-th tolerance [us].
+/// Processor time per period for tolerance number `i` [us].
 double time_of(const Json& output, std::size_t i) {
   return micro * output.at("system").at("processor_s_per_period").at(i).get<double>();
 }
 
 /// Columns: tolerance, median, largest, changed, low, high, time, and the tolerance as text.
 Table tolerance_table(const Json& output) {
-  Table table{.name = "tolerances",
-              .columns = {{"tolerance", "tolerance of the steps"},
-                          {"median_error", "median over the realisations of the largest error in the first periods"},
-                          {"largest_error", "the largest of all realisations"},
-                          {"changed", "response modes that differ from those at the tightest tolerance [%]"},
-                          {"changed_low",
-                           "lower end of its exact interval [%]; absent if all realisations were measured"},
-                          {"changed_high", "upper end of its exact interval [%]"},
-                          {"time", "processor time per period [us]"},
-                          {"name", "the tolerance, as text"}},
-              .rows = {}};
+  Table table{
+      .name = "tolerances",
+      .columns = {{"tolerance", "tolerance of the steps"},
+                  {"median_error", "median over the realisations of the largest error in the first periods"},
+                  {"largest_error", "the largest of all realisations"},
+                  {"changed", "response modes that differ from those at the tightest tolerance [%]"},
+                  {"changed_low", "lower end of its exact interval [%]; absent if all realisations were measured"},
+                  {"changed_high", "upper end of its exact interval [%]"},
+                  {"time", "processor time per period [us]"},
+                  {"name", "the tolerance, as text"}},
+      .rows = {}};
   const Json& tolerances = output.at("result").at("tolerances");
   const bool is_everything = output.at("result").at("sample").at("is_everything");
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
@@ -129,7 +128,7 @@ Figure work_precision(const Json& output) {
   return figure;
 }
 
-/// Columns: factor, periods, time, mean, widest, Wilson's.
+/// Columns: factor, periods, time, mean half-width, largest half-width, Wilson's.
 Table realisations_table(const Json& output) {
   Table table{
       .name = "realisations",
@@ -166,8 +165,7 @@ Figure cost_realisations(const Json& output) {
        .layers = {curve(1, {2, 4}, "widest"), curve(2, {2, 5}, "widest of Wilson's"), curve(0, {2, 3}, "mean")}}};
   for (const auto& row : figure.tables[0].rows) {
     const double time = std::get<double>(row[2]);
-    figure.panels[0].x.ticks.push_back(
-        {.place = time, .text = time < 100.0 ? spoken(time) : report::fixed_point(time, 0)});
+    figure.panels[0].x.ticks.push_back({.place = time, .text = time < 100.0 ? spoken(time) : fixed_point(time, 0)});
   }
   figure.caption =
       "Half-width of each condition's widest simultaneous interval at 1, 4 and 16 times the requested realisations, if "

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 
-/// What `rocking cost` measured: `cost_tolerance`, error, changed response modes and time against the tolerance;
-/// `work_precision`, error against time; `cost_realisations`, half-widths against time, where something is drawn. Throws
-/// base::InputError where it is no such file.
-[[nodiscard]] std::vector<Figure> cost_figures(const report::Json& output);
+/// Figures of the output of `rocking cost`: `cost_tolerance`, error, changed response modes and time against the tolerance;
+/// `work_precision`, error against time; `cost_realisations`, half-widths against time, if anything is random. Throws
+/// base::InputError if `output` is no such output.
+[[nodiscard]] std::vector<Figure> cost_figures(const Json& output);
 
 }  // namespace rocking::analysis

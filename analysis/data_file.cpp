@@ -9,7 +9,7 @@
 namespace rocking::analysis {
 namespace {
 
-/// One line, without the marks that would end a quoted text.
+/// One line, without characters that would end a quoted text.
 std::string harmless(const std::string& text) {
   std::string line = printable(text);
   std::replace(line.begin(), line.end(), '"', '\'');

@@ -5,7 +5,7 @@
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_script.hpp"
 #include "analysis/temporary_folder.hpp"
-#include "rocking/report/files.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::analysis {
 const std::vector<std::string>& picture_formats() {
@@ -17,17 +17,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The end of a picture's name while gnuplot draws it.
+/// Suffix of the name of a picture while gnuplot draws it.
 const std::string unfinished = ".unfinished";
 
-/// Whether a file of this format is whole, by how it ends.
+/// Whether a file of this format is complete, judged by its end.
 bool is_whole(std::string_view picture, std::string_view format) {
   const std::size_t last = picture.find_last_not_of("\r\n");
   const std::string_view end = format == "svg" ? "</svg>" : format == "png" ? "IEND\xAE\x42\x60\x82" : "%%EOF";
   return last != std::string_view::npos && picture.substr(0, last + 1).ends_with(end);
 }
 
-/// Sets back the day on which gnuplot's pdf says it was made, digit for digit, so that no place in the file moves.
+/// Replaces the creation date in a PDF by gnuplot with a fixed one of the same length, so that no offset in the file
+/// changes.
 void forget_the_day(std::string& pdf) {
   constexpr std::string_view key = "/CreationDate (D:";
   constexpr std::string_view day = "20000101000000";
@@ -40,17 +41,17 @@ fs::path picture(const fs::path& folder, const Figure& figure, const std::string
   return folder / (figure.name + '.' + format);
 }
 
-/// Puts a picture that gnuplot finished in its place; false where it is cut short, as on a full disk.
+/// Renames a picture that gnuplot finished; false if it is incomplete, as on a full disk.
 bool keep_picture(const fs::path& drawn, const fs::path& kept, const std::string& format) {
   if (!fs::exists(drawn)) return false;
-  std::string content = report::read_file(drawn);
+  std::string content = read_file(drawn);
   if (!is_whole(content, format)) return false;
   if (format == "pdf") forget_the_day(content);
-  report::write_atomically(kept, content);
+  write_atomically(kept, content);
   return true;
 }
 
-/// Keeps all pictures that gnuplot drew, or takes away those that are there: they do not show these data.
+/// Keeps the pictures if gnuplot drew all of them; otherwise removes existing ones, which show other data.
 void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
                     Drawing& drawing) {
   for (const std::string& format : formats) {
@@ -70,8 +71,8 @@ void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vec
 
 Drawing write_figure(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
                      base::StopRequest stop) {
-  report::write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
-  report::write_atomically(folder / (figure.name + ".gp"), script_text(figure));
+  write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
+  write_atomically(folder / (figure.name + ".gp"), script_text(figure));
   Drawing drawing = run_gnuplot(folder, figure.name, {.formats = formats, .ending = unfinished}, stop);
   keep_or_remove(figure, folder, formats, drawing);
   return drawing;
@@ -81,11 +82,12 @@ std::string svg_of(const Figure& figure, Drawing& drawing, base::StopRequest sto
   try {
     const TemporaryFolder folder;
     drawing = write_figure(figure, folder.path(), {"svg"}, stop);
-    return drawing.is_drawn() ? report::read_file(folder.path() / (figure.name + ".svg")) : std::string();
+    return drawing.is_drawn() ? read_file(folder.path() / (figure.name + ".svg")) : std::string();
   } catch (const std::system_error& error) {
     drawing = {.end = DrawingEnd::broken_off,
-               .reason = std::string(error.what()) + "; set TMPDIR to a writable folder, and check that the disk "
-                                                     "is not full"};
+               .reason = std::string(error.what()) +
+                         "; set TMPDIR to a writable folder, and check that the disk "
+                         "is not full"};
     return {};
   }
 }

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-/// What a figure is, whoever draws it: tables of numbers, and what of them is shown how. A page and a gnuplot script are
-/// made from the same figure.
+/// A figure, independent of the program that draws it: tables of numbers, and how they are shown. Pages and gnuplot scripts
+/// are made from the same figure.
 namespace rocking::analysis {
 
 /// Nothing, a number, or a text.
@@ -19,17 +19,17 @@ struct Column {
   std::string meaning;  ///< in words, with symbol and unit
 };
 
-/// Rows of equal length. Of a matrix the columns are nameless points of a grid; `grid` says where they lie.
+/// Rows of equal length. A matrix has unnamed columns, which are points of a grid; `grid` gives their positions.
 struct Table {
   struct Grid {
-    double x = 0.0, dx = 1.0;  ///< of the first column's middle; from one column to the next
-    double y = 0.0, dy = 1.0;  ///< the same of rows
+    double x = 0.0, dx = 1.0;  ///< centre of the first column; distance between columns
+    double y = 0.0, dy = 1.0;  ///< the same for rows
   };
-  std::string name;  ///< what of the figure this is, in words
+  std::string name;  ///< which part of the figure it is, in words
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::optional<Grid> grid = std::nullopt;
-  bool only_drawn = false;  ///< says nothing that the tables before it do not: not worth a reader's time
+  bool only_drawn = false;  ///< contains nothing that the tables before it do not; not shown to readers
 };
 
 struct Tick {
@@ -39,28 +39,28 @@ struct Tick {
 
 struct Axis {
   std::string quantity;  ///< `base amplitude`
-  std::string symbol;    ///< `A_h`: what stands behind a `_` is set low; may be empty
-  std::string unit;      ///< `periods`; empty: a pure number
-  std::optional<double> low = std::nullopt, high = std::nullopt;  ///< absent: what the data need
+  std::string symbol;    ///< `A_h`, where a `_` begins a subscript; may be empty
+  std::string unit;      ///< `periods`; empty: dimensionless
+  std::optional<double> low = std::nullopt, high = std::nullopt;  ///< absent: given by the data
   std::vector<Tick> ticks = {};                                   ///< empty: round numbers
   bool logarithmic = false;
 };
 
-/// `base amplitude A_h [-]` without marks of setting.
+/// Plain text of a label, without markup: `base amplitude A_h [-]`.
 [[nodiscard]] std::string label_of(const Axis& axis);
 
-/// How a layer looks; each tells apart without colour too.
+/// Style of a layer. Styles can also be distinguished without colour.
 struct Style {
   std::string colour = "#000000";
   int dash = 1;    ///< gnuplot's dash types: 1 is solid
   int marker = 7;  ///< gnuplot's point types: 7 is a disc
   int hatch = 0;   ///< gnuplot's fill patterns: 0 is none
   double width = 1.5;
-  double opacity = 1.0;  ///< of what is filled
+  double opacity = 1.0;  ///< of filled areas
   double size = 0.6;     ///< of markers
 };
 
-/// How a layer is drawn, and what its columns are.
+/// How a layer is drawn, and the meaning of its columns.
 enum class LayerKind : std::uint8_t {
   boxes,       ///< x_low, x_high, y_low, y_high
   line,        ///< x, y
@@ -68,8 +68,8 @@ enum class LayerKind : std::uint8_t {
   points,      ///< x, y
   error_bars,  ///< x, y, low, high
   steps,       ///< x, y: level from each x to the next
-  image,       ///< none: all cells of a matrix; 0 is left blank, the rest is shaded by its logarithm
-  spans,       ///< x_low, x_high: over the whole height
+  image,       ///< no columns: all cells of a matrix; 0 is blank, others are shaded by their logarithm
+  spans,       ///< x_low, x_high: over the full height
   arrows,      ///< x, y, dx, dy
   polygon,     ///< x, y of its corners
   texts,       ///< x, y, text
@@ -78,9 +78,9 @@ enum class LayerKind : std::uint8_t {
 struct Layer {
   LayerKind kind;
   std::size_t table = 0;             ///< of the figure
-  std::vector<std::size_t> columns;  ///< of the table, counted from 0
+  std::vector<std::size_t> columns;  ///< indices of columns of the table, from 0
   Style style = {};
-  std::string legend = {};  ///< empty: not in the legend
+  std::string legend = {};  ///< empty: no entry in the legend
 };
 
 /// One pair of axes.
@@ -88,19 +88,19 @@ struct Panel {
   std::string title;
   Axis x, y;
   std::vector<Layer> layers;
-  double height = 1.0;    ///< beside that of the panels above and below
-  bool to_scale = false;  ///< both axes in one scale, and not drawn
+  double height = 1.0;    ///< relative to the panels above and below
+  bool to_scale = false;  ///< both axes have the same scale and are not drawn
 };
 
-/// How panels stand together.
+/// Arrangement of the panels.
 enum class Arrangement : std::uint8_t { grid, stacked };
 
 struct Figure {
   std::string name;         ///< stem of its files
-  std::string title;        ///< what it shows
-  std::string subtitle;     ///< of what: the experiment's title, the condition
+  std::string title;        ///< what the figure shows
+  std::string subtitle;     ///< the experiment's title, the condition
   std::string caption;      ///< how to read it
-  std::string description;  ///< what is to be seen, for who cannot
+  std::string description;  ///< text for readers who cannot see the figure
   std::vector<Table> tables;
   std::vector<Panel> panels;
   Arrangement arrangement = Arrangement::grid;

@@ -7,13 +7,12 @@
 #include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
 #include "rocking/stats/fragility.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
-
-using report::Json;
 
 constexpr int points_of_a_law = 120;
 
@@ -35,7 +34,7 @@ std::string name_of(const Json& curve) {
 
 /// Columns: intensity, n, overturned, estimate, low, high.
 Table level_table(const Json& curve, const std::string& name) {
-  const std::string level = report::level_text(curve.at("confidence")) + " % interval";
+  const std::string level = level_text(curve.at("confidence")) + " % interval";
   Table table{.name = name,
               .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
@@ -105,8 +104,8 @@ Panel panel_for(const Json& curve) {
 /// `2.31 [2.20, 2.43]`.
 std::string value_and_interval(const Json& bounded) {
   const Json& interval = bounded.at("interval");
-  return report::significant(bounded.at("value"), 3) + " [" + report::significant(interval.at(0), 3) + ", " +
-         report::significant(interval.at(1), 3) + ']';
+  return significant(bounded.at("value"), 3) + " [" + significant(interval.at(0), 3) + ", " +
+         significant(interval.at(1), 3) + ']';
 }
 
 std::string description_of(const Json& curve) {

@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 
-/// What `rocking fragility` found, `fragility`: for each run a panel with the probability of overturning against the
-/// intensity, a marker with its exact interval for each level, and the fitted laws with their bands. Throws base::InputError
-/// where it is no such file.
-[[nodiscard]] std::vector<Figure> fragility_figures(const report::Json& output);
+/// The figures `fragility` of the output of `rocking fragility`: for each run a panel with the overturning probability
+/// against the intensity, a marker with its exact interval for each level, and the fitted laws with their bands. Throws
+/// base::InputError if `output` is no such output.
+[[nodiscard]] std::vector<Figure> fragility_figures(const Json& output);
 
 }  // namespace rocking::analysis

@@ -18,7 +18,7 @@ extern char** environ;
 namespace rocking::analysis {
 namespace {
 
-/// A pipe whose ends close when this object goes.
+/// A pipe whose ends are closed with this object.
 class Pipe {
  public:
   Pipe() {
@@ -35,7 +35,7 @@ class Pipe {
     if (ends_[1] >= 0) ::close(ends_[1]);
     ends_[1] = -1;
   }
-  /// All that is written into it, until its last writer ends. Throws base::Stopped once it is asked to stop.
+  /// Reads until the last writer has closed its end. Throws base::Stopped if it is asked to stop.
   [[nodiscard]] std::string read_all(base::StopRequest stop) const {
     constexpr int between_looks_ms = 50;
     std::string text;
@@ -55,8 +55,8 @@ class Pipe {
   std::array<int, 2> ends_{};
 };
 
-/// The environment of this process in the plain language and in universal time, without what would set gnuplot up otherwise.
-/// The day is for libraries that date a PDF by SOURCE_DATE_EPOCH: 2000-01-01, as draw.cpp has it.
+/// The environment of this process with locale C and time zone UTC, without variables that configure gnuplot.
+/// SOURCE_DATE_EPOCH is set for libraries that write a date into a PDF: 2000-01-01, as in draw.cpp.
 std::vector<std::string> plain_environment() {
   std::vector<std::string> entries{"LC_ALL=C.UTF-8", "TZ=UTC0", "SOURCE_DATE_EPOCH=946684800"};
   for (char** entry = environ; *entry != nullptr; ++entry) {
@@ -75,7 +75,7 @@ std::vector<char*> pointers_to(std::vector<std::string>& texts) {
   return pointers;
 }
 
-/// What gnuplot said, on one line.
+/// The message of gnuplot on one line.
 std::string on_one_line(const std::string& words) {
   std::istringstream stream(words);
   std::string line;
@@ -83,7 +83,7 @@ std::string on_one_line(const std::string& words) {
   return line;
 }
 
-/// What an exit status and gnuplot's words mean.
+/// Interprets the exit status and the message of gnuplot.
 Drawing drawing_from(int status, const std::string& words, const std::string& script) {
   if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {.end = DrawingEnd::drawn, .reason = {}};
   if (WIFSIGNALED(status)) {
@@ -95,10 +95,11 @@ Drawing drawing_from(int status, const std::string& words, const std::string& sc
             .reason = script + ": this gnuplot cannot draw a format: " + on_one_line(words) +
                       "; install a gnuplot with svg, pngcairo and pdfcairo (Debian: gnuplot-nox)"};
   }
-  // The real one names the line that it does not understand.
+  // gnuplot itself names the line that it does not understand.
   if (on_one_line(words).empty()) {
-    return {.end = DrawingEnd::broken_off,
-            .reason = script + ": gnuplot ended with code " + std::to_string(WEXITSTATUS(status)) + " and said nothing"};
+    return {
+        .end = DrawingEnd::broken_off,
+        .reason = script + ": gnuplot ended with code " + std::to_string(WEXITSTATUS(status)) + " and said nothing"};
   }
   return {.end = DrawingEnd::refused, .reason = script + ": gnuplot failed: " + on_one_line(words)};
 }
@@ -117,7 +118,8 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name
                     base::StopRequest stop) {
   std::string wanted = "formats='";
   for (const std::string& format : pictures.formats) wanted += (wanted.back() == '\'' ? "" : " ") + format;
-  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + "'; ending='" + pictures.ending + '\'', name + ".gp"};
+  std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + "'; ending='" + pictures.ending + '\'',
+                                     name + ".gp"};
   std::vector<std::string> environment = plain_environment();
   Pipe said;
   posix_spawn_file_actions_t actions;
@@ -134,7 +136,9 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name
     return {.end = DrawingEnd::no_gnuplot,
             .reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
   }
-  if (error != 0) return {.end = DrawingEnd::broken_off, .reason = "gnuplot cannot be started: " + std::generic_category().message(error)};
+  if (error != 0)
+    return {.end = DrawingEnd::broken_off,
+            .reason = "gnuplot cannot be started: " + std::generic_category().message(error)};
   said.close_writing();
   std::string words;
   try {

@@ -8,7 +8,8 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_text.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -92,7 +93,7 @@ std::vector<Tick> logarithmic_ticks(double least, double most) {
     for (const double digit : {1.0, 2.0, 5.0}) {
       const double place = digit * std::pow(10.0, decade);
       if (place < 0.8 * least || 1.25 * most < place || (!few && digit > 1.0)) continue;
-      ticks.push_back({place, few ? report::significant(place, 6) : "10^{" + std::to_string(decade) + '}'});
+      ticks.push_back({place, few ? significant(place, 6) : "10^{" + std::to_string(decade) + '}'});
     }
   }
   return ticks;

@@ -13,7 +13,7 @@
 namespace rocking::analysis {
 namespace {
 
-/// A point of the page in gnuplot's coordinates.
+/// A position on the page in gnuplot's coordinates.
 std::string at(const Layout& layout, double x, double y) {
   const auto rounded = [](double share) { return number_text(std::round(share * 1e5) / 1e5); };
   return "screen " + rounded(x / layout.width) + ", screen " + rounded(y / layout.height);
@@ -24,7 +24,7 @@ std::string size_of(const Layout& layout, double scale) {
          number_text(std::round(scale * layout.height * 100.0) / 100.0);
 }
 
-// Fonts and sizes are named, and nothing of the day or the machine enters, so that equal data give equal bytes.
+// Fonts and sizes are given explicitly and no date or machine name is used, so that equal data give equal bytes.
 std::string terminals(const Figure& figure, const Layout& layout) {
   const std::string stem = quoted(figure.name);
   return "  if (format eq 'svg') {\n    set terminal svg enhanced size " + size_of(layout, 1.0) +
@@ -94,7 +94,7 @@ std::string margins(const Layout& layout, const Place& place) {
          "\n  set tmargin at screen " + share(place.top, layout.height) + '\n';
 }
 
-/// gnuplot refuses a plot of nothing: NaN draws the axes alone.
+/// gnuplot refuses to plot nothing: a plot of NaN draws the axes alone.
 std::string plot_text(const Figure& figure, const Panel& panel) {
   std::string elements;
   for (const Layer& layer : panel.layers) {
@@ -117,7 +117,7 @@ std::string panel_text(const Figure& figure, const Layout& layout, std::size_t n
   return text + plot_text(figure, panel) + "  unset label\n  unset object\n  unset arrow\n";
 }
 
-/// The logarithm of the largest number of an image; 1 where there is none.
+/// The logarithm of the largest number of an image; 1 if there is none.
 double top_shade(const Figure& figure) {
   double most = 10.0;
   for (const Table& table : figure.tables) {

@@ -6,8 +6,8 @@
 
 namespace rocking::analysis {
 
-/// The gnuplot (5.4 or later) script that draws NAME.svg, NAME.png and NAME.pdf from NAME.tsv, all in the folder where it is
-/// run. `formats` may be set before it, as in `gnuplot -e "formats='svg'" NAME.gp`.
+/// The gnuplot script (version 5.4 or later) that draws NAME.svg, NAME.png and NAME.pdf from NAME.tsv in the current
+/// folder. `formats` can be set before, as in `gnuplot -e "formats='svg'" NAME.gp`.
 [[nodiscard]] std::string script_text(const Figure& figure);
 
 }  // namespace rocking::analysis

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -12,7 +12,7 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";       // U+FFFD
 constexpr std::string_view ellipsis = "\xE2\x80\xA6";          // U+2026
 constexpr std::string_view zero_width_space = "\xE2\x80\x8B";  // U+200B
 
-/// A character and the bytes it takes; length 1 and no value where the bytes are no UTF-8 (RFC 3629).
+/// A character and its length in bytes; length 1 and no value if the bytes are not valid UTF-8 (RFC 3629).
 struct Character {
   std::size_t length = 1;
   std::uint32_t value = 0;
@@ -42,7 +42,7 @@ Character character_at(std::string_view text, std::size_t place) {
 
 bool is_control(std::uint32_t character) { return character < 0x20 || (0x7f <= character && character < 0xa0); }
 
-/// Characters that need no escape in gnuplot's double quotes, wherever the string stands.
+/// Characters that need no escape within gnuplot's double quotes, wherever the string is used.
 bool is_plain(char c) {
   const bool letter = ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9');
   return letter || (static_cast<unsigned char>(c) & 0x80U) != 0 || plain_marks.find(c) != std::string_view::npos;
@@ -54,7 +54,8 @@ std::string octal(char c) {
           static_cast<char>('0' + code % 8)};
 }
 
-/// gnuplot's SVG takes `&#x` for a character's number and leaves `]]>` as it is, which XML forbids: both are parted.
+/// gnuplot's SVG output interprets `&#x` as a character reference and does not escape `]]>`, which XML forbids: both are
+/// broken up.
 std::string safe_in_svg(std::string text) {
   for (const std::string_view sequence : {"&#x", "]]>"}) {
     for (std::size_t place = text.find(sequence); place != std::string::npos; place = text.find(sequence, place)) {
@@ -64,7 +65,7 @@ std::string safe_in_svg(std::string text) {
   return text;
 }
 
-/// `text` with `mark` before each character that is one of `special`.
+/// `text` with `mark` inserted before each character that is in `special`.
 std::string marked(std::string_view text, std::string_view special, char mark) {
   std::string result;
   for (const char c : text) {
@@ -94,7 +95,7 @@ std::string printable(std::string_view text) {
 }
 
 std::string cut(const std::string& text, std::size_t most) {
-  if (report::letters_in(text) <= most) return text;
+  if (letters_in(text) <= most) return text;
   std::size_t end = 0;
   for (std::size_t count = 1; count < most; ++count) end += character_at(text, end).length;
   return text.substr(0, end).append(ellipsis);
@@ -104,7 +105,7 @@ std::string quoted(std::string_view text) {
   std::string result = "\"";
   bool after_octal = false;
   for (const char c : safe_in_svg(printable(text))) {
-    // gnuplot takes a digit behind an octal number for another digit of it.
+    // gnuplot reads a digit after an octal number as part of that number.
     const bool misread = after_octal && '0' <= c && c <= '9';
     after_octal = misread || !is_plain(c);
     result += after_octal ? octal(c) : std::string(1, c);

@@ -4,12 +4,11 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/output_file.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
-
-using report::Json;
 
 Table count_table(const Json& histogram) {
   Table table{.name = "counts",
@@ -27,7 +26,7 @@ Table count_table(const Json& histogram) {
   return table;
 }
 
-/// The law's density times n times the width of a bin.
+/// The density of the law times n times the width of a bin.
 Table curve_table(const Json& output) {
   Table table{.name = "normal curve",
               .columns = {{"x", "value"}, {"expected", "expected numbers in a bin around it"}},
@@ -49,7 +48,7 @@ Table curve_table(const Json& output) {
 }
 
 std::string moment(const Json& output, const char* key) {
-  return report::significant(output.at(key).at("value").get<double>(), 5);
+  return significant(output.at(key).at("value").get<double>(), 5);
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 #pragma once
 
 #include "analysis/figure.hpp"
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 
-/// `normal_histogram`: what `rocking check-normal --json` printed, as counts and the curve of the law, as in Fig. 2 of Jeong
-/// and Yang (2012). Throws base::InputError where it is no such file.
-[[nodiscard]] Figure normal_histogram(const report::Json& output);
+/// The figure `normal_histogram` of the output of `rocking check-normal --json`: counts and the curve of the law, as in
+/// Fig. 2 of Jeong and Yang (2012). Throws base::InputError if `output` is no such output.
+[[nodiscard]] Figure normal_histogram(const Json& output);
 
 }  // namespace rocking::analysis

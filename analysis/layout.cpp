@@ -4,23 +4,23 @@
 #include <cmath>
 
 #include "analysis/gnuplot_text.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {
 
 constexpr double full_width = 720.0;
 constexpr double line_height = 21.0;
-constexpr double letter_width = 7.4;   // mean width of a letter, somewhat more than that of DejaVu Sans at 12
-constexpr double sample_width = 42.0;  // of a legend's entry, with the gap before its words
+constexpr double letter_width = 7.4;   // mean width of a letter, slightly larger than that of DejaVu Sans at 12
+constexpr double sample_width = 42.0;  // of a legend entry, including the gap before its text
 constexpr std::size_t letters_of_a_legend = 80;
 constexpr double left_margin = 84.0;
-constexpr double wide_left_margin = 100.0;  // room for the ticks of a slip that hardly changes: -0.00486
+constexpr double wide_left_margin = 100.0;  // space for the ticks of a nearly constant slip: -0.00486
 constexpr double right_margin = 18.0;
 constexpr double below_axes = 68.0;
 constexpr double above_axes = 26.0;
 
-/// Each legend once, in the order of the panels.
+/// Each legend entry once, in the order of the panels.
 std::vector<LegendEntry> entries_of(const Figure& figure) {
   std::vector<LegendEntry> entries;
   for (const Panel& panel : figure.panels) {
@@ -34,8 +34,8 @@ std::vector<LegendEntry> entries_of(const Figure& figure) {
   return entries;
 }
 
-/// Sets the entries in rows, as many in each as there is room for, each row in the middle; `top` is counted from the top of
-/// the figure. Returns the height they take.
+/// Arranges the entries in centred rows with as many entries as fit; `top` is measured from the top of the figure. Returns
+/// the height of the rows.
 double set_in_rows(std::vector<LegendEntry>& entries, double top) {
   constexpr double widest = full_width - 30.0;
   const double begin = top;
@@ -43,8 +43,7 @@ double set_in_rows(std::vector<LegendEntry>& entries, double top) {
     double width = 0.0;
     std::size_t last = first;
     for (; last < entries.size(); ++last) {
-      const double wanted =
-          sample_width + letter_width * static_cast<double>(report::letters_in(entries[last].text)) + 18.0;
+      const double wanted = sample_width + letter_width * static_cast<double>(letters_in(entries[last].text)) + 18.0;
       if (last > first && width + wanted > widest) break;
       entries[last].left = width;
       entries[last].middle = top + 0.5 * line_height;
@@ -70,7 +69,7 @@ double height_of_axes(const Figure& figure, double columns) {
   return columns == 1.0 ? 330.0 : columns == 2.0 ? 240.0 : 170.0;
 }
 
-/// Panels in rows below `top`; returns where the last ends, both counted from the top of the figure.
+/// Arranges panels in rows below `top`. Returns the end of the last row; both are measured from the top of the figure.
 double place_panels(const Figure& figure, double top, std::vector<Place>& places) {
   const double columns = columns_for(figure);
   const double before_axes = left_margin_of(figure);

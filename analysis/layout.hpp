@@ -6,30 +6,30 @@
 
 #include "analysis/figure.hpp"
 
-/// Where the parts of a drawn figure stand, in pixels from its lower left corner.
+/// Positions of the parts of a drawn figure, in pixels from its lower left corner.
 namespace rocking::analysis {
 
 struct Place {
   double left, right, bottom, top;
 };
 
-/// A sample of a layer's look and the words beside it.
+/// A sample of the style of a layer and its text.
 struct LegendEntry {
   LayerKind kind;
   Style style;
   std::string text;
   double left;    ///< of the sample
-  double middle;  ///< height of the line it stands on
+  double middle;  ///< height of the centre of its line
 };
 
 struct Layout {
   double width, height;
-  double title, subtitle;     ///< middles of their lines
+  double title, subtitle;     ///< heights of the centres of their lines
   std::vector<Place> panels;  ///< within the axes
   std::vector<LegendEntry> legend;
 };
 
-/// How many characters of a line across the figure, and of a panel's title, there is room for.
+/// Number of characters that fit into a line across the figure or into the title of a panel.
 inline constexpr std::size_t letters_across = 97;
 [[nodiscard]] std::size_t letters_above(const Place& panel);
 

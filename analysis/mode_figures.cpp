@@ -5,6 +5,7 @@
 #include "analysis/data_file.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/ensemble/mode_family.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -15,13 +16,13 @@ constexpr std::size_t most_shown = 10;
 
 double number(std::uint64_t count) { return static_cast<double>(count); }
 
-/// The ends of an interval, where there is one.
+/// The ends of an interval, if there is one.
 Cell low_of(const AnyShare& share) { return share.interval ? Cell(share.interval->low) : Cell(); }
 Cell high_of(const AnyShare& share) { return share.interval ? Cell(share.interval->high) : Cell(); }
 
 std::string table_name(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
 
-/// What every figure of a run shares.
+/// Parts common to all figures of a run.
 Figure figure_of(const RunReport& report, const SweepView& view, std::string name) {
   Figure figure;
   figure.name = std::move(name);
@@ -106,8 +107,8 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
   return table;
 }
 
-/// The interval of a mode, but nothing where neither a condition nor its neighbours ever show it: there the ribbons of all
-/// rare modes would lie upon each other. Columns: x, low, high.
+/// The interval of a mode. Rows are empty where the mode occurs neither in the condition nor in its neighbours, since the
+/// ribbons of all rare modes would overlap there. Columns: x, low, high.
 Table ribbon_table(const Table& probabilities, std::size_t first) {
   const auto& rows = probabilities.rows;
   const auto occurs = [&rows, first](std::size_t i) {
@@ -124,7 +125,7 @@ Table ribbon_table(const Table& probabilities, std::size_t first) {
   return table;
 }
 
-/// A probability with its interval along a line.
+/// A probability along a line, with its interval.
 void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Figure& figure) {
   Panel& panel = figure.panels[table];
   Style ribbon = style_of(mode);
@@ -141,7 +142,7 @@ void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Fi
       {.kind = LayerKind::line, .table = table, .columns = {0, first + 1}, .style = line, .legend = to_string(mode)});
 }
 
-/// Rows of one condition: a mode each, for bars.
+/// Rows of one condition for bars: one for each mode.
 Table bar_table(const RunReport& report, const ConditionReport& condition, const std::string& name) {
   const std::string level = report.level() + " simultaneous interval";
   Table table{.name = name,
@@ -185,14 +186,7 @@ Panel bar_panel(const RunReport& report, std::size_t table, const std::string& t
 }  // namespace
 
 std::vector<ResponseMode> shown_modes(const RunReport& report) {
-  const auto occurring = report.occurring();
-  std::vector<std::pair<ResponseMode, std::uint64_t>> ranked(occurring.begin(), occurring.end());
-  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.second > b.second; });
-  if (ranked.size() > most_shown) ranked.resize(most_shown);
-  std::vector<ResponseMode> modes;
-  for (const auto& [mode, count] : ranked) modes.push_back(mode);
-  std::sort(modes.begin(), modes.end());
-  return modes;
+  return most_frequent(report.occurring(), most_shown);
 }
 
 std::string spoken_realisations(const RunReport& report) {
@@ -239,7 +233,8 @@ Figure mode_bands(const RunReport& report) {
 
 namespace {
 
-/// Lays a bar for each row of the table that was added last, in the look of its mode, below what its panel shows.
+/// Adds a bar for each row of the table that was added last, in the style of its mode, behind the other layers of its
+/// panel.
 void add_bars(const std::vector<ResponseMode>& modes, Figure& figure) {
   const Table rows = figure.tables.back();
   std::vector<Layer> bars;
@@ -258,7 +253,7 @@ void add_bars(const std::vector<ResponseMode>& modes, Figure& figure) {
   layers.insert(layers.begin(), bars.begin(), bars.end());
 }
 
-/// A panel for each condition, a bar for each mode.
+/// A panel for each condition with a bar for each mode.
 Figure mode_bars(const RunReport& report, const SweepView& view) {
   Figure figure;
   figure.name = "mode_probabilities";
@@ -273,8 +268,7 @@ Figure mode_bars(const RunReport& report, const SweepView& view) {
     }
   }
   figure.caption = "Estimated probability of each response mode with its " + report.level() +
-                   " simultaneous interval for all modes of a condition; " + spoken_realisations(report) +
-                   '.';
+                   " simultaneous interval for all modes of a condition; " + spoken_realisations(report) + '.';
   return figure;
 }
 
@@ -294,8 +288,7 @@ Figure mode_probabilities(const RunReport& report) {
     for (std::size_t m = 0; m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
   }
   figure.caption =
-      "Estimated probability of each response mode (markers, joined to guide the eye) with its " +
-      report.level() +
+      "Estimated probability of each response mode (markers, joined to guide the eye) with its " + report.level() +
       " simultaneous interval for all modes of a condition (ribbon, omitted where a mode does not occur); " +
       spoken_realisations(report) + '.';
   return figure;

@@ -17,7 +17,7 @@ bool has_differences(const RunReport& report) {
                      [](const ConditionReport& condition) { return condition.difference.has_value(); });
 }
 
-/// The ends of the shown parameter, with room beside them.
+/// Sets the range of the axis to that of the shown parameter, with a margin.
 void set_range(const SweepView& view, Panel& panel) {
   const auto [least, most] = std::minmax_element(view.x.begin(), view.x.end());
   const double room = *least < *most ? 0.03 * (*most - *least) : 0.5;
@@ -47,7 +47,7 @@ Table difference_table(const RunReport& report, const SweepView& view, const Sli
   return table;
 }
 
-Table parting_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+Table divergence_table(const RunReport& report, const SweepView& view, const Slice& slice) {
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"pairs", "pairs of runs"},
@@ -61,17 +61,19 @@ Table parting_table(const RunReport& report, const SweepView& view, const Slice&
   const Cell end = periods ? Cell(static_cast<double>(*periods)) : Cell();
   for (const std::size_t i : slice.conditions) {
     if (!report.conditions[i].difference) continue;
-    const Parting& parting = report.conditions[i].difference->by_friction;
-    if (parting.pairs == 0) continue;
-    const Cell drawn = !parting.lower_quartile ? Cell() : parting.upper_quartile ? Cell(*parting.upper_quartile) : end;
-    table.rows.push_back({view.x[i], static_cast<double>(parting.pairs), static_cast<double>(parting.parted),
-                          cell_of(parting.median), cell_of(parting.lower_quartile), cell_of(parting.upper_quartile),
-                          drawn});
+    const Divergence& divergence = report.conditions[i].difference->by_friction;
+    if (divergence.pairs == 0) continue;
+    const Cell drawn = !divergence.lower_quartile  ? Cell()
+                       : divergence.upper_quartile ? Cell(*divergence.upper_quartile)
+                                                   : end;
+    table.rows.push_back({view.x[i], static_cast<double>(divergence.pairs), static_cast<double>(divergence.diverged),
+                          cell_of(divergence.median), cell_of(divergence.lower_quartile),
+                          cell_of(divergence.upper_quartile), drawn});
   }
   return table;
 }
 
-/// A ribbon and the curve within it, for the table that was added last.
+/// Adds a ribbon and its curve for the table that was added last.
 void add_curve(const Slice& slice, std::size_t number, const std::vector<std::size_t>& columns, Figure& figure) {
   Panel& panel = figure.panels.front();
   const std::size_t table = figure.tables.size() - 1;
@@ -117,7 +119,7 @@ std::optional<Figure> non_recurrence(const RunReport& report) {
   return figure;
 }
 
-std::optional<Figure> parting_quartiles(const RunReport& report) {
+std::optional<Figure> divergence_quartiles(const RunReport& report) {
   if (!has_differences(report)) return std::nullopt;
   const SweepView view = view_of(report);
   Figure figure = empty_figure(report, view);
@@ -127,7 +129,7 @@ std::optional<Figure> parting_quartiles(const RunReport& report) {
       .quantity = "divergence time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true};
   bool any = false;
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
-    figure.tables.push_back(parting_table(report, view, view.slices[i]));
+    figure.tables.push_back(divergence_table(report, view, view.slices[i]));
     const auto& rows = figure.tables.back().rows;
     any = any ||
           std::any_of(rows.begin(), rows.end(), [](const auto& row) { return std::holds_alternative<double>(row[4]); });

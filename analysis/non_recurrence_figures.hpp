@@ -5,15 +5,15 @@
 #include "analysis/figure.hpp"
 #include "analysis/run_report.hpp"
 
-/// How far equal conditions fail to give equal responses. Absent where no condition has two realisations to compare.
+/// Figures of non-recurrence: different responses under equal conditions. Absent if no condition has two realisations.
 namespace rocking::analysis {
 
 /// `non_recurrence`: the probability that two runs differ in response mode, with its interval, against the swept parameter;
-/// a curve for each set of the other parameters' values.
+/// a curve for each combination of the other parameters.
 [[nodiscard]] std::optional<Figure> non_recurrence(const RunReport& report);
 
-/// `parting_quartiles`: after how many periods two runs have parted, median and quartiles over pairs. A quartile beyond the
-/// horizon is not drawn.
-[[nodiscard]] std::optional<Figure> parting_quartiles(const RunReport& report);
+/// `divergence_quartiles`: median and quartiles over pairs of the divergence time of two runs [periods]. A quartile beyond
+/// the horizon is not drawn.
+[[nodiscard]] std::optional<Figure> divergence_quartiles(const RunReport& report);
 
 }  // namespace rocking::analysis

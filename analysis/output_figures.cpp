@@ -5,26 +5,26 @@
 #include <map>
 
 #include "analysis/bifurcation_figure.hpp"
+#include "analysis/check_output.hpp"
 #include "analysis/cost_figures.hpp"
 #include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
-#include "analysis/check_output.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/report/locate.hpp"
+#include "rocking/text/locate.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-/// What was found in the files, by kind.
+/// Contents of the files, by kind.
 struct Collection {
   std::vector<TrajectoryFile> trajectories;
   std::vector<Figure> figures;
 };
 
 void collect(const OutputFile& file, Collection& found) {
-  const report::Json output = parsed_output(file.text);
+  const Json output = parsed_output(file.text);
   const std::string format = format_of(output);
   check_output(output);
   if (format == "rocking.trajectory/1") {
@@ -38,11 +38,11 @@ void collect(const OutputFile& file, Collection& found) {
   } else if (format == "rocking.check_normal/1") {
     found.figures.push_back(normal_histogram(output));
   } else {
-    throw base::InputError(
-        {.place = "/format",
-         .value = '"' + format + '"',
-         .reason = "has no figure in this command",
-         .remedy = "give a trajectory, a bifurcation, a cost, a fragility or a check-normal; `rocking report DIR` draws a run"});
+    throw base::InputError({.place = "/format",
+                            .value = '"' + format + '"',
+                            .reason = "has no figure in this command",
+                            .remedy = "give a trajectory, a bifurcation, a cost, a fragility or a check-normal; "
+                                      "`rocking report DIR` draws a run"});
   }
 }
 
@@ -61,7 +61,7 @@ std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const W
     try {
       collect(file, found);
     } catch (const base::InputError& error) {
-      throw report::located(error, file.text, file.path);
+      throw located(error, file.text, file.path);
     }
   }
   std::vector<Figure> figures;

@@ -1,15 +1,13 @@
 #include "analysis/output_file.hpp"
 
 #include "rocking/base/error.hpp"
-#include "rocking/report/parse_json.hpp"
+#include "rocking/text/parse_json.hpp"
 
 namespace rocking::analysis {
 
-using report::Json;
-
 Json parsed_output(std::string_view text) {
   std::vector<base::Problem> problems;
-  Json output = report::parse_json(text, problems);
+  Json output = parse_json(text, problems);
   if (!problems.empty()) throw base::InputError(std::move(problems));
   if (!output.is_object() || !output.contains("format") || !output["format"].is_string()) {
     throw base::InputError({.place = "/format",

@@ -4,18 +4,18 @@
 #include <string>
 #include <string_view>
 
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
-/// Reading what other commands print.
+/// Reading the output of other commands.
 namespace rocking::analysis {
 
-/// Parses JSON text that names its format. Throws base::InputError where it is none, or names none.
-[[nodiscard]] report::Json parsed_output(std::string_view text);
+/// Parses JSON text with a format name. Throws base::InputError if it is not JSON or names no format.
+[[nodiscard]] Json parsed_output(std::string_view text);
 
-/// Its format, as `rocking.trajectory/1`.
-[[nodiscard]] std::string format_of(const report::Json& output);
+/// The format name of an output, such as `rocking.trajectory/1`.
+[[nodiscard]] std::string format_of(const Json& output);
 
-/// Calls `read` and turns a key that is missing or of the wrong kind into base::InputError.
-void read_or_refuse(const report::Json& output, const std::function<void()>& read);
+/// Calls `read`. Turns a key that is missing or has the wrong type into base::InputError.
+void read_or_refuse(const Json& output, const std::function<void()>& read);
 
 }  // namespace rocking::analysis

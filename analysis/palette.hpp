@@ -7,18 +7,18 @@
 
 namespace rocking::analysis {
 
-/// How a response mode looks in every figure. Colours are those of Okabe and Ito (2008), which those who see fewer colours
-/// tell apart too; hatching, dashes and markers tell them apart in grey. Distinct for rest, chaotic, overturned, unresolved,
-/// (1,1), (1,2), (1,3), (1,4), (1,5); other (m,n) share five further looks.
+/// Style of a response mode in all figures. The colours are those of Okabe and Ito (2008), which readers with a colour
+/// vision deficiency can distinguish; hatching, dashes and markers distinguish them in grey. Rest, chaotic, overturned,
+/// unresolved, (1,1), (1,2), (1,3), (1,4) and (1,5) have distinct styles; other (m,n) share five further ones.
 [[nodiscard]] Style style_of(const section::ResponseMode& mode);
 
-/// Of responses that are too rare to be shown one by one.
+/// Style of all responses that are too rare to be shown separately.
 [[nodiscard]] Style style_of_others();
 
-/// How a state of contact is shaded behind a time history: `rest`, `slide`, `rock`, `rock_slide`, `overturned`.
+/// Shading of a contact state behind a time history: `rest`, `slide`, `rock`, `rock_slide`, `overturned`.
 [[nodiscard]] Style style_of_contact(std::string_view contact);
 
-/// The `number`-th of several curves of one kind, counted from 0; the eighth looks like the first.
+/// Style of curve `number`, counted from 0, of several curves of one kind; number 7 has the style of number 0.
 [[nodiscard]] Style style_of_curve(std::size_t number);
 
 }  // namespace rocking::analysis

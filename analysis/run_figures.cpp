@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
+#include "analysis/divergence_figure.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/non_recurrence_figures.hpp"
-#include "analysis/parting_figure.hpp"
 #include "analysis/scene_sketch.hpp"
 
 namespace rocking::analysis {
 
-std::vector<Figure> run_figures(const RunReport& report, const experiment::Store* store) {
+std::vector<Figure> run_figures(const RunReport& report, const Store* store) {
   std::vector<Figure> figures{mode_bands(report)};
   const bool several = std::any_of(report.conditions.begin(), report.conditions.end(),
                                    [](const ConditionReport& condition) { return condition.realisations > 1; });
@@ -18,8 +18,8 @@ std::vector<Figure> run_figures(const RunReport& report, const experiment::Store
     if (figure) figures.push_back(std::move(*figure));
   };
   add(non_recurrence(report));
-  add(parting_quartiles(report));
-  if (store != nullptr) add(parting_times(report, *store));
+  add(divergence_quartiles(report));
+  if (store != nullptr) add(divergence_times(report, *store));
   figures.push_back(scene_sketch(report.experiment));
   return figures;
 }

@@ -4,12 +4,12 @@
 
 #include "analysis/figure.hpp"
 #include "analysis/run_report.hpp"
-#include "rocking/experiment/store.hpp"
+#include "rocking/store/store.hpp"
 
 namespace rocking::analysis {
 
-/// Every figure that a report has the numbers for, in the order in which a reader wants them. With the store of its
-/// realisations also those for which a report is too short.
-[[nodiscard]] std::vector<Figure> run_figures(const RunReport& report, const experiment::Store* store = nullptr);
+/// All figures for which a report has the numbers, in reading order. With the store of its realisations, also those that
+/// need more than the report.
+[[nodiscard]] std::vector<Figure> run_figures(const RunReport& report, const Store* store = nullptr);
 
 }  // namespace rocking::analysis

@@ -4,17 +4,17 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/experiment/mode_family.hpp"
-#include "rocking/report/check_report.hpp"
-#include "rocking/report/parse_json.hpp"
-#include "rocking/report/read_report.hpp"
-#include "rocking/report/result_json.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/input/check_report.hpp"
+#include "rocking/input/read_report.hpp"
+#include "rocking/output/report_differences.hpp"
+#include "rocking/output/result_json.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
+#include "rocking/text/parse_json.hpp"
 
 namespace rocking::analysis {
 namespace {
-
-using report::Json;
 
 stats::Interval interval_from(const Json& json) { return {.low = json.at(0), .high = json.at(1)}; }
 
@@ -23,10 +23,10 @@ std::optional<double> number_from(const Json& json) {
   return json.get<double>();
 }
 
-Parting parting_from(const Json& json) {
+Divergence divergence_from(const Json& json) {
   const Json& quartiles = json.at("quartiles_periods");
   return {.pairs = json.at("pairs"),
-          .parted = json.at("parted"),
+          .diverged = json.at("parted"),
           .lower_quartile = number_from(quartiles.at(0)),
           .median = number_from(quartiles.at(1)),
           .upper_quartile = number_from(quartiles.at(2))};
@@ -37,8 +37,8 @@ std::optional<Difference> difference_from(const Json& json) {
   return Difference{.differ = json.at("differ"),
                     .interval = interval_from(json.at("differ_interval")),
                     .entropy = json.at("entropy_nat"),
-                    .by_friction = parting_from(json.at("parting_by_friction")),
-                    .by_arithmetic = parting_from(json.at("parting_by_arithmetic"))};
+                    .by_friction = divergence_from(json.at("parting_by_friction")),
+                    .by_arithmetic = divergence_from(json.at("parting_by_arithmetic"))};
 }
 
 ConditionReport condition_from(const Json& json, double confidence) {
@@ -54,19 +54,20 @@ ConditionReport condition_from(const Json& json, double confidence) {
     condition.stopped_by_data = condition.stopped_by_data || probability.contains("anytime");
     const Json& interval = probability.contains("anytime") ? probability["anytime"] : probability.at("simultaneous");
     condition.modes[mode.value()] = {.count = json.at("counts").at(name),
-                              .estimate = probability.at("estimate"),
-                              .interval = interval_from(interval)};
+                                     .estimate = probability.at("estimate"),
+                                     .interval = interval_from(interval)};
   }
   condition.difference = difference_from(json.at("non_recurrence"));
   return condition;
 }
 
-/// What RunReport::text keeps of a condition. The other numbers are in its ConditionReport, which takes less memory.
+/// The part of a condition that RunReport::text keeps. The other numbers are in its ConditionReport, which needs less
+/// memory.
 Json kept_of(const Json& condition) {
   return {{"validity", condition.at("validity")}, {"stopped_because", condition.at("stopped_because")}};
 }
 
-/// Takes a report without its conditions, and these one by one.
+/// Builds a run report from a report without its conditions, and from these one by one.
 class RunReportBuilder {
  public:
   /// `text` has `input`, `result` and `system`.
@@ -115,7 +116,7 @@ std::string RunReport::level() const {
   const double first = conditions.front().confidence;
   const bool differs = std::ranges::any_of(
       conditions, [first](const ConditionReport& condition) { return condition.confidence != first; });
-  return differs ? "each condition's own confidence" : report::level_text(first) + " %";
+  return differs ? "each condition's own confidence" : level_text(first) + " %";
 }
 
 AnyShare share_of(const ConditionReport& condition, const section::ResponseMode& mode) {
@@ -124,18 +125,14 @@ AnyShare share_of(const ConditionReport& condition, const section::ResponseMode&
     return {.count = share.count, .estimate = share.estimate, .interval = share.interval};
   }
   if (condition.stopped_by_data) return {};
-  const stats::Family family = experiment::mode_family(condition.confidence);
-  const stats::Doubt doubt = experiment::is_foreseen(mode) ? family.of_foreseen() : family.of_unforeseen();
-  return {.count = 0,
-          .estimate = 0.0,
-          .interval = stats::exact_interval({.successes = 0, .trials = condition.realisations}, doubt)};
+  const stats::Proportion none{.successes = 0, .trials = condition.realisations};
+  return {.count = 0, .estimate = 0.0, .interval = simultaneous_interval(mode, none, condition.confidence)};
 }
 
-RunReport run_report_of(const experiment::Experiment& experiment, const experiment::ExperimentResult& result,
-                        const report::SystemFacts& system) {
-  RunReportBuilder builder(report::report_frame(experiment, result, system));
+RunReport run_report_of(const Experiment& experiment, const ExperimentResult& result, const SystemFacts& system) {
+  RunReportBuilder builder(report_frame(experiment, result, system));
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    builder.add(report::condition_json(experiment.conditions[i], result.conditions[i]));
+    builder.add(condition_json(experiment.conditions[i], result.conditions[i]));
   }
   return builder.take();
 }
@@ -149,10 +146,10 @@ RunReport run_report_of(Json json) {
 }
 
 RunReport read_run_report(std::string_view text) {
-  static_cast<void>(report::read_report(text));  // whether it is a report at all
+  static_cast<void>(read_report(text));  // checks the schema
   std::vector<base::Problem> problems;
-  Json json = report::parse_json(text, problems);
-  if (problems.empty()) problems = report::problems_of_report(json);
+  Json json = parse_json(text, problems);
+  if (problems.empty()) problems = problems_of_report(json);
   if (!problems.empty()) throw base::InputError(std::move(problems));
   return run_report_of(std::move(json));
 }

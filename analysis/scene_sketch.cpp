@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "analysis/data_file.hpp"
-#include "rocking/report/text_table.hpp"
+#include "analysis/quantity.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -13,18 +15,18 @@ struct Point {
   double x, y;
 };
 
-/// Names for a table's columns.
+/// Names of the columns of a table.
 const std::vector<Column> corners{{"x", "to the right of the block's left edge [m]"}, {"y", "above the base [m]"}};
 
 double rounded(double length) { return std::round(length * 1e6) / 1e6 + 0.0; }
 
-/// A block at rest on its left lower edge O = (0, 0), turned by `tilt` anticlockwise.
+/// A block that stands on its lower left edge O = (0, 0), turned anticlockwise by `tilt`.
 class TiltedBlock {
  public:
   TiltedBlock(double width, double height, double tilt)
       : width_(width), height_(height), cosine_(std::cos(tilt)), sine_(std::sin(tilt)) {}
 
-  /// A point given along the block's foot and up its side.
+  /// A point given by its distances along the base and the side of the block.
   [[nodiscard]] Point at(double along, double up) const {
     return {along * cosine_ - up * sine_, along * sine_ + up * cosine_};
   }
@@ -83,7 +85,7 @@ class Sketch {
 
 constexpr double right_angle = 1.5707963267948966;
 
-/// Ground, base motion and the forces at the edge.
+/// Draws the ground, the base motion and the forces at the edge.
 void draw_base(Sketch& sketch, double size, double width) {
   const double left = -0.55 * size;
   const double right = width + 0.45 * size;
@@ -110,28 +112,33 @@ void draw_angles(Sketch& sketch, const TiltedBlock& block, double size, double s
   sketch.word("θ", {0.54 * size * std::cos(0.5 * tilt), 0.54 * size * std::sin(0.5 * tilt)});
 }
 
-double number_at(const report::Json& experiment, const char* pointer) {
-  return experiment.at(report::Json::json_pointer(pointer)).get<double>();
+/// The mean of a law.
+double number_at(const Json& experiment, const char* pointer) {
+  return mean_of(experiment.at(Json::json_pointer(pointer)));
 }
 
-std::string short_number(double number) { return report::significant(number, 3); }
+std::string short_number(double number) { return significant(number, 3); }
 
-/// `, A_h = 4.2` where the experiment says so.
-std::string spoken(const report::Json& experiment, const char* pointer, const std::string& words) {
-  const report::Json::json_pointer place(pointer);
+std::string in_metres(const Json& length) {
+  return length.is_number() ? number_text(length.get<double>()) + " m" : spoken_quantity(length) + " m";
+}
+
+/// `, A_h = 4.2`, if the experiment contains it.
+std::string spoken(const Json& experiment, const char* pointer, const std::string& words) {
+  const Json::json_pointer place(pointer);
   if (!experiment.contains(place) || !experiment.at(place).is_number()) return "";
-  return ", " + words + ' ' + report::significant(experiment.at(place).get<double>(), 6);
+  return ", " + words + ' ' + significant(experiment.at(place).get<double>(), 6);
 }
 
 }  // namespace
 
-std::string spoken_scene(const report::Json& experiment) {
+std::string spoken_scene(const Json& experiment) {
   const double width = number_at(experiment, "/block/width_m");
   const double height = number_at(experiment, "/block/height_m");
   const double half_diagonal = 0.5 * std::hypot(width, height);
   const double gravity = number_at(experiment, "/block/gravity_m_s2");
-  std::string text = "B = " + number_text(width) + " m, H = " + number_text(height) +
-                     " m, ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
+  std::string text = "B = " + in_metres(experiment.at("block").at("width_m")) +
+                     ", H = " + in_metres(experiment.at("block").at("height_m")) + ", ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
                      " m, p = " + short_number(std::sqrt(0.75 * gravity / half_diagonal)) + " rad/s";
   text += spoken(experiment, "/excitation/amplitude", "A_h =");
   text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");
@@ -141,7 +148,7 @@ std::string spoken_scene(const report::Json& experiment) {
   return text;
 }
 
-Figure scene_sketch(const report::Json& experiment) {
+Figure scene_sketch(const Json& experiment) {
   const double width = number_at(experiment, "/block/width_m");
   const double height = number_at(experiment, "/block/height_m");
   const double size = std::max(width, height);

@@ -4,12 +4,11 @@
 #include <map>
 #include <set>
 
-#include "rocking/report/mode_table.hpp"
+#include "rocking/output/mode_table.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 namespace {
-
-std::string last_key(const std::string& pointer) { return pointer.substr(pointer.rfind('/') + 1); }
 
 /// How many numbers an entry of the sweep takes; 0 if it takes anything else.
 std::size_t numbers_taken(const RunReport& report, std::size_t entry) {
@@ -40,7 +39,7 @@ std::string name_of_others(const RunReport& report, const ConditionReport& condi
   return name;
 }
 
-/// Places 0, 1, ... for values that are no numbers, with their names as ticks.
+/// Positions 0, 1, ... for values that are not numbers, with their names as ticks.
 void place_by_name(const RunReport& report, std::size_t shown, SweepView& view) {
   std::map<std::string, double> places;
   for (const ConditionReport& condition : report.conditions) {
@@ -95,8 +94,8 @@ std::string name_of_condition(const RunReport& report, const ConditionReport& co
   return name_of_others(report, condition, report.swept.size());
 }
 
-std::string short_value(const std::string& pointer, const report::Json& value) {
-  return report::short_value({.pointer = pointer, .value = value.dump()});
+std::string short_value(const std::string& pointer, const Json& value) {
+  return rocking::short_value({.pointer = pointer, .value = value.dump()});
 }
 
 std::vector<Stretch> stretches_of(const std::vector<double>& places) {

@@ -8,7 +8,9 @@
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -37,13 +39,13 @@ std::string csv_head(const RunReport& report) {
 /// The parameters and n of a condition.
 std::string csv_start(const ConditionReport& condition) {
   std::string text;
-  for (const report::Json& value : condition.parameters) {
+  for (const Json& value : condition.parameters) {
     text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
   }
   return text + std::to_string(condition.realisations);
 }
 
-/// Text as LaTeX sets it; a symbol with a lower index is mathematics.
+/// Text for LaTeX; a symbol with a subscript is set in mathematics mode.
 std::string latex_text(const std::string& text) {
   std::string result;
   for (const char c : text) {
@@ -73,16 +75,6 @@ std::string latex_symbol(const std::string& pointer) {
   return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
 }
 
-std::vector<ResponseMode> columns_of(const RunReport& report) {
-  const auto occurring = report.occurring();
-  std::vector<ResponseMode> modes = shown_modes(report);
-  std::stable_sort(modes.begin(), modes.end(),
-                   [&](const ResponseMode& a, const ResponseMode& b) { return occurring.at(a) > occurring.at(b); });
-  if (modes.size() > most_modes) modes.resize(most_modes);
-  std::sort(modes.begin(), modes.end());
-  return modes;
-}
-
 std::string latex_row(const RunReport& report, const ConditionReport& condition, const std::vector<ResponseMode>& modes,
                       bool with_others) {
   std::string text;
@@ -101,12 +93,11 @@ std::string latex_row(const RunReport& report, const ConditionReport& condition,
     }
     rest -= found->second.count;
     const auto [low, high] = found->second.interval;
-    text +=
-        report::per_cent(found->second.estimate) + " [" + report::per_cent(low) + ", " + report::per_cent(high) + ']';
+    text += per_cent(found->second.estimate) + " [" + per_cent(low) + ", " + per_cent(high) + ']';
   }
   if (with_others) {
     const double share = static_cast<double>(rest) / static_cast<double>(condition.realisations);
-    text += " & " + (rest == 0 ? "--" : report::per_cent(share));
+    text += " & " + (rest == 0 ? "--" : per_cent(share));
   }
   return text + " \\\\\n";
 }
@@ -138,9 +129,9 @@ std::string non_recurrence_csv(const RunReport& report) {
     for (const double value : {found.differ, found.interval.low, found.interval.high, found.entropy}) {
       text += ',' + number_text(value);
     }
-    const Parting& parting = found.by_friction;
-    text += ',' + std::to_string(parting.pairs) + ',' + std::to_string(parting.parted);
-    for (const auto& value : {parting.lower_quartile, parting.median, parting.upper_quartile}) {
+    const Divergence& divergence = found.by_friction;
+    text += ',' + std::to_string(divergence.pairs) + ',' + std::to_string(divergence.diverged);
+    for (const auto& value : {divergence.lower_quartile, divergence.median, divergence.upper_quartile}) {
       text += ',' + csv_number(value);
     }
     text += '\n';
@@ -149,13 +140,12 @@ std::string non_recurrence_csv(const RunReport& report) {
 }
 
 std::string modes_latex(const RunReport& report) {
-  const std::vector<ResponseMode> modes = columns_of(report);
+  const std::vector<ResponseMode> modes = most_frequent(report.occurring(), most_modes);
   const bool with_others = report.occurring().size() > modes.size();
   const std::size_t leading = report.swept.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
-          "Response modes in per cent of $n$ realisations, with " +
-          latex_text(report.level()) +
+          "Response modes in per cent of $n$ realisations, with " + latex_text(report.level()) +
           " simultaneous intervals for all modes of a condition.}\n";
   text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
           "}\n    \\toprule\n    ";

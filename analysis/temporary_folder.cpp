@@ -18,7 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view beginning_of_name = "rocking-figure-";
 
-/// A descriptor that holds the lock of a folder of this user; -1 where another holds it, or there is no such folder.
+/// Opens a folder of this user and locks it. Returns the descriptor, or -1 if another process holds the lock or there is no
+/// such folder.
 int locked(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return -1;
@@ -45,7 +46,8 @@ void remove_abandoned_folders(const fs::path& place) {
 TemporaryFolder::TemporaryFolder() {
   const fs::path place = fs::temp_directory_path();
   remove_abandoned_folders(place);
-  // Another process may take the new folder for an abandoned one until it is locked; then another one is made.
+  // Until it is locked, another process may take the new folder for an abandoned one and remove it; then another one is
+  // made.
   for (int attempt = 0;; ++attempt) {
     std::string name = (place / (std::string(beginning_of_name) + "XXXXXX")).string();
     if (::mkdtemp(name.data()) == nullptr) {
@@ -53,7 +55,7 @@ TemporaryFolder::TemporaryFolder() {
     }
     path_ = name;
     lock_ = locked(path_);
-    if (lock_ >= 0 || attempt == 3) return;  // without a lock on a file system that has none: nobody else can get it either
+    if (lock_ >= 0 || attempt == 3) return;  // a file system without locks: no other process can get one either
     std::error_code ignored;
     fs::remove(path_, ignored);
   }

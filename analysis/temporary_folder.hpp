@@ -4,11 +4,11 @@
 
 namespace rocking::analysis {
 
-/// A folder of its own for this object's lifetime, where temporary files belong. Its lock tells that its process lives: one that
-/// a killed process left is removed by the next object that is made.
+/// A temporary folder with the lifetime of this object. It is locked while its process lives. A new object removes folders
+/// that killed processes left.
 class TemporaryFolder {
  public:
-  /// Throws std::system_error with the path.
+  /// Creates and locks the folder. Throws std::system_error with the path.
   TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;

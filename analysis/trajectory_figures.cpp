@@ -59,7 +59,7 @@ Table impact_table(const TrajectoryFile& file, std::string_view kind, const Wind
   return table;
 }
 
-/// Adds a table and lays it into these panels, unless it has no rows.
+/// Adds a table and a layer of it in these panels, unless the table has no rows.
 void add_unless_empty(Table table, Layer layer, const std::vector<std::size_t>& panels, Figure& figure) {
   if (table.rows.empty()) return;
   layer.table = figure.tables.size();

@@ -7,15 +7,15 @@
 
 namespace rocking::analysis {
 
-/// `time_history`: Theta and X against time, the state of contact shaded behind them, impacts marked. The file must have a
+/// `time_history`: Theta and X against time, with the contact state as shading and impacts as markers. The file must have a
 /// history.
 [[nodiscard]] Figure time_history(const TrajectoryFile& file, const Window& window);
 
-/// `responses`: Theta of several realisations over one another, as Jeong and Yang (2012) show repeated responses in their
-/// Fig. 10. Each file must have a history.
+/// `responses`: Theta of several realisations in one panel, as in Fig. 10 of Jeong and Yang (2012). Each file must have a
+/// history.
 [[nodiscard]] Figure responses(const std::vector<TrajectoryFile>& files, const Window& window);
 
-/// `poincare`: strobe points in the plane (Theta, Theta'), a look for each file.
+/// `poincare`: strobe points in the plane (Theta, Theta'), with a style for each file.
 [[nodiscard]] Figure poincare(const std::vector<TrajectoryFile>& files, const Window& window);
 
 }  // namespace rocking::analysis

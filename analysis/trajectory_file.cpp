@@ -8,9 +8,7 @@
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
-
-/// The state of contact after an event of this kind; empty: as before.
+/// The contact state after an event of this kind; empty: unchanged.
 std::string contact_after(const std::string& kind) {
   if (kind == "lift" || kind == "impact_stick" || kind == "slip_stop") return "rock";
   if (kind == "impact_slip" || kind == "slip_start" || kind == "tip") return "rock_slide";

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 
@@ -13,7 +13,7 @@ struct StrobeRow {
   double period, tilt, tilt_rate;
 };
 
-/// A state of a time history; events stand among its samples.
+/// A state of a time history: samples, and events between them.
 struct HistoryRow {
   double time;  ///< in excitation periods
   double tilt, tilt_rate, slip;
@@ -24,27 +24,27 @@ struct EventRow {
   std::string kind;
 };
 
-/// A stretch of one state of contact.
+/// An interval of time with one contact state.
 struct ContactSpan {
   double from, to;  ///< in excitation periods
   std::string contact;
 };
 
-/// What `rocking trajectory` printed.
+/// The output of `rocking trajectory`.
 struct TrajectoryFile {
-  std::string name;  ///< to tell it from others: of its file
+  std::string name;  ///< name of its file, to distinguish it from others
   std::uint64_t condition = 0, realisation = 0;
   std::vector<StrobeRow> strobe;
-  /// The following only with `--samples`.
+  /// The following members are filled only with `--samples`.
   std::vector<HistoryRow> history;
   std::vector<EventRow> events;
   std::vector<ContactSpan> contacts;
 };
 
-/// Throws base::InputError where it is no trajectory.
-[[nodiscard]] TrajectoryFile read_trajectory(const report::Json& output, const std::string& name);
+/// Throws base::InputError if the output is not a trajectory.
+[[nodiscard]] TrajectoryFile read_trajectory(const Json& output, const std::string& name);
 
-/// The part of the time that is shown, in excitation periods.
+/// The shown interval of time, in excitation periods.
 struct Window {
   double from = 0.0;
   double to = std::numeric_limits<double>::infinity();

@@ -6,10 +6,10 @@
 
 namespace rocking::analysis {
 
-/// Which responses occur, where each is the most likely one, and how likely overturning can be: HTML.
+/// HTML: which responses occur, where each is the most likely one, and how probable overturning can be.
 [[nodiscard]] std::string responses_in_brief(const RunReport& report);
 
-/// How often two runs of one condition differ, where most, and after how long they part: HTML.
+/// HTML: how often two runs of a condition differ, where this is most frequent, and after which time they diverge.
 [[nodiscard]] std::string recurrence_in_brief(const RunReport& report);
 
 }  // namespace rocking::analysis

@@ -2,14 +2,14 @@
 
 #include <string>
 
-/// Texts that the build puts into the program.
+/// Texts that the build embeds in the program.
 namespace rocking::analysis {
 
-/// dygraphs 2 (MIT licence): script and style; empty where it was not there at the build.
+/// dygraphs 2 (MIT licence): script and style; empty if it was not available at the build.
 [[nodiscard]] std::string dygraphs_script();
 [[nodiscard]] std::string dygraphs_style();
 
-/// Our own part of a page: shapes.js, series.js, charts.js and page.js; page.css.
+/// The project's own script and style of a page: shapes.js, series.js, charts.js and page.js; page.css.
 [[nodiscard]] std::string page_script();
 [[nodiscard]] std::string page_style();
 

@@ -1,4 +1,4 @@
-// Charts of dygraphs that zoom, tell their values and heed keys. A figure's panels stand as JSON in the page.
+// Charts drawn by dygraphs, with zoom, readout and keyboard control. The panels of a figure are in the page as JSON.
 var charts = (function () {
   'use strict';
 
@@ -58,7 +58,7 @@ var charts = (function () {
       underlayCallback: function (context, area, g) { chart.underlay(context, area, g); } };
   };
 
-  // Once every panel has its place: a chart is as wide as it is then, until that changes.
+  // Called when every panel has its place: a chart takes its width at that time.
   Chart.prototype.draw = function () {
     var chart = this, rows = this.series.rows;
     var empty = [null, null, null];
@@ -102,7 +102,7 @@ var charts = (function () {
     this.graph.updateOptions({ dateWindow: this.home.dateWindow.slice(), valueRange: this.home.valueRange.slice() });
   };
 
-  // Zooms and moves are the same lengths on the screen wherever they begin: on a logarithmic axis they are ratios.
+  // Zooming and moving use lengths on the screen. On a logarithmic axis these are ratios.
   Chart.prototype.onScreen = function (x) { return this.panel.x.logarithmic ? Math.log(x) : x; };
   Chart.prototype.fromScreen = function (x) { return this.panel.x.logarithmic ? Math.exp(x) : x; };
 
@@ -131,7 +131,7 @@ var charts = (function () {
     });
   };
 
-  // What is known at the place nearest to x: of curves their values, of boxes their heights.
+  // Values at the place nearest to x: of curves their values, of boxes their heights.
   Chart.prototype.values = function (x) {
     var chart = this, near = null, found = [];
     this.places().forEach(function (place) { if (near === null || Math.abs(place - x) < Math.abs(near - x)) near = place; });

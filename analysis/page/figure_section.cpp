@@ -11,8 +11,6 @@
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
-
 std::string_view name_of(LayerKind kind) {
   switch (kind) {
     case LayerKind::boxes: return "boxes";
@@ -30,7 +28,7 @@ std::string_view name_of(LayerKind kind) {
   return "";
 }
 
-/// What the page's script can draw; other panels have their picture alone.
+/// Whether the script of the page can draw the panel; otherwise there is the picture only.
 bool can_be_charted(const Panel& panel) {
   constexpr std::array known{LayerKind::boxes,      LayerKind::line,  LayerKind::ribbon, LayerKind::points,
                              LayerKind::error_bars, LayerKind::steps, LayerKind::spans};
@@ -65,15 +63,15 @@ const Column& column_of(const Figure& figure, const Layer& layer, std::size_t pl
   return figure.tables[layer.table].columns[layer.columns[place]];
 }
 
-/// Whether a ribbon or error bars are the interval of a curve: its lower end is called `mode_low` where the curve's column is
-/// called `mode`, or stands behind that column.
+/// Whether a ribbon or error bars are the interval of a curve: its lower end has the column name `mode_low` if the column
+/// of the curve has the name `mode`, or it is the column after that of the curve.
 bool is_interval_of(const Figure& figure, const Layer& layer, const Layer& curve) {
   const std::size_t place = layer.columns.size() - 2;
   if (column_of(figure, curve, 1).name + "_low" == column_of(figure, layer, place).name) return true;
   return curve.table == layer.table && curve.columns[1] + 1 == layer.columns[place];
 }
 
-/// The place of the curve that a layer is the interval of; its own otherwise.
+/// The place of the curve whose interval the layer is; otherwise the place of the layer itself.
 std::size_t group_of(const Figure& figure, const Panel& panel, std::size_t place) {
   const Layer& layer = panel.layers[place];
   if (layer.kind != LayerKind::ribbon && layer.kind != LayerKind::error_bars) return place;

@@ -35,7 +35,7 @@ std::string escaped(std::string_view text) {
   return html;
 }
 
-std::string json_for_script(const report::Json& json) {
+std::string json_for_script(const Json& json) {
   const std::string text = json.dump();
   std::string safe;
   safe.reserve(text.size());

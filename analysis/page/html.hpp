@@ -3,27 +3,27 @@
 #include <string>
 #include <string_view>
 
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
-/// Pieces of HTML. None of them holds a style attribute or a handler: a page's policy forbids both.
+/// Pieces of HTML. None has a style attribute or an event handler: the policy of a page forbids both.
 namespace rocking::analysis {
 
-/// Text as HTML may hold it, within an element or a quoted attribute: nothing of it is taken for a tag.
+/// Text that can be inserted into an element or a quoted attribute of HTML: special characters are escaped.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// JSON as a script element may hold it: nothing of it ends the element.
-[[nodiscard]] std::string json_for_script(const report::Json& json);
+/// JSON that can be inserted into a script element: it cannot end the element.
+[[nodiscard]] std::string json_for_script(const Json& json);
 
-/// An image as the address of an `img` element.
+/// An image as a data address for an `img` element.
 [[nodiscard]] std::string data_address(std::string_view svg);
 
-/// What a content-security policy calls a script or style of this text: `'sha256-...'`.
+/// Source expression of a content-security policy for a script or style with this text: `'sha256-...'`.
 [[nodiscard]] std::string policy_hash(std::string_view text);
 
-/// Text as HTML, with letters and digits behind a `_` set low: `base amplitude A_h`.
+/// Text as HTML, with letters and digits after a `_` as subscripts: `base amplitude A_h`.
 [[nodiscard]] std::string lowered(std::string_view text);
 
-/// The same of a symbol: `A_h`, `mu_s/mu_k`.
+/// A symbol as HTML, with subscripts: `A_h`, `mu_s/mu_k`.
 [[nodiscard]] std::string symbol_html(std::string_view symbol);
 
 }  // namespace rocking::analysis

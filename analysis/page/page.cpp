@@ -14,7 +14,7 @@
 namespace rocking::analysis {
 namespace {
 
-/// The parts of a page, by what of a figure's name tells where it belongs.
+/// A part of the page, with the beginnings of the names of its figures.
 struct Part {
   const char* id;
   const char* heading;
@@ -48,7 +48,7 @@ std::string head(const std::string& title) {
       policy_hash(style), scripts, escaped(title), style);
 }
 
-/// `link`: where there is more on it; empty where there is none.
+/// `link`: address of more details; empty if there are none.
 std::string card(const char* id, const char* heading, const std::string& content, const std::string& link) {
   const std::string more =
       link.empty() ? ""
@@ -63,7 +63,7 @@ std::string section(const char* id, const char* heading, const std::string& cont
       heading, content);
 }
 
-/// Figures by the part that they go to: the first that takes them.
+/// Figures by part: each goes to the first part that has a beginning of its name.
 std::map<std::string, std::string> figures_by_part(const RunReport& report, const std::vector<DrawnFigure>& figures) {
   std::map<std::string, std::string> content;
   for (const DrawnFigure& drawn : figures) {

@@ -8,10 +8,10 @@
 
 namespace rocking::analysis {
 
-/// A report as one HTML page that needs nothing beside it and lets nothing in: its policy allows its own script and style,
-/// known by their hashes, and pictures that it holds. The same report and pictures give the same bytes.
+/// A report as one HTML page without external resources. Its content-security policy allows only its own script and style,
+/// given by their hashes, and embedded pictures. Equal reports and pictures give equal bytes.
 ///
-/// What a page leaves out it says: rows of tables beyond `most_rows`, charts beyond `most_charts`.
+/// The page says what it omits: rows of tables beyond `most_rows`, charts beyond `most_charts`.
 [[nodiscard]] std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures);
 
 }  // namespace rocking::analysis

@@ -1,4 +1,4 @@
-// What makes a page live: tables that sort, and charts. Without it the page is whole too.
+// Sorting of tables, and charts. Without this script the page is complete, but static.
 (function () {
   'use strict';
 
@@ -35,7 +35,7 @@
 
   document.querySelectorAll('table.sortable').forEach(addSorting);
   if (typeof Dygraph === 'undefined') return;
-  // Its legend sets a style attribute, which the page's policy forbids; the readout says the same.
+  // The legend of dygraphs sets a style attribute, which the page's policy forbids; the readout shows the same.
   Dygraph.PLUGINS = Dygraph.PLUGINS.filter(function (plugin) { return plugin !== Dygraph.Plugins.Legend; });
   document.documentElement.classList.add('live');
   document.querySelectorAll('.charts').forEach(charts.add);

@@ -7,24 +7,25 @@
 
 #include <fmt/format.h>
 
+#include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
+#include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/input/excitation_words.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
-using report::significant;
-
 constexpr std::size_t most_listed = 4;
 
 std::string number(const Json& value) {
-  return value.is_number() ? significant(value.get<double>(), 6) : escaped(report::brief(value));
+  return value.is_number() ? significant(value.get<double>(), 6) : escaped(brief(value));
 }
 
-/// Geometry of the block, as every later number is made from it.
+/// Geometry of the mean block, from which the other numbers are computed.
 struct Shape {
   double width, height, gravity;
   [[nodiscard]] double shape_angle() const { return std::atan2(width, height); }
@@ -34,7 +35,9 @@ struct Shape {
 
 Shape shape_of(const Json& experiment) {
   const Json& block = experiment.at("block");
-  return {.width = block.at("width_m"), .height = block.at("height_m"), .gravity = block.at("gravity_m_s2")};
+  return {.width = mean_of(block.at("width_m")),
+          .height = mean_of(block.at("height_m")),
+          .gravity = block.at("gravity_m_s2")};
 }
 
 bool is_swept(const RunReport& report, const std::string& pointer) {
@@ -50,10 +53,12 @@ std::string swept_mark(const RunReport& report, const std::string& pointer) {
 
 std::string shaking_in_brief(const RunReport& report) {
   const Json& excitation = report.experiment.at("excitation");
-  if (excitation.at("kind") == "recorded") {
-    return "on a base that moves as recorded in " + escaped(excitation.at("file").get<std::string>());
+  const auto kind = excitation.at("kind").get<std::string>();
+  std::string text = fmt::format("on a base that {}", excitation_in_words(kind));
+  if (excitation.contains("file")) return text + " in " + escaped(excitation.at("file").get<std::string>());
+  if (excitation.contains("shape") && !is_swept(report, "/excitation/shape")) {
+    text += fmt::format(" ({})", escaped(excitation.at("shape").get<std::string>()));
   }
-  std::string text = "on a base that shakes harmonically";
   if (!is_swept(report, "/excitation/amplitude")) {
     text += fmt::format(" with amplitude {} = {}", symbol_html("A_h"), number(excitation.at("amplitude")));
   }
@@ -91,7 +96,7 @@ std::string friction_in_brief(const RunReport& report) {
   return text + (what.empty() ? "" : " Random: " + what + '.');
 }
 
-/// The different values of an entry of the sweep, in their order.
+/// The distinct values of an entry of the sweep, in order.
 std::vector<Json> values_of(const RunReport& report, std::size_t entry) {
   std::vector<Json> values;
   std::set<std::string> seen;
@@ -124,20 +129,20 @@ std::string row(const std::string& name, const std::string& value) {
   return fmt::format("<dt>{}</dt><dd>{}</dd>\n", escaped(name), value);
 }
 
-/// Every setting below a place of the experiment, one row each.
+/// Adds a row for every setting below a place of the experiment.
 void add_settings(const RunReport& report, const std::string& pointer, const Json& value, std::string& rows) {
   if (value.is_object()) {
     for (const auto& [key, part] : value.items()) {
-      add_settings(report, report::child_pointer(pointer, key), part, rows);
+      add_settings(report, child_pointer(pointer, key), part, rows);
     }
     return;
   }
-  rows += row(pointer, escaped(value.is_string() ? value.get<std::string>() : report::brief(value)) +
-                           swept_mark(report, pointer));
+  rows +=
+      row(pointer, escaped(value.is_string() ? value.get<std::string>() : brief(value)) + swept_mark(report, pointer));
 }
 
 std::string horizon_in_brief(const RunReport& report) {
-  if (!report.periods()) return "each as long as the ground motion, and until the block has come to rest";
+  if (!report.periods()) return "each as long as the base moves, and until the block has come to rest";
   const Json& horizon = report.experiment.at("horizon");
   return fmt::format("{} of transient, then {} sampled",
                      counted(horizon.at("transient_periods").get<std::uint64_t>(), "period"),
@@ -147,9 +152,10 @@ std::string horizon_in_brief(const RunReport& report) {
 }  // namespace
 
 std::string question_in_brief(const RunReport& report) {
-  const Shape shape = shape_of(report.experiment);
-  std::string text = fmt::format("<p>A block {} m wide and {} m high stands {}. {}</p>\n", significant(shape.width, 6),
-                                 significant(shape.height, 6), shaking_in_brief(report), friction_in_brief(report));
+  const Json& block = report.experiment.at("block");
+  std::string text = fmt::format("<p>A block {} m wide and {} m high stands {}. {}</p>\n",
+                                 spoken_quantity(block.at("width_m")), spoken_quantity(block.at("height_m")),
+                                 shaking_in_brief(report), friction_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
@@ -164,7 +170,7 @@ std::string question_in_full(const RunReport& report) {
   rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", significant(shape.frequency_parameter(), 4)));
   for (const auto& [key, value] : report.experiment.items()) {
     if (key != "format" && key != "title" && key != "sweep") {
-      add_settings(report, report::child_pointer("", key), value, rows);
+      add_settings(report, child_pointer("", key), value, rows);
     }
   }
   return fmt::format(

@@ -6,10 +6,10 @@
 
 namespace rocking::analysis {
 
-/// What was asked, in two or three sentences of HTML: block, shaking, friction, what varies, how often.
+/// The experiment in two or three sentences of HTML: block, excitation, friction, what is varied, number of realisations.
 [[nodiscard]] std::string question_in_brief(const RunReport& report);
 
-/// The same as a list of every setting, with the experiment file behind it.
+/// A list of all settings, followed by the experiment file.
 [[nodiscard]] std::string question_in_full(const RunReport& report);
 
 }  // namespace rocking::analysis

@@ -1,4 +1,4 @@
-// A panel's numbers as dygraphs takes them.
+// Converts the numbers of a panel to the form that dygraphs needs.
 var series = (function () {
   'use strict';
 
@@ -23,13 +23,13 @@ var series = (function () {
 
   var isCurve = { line: true, points: true, steps: true };
 
-  // Columns of places and of values: of curves and intervals the first is the place, of boxes the first two.
+  // Columns of places and of values. Curves and intervals have one column of places, boxes have two.
   function places(layer) {
     var one = isCurve[layer.kind] || layer.kind === 'ribbon' || layer.kind === 'error_bars';
     return one ? 1 : 2;
   }
 
-  // The interval that belongs to a curve: a ribbon or error bars of the same group.
+  // The interval of a curve: a ribbon or error bars of the same group.
   function intervalOf(panel, curve) {
     var found = panel.layers.filter(function (layer) {
       return (layer.kind === 'ribbon' || layer.kind === 'error_bars') && layer.group === curve.group;
@@ -40,7 +40,7 @@ var series = (function () {
     return at;
   }
 
-  // Steps are level between their own places: at those of other curves too, from their first to their last.
+  // A step curve is constant between its own places, also at the places of other curves, from its first to its last.
   function hold(curve, place, rows) {
     var level = null, last = Math.max.apply(null, curve.columns[0]);
     Array.from(rows.keys()).sort(function (a, b) { return a - b; }).forEach(function (x) {
@@ -50,8 +50,8 @@ var series = (function () {
     });
   }
 
-  // Curves with their intervals as dygraphs takes them: rows of x and [low, y, high], where an end that is not known stands
-  // at the curve. `ends` are the intervals as they are.
+  // Curves with their intervals for dygraphs: rows of x and [low, y, high]. An unknown end is set to the value of the
+  // curve. `ends` holds the intervals without this replacement.
   function seriesOf(panel) {
     var curves = panel.layers.filter(function (layer) { return isCurve[layer.kind]; });
     var bars = panel.layers.filter(function (layer) {

@@ -1,4 +1,4 @@
-// How things look and are spelled: hatching, markers, samples for legends, numbers, labels.
+// Appearance and spelling: hatching, markers, legend samples, numbers, labels.
 var shapes = (function () {
   'use strict';
 
@@ -23,19 +23,19 @@ var shapes = (function () {
     return text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
   }
 
-  // As HTML, for dygraphs takes labels so.
+  // As HTML, which is what dygraphs takes for labels.
   function labelOf(axis) {
     var symbol = axis.symbol && '<i>' + safe(axis.symbol).replace(/_([A-Za-z0-9]+)/g, '<sub>$1</sub>') + '</i>';
     return [safe(axis.quantity), symbol, axis.unit ? '[' + safe(axis.unit) + ']' : ''].filter(Boolean).join(' ');
   }
 
-  // As bright as a colour is in a grey print: ITU-R BT.601.
+  // Luminance of a colour in a grey print: ITU-R BT.601.
   function luma(colour) {
     var parts = [1, 3, 5].map(function (at) { return parseInt(colour.slice(at, at + 2), 16); });
     return 0.299 * parts[0] + 0.587 * parts[1] + 0.114 * parts[2];
   }
 
-  // In grey a hatch must show by itself: white on what is dark.
+  // In a grey print a hatch must be visible: white on dark colours.
   function hatched(context, layer) {
     var lines = { 1: [1, -1], 2: [1, -1], 4: [1], 5: [-1], 6: [2], 7: [-2] }[layer.hatch] || [];
     if (lines.length === 0) return null;
@@ -81,7 +81,7 @@ var shapes = (function () {
     context.stroke();
   }
 
-  // gnuplot's point types: 1 to 3 of strokes, 4 to 15 in pairs, open and filled.
+  // Point types of gnuplot: 1 to 3 are made of strokes, 4 to 15 come in pairs, open and filled.
   function mark(context, x, y, colour, size, marker) {
     var sides = { 4: 4, 5: 4, 8: 3, 9: 3, 10: -3, 11: -3, 12: 4, 13: 4, 14: 5, 15: 5 }[marker];
     context.beginPath();
@@ -107,7 +107,7 @@ var shapes = (function () {
     else { context.fillStyle = '#fff'; context.fill(); context.stroke(); }
   }
 
-  // A pale colour that fills an area well is lost as a line.
+  // A pale colour is suitable for areas but hardly visible as a line.
   function darkened(colour) {
     return luma(colour) > 175 ? '#767676' : colour;
   }

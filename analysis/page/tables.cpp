@@ -10,7 +10,8 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -18,11 +19,11 @@ namespace {
 struct PageTable {
   std::string caption;
   std::vector<std::string> head;               ///< HTML
-  std::vector<std::vector<std::string>> rows;  ///< HTML; a row's first cell is its heading
-  std::size_t all_rows = 0;                    ///< with those that are left out
+  std::vector<std::vector<std::string>> rows;  ///< HTML; the first cell of a row is its heading
+  std::size_t all_rows = 0;                    ///< including omitted ones
 };
 
-/// The buttons are made by the page's script: without it there is nothing to press.
+/// The script of the page makes the buttons; without it there are none.
 std::string html_of(const PageTable& table) {
   std::string text = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table: {0}\"><table class=\"sortable\">"
@@ -67,7 +68,7 @@ std::string column_name(const std::string& pointer) {
 }
 
 std::string cell_html(const Cell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return report::significant(*number, 5);
+  if (const double* number = std::get_if<double>(&cell)) return significant(*number, 5);
   if (const std::string* text = std::get_if<std::string>(&cell)) return escaped(*text);
   return "<span class=\"none\">none</span>";
 }

@@ -9,19 +9,19 @@
 
 namespace rocking::analysis {
 
-/// Rows that a table of a page shows at most; the files that `rocking report` writes have them all.
+/// Largest number of rows of a table of a page; the files that `rocking report` writes have all rows.
 inline constexpr std::size_t most_rows = 2000;
 
 enum class ModeCells : std::uint8_t { estimates, with_intervals };
 
-/// A row a condition, a column a response mode that occurs anywhere, in per cent: a sortable table.
+/// A sortable table with a row for each condition and a column for each response mode that occurs, in per cent.
 [[nodiscard]] std::string mode_table_html(const RunReport& report, ModeCells cells);
 
-/// Tables whose first column is a place and whose second a level that holds until the next, as one: a row for each place of
-/// any of them, in order; a column for each, called as it is.
+/// Joins step functions into one table. The first column of each table is a place, the second a level that holds until the
+/// next place. The result has a row for each place of any table, in order, and a column for each table, with its name.
 [[nodiscard]] Table side_by_side(const std::vector<Table>& tables);
 
-/// A table of a figure, sortable.
+/// The table of a figure, sortable.
 [[nodiscard]] std::string data_table_html(const Table& table, const std::string& title);
 
 }  // namespace rocking::analysis

@@ -4,19 +4,19 @@
 
 #include <fmt/format.h>
 
+#include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
-#include "rocking/report/text_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-using report::Json;
-
-/// Realisations of one kind in all conditions.
+/// Realisations with some property, of all conditions.
 struct Cases {
   std::uint64_t count = 0;
-  std::string first;  ///< HTML; empty where there is none
+  std::string first;  ///< HTML; empty if there is none
 };
 
 Cases cases_of(const RunReport& report, const std::string& kind) {
@@ -37,40 +37,40 @@ Cases cases_of(const RunReport& report, const std::string& kind) {
 struct Kind {
   const char* key;
   const char* name;
-  const char* none;  ///< the finding where there is none
-  const char* some;  ///< what follows the number where there are
-  Verdict verdict;   ///< then
+  const char* none;  ///< the finding if there is none
+  const char* some;  ///< text after the number if there are some
+  Rating rating;     ///< if there are some
 };
 
 constexpr Kind kinds[] = {
     {"left_ground", "contact with the base", "The normal force was positive throughout.",
-     "met a normal force of zero or less, where the model is not valid.", Verdict::look},
-    {"painleve", "Painlev&eacute;&#39;s paradox", "Did not occur.", "ended because of it.", Verdict::look},
+     "met a normal force of zero or less, where the model is not valid.", Rating::look},
+    {"painleve", "Painlev&eacute;&#39;s paradox", "Did not occur.", "ended because of it.", Rating::look},
     {"stopped", "event budget", "Every realisation reached its horizon or overturned.",
-     "ended because of too many events or a vanishing step.", Verdict::look},
+     "ended because of too many events or a vanishing step.", Rating::look},
     {"contradictions", "sticking and slipping", "At every instant one of the two was consistent with the equations.",
-     "had an instant at which neither is consistent with the equations.", Verdict::look},
+     "had an instant at which neither is consistent with the equations.", Rating::look},
     {"in_transient", "settled at the horizon", "Every response had settled at the horizon.",
-     "had not settled at the horizon.", Verdict::look},
+     "had not settled at the horizon.", Rating::look},
     {"settled_late", "settled within the sampled periods", "No response settled late.",
-     "settled within the sampled periods and are classified by the part after that.", Verdict::note},
+     "settled within the sampled periods and are classified by the part after that.", Rating::note},
     {"past_balance", "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.",
-     Verdict::note},
+     Rating::note},
     {"clamped", "clamped random numbers", "No random number was clamped.",
-     "had a random number clamped (for example friction below 0, or kinetic above static friction).", Verdict::note},
+     "had a random number clamped (for example friction below 0, or kinetic above static friction).", Rating::note},
 };
 
 Check check_of(const RunReport& report, const Kind& kind) {
   const Cases cases = cases_of(report, kind.key);
-  if (cases.count == 0) return {.name = kind.name, .verdict = Verdict::fine, .finding = kind.none, .where = {}};
+  if (cases.count == 0) return {.name = kind.name, .rating = Rating::fine, .finding = kind.none, .where = {}};
   return {.name = kind.name,
-          .verdict = kind.verdict,
+          .rating = kind.rating,
           .finding = fmt::format("{} {}", counted(cases.count, "realisation"), kind.some),
           .where = cases.first};
 }
 
 Check arithmetic(const RunReport& report) {
-  Check check{.name = "sensitivity to tolerance", .verdict = Verdict::note, .finding = {}, .where = {}};
+  Check check{.name = "sensitivity to tolerance", .rating = Rating::note, .finding = {}, .where = {}};
   const Json& floor = report.text.at("result").at("noise_floor");
   if (floor.is_null()) {
     check.finding = "Not measured: no realisation was rerun at another tolerance.";
@@ -80,13 +80,13 @@ Check arithmetic(const RunReport& report) {
   const Json& interval = floor.at("interval");
   check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance [{}, {} %], ",
                               floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>(),
-                              per_cent(interval.at(0)), per_cent(interval.at(1)));
-  const std::string half_width = per_cent(floor.at("half_width")) + " %.";
+                              per_cent(interval.at(0).get<double>()), per_cent(interval.at(1).get<double>()));
+  const std::string half_width = per_cent(floor.at("half_width").get<double>()) + " %.";
   if (noise == "small") {
-    check.verdict = Verdict::fine;
+    check.rating = Rating::fine;
     check.finding += "small compared with the narrowest half-width of an interval, " + half_width;
   } else if (noise == "not_small") {
-    check.verdict = Verdict::look;
+    check.rating = Rating::look;
     check.finding += "<strong>not</strong> small compared with the narrowest half-width of an interval, " + half_width;
   } else {
     check.finding += "too few reruns to compare with the narrowest half-width of an interval, " + half_width;
@@ -94,71 +94,53 @@ Check arithmetic(const RunReport& report) {
   return check;
 }
 
-/// Unresolved responses are no failure, but what they are is not known: above this share of a condition, look.
+/// Unresolved responses are not a failure, but their modes are unknown. Above this share of a condition they are marked.
 constexpr double worrying_share = 0.05;
 
 Check unresolved(const RunReport& report) {
-  const section::ResponseMode mode{.kind = section::ResponseKind::unresolved};
-  std::uint64_t count = 0;
-  std::size_t where = 0;
-  double worst = 0.0;
-  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto found = report.conditions[i].modes.find(mode);
-    if (found == report.conditions[i].modes.end()) continue;
-    count += found->second.count;
-    if (found->second.estimate > worst) {
-      worst = found->second.estimate;
-      where = i;
-    }
-  }
-  if (count == 0)
+  const UnresolvedResponses found = unresolved_responses(report);
+  if (found.count == 0)
     return {.name = "unresolved responses",
-            .verdict = Verdict::fine,
+            .rating = Rating::fine,
             .finding = "Every response is classified.",
             .where = {}};
-  const double share = static_cast<double>(count) / static_cast<double>(realisations_of(report));
   return {.name = "unresolved responses",
-          .verdict = worst > worrying_share ? Verdict::look : Verdict::note,
-          .finding =
-              fmt::format("{} of {} ({} %); most at {}: {} %.", count, counted(realisations_of(report), "realisation"),
-                          per_cent(share), escaped(condition_name(report, where)), per_cent(worst)),
+          .rating = found.largest_share > worrying_share ? Rating::look : Rating::note,
+          .finding = fmt::format("{} of {} ({} %); most at {}: {} %.", found.count,
+                                 counted(realisations_of(report), "realisation"), per_cent(found.share),
+                                 escaped(condition_name(report, found.where)), per_cent(found.largest_share)),
           .where = {}};
 }
 
 Check enough(const RunReport& report) {
   std::uint64_t short_of = 0;
-  double widest = 0.0;
   for (const Json& condition : report.text.at("result").at("conditions")) {
     if (condition.at("stopped_because") == "at_most_reached") ++short_of;
   }
-  for (const ConditionReport& condition : report.conditions) {
-    for (const auto& [mode, share] : condition.modes) {
-      widest = std::max(widest, 0.5 * (share.interval.high - share.interval.low));
-    }
-  }
-  const std::string width = fmt::format("The half-width of the widest interval is {} %.", per_cent(widest));
-  if (short_of == 0) return {.name = "enough realisations", .verdict = Verdict::fine, .finding = width, .where = {}};
+  const std::string width =
+      fmt::format("The half-width of the widest interval is {} %.", per_cent(widest_half_width(report)));
+  if (short_of == 0) return {.name = "enough realisations", .rating = Rating::fine, .finding = width, .where = {}};
   return {.name = "enough realisations",
-          .verdict = Verdict::look,
+          .rating = Rating::look,
           .finding = fmt::format(
               "{} reached the largest number of realisations before the intervals were as narrow as requested. {}",
               counted(short_of, "condition"), width),
           .where = {}};
 }
 
-std::string_view word_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::fine: return "fine";
-    case Verdict::note: return "note";
-    case Verdict::look: return "look";
+std::string_view word_of(Rating rating) {
+  switch (rating) {
+    case Rating::fine: return "fine";
+    case Rating::note: return "note";
+    case Rating::look: return "look";
   }
   return "";
 }
 
-std::string badge(Verdict verdict) {
+std::string badge(Rating rating) {
   constexpr const char* signs[] = {"&#10003;", "&#8226;", "!"};
-  return fmt::format("<span class=\"badge {0}\"><span aria-hidden=\"true\">{1}</span> {0}</span>", word_of(verdict),
-                     signs[static_cast<std::size_t>(verdict)]);
+  return fmt::format("<span class=\"badge {0}\"><span aria-hidden=\"true\">{1}</span> {0}</span>", word_of(rating),
+                     signs[static_cast<std::size_t>(rating)]);
 }
 
 }  // namespace
@@ -170,14 +152,14 @@ std::vector<Check> checks_of(const RunReport& report) {
 }
 
 std::string trust_in_brief(const std::vector<Check>& checks) {
-  const auto fine = std::ranges::count(checks, Verdict::fine, &Check::verdict);
+  const auto fine = std::ranges::count(checks, Rating::fine, &Check::rating);
   std::string text =
       fmt::format("<p>{} of {} checks passed without remark.</p>\n<ul class=\"checks\">\n", fine, checks.size());
-  for (const Verdict verdict : {Verdict::look, Verdict::note}) {
+  for (const Rating rating : {Rating::look, Rating::note}) {
     for (const Check& check : checks) {
-      if (check.verdict != verdict) continue;
-      text += fmt::format("<li>{} {}{}</li>\n", badge(verdict), check.name,
-                          verdict == Verdict::look ? ": " + check.finding : "");
+      if (check.rating != rating) continue;
+      text += fmt::format("<li>{} {}{}</li>\n", badge(rating), check.name,
+                          rating == Rating::look ? ": " + check.finding : "");
     }
   }
   return text + "</ul>\n";
@@ -187,7 +169,7 @@ std::string trust_in_full(const std::vector<Check>& checks) {
   std::string rows;
   for (const Check& check : checks) {
     rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{} {}</td></tr>\n", check.name,
-                        badge(check.verdict), check.finding, check.where);
+                        badge(check.rating), check.finding, check.where);
   }
   return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table "
          "class=\"words\"><caption>Possible "
@@ -214,7 +196,7 @@ std::string provenance(const RunReport& report) {
       escaped(report.text.at("input").at("sha256").get<std::string>()),
       escaped(report.text.at("result").at("digest").get<std::string>()), text("version"), text("revision"),
       text("compiler"), text("flags"), text("machine"), text("start"),
-      report::significant(system.at("duration_s").get<double>(), 3),
+      significant(system.at("duration_s").get<double>(), 3),
       counted(system.at("threads").get<std::uint64_t>(), "thread"));
 }
 

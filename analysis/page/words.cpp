@@ -2,9 +2,8 @@
 
 #include <array>
 
-#include <fmt/format.h>
-
 #include "analysis/sweep_view.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -20,14 +19,8 @@ std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twi
 
 }  // namespace
 
-std::string per_cent(double probability) { return fmt::format("{:.1f}", 100.0 * probability); }
-
-std::string per_cent(double probability, const stats::Interval& interval) {
-  return fmt::format("{} % [{}, {}]", per_cent(probability), per_cent(interval.low), per_cent(interval.high));
-}
-
-std::string counted(std::uint64_t number, const std::string& noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
+std::string probability_text(double probability, const stats::Interval& interval) {
+  return per_cent(probability) + " % " + per_cent(interval);
 }
 
 std::string meaning_of(const section::ResponseMode& mode) {
@@ -41,12 +34,6 @@ std::string meaning_of(const section::ResponseMode& mode) {
     case section::ResponseKind::unresolved: return "could not be classified";
   }
   return "";
-}
-
-std::uint64_t realisations_of(const RunReport& report) {
-  std::uint64_t sum = 0;
-  for (const ConditionReport& condition : report.conditions) sum += condition.realisations;
-  return sum;
 }
 
 std::string condition_name(const RunReport& report, std::size_t condition) {

@@ -13,7 +13,7 @@
 namespace rocking::program {
 namespace {
 
-/// What the whole of a text says; absent where it says something else, or more.
+/// The value if the entire text is one; absent otherwise.
 template <class Number>
 std::optional<Number> read_whole(std::string_view text) {
   Number value{};

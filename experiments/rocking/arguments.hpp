@@ -8,16 +8,16 @@
 
 namespace rocking::program {
 
-/// Lets whole numbers from `low` to `high` pass, written as digits.
+/// Accepts whole numbers from `low` to `high`, written as digits.
 [[nodiscard]] CLI::Validator whole_number(std::uint64_t low, std::uint64_t high);
 
-/// Lets numbers from `low` to `high` pass.
+/// Accepts numbers from `low` to `high`.
 [[nodiscard]] CLI::Validator number(double low, double high);
 
-/// Lets times such as 90s, 15min, 2h, 1d pass, longer than nothing, and hands them on in seconds.
+/// Accepts positive times such as 90s, 15min, 2h, 1d, and converts them to seconds.
 [[nodiscard]] CLI::Validator duration();
 
-/// The seconds of such a time; without a unit it is in seconds. Absent where it is none.
+/// The seconds of such a time; a number without a unit is in seconds. Absent if the text is not a time.
 [[nodiscard]] std::optional<double> seconds_in(std::string_view text);
 
 }  // namespace rocking::program

@@ -10,11 +10,11 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "rocking/experiment/bifurcation.hpp"
+#include "rocking/output/write_bifurcation.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/locate.hpp"
-#include "rocking/report/write_bifurcation.hpp"
+#include "rocking/studies/bifurcation.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -24,8 +24,8 @@ struct BifurcationRequest {
   std::string file;
   std::string folder;
   std::uint64_t realisation = 0;
-  report::Overrides overrides;
-  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  Overrides overrides;
+  ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
   bool overwrite = false;
 };
 
@@ -41,28 +41,28 @@ void expect_room(const DiagramFiles& files, bool overwrite) {
   }
 }
 
-std::optional<std::vector<experiment::Diagram>> draw(const experiment::Experiment& experiment,
+std::optional<std::vector<Diagram>> draw(const Experiment& experiment,
                                                      const BifurcationRequest& request) {
-  Progress progress(suitable_progress_style(request.labour.loudness), "steps");
-  experiment::RunOptions options;
-  options.threads = request.labour.threads;
+  Progress progress(suitable_progress_style(request.execution.loudness), "steps");
+  RunOptions options;
+  options.threads = request.execution.threads;
   options.stop_requested = &stop_on_interrupt();
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) { progress.show(done, all); };
-  return experiment::bifurcation(experiment, request.realisation, options);
+  return bifurcation(experiment, request.realisation, options);
 }
 
 /// Throws InputError, with the file and the line, where the experiment has no diagram.
-void refuse_without_diagrams(const experiment::Experiment& experiment, const std::string& file) {
+void refuse_without_diagrams(const Experiment& experiment, const std::string& file) {
   try {
-    static_cast<void>(experiment::diagrams_of(experiment));
+    static_cast<void>(diagrams_of(experiment));
   } catch (const base::InputError& error) {
-    throw report::located(error, report::read_file(file), file);
+    throw located(error, read_file(file), file);
   }
 }
 
 ExitCode bifurcation(const BifurcationRequest& request) {
-  const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
-  refuse_without_diagrams(experiment, request.file);  // before anything is made
+  const Experiment experiment = load_experiment(request.file, request.overrides);
+  refuse_without_diagrams(experiment, request.file);  // before any file is written
   const std::filesystem::path path(request.folder);
   const DiagramFiles files{.json = path / "bifurcation.json", .csv = path / "bifurcation.csv"};
   RunFolder folder(path);
@@ -74,14 +74,14 @@ ExitCode bifurcation(const BifurcationRequest& request) {
                              request.file, request.folder));
     return ExitCode::interrupted;
   }
-  const report::DrawnDiagrams drawn{
+  const DrawnDiagrams drawn{
       .experiment = &experiment, .realisation = request.realisation, .diagrams = std::move(*diagrams)};
-  const std::string text = report::bifurcation_text(drawn);
-  report::write_atomically(files.csv, report::bifurcation_csv(drawn));
-  report::write_atomically(files.json, text);
+  const std::string text = bifurcation_text(drawn);
+  write_atomically(files.csv, bifurcation_csv(drawn));
+  write_atomically(files.json, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("points: {}, {}\n", files.json.string(), files.csv.string());
-  print_result(request.labour.loudness.json ? text : base::printable(title + report::bifurcation_table(drawn) + where));
+  print_result(request.execution.loudness.json ? text : base::printable(title + bifurcation_table(drawn) + where));
   return ExitCode::done;
 }
 
@@ -108,13 +108,13 @@ void add_bifurcation(CLI::App& app, Action& action) {
       ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
       ->type_name("K");
-  add_threads(*command, request->labour);
+  add_threads(*command, request->execution);
   command
       ->add_option("--seed", request->overrides.seed,
                    "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
   command->add_flag("--overwrite", request->overwrite, "Replace the files of these names in the folder");
-  add_loudness(*command, request->labour.loudness);
+  add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return bifurcation(*request); }; });
 }
 

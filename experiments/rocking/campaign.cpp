@@ -16,12 +16,12 @@
 #include "progress_file.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/experiment/noise_floor.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/mode_table.hpp"
-#include "rocking/report/text_table.hpp"
-#include "rocking/report/write_report.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/output/mode_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/output/write_report.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/number_text.hpp"
 #include "running_estimate.hpp"
 #include "terminal.hpp"
 
@@ -30,10 +30,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// What a kill may cost. A commit takes less than a thousandth of it (lib/docs/scale.md).
+/// Work that a kill may lose. A commit takes less than a thousandth of it (lib/docs/scale.md).
 constexpr std::chrono::milliseconds between_commits(100);
 
-std::uint64_t unresolved_realisations(const experiment::ExperimentResult& result) {
+std::uint64_t unresolved_realisations(const ExperimentResult& result) {
   std::uint64_t count = 0;
   for (const auto& condition : result.conditions) {
     for (const auto& [mode, probability] : condition.modes) {
@@ -43,16 +43,16 @@ std::uint64_t unresolved_realisations(const experiment::ExperimentResult& result
   return count;
 }
 
-std::string_view spoken(experiment::ArithmeticNoise noise) {
+std::string_view spoken(NumericalError noise) {
   switch (noise) {
-    case experiment::ArithmeticNoise::small: return "small compared with";
-    case experiment::ArithmeticNoise::not_small: return "NOT small compared with";
-    case experiment::ArithmeticNoise::undecided: return "too few reruns to compare with";
+    case NumericalError::small: return "small compared with";
+    case NumericalError::not_small: return "NOT small compared with";
+    case NumericalError::undecided: return "too few reruns to compare with";
   }
   return "";
 }
 
-std::string noise_line(const std::optional<experiment::NoiseFloor>& floor) {
+std::string noise_line(const std::optional<ToleranceSensitivity>& floor) {
   if (!floor) return "";
   return fmt::format(
       "sensitivity to tolerance: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} "
@@ -63,8 +63,8 @@ std::string noise_line(const std::optional<experiment::NoiseFloor>& floor) {
       spoken(floor->noise), 100.0 * floor->half_width);
 }
 
-/// A line on the responses that became what they are called within their sampled periods; empty if none did.
-std::string late_settling_of(const experiment::ExperimentResult& result) {
+/// A line on the responses that settled within their sampled periods; empty if none did.
+std::string late_settling_of(const ExperimentResult& result) {
   std::uint64_t count = 0;
   double least_held = 1.0;
   for (const auto& condition : result.conditions) {
@@ -76,65 +76,65 @@ std::string late_settling_of(const experiment::ExperimentResult& result) {
                      counted(count, "realisation"), 100.0 * least_held);
 }
 
-/// `95 %`; where conditions differ in it, the words that say so.
-std::string level_of(const experiment::Experiment& experiment) {
-  const auto common = experiment::common_confidence(experiment);
-  return common ? report::level_text(*common) + " %" : "(at the confidence of each condition)";
+/// `95 %`; if the conditions have different confidences, words that say so.
+std::string level_of(const Experiment& experiment) {
+  const auto common = common_confidence(experiment);
+  return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
 }
 
-std::string summary_of(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
+std::string summary_of(const Experiment& experiment, const ExperimentResult& result) {
   std::uint64_t realisations = 0;
   for (const auto& condition : result.conditions) realisations += condition.realisations;
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  text += report::mode_table(experiment, result, table_look());
+  text += mode_table(table_rows(experiment, result), table_look());
   text += fmt::format("\nper cent of n realisations [simultaneous {} interval{}]; {}, {}, of which {} unresolved\n",
                       level_of(experiment),
                       experiment.conditions.front().until ? ", valid whenever the run stops" : "",
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
   text += late_settling_of(result);
-  return text + noise_line(experiment::noise_floor(result.conditions, experiment::highest_confidence(experiment)));
+  return text + noise_line(result.tolerance_sensitivity);
 }
 
 /// How a run ended, and how long it took.
 struct Stretch {
-  experiment::RunEnd end;
+  RunEnd end;
   double duration_s = 0.0;
 };
 
-experiment::RunOptions options_of(const experiment::Store& store, const Labour& labour) {
-  experiment::RunOptions options;
-  options.threads = labour.threads;
+RunOptions options_of(const Store& store, const ExecutionOptions& execution) {
+  RunOptions options;
+  options.threads = execution.threads;
   options.stop_requested = &stop_on_interrupt();
   options.commit_is_due = [last = Clock::now()]() mutable {
     if (Clock::now() - last < between_commits) return false;
     last = Clock::now();
     return true;
   };
-  if (labour.crew.hire) {
-    experiment::Identity identity = store.identity();
-    identity.code = code_identity();  // of the processes at work, whoever began the store
-    options.workforce = labour.crew.hire(identity, labour.threads);
+  if (execution.pool.start_workers) {
+    Identity identity = store.identity();
+    identity.code = code_identity();  // of the running processes, whichever program created the store
+    options.pair_runner = execution.pool.start_workers(identity, execution.threads);
   }
   return options;
 }
 
-Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
-             const Labour& labour) {
-  Progress progress(suitable_progress_style(labour.loudness), "realisations");
+Stretch work(const RunFolder& folder, const Experiment& experiment, Store& store,
+             const ExecutionOptions& execution) {
+  Progress progress(suitable_progress_style(execution.loudness), "realisations");
   RunningEstimate estimate(experiment);
   Stretch stretch{};
   ProgressFile file(folder.progress_path());
-  experiment::RunOptions options = options_of(store, labour);
+  RunOptions options = options_of(store, execution);
   options.on_realisations = [&](std::size_t condition, const auto& summaries) { estimate.add(condition, summaries); };
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, all, [&] { return estimate.text(); });
     file.note(done, all);
   };
   std::optional<TimeLimit> limit;
-  if (labour.max_time) limit.emplace(*labour.max_time);
+  if (execution.max_time) limit.emplace(*execution.max_time);
   try {
-    stretch.end = experiment::run(experiment, store, options);
+    stretch.end = run(experiment, store, options);
   } catch (const std::system_error&) {
     print_notice(
         fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run",
@@ -145,7 +145,7 @@ Stretch work(const RunFolder& folder, const experiment::Experiment& experiment, 
   return stretch;
 }
 
-ExitCode explain_stop(const RunFolder& folder, const experiment::Completeness& reached) {
+ExitCode explain_stop(const RunFolder& folder, const Completeness& reached) {
   const bool interrupted = why_stopped() == StopReason::signal;
   print_notice(fmt::format("{}; {} of {} realisations are done and kept. `rocking resume {}` continues the run{}",
                            interrupted ? "interrupted" : "the time limit was reached", reached.done, reached.all,
@@ -154,7 +154,7 @@ ExitCode explain_stop(const RunFolder& folder, const experiment::Completeness& r
   return interrupted ? ExitCode::interrupted : ExitCode::stopped_early;
 }
 
-ExitCode explain_shard(RunFolder& folder, const experiment::Shard& shard) {
+ExitCode explain_shard(RunFolder& folder, const Shard& shard) {
   folder.install_replacement();
   print_notice(fmt::format(
       "shard {} of {} is done; when the other shards are done too, `rocking merge DIR {} ...` writes the report",
@@ -162,8 +162,8 @@ ExitCode explain_shard(RunFolder& folder, const experiment::Shard& shard) {
   return ExitCode::done;
 }
 
-void write_unless_stopped(const std::filesystem::path& path, const std::function<void(const report::TextSink&)>& write) {
-  report::write_atomically(path, [&write](const report::TextSink& sink) {
+void write_unless_stopped(const std::filesystem::path& path, const std::function<void(const TextSink&)>& write) {
+  write_atomically(path, [&write](const TextSink& sink) {
     write([&sink, stop = stop_on_signal()](std::string_view piece) {
       stop.check();
       sink(piece);
@@ -171,7 +171,7 @@ void write_unless_stopped(const std::filesystem::path& path, const std::function
   });
 }
 
-/// What the environment has against it; null where nothing. The table is printed before it is told.
+/// The system error that `act` throws; null if none. The caller prints the table before it reports the error.
 std::exception_ptr failure_of(const std::function<void()>& act) {
   try {
     act();
@@ -183,30 +183,30 @@ std::exception_ptr failure_of(const std::function<void()>& act) {
 
 }  // namespace
 
-void add_threads(CLI::App& command, Labour& labour) {
-  command.add_option("-j,--threads", labour.threads, "Number of threads; changes the time, never the result")
+void add_threads(CLI::App& command, ExecutionOptions& execution) {
+  command.add_option("-j,--threads", execution.threads, "Number of threads; changes the time, never the result")
       ->check(whole_number(1, 4096))
       ->capture_default_str()
       ->type_name("N");
 }
 
-void add_max_time(CLI::App& command, Labour& labour) {
-  add_duration(command, "--max-time", labour.max_time,
+void add_max_time(CLI::App& command, ExecutionOptions& execution) {
+  add_duration(command, "--max-time", execution.max_time,
                "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
 }
 
-experiment::ExperimentResult complete_result(const RunFolder& folder, const experiment::Experiment& experiment,
-                                             const experiment::Store& store) {
-  if (auto result = experiment::result_of(experiment, store, stop_on_signal())) return std::move(*result);
-  throw experiment::sqlite::UnusableFile(
+ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment,
+                                             const Store& store) {
+  if (auto result = result_of(experiment, store, stop_on_signal())) return std::move(*result);
+  throw sqlite::UnusableFile(
       fmt::format("{}: is damaged: stored realisations are missing; `rocking resume {}` runs them "
                   "again",
                   folder.store_path().string(), folder.name()));
 }
 
-ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
-                  const experiment::ExperimentResult& result, const Conclusion& how) {
-  const auto write = [&](const report::TextSink& sink) { report::write_report(sink, experiment, result, how.system); };
+ExitCode conclude(RunFolder& folder, const Experiment& experiment,
+                  const ExperimentResult& result, const Conclusion& how) {
+  const auto write = [&](const TextSink& sink) { write_report(sink, experiment, result, how.system); };
   std::exception_ptr failure;
   DrawingFailures failures;
   try {
@@ -232,33 +232,33 @@ ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
   return failures.tell(no_page_picture, PictureRole::addition);
 }
 
-report::SystemFacts system_facts(unsigned threads) {
+SystemFacts system_facts(unsigned threads) {
   return {.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = threads};
 }
 
-ExitCode carry_through(RunFolder& folder, const experiment::Experiment& experiment, experiment::Store& store,
-                       const Labour& labour) {
-  report::SystemFacts system = system_facts(labour.threads * labour.crew.processes);
-  if (store.journalling() == experiment::Journalling::rollback) {
+ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& store,
+                       const ExecutionOptions& execution) {
+  SystemFacts system = system_facts(execution.threads * execution.pool.processes);
+  if (store.journalling() == Journalling::rollback) {
     print_notice(
         fmt::format("{}: this file system has no shared memory for SQLite's log; a slower journal is "
                     "used, and commands that read the run may have to wait for a moment",
                     folder.name()));
   }
-  const Stretch stretch = work(folder, experiment, store, labour);
-  if (stretch.end == experiment::RunEnd::stopped) {
-    return explain_stop(folder, experiment::completeness(experiment, store));
+  const Stretch stretch = work(folder, experiment, store, execution);
+  if (stretch.end == RunEnd::stopped) {
+    return explain_stop(folder, completeness(experiment, store));
   }
   if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
   system.duration_s = stretch.duration_s;
-  std::optional<experiment::ExperimentResult> result;
+  std::optional<ExperimentResult> result;
   try {
     result = complete_result(folder, experiment, store);
   } catch (const base::Stopped&) {
-    return explain_stop(folder, experiment::completeness(experiment, store));
+    return explain_stop(folder, completeness(experiment, store));
   }
-  const ExitCode code = conclude(folder, experiment, *result, {.system = system, .loudness = labour.loudness});
-  if (code == ExitCode::done && !labour.loudness.quiet) {
+  const ExitCode code = conclude(folder, experiment, *result, {.system = system, .loudness = execution.loudness});
+  if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }
   return code;

@@ -4,51 +4,51 @@
 
 #include <CLI/CLI.hpp>
 
-#include "crew.hpp"
+#include "process_pool.hpp"
 #include "exit_code.hpp"
 #include "output.hpp"
-#include "rocking/experiment/experiment.hpp"
-#include "rocking/experiment/result.hpp"
-#include "rocking/experiment/store.hpp"
-#include "rocking/report/write_report.hpp"
+#include "rocking/ensemble/result.hpp"
+#include "rocking/output/write_report.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/store/store.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 
-/// How to work: what `run`, `resume` and `verify` have in common.
-struct Labour {
+/// Options that `run`, `resume` and `verify` have in common.
+struct ExecutionOptions {
   unsigned threads = 1;
   std::optional<double> max_time;  ///< stop cleanly after this long [s]
   Loudness loudness;
-  Crew crew = {};
+  ProcessPool pool = {};
 };
 
-/// Adds `-j`, and `--max-time` where a run can go on later.
-void add_threads(CLI::App& command, Labour& labour);
-void add_max_time(CLI::App& command, Labour& labour);
+/// Adds `-j`, and `--max-time` for commands whose run can be resumed.
+void add_threads(CLI::App& command, ExecutionOptions& execution);
+void add_max_time(CLI::App& command, ExecutionOptions& execution);
 
-/// Runs what the store lacks. When nothing is missing any more it writes the report and prints the table; otherwise it says
-/// how to go on.
-[[nodiscard]] ExitCode carry_through(RunFolder& folder, const experiment::Experiment& experiment,
-                                     experiment::Store& store, const Labour& labour);
+/// Runs the realisations that the store lacks. If all are then present, writes the report and prints the table; otherwise
+/// prints how to continue.
+[[nodiscard]] ExitCode carry_through(RunFolder& folder, const Experiment& experiment,
+                                     Store& store, const ExecutionOptions& execution);
 
-/// What a report says of where it was made, and how loudly that is told.
+/// The `system` part of a report, and how much is printed.
 struct Conclusion {
-  report::SystemFacts system;
+  SystemFacts system;
   Loudness loudness;
 };
 
 /// Facts of this process, at this time.
-[[nodiscard]] report::SystemFacts system_facts(unsigned threads);
+[[nodiscard]] SystemFacts system_facts(unsigned threads);
 
-/// The result of a run of which the store should hold every realisation. Throws sqlite::UnusableFile where it does not,
+/// The result of a complete run. Throws sqlite::UnusableFile if the store lacks a realisation,
 /// base::Stopped when a signal asks to stop.
-[[nodiscard]] experiment::ExperimentResult complete_result(const RunFolder& folder,
-                                                           const experiment::Experiment& experiment,
-                                                           const experiment::Store& store);
+[[nodiscard]] ExperimentResult complete_result(const RunFolder& folder,
+                                                           const Experiment& experiment,
+                                                           const Store& store);
 
-/// Writes the report and its page, lets them take the place of an earlier run, and prints the table.
-[[nodiscard]] ExitCode conclude(RunFolder& folder, const experiment::Experiment& experiment,
-                                const experiment::ExperimentResult& result, const Conclusion& how);
+/// Writes the report and its page, replaces an earlier run by them, and prints the table.
+[[nodiscard]] ExitCode conclude(RunFolder& folder, const Experiment& experiment,
+                                const ExperimentResult& result, const Conclusion& how);
 
 }  // namespace rocking::program

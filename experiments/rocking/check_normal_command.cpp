@@ -3,9 +3,11 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "rocking/input/read_quantity.hpp"
+#include "rocking/output/check_normal_summary.hpp"
+#include "rocking/output/write_check_normal.hpp"
 #include "rocking/random/sampler.hpp"
-#include "rocking/report/read_quantity.hpp"
-#include "rocking/report/write_check_normal.hpp"
+#include "rocking/text/seed_text.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -37,12 +39,12 @@ stats::NormalCheck check_sample(const CheckNormalRequest& request, std::uint64_t
 }
 
 ExitCode check_normal(const CheckNormalRequest& request) {
-  const auto seed = report::seed_from_text(request.seed);
+  const auto seed = seed_from_text(request.seed);
   if (!seed)
     throw UsageError("--seed " + request.seed +
                      ": must be a whole number of at most 64 bits; give a value such as 0x2012 or 8210");
   if (!(request.law.sigma > 0.0)) throw UsageError("--sigma: must be positive; give a value such as 0.03");
-  const report::SamplerCheck check{request.sampler, *seed, check_sample(request, *seed)};
+  const SamplerCheck check{request.sampler, *seed, check_sample(request, *seed)};
   print_result(request.loudness.json ? check_normal_text(check) : check_normal_summary(check));
   if (!stats::is_refuted(check.found)) return ExitCode::done;
   print_notice("these numbers do not follow the distribution: a p-value is below 1e-6");

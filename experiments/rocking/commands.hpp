@@ -6,17 +6,18 @@
 
 #include <CLI/CLI.hpp>
 
-#include "crew.hpp"
+#include "process_pool.hpp"
 #include "exit_code.hpp"
 
 namespace rocking::program {
 
-/// The command that was given, ready to be carried out.
+/// The command from the command line, ready to be executed.
 using Action = std::function<ExitCode()>;
 
-/// Each function adds its command to `app`. Parsing a command line that names it sets `action`.
-void add_run(CLI::App& app, Action& action, const Crew& crew);
-void add_resume(CLI::App& app, Action& action, const Crew& crew);
+/// add_X adds the command X to `app`; parsing a command line with X sets `action`. Each is defined in X_command.cpp, which
+/// has no header of its own.
+void add_run(CLI::App& app, Action& action, const ProcessPool& pool);
+void add_resume(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_status(CLI::App& app, Action& action);
 void add_merge(CLI::App& app, Action& action);
 void add_verify(CLI::App& app, Action& action);

@@ -7,8 +7,9 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/experiment/comparison.hpp"
-#include "rocking/report/write_comparison.hpp"
+#include "rocking/output/write_comparison.hpp"
+#include "rocking/studies/comparison.hpp"
+#include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -21,13 +22,13 @@ struct CompareRequest {
 };
 
 struct FinishedRun {
-  experiment::Store store;
-  experiment::Experiment experiment;
+  Store store;
+  Experiment experiment;
 };
 
 FinishedRun finished_run(const std::string& folder) {
-  experiment::Store store = RunFolder(folder).open_sound_store();
-  experiment::Experiment experiment = experiment_of(store.identity());
+  Store store = RunFolder(folder).open_sound_store();
+  Experiment experiment = experiment_of(store.identity());
   return {std::move(store), std::move(experiment)};
 }
 
@@ -46,10 +47,12 @@ ExitCode compare(const CompareRequest& request) {
                                  request.first, counted(conditions, "condition"), request.second,
                                  counted(second.experiment.conditions.size(), "condition")));
   }
-  const report::ComparedRuns runs{.first = &first.experiment,
+  std::vector<double> confidences;
+  for (const Condition& condition : first.experiment.conditions) confidences.push_back(condition.confidence);
+  const ComparedRuns runs{.first = &first.experiment,
                                   .second = &second.experiment,
-                                  .conditions = experiment::compare(first.store, second.store, conditions)};
-  print_result(request.loudness.json ? report::comparison_text(runs) : base::printable(report::comparison_table(runs)));
+                                  .conditions = compare(first.store, second.store, confidences)};
+  print_result(request.loudness.json ? comparison_text(runs) : base::printable(comparison_table(runs)));
   return ExitCode::done;
 }
 

@@ -12,7 +12,7 @@
 namespace rocking::program {
 namespace {
 
-/// The fixed part: where in the line the cursor is, and what a shell can offer by itself.
+/// The fixed part: finds the cursor in the line, and completes files and folders with the shell.
 constexpr std::string_view head =
     R"bash(# Completion of `rocking` for bash. For this shell: eval "$(rocking completion bash)". For every one: the same
 # line in ~/.bashrc.
@@ -50,7 +50,7 @@ std::vector<std::string> spellings(const CLI::Option& option) {
   return names;
 }
 
-/// What to offer for a value, as a line of the script; empty: nothing can be known of it.
+/// The completions of a value, as a line of the script; empty if there are none.
 std::string offer_of(const CLI::Option& option) {
   if (const auto choices = choices_of(option); !choices.empty()) {
     return fmt::format("_rocking_words '{}'", fmt::join(choices, " "));
@@ -69,7 +69,7 @@ std::string flags_of(const CLI::App& command) {
   return fmt::format("{}", fmt::join(flags, " "));
 }
 
-/// The branch of a command: after a flag its values, otherwise flags, or what its first argument is.
+/// The branch of a command: completes values after a flag, otherwise flags or the first argument.
 std::string branch_of(const CLI::App& command) {
   std::string values;
   std::string arguments;

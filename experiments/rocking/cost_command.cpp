@@ -14,15 +14,16 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "rocking/experiment/cost.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/write_cost.hpp"
+#include "rocking/output/cost_table.hpp"
+#include "rocking/output/write_cost.hpp"
+#include "rocking/studies/cost/cost.hpp"
+#include "rocking/text/files.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
 
-/// Each takes some hundred bytes at each tolerance until all are measured.
+/// A realisation takes some hundred bytes per tolerance until all are measured.
 constexpr std::uint64_t largest_sample = 100'000;
 
 struct CostRequest {
@@ -31,13 +32,13 @@ struct CostRequest {
   double time = 60.0;  ///< to spend [s]
   std::optional<std::uint64_t> sample;
   std::vector<double> tolerances;  ///< empty: the usual ones
-  report::Overrides overrides;
-  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  Overrides overrides;
+  ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
   bool overwrite = false;
 };
 
-std::vector<double> tolerances_of(const CostRequest& request, const experiment::Experiment& experiment) {
-  if (request.tolerances.empty()) return experiment::tolerance_ladder(experiment);
+std::vector<double> tolerances_of(const CostRequest& request, const Experiment& experiment) {
+  if (request.tolerances.empty()) return tolerance_ladder(experiment);
   std::set<double, std::greater<>> all(request.tolerances.begin(), request.tolerances.end());
   all.insert(experiment.conditions.front().tolerance);
   if (all.size() < 3) {
@@ -48,37 +49,37 @@ std::vector<double> tolerances_of(const CostRequest& request, const experiment::
   return {all.begin(), all.end()};
 }
 
-/// Of the time that measuring the sample took: for taking times. So both together take what was asked for; where the sample
-/// takes less, times take a few seconds of that.
+/// Time for the measurement of speed, relative to the time for the sample. Together they take the requested time; if the
+/// sample takes less than its share, the measurement of speed may take a few seconds.
 constexpr double timing_share = 1.0 / 3.0;
 constexpr double few_seconds = 5.0;
 
 /// Absent if interrupted.
-std::optional<experiment::Cost> measured(const experiment::Experiment& experiment, const CostRequest& request,
+std::optional<Cost> measured(const Experiment& experiment, const CostRequest& request,
                                          const std::vector<double>& tolerances, Progress& progress) {
   const double time = request.time / (1.0 + timing_share);
   const auto at_this_rate = [&](std::uint64_t done) {
     const double all = static_cast<double>(done) * time / std::max(progress.elapsed(), 1e-9);
     return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_sample))));
   };
-  experiment::RunOptions options;
-  options.threads = request.labour.threads;
+  RunOptions options;
+  options.threads = request.execution.threads;
   options.stop_requested = &stop_on_interrupt();
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
     progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)),
                   [] { return "times are measured afterwards"; });
   };
-  experiment::CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
+  CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
   if (!request.sample) plan.is_enough = [&] { return progress.elapsed() >= time; };
-  const auto sample = experiment::measure_cost(experiment, plan, options);
+  const auto sample = measure_cost(experiment, plan, options);
   const double spent = progress.elapsed();
   const double spare = request.sample ? few_seconds : std::min(few_seconds, request.time - spent);
   const double end = spent + std::max(timing_share * spent, spare);
-  auto timing = experiment::time_cost(
+  auto timing = time_cost(
       experiment, tolerances,
       {.processor_seconds = thread_seconds, .seconds_left = [&] { return end - progress.elapsed(); }}, options);
   if (why_stopped() == StopReason::signal) return std::nullopt;
-  return experiment::cost_of(experiment, tolerances, sample, std::move(timing));
+  return cost_of(experiment, tolerances, sample, std::move(timing));
 }
 
 std::filesystem::path cost_file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
@@ -90,7 +91,7 @@ void expect_room(const CostRequest& request) {
 }
 
 ExitCode cost(const CostRequest& request) {
-  const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
+  const Experiment experiment = load_experiment(request.file, request.overrides);
   const std::vector<double> tolerances = tolerances_of(request, experiment);
   std::optional<RunFolder> folder;
   if (!request.folder.empty()) {
@@ -98,10 +99,10 @@ ExitCode cost(const CostRequest& request) {
     folder->claim();
     expect_room(request);
   }
-  report::SystemFacts system = system_facts(request.labour.threads);
-  std::optional<experiment::Cost> found;
+  SystemFacts system = system_facts(request.execution.threads);
+  std::optional<Cost> found;
   {
-    Progress progress(suitable_progress_style(request.labour.loudness), "realisations");
+    Progress progress(suitable_progress_style(request.execution.loudness), "realisations");
     found = measured(experiment, request, tolerances, progress);
     system.duration_s = progress.elapsed();
   }
@@ -109,14 +110,14 @@ ExitCode cost(const CostRequest& request) {
     print_notice(fmt::format("interrupted; nothing was written. `rocking cost {}` starts again", request.file));
     return ExitCode::interrupted;
   }
-  const report::MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
-  const std::string text = report::cost_text(result);
-  std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + report::cost_table(result);
+  const MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
+  const std::string text = cost_text(result);
+  std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result);
   if (folder) {
-    report::write_atomically(cost_file_in(request.folder), text);
+    write_atomically(cost_file_in(request.folder), text);
     table += fmt::format("numbers: {}\n", cost_file_in(request.folder).string());
   }
-  print_result(request.labour.loudness.json ? text : base::printable(table));
+  print_result(request.execution.loudness.json ? text : base::printable(table));
   return ExitCode::done;
 }
 
@@ -154,7 +155,7 @@ void add_cost(CLI::App& app, Action& action) {
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
   command->add_option("-o,--output", request->folder, "Folder for cost.json; created if necessary")->type_name("DIR");
   add_budget(*command, *request);
-  add_threads(*command, request->labour);
+  add_threads(*command, request->execution);
   command
       ->add_option("--seed", request->overrides.seed,
                    "Seed, instead of the one in the file, for example 0x2012 or 8210")
@@ -164,7 +165,7 @@ void add_cost(CLI::App& app, Action& action) {
                    "Intended realisations per condition, instead of the file's")
       ->type_name("N");
   command->add_flag("--overwrite", request->overwrite, "Replace cost.json in the folder");
-  add_loudness(*command, request->labour.loudness);
+  add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return cost(*request); }; });
 }
 

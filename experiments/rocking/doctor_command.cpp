@@ -13,12 +13,11 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/base/elementary.hpp"
 #include "rocking/lanes/kernels.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/output/write_facts.hpp"
 
 namespace rocking::program {
 namespace {
 
-using report::Fact;
 
 #if defined(__x86_64__)
 bool fuses_in_hardware() { return __builtin_cpu_supports("fma") != 0; }
@@ -95,7 +94,7 @@ ExitCode examine(const Loudness& loudness) {
   facts.push_back({"sound", sound});
   text += sound ? "all checks passed: results have the same bits on this machine as on others\n"
                 : "results will differ from those of other machines; please report this output\n";
-  print_result(loudness.json ? report::facts_text(facts) : text);
+  print_result(loudness.json ? facts_text(facts) : text);
   return sound ? ExitCode::done : ExitCode::check_failed;
 }
 

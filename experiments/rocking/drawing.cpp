@@ -6,13 +6,13 @@
 #include "analysis/run_figures.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
-#include "rocking/report/files.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 
 std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report) {
   if (!folder.has_store()) return analysis::run_figures(report);
-  const experiment::Store store = folder.open_sound_store();
+  const Store store = folder.open_sound_store();
   return analysis::run_figures(report, &store);
 }
 
@@ -35,7 +35,7 @@ ExitCode DrawingFailures::tell(std::string_view consequence, PictureRole role) c
 }
 
 WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const std::filesystem::path& folder) {
-  report::ensure_writable(folder);
+  ensure_writable(folder);
   WrittenFigures written;
   for (const analysis::Figure& figure : figures) {
     const analysis::Drawing drawing = analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal());

@@ -15,29 +15,29 @@
 
 namespace rocking::program {
 
-/// The figures of a run, with its realisations where its folder has them. Throws as RunFolder::open_sound_store
+/// The figures of a run, with its realisations if its folder has them. Throws as RunFolder::open_sound_store
 /// does.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
 
-/// What a picture is to a command whose machine could not draw it: `report` and `figure` are there to draw, and fail. To `run`,
-/// `resume` and `merge` it is an addition: their results are complete, and a cluster that saw a failure would run them again.
+/// The importance of a picture to a command. The purpose of `report` and `figure` is to draw, so that they fail without it. For
+/// `run`, `resume` and `merge` it is an addition: the results are complete, and a cluster would run them again after a failure.
 enum class PictureRole : std::uint8_t { purpose, addition };
 
-/// What kept figures from being drawn: each reason once.
+/// Reasons why figures could not be drawn, each once.
 class DrawingFailures {
  public:
   void add(const analysis::Drawing& drawing);
 
-  /// Says every reason on standard error; also where a command is to be quiet. Returns the code to exit with: done where only
-  /// gnuplot is missing, which leaves data and scripts; input_output where the machine stopped gnuplot and pictures are the
-  /// purpose, done where they are an addition; our_bug where gnuplot refused a script.
+  /// Prints every reason on standard error, also if the command is quiet. Returns the exit code: done if only gnuplot is
+  /// missing (data and scripts are written), or if the machine stopped gnuplot and pictures are an addition; input_output if
+  /// the machine stopped gnuplot and pictures are the purpose; our_bug if gnuplot rejected a script.
   [[nodiscard]] ExitCode tell(std::string_view consequence, PictureRole role) const;
 
  private:
   std::map<std::string, analysis::DrawingEnd> reasons_;
 };
 
-/// What a failure means to whoever wanted figures, and to a page.
+/// What a failure means for a command that draws figures, and for a page.
 inline constexpr std::string_view no_figure = "a figure was not drawn";
 inline constexpr std::string_view no_page_picture = "report.html has no pictures for printing";
 
@@ -46,7 +46,7 @@ struct WrittenFigures {
   DrawingFailures failures;
 };
 
-/// Writes figures into a folder, which is made if need be. Without a picture, its data and script are written all the same.
+/// Writes figures into a folder, which is created if necessary. If a picture cannot be drawn, its data and script are written.
 /// Throws std::system_error with the path.
 [[nodiscard]] WrittenFigures write_figures(const std::vector<analysis::Figure>& figures,
                                            const std::filesystem::path& folder);

@@ -4,7 +4,7 @@
 
 namespace rocking::program {
 
-/// What the program tells the shell. Where BSD's sysexits.h has a number for it, that one.
+/// Exit codes of the program; those of BSD's sysexits.h where it has one.
 enum class ExitCode : int {
   done = 0,
   check_failed = 1,
@@ -17,17 +17,17 @@ enum class ExitCode : int {
   interrupted = 130,
 };
 
-/// An input file that is not there or cannot be read.
+/// An input file is missing or cannot be read.
 class MissingInput : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A command line that cannot be followed.
+/// The command line is invalid.
 class UsageError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Something on the disk stands in the way.
+/// A file or folder prevents the command, for example a run that must not be overwritten.
 class InTheWay : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -11,8 +11,8 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/output/write_facts.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 namespace {
@@ -28,7 +28,7 @@ std::vector<analysis::OutputFile> read_all(const std::vector<std::string>& paths
   std::vector<analysis::OutputFile> files;
   for (const std::string& path : paths) {
     try {
-      files.push_back({.path = path, .text = report::read_file(path)});
+      files.push_back({.path = path, .text = read_file(path)});
     } catch (const std::system_error& error) {
       throw MissingInput(error.what());
     }
@@ -42,7 +42,7 @@ ExitCode draw(const FigureRequest& request) {
   }
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
   const WrittenFigures written = write_figures(figures, request.folder);
-  print_result(request.loudness.json ? report::facts_text(std::vector<report::Fact>{{"written", written.files}})
+  print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written.files}})
                                      : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
   return written.failures.tell(no_figure, PictureRole::purpose);
 }

@@ -8,9 +8,9 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/experiment/fragility.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/write_fragility.hpp"
+#include "rocking/output/write_fragility.hpp"
+#include "rocking/studies/fragility.hpp"
+#include "rocking/text/files.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -23,11 +23,11 @@ struct FragilityRequest {
   Loudness loudness;
 };
 
-report::RunFragility fragility_of(const std::string& name) {
+RunFragility fragility_of(const std::string& name) {
   const RunFolder folder(name);
-  const experiment::Store store = folder.open_sound_store();
-  report::RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
-  if (experiment::intensity_of(run.experiment).empty()) {
+  const Store store = folder.open_sound_store();
+  RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
+  if (intensity_of(run.experiment).empty()) {
     throw UsageError(name +
                      ": sweeps no intensity of the excitation; give a run whose sweep has /excitation/amplitude or "
                      "/excitation/scale");
@@ -39,7 +39,7 @@ report::RunFragility fragility_of(const std::string& name) {
         "run with a fixed number of realisations");
   }
   try {
-    run.curves = experiment::fragility(run.experiment, store);
+    run.curves = fragility(run.experiment, store);
   } catch (const base::InputError& error) {
     throw MissingInput(fmt::format("{}: {}", name, error.what()));
   }
@@ -55,13 +55,13 @@ ExitCode fragility(const FragilityRequest& request) {
     throw InTheWay(curve_file_in(request.output).string() +
                    ": already exists; choose another folder, or add --overwrite to replace it");
   }
-  std::vector<report::RunFragility> runs;
+  std::vector<RunFragility> runs;
   for (const std::string& name : request.folders) runs.push_back(fragility_of(name));
-  const std::string text = report::fragility_text(runs);
-  std::string table = report::fragility_table(runs);
+  const std::string text = fragility_text(runs);
+  std::string table = fragility_table(runs);
   if (!request.output.empty()) {
-    report::ensure_writable(request.output);
-    report::write_atomically(curve_file_in(request.output), text);
+    ensure_writable(request.output);
+    write_atomically(curve_file_in(request.output), text);
     table += fmt::format("numbers: {}\n", curve_file_in(request.output).string());
   }
   print_result(request.loudness.json ? text : base::printable(table));

@@ -7,7 +7,7 @@
 namespace rocking::program {
 namespace {
 
-// A signal handler takes no context with it: what must outlive every scope of the program.
+// A signal handler has no context, so these are global.
 std::atomic<bool> stop_requested{false};
 std::atomic<bool> signal_came{false};
 std::atomic<bool> time_is_up{false};
@@ -18,7 +18,7 @@ extern "C" void request_stop(int) {
   stop_requested.store(true);
 }
 
-// A signal that is ignored stays ignored: who started this process (nohup, a shell without job control) wants that.
+// An ignored signal stays ignored: the parent of this process (nohup, a shell without job control) requested that.
 void catch_unless_ignored(int number, const struct sigaction& action) {
   struct sigaction before {};
   if (sigaction(number, nullptr, &before) != 0 || before.sa_handler == SIG_IGN) return;
@@ -31,7 +31,7 @@ const std::atomic<bool>& stop_on_interrupt() {
   struct sigaction action {};
   action.sa_handler = &request_stop;
   action.sa_flags = SA_RESTART;
-  action.sa_flags |= static_cast<int>(SA_RESETHAND);  // the second signal finds the default again
+  action.sa_flags |= static_cast<int>(SA_RESETHAND);  // the second signal has its default action
   sigemptyset(&action.sa_mask);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) catch_unless_ignored(number, action);
   return stop_requested;

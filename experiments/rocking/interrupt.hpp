@@ -12,24 +12,24 @@ namespace rocking::program {
 
 enum class StopReason : std::uint8_t { none, signal, time };
 
-/// From here on Ctrl-C, a polite kill or a scheduler's warning (SIGINT, SIGTERM, SIGHUP, SIGUSR1) asks to stop instead of
-/// ending the process; a second one ends it. One that this process was started to ignore stays ignored. Returns what then
-/// becomes true.
+/// From this call on SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 (a scheduler's warning) request a stop instead of ending the
+/// process; a second signal ends it. Signals that the process inherited as ignored stay ignored. Returns the flag that a
+/// request sets.
 [[nodiscard]] const std::atomic<bool>& stop_on_interrupt();
 
-/// The same, but not for a time that is up.
+/// A request that only a signal sets, not a time limit.
 [[nodiscard]] base::StopRequest stop_on_signal();
 
-/// From here on a pipe that nobody reads and a limit of a file's size are errors of the write that meets them, and no longer
-/// ends of the process.
+/// From this call on a write to a closed pipe or beyond a limit of the file size fails with an error and does not end the
+/// process.
 void meet_limits_as_errors();
 
-/// Asks the same because the time is up.
+/// Requests a stop because the time limit was reached.
 void stop_for_time();
 
 [[nodiscard]] StopReason why_stopped();
 
-/// Calls stop_for_time() when so many seconds are over, unless it is destroyed before.
+/// Calls stop_for_time() after this many seconds, unless it is destroyed before.
 class TimeLimit {
  public:
   explicit TimeLimit(double seconds);

@@ -28,14 +28,14 @@ std::string processor_name() {
   return "unknown processor";
 }
 
-/// The number in the first line of a file that is one: `max` in place of it is no limit.
+/// The number in the first line of a file; absent for other text, such as `max` (no limit).
 std::optional<std::uint64_t> number_in(const std::filesystem::path& path) {
   std::uint64_t number = 0;
   if (std::ifstream file(path); file >> number) return number;
   return std::nullopt;
 }
 
-/// What the kernel would give without taking it from others.
+/// Memory that the kernel can provide without swapping.
 std::optional<std::uint64_t> free_on_machine() {
   std::ifstream facts("/proc/meminfo");
   std::string name;
@@ -46,7 +46,7 @@ std::optional<std::uint64_t> free_on_machine() {
   return std::nullopt;
 }
 
-/// Of the control group (version 2) of this process and all that it lies in, as a scheduler or a container sets it.
+/// Free memory within the control group (version 2) of this process and its parents, as a scheduler or container limits it.
 std::optional<std::uint64_t> free_in_control_group() {
   std::ifstream file("/proc/self/cgroup");
   std::string line;

@@ -6,7 +6,7 @@
 
 namespace rocking::program {
 
-/// Processor, its threads and the operating system, as they call themselves.
+/// Names of the processor and the operating system, and the number of threads.
 [[nodiscard]] std::string machine_description();
 
 /// The operating system's name and version from /etc/os-release: `Debian GNU/Linux 13 (trixie)`.
@@ -18,8 +18,8 @@ namespace rocking::program {
 /// Processor time that the calling thread has used [s].
 [[nodiscard]] double thread_seconds();
 
-/// Bytes of memory that this process may still have: what the machine, its control group and its limit of address space leave;
-/// absent where none of them tells.
+/// Bytes of memory that this process can still use, by the machine, its control group and its limit of address space;
+/// absent if none of them is known.
 [[nodiscard]] std::optional<std::uint64_t> available_memory();
 
 /// How many threads this process may run at once; at least 1.

@@ -10,9 +10,11 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "rocking/experiment/merge.hpp"
-#include "rocking/experiment/results_version.hpp"
-#include "rocking/experiment/run.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/store/difference.hpp"
+#include "rocking/store/merge.hpp"
+#include "rocking/store/results_version.hpp"
+#include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -27,7 +29,7 @@ struct MergeRequest {
 
 struct Source {
   std::string name;
-  experiment::Store store;
+  Store store;
 };
 
 std::vector<Source> open_sources(const MergeRequest& request) {
@@ -40,9 +42,9 @@ std::vector<Source> open_sources(const MergeRequest& request) {
 
 // The report of the whole names this program, so its rows must have the bits that this program gives.
 void expect_current_results(const Source& source) {
-  const experiment::Identity& identity = source.store.identity();
-  if (identity.results == experiment::results_version) return;
-  const bool is_former = experiment::is_former_version(identity.results);
+  const Identity& identity = source.store.identity();
+  if (identity.results == results_version) return;
+  const bool is_former = is_former_version(identity.results);
   throw InTheWay(fmt::format("{}: was run by rocking {}, and this is {}, which may give other results; {}", source.name,
                              identity.code, code_identity(),
                              is_former ? fmt::format("`rocking resume {}` runs again what differs, then merge", source.name)
@@ -57,8 +59,8 @@ void expect_kin(const Source& first, const Source& other) {
   expect_current_results(other);
 }
 
-ExitCode explain_conflicts(const Source& source, const std::vector<experiment::Difference>& conflicts) {
-  const experiment::Difference& first = conflicts.front();
+ExitCode explain_conflicts(const Source& source, const std::vector<Difference>& conflicts) {
+  const Difference& first = conflicts.front();
   print_notice(fmt::format(
       "{}: {} different from an earlier folder; the first: condition {}, realisation {} ({}). Nothing was "
       "written. `rocking verify` shows which folder is right",
@@ -67,7 +69,7 @@ ExitCode explain_conflicts(const Source& source, const std::vector<experiment::D
   return ExitCode::check_failed;
 }
 
-/// Discards what was begun beside the earlier run, unless it came to an end.
+/// Discards an unfinished replacement of the earlier run, unless keep() was called.
 class DiscardUnlessJoined {
  public:
   explicit DiscardUnlessJoined(RunFolder& folder) : folder_(&folder) {}
@@ -87,7 +89,7 @@ class DiscardUnlessJoined {
   RunFolder* folder_;
 };
 
-// The whole takes at most as much room as its parts.
+// The whole takes at most as much disk space as its parts.
 void expect_room(const RunFolder& folder, const MergeRequest& request) {
   if (!request.overwrite && (folder.has_store() || folder.has_report() || folder.has_replacement())) {
     throw InTheWay(request.folder +
@@ -106,17 +108,17 @@ void expect_shards_elsewhere(const MergeRequest& request) {
   }
 }
 
-// Puts all rows together beside what the folder holds. Empty where no two shards contradict each other.
-std::optional<ExitCode> join(experiment::Store& whole, const std::vector<Source>& sources) {
+// Joins all rows beside the contents of the folder. Empty if no two shards contradict each other.
+std::optional<ExitCode> join(Store& whole, const std::vector<Source>& sources) {
   for (const Source& source : sources) {
-    const auto conflicts = experiment::merge(whole, source.store);
+    const auto conflicts = merge(whole, source.store);
     if (!conflicts.empty()) return explain_conflicts(source, conflicts);
   }
   whole.close_up();
   return std::nullopt;
 }
 
-ExitCode explain_missing(RunFolder& folder, const experiment::Completeness& found) {
+ExitCode explain_missing(RunFolder& folder, const Completeness& found) {
   const bool replaces = folder.has_earlier_run();
   if (!replaces) folder.install_replacement();
   print_notice(fmt::format("{} of {} realisations are present; `rocking resume {}` runs the rest{}", found.done,
@@ -132,16 +134,16 @@ ExitCode merge(const MergeRequest& request) {
   folder.claim();
   folder.tidy_up();
   expect_room(folder, request);
-  const report::SystemFacts system = system_facts(1);
-  experiment::Identity identity = sources.front().store.identity();
+  const SystemFacts system = system_facts(1);
+  Identity identity = sources.front().store.identity();
   identity.shard.reset();
   folder.begin_replacement();
   DiscardUnlessJoined unfinished(folder);
-  experiment::Store whole = folder.create_store(identity);
+  Store whole = folder.create_store(identity);
   if (const auto failure = join(whole, sources)) return *failure;
   unfinished.keep();
-  const experiment::Experiment experiment = experiment_of(identity);
-  const auto found = experiment::completeness(experiment, whole);
+  const Experiment experiment = experiment_of(identity);
+  const auto found = completeness(experiment, whole);
   if (found.done < found.all) return explain_missing(folder, found);
   return conclude(folder, experiment, complete_result(folder, experiment, whole),
                   {.system = system, .loudness = request.loudness});

@@ -7,14 +7,14 @@
 
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/experiment/work.hpp"
+#include "rocking/ensemble/work_list.hpp"
 #include "rocking/lanes/kernels.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "rocking/section/period.hpp"
 
 namespace rocking::program {
 namespace {
 
-using experiment::Condition;
 
 // Bytes, measured with 10^4 and 10^5 conditions (lib/docs/scale.md).
 constexpr std::uint64_t page = 350'000;               ///< without what grows with the conditions
@@ -30,15 +30,15 @@ constexpr std::uint64_t kept_in_shard = 700;          ///< a shard makes no repo
 std::uint64_t parameters_in(const Condition& condition) {
   constexpr std::uint64_t spaces_and_quotes = 14;
   std::uint64_t bytes = 0;
-  for (const experiment::Parameter& parameter : condition.parameters) {
+  for (const Parameter& parameter : condition.parameters) {
     bytes += parameter.pointer.size() + parameter.value.size() + spaces_and_quotes;
   }
   return bytes;
 }
 
-/// What the strobe points take of realisations that are under way at the same time.
-std::uint64_t strobe_points(const experiment::Experiment& experiment, std::uint64_t realisations, unsigned threads) {
-  constexpr std::uint64_t a_point = sizeof(section::Period) + sizeof(section::StrobePoint);  // under way, and in its record
+/// Memory of the strobe points of realisations in progress.
+std::uint64_t strobe_points(const Experiment& experiment, std::uint64_t realisations, unsigned threads) {
+  constexpr std::uint64_t a_point = sizeof(section::Period) + sizeof(section::StrobePoint);  // in progress, and in its result
   std::uint64_t longest = 0;
   for (const Condition& condition : experiment.conditions) {
     const auto [transient, sampled] = condition.horizon;
@@ -51,11 +51,11 @@ std::uint64_t strobe_points(const experiment::Experiment& experiment, std::uint6
 
 }  // namespace
 
-Needs needs_of(const experiment::Experiment& experiment, const Means& means) {
+Needs needs_of(const Experiment& experiment, const Means& means) {
   Needs needs{.disk_bytes = page, .memory_bytes = program_itself};
   std::uint64_t rows = 0;
   for (const Condition& condition : experiment.conditions) {
-    const std::uint64_t realisations = experiment::effective_realisations(condition);
+    const std::uint64_t realisations = effective_realisations(condition);
     rows += realisations;
     if (means.shard) {
       needs.memory_bytes += kept_in_shard;

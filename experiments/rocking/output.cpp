@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
 namespace {
@@ -41,10 +42,10 @@ void add_loudness(CLI::App& command, Loudness& loudness) {
 }
 
 void print_result(std::string_view text) {
-  print_result([text](const report::TextSink& sink) { sink(text); });
+  print_result([text](const TextSink& sink) { sink(text); });
 }
 
-void print_result(const std::function<void(const report::TextSink& sink)>& write) {
+void print_result(const std::function<void(const TextSink& sink)>& write) {
   const auto expect = [](bool written) {
     if (!written) throw std::system_error(errno, std::generic_category(), "standard output: cannot be written");
   };
@@ -59,9 +60,9 @@ void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 
-experiment::Experiment load_experiment(const std::string& path, const report::Overrides& overrides) {
+Experiment load_experiment(const std::string& path, const Overrides& overrides) {
   try {
-    return report::read_experiment_file(path, overrides);
+    return read_experiment_file(path, overrides);
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }
@@ -71,10 +72,6 @@ std::string listed_problems(const base::InputError& error) {
   std::string text = counted(error.problems().size(), "problem");
   for (const base::Problem& problem : error.problems()) text += "\n  " + to_string(problem);
   return text;
-}
-
-std::string counted(std::uint64_t number, std::string_view noun) {
-  return fmt::format("{} {}{}", number, noun, number == 1 ? "" : "s");
 }
 
 std::string spoken_size(std::uint64_t bytes) {

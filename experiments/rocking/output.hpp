@@ -9,12 +9,12 @@
 
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/report/json_writer.hpp"
-#include "rocking/report/read_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/text/json_writer.hpp"
 
 namespace rocking::program {
 
-/// How much to say, and to whom. Results go to standard output, everything else to standard error.
+/// What is printed. Results go to standard output, everything else to standard error.
 struct Loudness {
   bool json = false;
   bool quiet = false;
@@ -32,25 +32,22 @@ CLI::Option* add_duration(CLI::App& command, const std::string& name, Seconds& s
   return command.add_option(name, seconds, description)->transform(duration())->type_name("T");
 }
 
-/// Writes to standard output and makes sure that it got there. Throws std::system_error.
+/// Writes to standard output and flushes it. Throws std::system_error.
 void print_result(std::string_view text);
 /// The same of a text that comes piece by piece.
-void print_result(const std::function<void(const report::TextSink& sink)>& write);
+void print_result(const std::function<void(const TextSink& sink)>& write);
 
 /// Writes `rocking: text` to standard error.
 void print_notice(std::string_view text);
 
-/// Writes to standard error. That nobody reads it stops no run.
+/// Writes to standard error. Errors of the write are ignored, so that a run continues.
 void print_aside(const std::string& text);
 
 /// Reads an experiment file. Throws base::InputError, or MissingInput where the file cannot be read.
-[[nodiscard]] experiment::Experiment load_experiment(const std::string& path, const report::Overrides& overrides);
+[[nodiscard]] Experiment load_experiment(const std::string& path, const Overrides& overrides);
 
 /// `FILE: 2 problems` and a line for each.
 [[nodiscard]] std::string listed_problems(const base::InputError& error);
-
-/// `1 condition`, `2 conditions`.
-[[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
 
 /// `820 kB`, `2.4 GB`.
 [[nodiscard]] std::string spoken_size(std::uint64_t bytes);

@@ -2,47 +2,56 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 #include <variant>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "output.hpp"
-#include "rocking/experiment/work.hpp"
+#include "rocking/ensemble/work_list.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
 namespace {
-
-using experiment::Scene;
-
-bool is_drawn(const experiment::Quantity& quantity) { return !std::holds_alternative<double>(quantity); }
 
 struct Effect {
   const char* name;
   bool (*is_on)(const Scene&);
 };
 
-constexpr std::array<Effect, 9> effects{{
+constexpr std::array<Effect, 6> effects{{
     {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
     {"static friction drawn at each stop",
      [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
     {"kinetic friction drawn on a grid in time",
      [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
     {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
-    {"amplitude drawn each period", [](const Scene& s) { return s.fluctuation.amplitude > 0.0; }},
-    {"phase drawn once", [](const Scene& s) { return is_drawn(start_phase(s.excitation)); }},
-    {"initial tilt drawn once", [](const Scene& s) { return is_drawn(s.initial.tilt); }},
-    {"initial tilt rate drawn once", [](const Scene& s) { return is_drawn(s.initial.tilt_rate); }},
-    {"initial slip rate drawn once", [](const Scene& s) { return is_drawn(s.initial.slip_rate); }},
+    {"amplitude drawn each period",
+     [](const Scene& s) { return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) != AmplitudeDraws::once; }},
+    {"amplitude drawn once",
+     [](const Scene& s) { return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) == AmplitudeDraws::once; }},
 }};
+
+/// Every quantity that some condition draws, each once.
+void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>& names) {
+  for (const Condition& condition : experiment.conditions) {
+    for_each_quantity(condition.scene, [&](const std::string& name, const Quantity& quantity) {
+      const std::string effect = name + " drawn once";
+      if (is_drawn(quantity) && std::ranges::find(names, effect) == names.end()) names.push_back(effect);
+    });
+  }
+}
 
 }  // namespace
 
-Plan plan_of(const experiment::Experiment& experiment, const Means& means) {
+Plan plan_of(const Experiment& experiment, const Means& means) {
   Plan plan;
   plan.title = experiment.title;
   plan.conditions = experiment.conditions.size();
-  for (const experiment::Condition& condition : experiment.conditions) {
+  for (const Condition& condition : experiment.conditions) {
     const std::uint64_t realisations = effective_realisations(condition);
     plan.realisations += realisations;
     plan.at_most = plan.at_most || condition.until;
@@ -51,19 +60,20 @@ Plan plan_of(const experiment::Experiment& experiment, const Means& means) {
     plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
   }
   plan.needs = needs_of(experiment, means);
-  for (const experiment::Condition& condition : experiment.conditions) {
+  for (const Condition& condition : experiment.conditions) {
     for (const std::string_view name :
          std::visit([](const auto& kind) { return kind.effects(); }, condition.scene.excitation)) {
       if (std::ranges::find(plan.effects, name) == plan.effects.end()) plan.effects.emplace_back(name);
     }
   }
   for (const Effect& effect : effects) {
-    for (const experiment::Condition& condition : experiment.conditions) {
+    for (const Condition& condition : experiment.conditions) {
       if (!effect.is_on(condition.scene)) continue;
       plan.effects.emplace_back(effect.name);
       break;
     }
   }
+  add_drawn_quantities(experiment, plan.effects);
   return plan;
 }
 
@@ -80,7 +90,7 @@ std::string to_text(const Plan& plan) {
   return text;
 }
 
-std::vector<report::Fact> facts_of(const Plan& plan) {
+std::vector<Fact> facts_of(const Plan& plan) {
   return {{"title", plan.title},
           {"conditions", plan.conditions},
           {"realisations", plan.realisations},

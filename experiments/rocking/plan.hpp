@@ -5,25 +5,25 @@
 #include <vector>
 
 #include "needs.hpp"
-#include "rocking/experiment/experiment.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/output/write_facts.hpp"
+#include "rocking/scene/experiment.hpp"
 
 namespace rocking::program {
 
-/// What a run would do.
+/// Size of a run before it starts.
 struct Plan {
   std::string title;
   std::uint64_t conditions = 0;
   std::uint64_t realisations = 0;    ///< of all conditions
-  bool at_most = false;              ///< some conditions may stop before
+  bool at_most = false;              ///< some conditions may stop earlier
   std::uint64_t periods = 0;         ///< of all realisations together
-  bool has_record = false;           ///< a period is then that of the strobe, not of an excitation
+  bool has_record = false;           ///< periods are those of the strobe, not of an excitation
   Needs needs;
   std::vector<std::string> effects;  ///< that are on in at least one condition
 };
 
-[[nodiscard]] Plan plan_of(const experiment::Experiment& experiment, const Means& means);
+[[nodiscard]] Plan plan_of(const Experiment& experiment, const Means& means);
 [[nodiscard]] std::string to_text(const Plan& plan);
-[[nodiscard]] std::vector<report::Fact> facts_of(const Plan& plan);
+[[nodiscard]] std::vector<Fact> facts_of(const Plan& plan);
 
 }  // namespace rocking::program

@@ -14,14 +14,14 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/experiment/sqlite.hpp"
+#include "rocking/store/sqlite.hpp"
 #include "standard_streams.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
 namespace {
 
-void add_commands(CLI::App& app, Action& action, const Crew& crew) {
+void add_commands(CLI::App& app, Action& action, const ProcessPool& pool) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", std::string(base::build_info().version));
   app.require_subcommand(1);
@@ -29,8 +29,8 @@ void add_commands(CLI::App& app, Action& action, const Crew& crew) {
       "`rocking COMMAND --help` describes a command, with an example.\n"
       "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 bug of rocking,\n"
       "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` continues the run after both).\n");
-  add_run(app, action, crew);
-  add_resume(app, action, crew);
+  add_run(app, action, pool);
+  add_resume(app, action, pool);
   add_status(app, action);
   add_merge(app, action);
   add_verify(app, action);
@@ -54,7 +54,7 @@ ExitCode fail(ExitCode code, std::string_view message) {
   return code;
 }
 
-// Where only flags are at fault, the file is not.
+// If all problems are those of flags, the file is not to blame.
 ExitCode code_of(const base::InputError& error) {
   for (const base::Problem& problem : error.problems()) {
     if (!problem.place.starts_with("--")) return ExitCode::bad_input;
@@ -75,7 +75,7 @@ ExitCode carry_out(const Action& action) {
     return fail(ExitCode::missing_input, error.what());
   } catch (const InTheWay& error) {
     return fail(ExitCode::input_output, error.what());
-  } catch (const experiment::sqlite::UnusableFile& error) {
+  } catch (const sqlite::UnusableFile& error) {
     return fail(ExitCode::bad_input, error.what());
   } catch (const std::system_error& error) {
     return fail(ExitCode::input_output, error.what());
@@ -90,12 +90,12 @@ ExitCode carry_out(const Action& action) {
 
 }  // namespace
 
-ExitCode carry_out_command_line(int argc, const char* const* argv, const Crew& crew) {
+ExitCode carry_out_command_line(int argc, const char* const* argv, const ProcessPool& pool) {
   hold_standard_streams();
   meet_limits_as_errors();
   CLI::App app("Probabilities of the responses of a rocking block", "rocking");
   Action action;
-  add_commands(app, action, crew);
+  add_commands(app, action, pool);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

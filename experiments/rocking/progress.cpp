@@ -19,7 +19,7 @@ constexpr std::chrono::milliseconds interval_of(ProgressStyle style) {
   return style == ProgressStyle::rewritten_line ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
 }
 
-/// Of standard error, if that is a terminal; 80 where it does not tell.
+/// Width of standard error if it is a terminal; 80 if the terminal does not tell.
 std::size_t columns() { return terminal_columns(STDERR_FILENO).value_or(80); }
 
 /// no-color.org: any value but an empty one turns colour off.
@@ -34,7 +34,7 @@ std::string bar(const Pace& pace, std::size_t length) {
   return text;
 }
 
-/// At most `length` bytes, no letter in half.
+/// At most `length` bytes; no character is cut in two.
 std::string cut(std::string text, std::size_t length) {
   if (text.size() <= length) return text;
   while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0U) == 0x80U) --length;
@@ -42,7 +42,7 @@ std::string cut(std::string text, std::size_t length) {
   return text;
 }
 
-/// The bar gives way to the words. The last column stays free: some terminals break the line there.
+/// The words take precedence over the bar. The last column stays free because some terminals break the line there.
 void rewrite_line(const Pace& pace, const std::string& words) {
   constexpr std::size_t frame = 3;
   const std::size_t width = columns() - 1;

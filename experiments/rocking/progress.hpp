@@ -14,13 +14,13 @@ namespace rocking::program {
 enum class ProgressStyle : std::uint8_t {
   none,
   rewritten_line,  ///< on a terminal: one line, ten times a second
-  log_lines,       ///< elsewhere: a line each ten seconds
+  log_lines,       ///< elsewhere: a line every ten seconds
 };
 
-/// What suits standard error and was asked for.
+/// The style that the options request and standard error can show.
 [[nodiscard]] ProgressStyle suitable_progress_style(const Loudness& loudness);
 
-/// How far a piece of work has come.
+/// State of a computation.
 struct Pace {
   std::uint64_t done = 0;
   std::uint64_t all = 0;
@@ -30,8 +30,8 @@ struct Pace {
 /// `1200 of 7600 realisations (15.8 %), 410/s, 15 s to go`; without a noun `1200/7600, 410/s, 15 s to go`.
 [[nodiscard]] std::string progress_line(const Pace& pace, std::string_view noun);
 
-/// Progress on standard error: how much is done, rate, estimated time to go, and what the caller adds. On a terminal a bar
-/// stands before it, and the line is cut to the terminal's width.
+/// Progress on standard error: amount done, rate, estimated time to go, and text of the caller. On a terminal a bar precedes
+/// it, and the line is cut to the width of the terminal.
 class Progress {
  public:
   /// `noun`: what is counted, in the plural.
@@ -40,16 +40,16 @@ class Progress {
   Progress& operator=(const Progress&) = delete;
   ~Progress();
 
-  /// Tells how far it came, if it is time to. `more` is then asked what else there is to say; empty: nothing.
+  /// Prints the progress if it is due. `more` gives further text and is called only then; empty: none.
   void show(std::uint64_t done, std::uint64_t all, const std::function<std::string()>& more = nullptr);
 
-  /// Since it was made [s].
+  /// Time since construction [s].
   [[nodiscard]] double elapsed() const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
-  /// Of this session: what an earlier one did took none of its time.
+  /// Rate of this session; work of an earlier session does not count.
   [[nodiscard]] Pace pace(std::uint64_t done, std::uint64_t all);
 
   ProgressStyle style_;

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "rocking/report/files.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 namespace {
@@ -25,15 +25,15 @@ void ProgressFile::note(std::uint64_t done, std::uint64_t all) {
   if (!done_before_) done_before_ = done;
   if (Clock::now() < next_) return;
   next_ = Clock::now() + interval;
-  const report::ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
+  const ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
                                   .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),
                                   .done_before = *done_before_,
                                   .done = done,
                                   .all = all};
   try {
-    report::write_atomically(path_, to_text(note));
+    write_atomically(path_, to_text(note));
   } catch (const std::system_error&) {
-    // The disk is full or gone; the store will say so where it matters.
+    // The disk is full or missing; the store reports that where it matters.
   }
 }
 

@@ -5,12 +5,12 @@
 #include <filesystem>
 #include <optional>
 
-#include "rocking/report/progress_note.hpp"
+#include "rocking/output/progress_note.hpp"
 
 namespace rocking::program {
 
-/// Keeps a note of how far a run has come in a file, rewritten every few seconds, for `rocking status`; gone with the object.
-/// A note that cannot be written is left out: it is not worth a run.
+/// Keeps a file with the progress of a run for `rocking status`, rewritten every few seconds and removed by the destructor.
+/// If it cannot be written, the run continues without it.
 class ProgressFile {
  public:
   explicit ProgressFile(std::filesystem::path path);

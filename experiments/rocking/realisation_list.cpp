@@ -9,11 +9,11 @@ constexpr std::size_t most_ranges = 12;
 
 /// Consecutive realisations of a condition.
 struct Range {
-  experiment::RealisationKey first;
+  RealisationKey first;
   std::uint64_t count = 1;
 };
 
-std::vector<Range> ranges_of(const std::vector<experiment::RealisationKey>& keys) {
+std::vector<Range> ranges_of(const std::vector<RealisationKey>& keys) {
   std::vector<Range> ranges;
   for (const auto& key : keys) {
     const bool follows = !ranges.empty() && ranges.back().first.condition == key.condition &&
@@ -29,7 +29,7 @@ std::vector<Range> ranges_of(const std::vector<experiment::RealisationKey>& keys
 
 }  // namespace
 
-std::string listed_realisations(const std::vector<experiment::RealisationKey>& keys) {
+std::string listed_realisations(const std::vector<RealisationKey>& keys) {
   if (keys.empty()) return "none";
   std::string text;
   std::uint64_t listed = 0;

@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Renames become durable when their folder is.
+/// Flushes a folder to the disk, which makes renames in it durable.
 void flush_folder(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0) return;
@@ -35,9 +35,9 @@ void Replacement::install() const {
   finish_installing();
 }
 
-// The store is moved first: while it is still in the subfolder, nothing has been moved, and what the subfolder lacks the new run
-// does not have. Were a report moved first, a kill would leave it beside the earlier store, from which `resume` would write the
-// earlier report again.
+// The store is moved first. As long as it is in the subfolder, no file has been moved, and a file that the subfolder lacks is
+// not part of the new run. If a report were moved first, a kill would leave it beside the earlier store, from which `resume`
+// would write the earlier report again.
 void Replacement::finish_installing() const {
   if (!is_half_installed()) return;
   const RunFiles now{folder_};
@@ -46,7 +46,7 @@ void Replacement::finish_installing() const {
     if (!fs::exists(next.report())) fs::remove(now.report());
     if (!fs::exists(next.page())) fs::remove(now.page());
     fs::remove(now.progress());
-    // A log of the earlier store would be taken for one of the new store.
+    // SQLite would apply a log of the earlier store to the new one.
     for (const char* suffix : {"-wal", "-shm", "-journal"}) fs::remove(now.store().string() + suffix);
     fs::rename(next.store(), now.store());
     flush_folder(folder_);

@@ -14,9 +14,9 @@ struct RunFiles {
   [[nodiscard]] std::filesystem::path progress() const { return folder / "progress.json"; }
 };
 
-/// A run that is to take the place of the one in a folder. It is written into the subfolder `replacement`; the earlier run stays
-/// as it is until the new one is complete. A kill at any moment leaves the earlier run, the new one, or a subfolder
-/// `replacement-complete` from which finish_installing() goes on. The caller has claimed the folder.
+/// A run that will replace the one in a folder. It is written into the subfolder `replacement`; the earlier run stays
+/// unchanged until the new one is complete. A kill at any moment leaves the earlier run, the new one, or a subfolder
+/// `replacement-complete` from which finish_installing() continues. The caller has claimed the folder.
 class Replacement {
  public:
   explicit Replacement(std::filesystem::path folder) : folder_(std::move(folder)) {}
@@ -30,10 +30,10 @@ class Replacement {
   /// Makes the subfolder, empty.
   void begin() const;
   void discard() const;
-  /// Puts the files of the new run into the place of those of the earlier one. A page or report that the new run does not
-  /// have is removed.
+  /// Replaces the files of the earlier run by those of the new one. A page or report that the new run does not have is
+  /// removed.
   void install() const;
-  /// Does what a killed install() left to be done.
+  /// Completes an install() that was killed.
   void finish_installing() const;
 
  private:

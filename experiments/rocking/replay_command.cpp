@@ -6,10 +6,11 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/output/write_trajectory.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/report/write_trajectory.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -17,24 +18,24 @@ namespace {
 
 struct ReplayRequest {
   std::string folder;
-  experiment::RealisationKey key;
+  RealisationKey key;
   Loudness loudness;
 };
 
 ExitCode replay(const ReplayRequest& request) {
   const auto& [condition_number, number] = request.key;
   const RunFolder folder(request.folder);
-  const experiment::Store store = folder.open_store(experiment::sqlite::Access::read);
-  const experiment::Experiment experiment = experiment_of(store.identity());
+  const Store store = folder.open_store(sqlite::Access::read);
+  const Experiment experiment = experiment_of(store.identity());
   const auto stored = condition_number < experiment.conditions.size() ? store.find(request.key) : std::nullopt;
   if (!stored) {
     static_cast<void>(folder.open_sound_store());  // in a damaged store a row may be there and not be found
     throw UsageError(fmt::format("{} contains no realisation {} of condition {}; both numbers start at 0",
                                  request.folder, number, condition_number));
   }
-  const experiment::Condition& condition = experiment.conditions.at(condition_number);
-  const experiment::Record record = experiment::realise(condition, experiment.seed, number);
-  if (experiment::digest_of(record, number) != stored->digest) {
+  const Condition& condition = experiment.conditions.at(condition_number);
+  const RealisationResult result = realise(condition, experiment.seed, number);
+  if (digest_of(result, number) != stored->digest) {
     print_notice(
         fmt::format("condition {}, realisation {}: this program gives a result different from the one stored in {}, "
                     "which rocking {} computed; this is {}",
@@ -42,7 +43,7 @@ ExitCode replay(const ReplayRequest& request) {
     return ExitCode::check_failed;
   }
   const std::int64_t periods = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-  print_result(report::trajectory_text(request.key, trajectory_of(condition, experiment.seed, number, periods)));
+  print_result(trajectory_text(request.key, trajectory_of(condition, experiment.seed, number, periods)));
   return ExitCode::done;
 }
 

@@ -15,10 +15,10 @@
 #include "drawing.hpp"
 #include "output.hpp"
 #include "page.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/locate.hpp"
-#include "rocking/report/mode_table.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/output/mode_table.hpp"
+#include "rocking/output/write_facts.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
 #include "run_folder.hpp"
 #include "terminal.hpp"
 #include "usage.hpp"
@@ -47,36 +47,31 @@ analysis::RunReport load_report(const RunFolder& folder) {
   }
   std::string text;
   try {
-    text = report::read_file(folder.report_path());
+    text = read_file(folder.report_path());
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }
   try {
     return analysis::read_run_report(text);
   } catch (const base::InputError& error) {
-    throw report::located(error, text, folder.report_path().string());
+    throw located(error, text, folder.report_path().string());
   }
 }
 
 /// The table that the run printed.
 std::string table_again(const analysis::RunReport& report) {
-  experiment::Experiment experiment;
-  experiment::ExperimentResult result;
+  std::vector<TableRow> rows;
   for (const analysis::ConditionReport& condition : report.conditions) {
-    auto& parameters = experiment.conditions.emplace_back().parameters;
+    TableRow row{.parameters = {}, .realisations = condition.realisations, .modes = {}};
     for (std::size_t i = 0; i < report.swept.size(); ++i) {
-      parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
+      row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
     }
-    experiment::ConditionResult& shown = result.conditions.emplace_back();
-    shown.realisations = condition.realisations;
     for (const auto& [mode, share] : condition.modes) {
-      experiment::Estimate& probability = shown.modes.emplace_back(experiment::ModeEstimate{mode, {}}).probability;
-      probability.counts = {.successes = share.count, .trials = condition.realisations};
-      probability.estimate = share.estimate;
-      probability.simultaneous = share.interval;
+      row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
     }
+    rows.push_back(std::move(row));
   }
-  return report::mode_table(experiment, result, table_look());
+  return mode_table(rows, table_look());
 }
 
 ExitCode report_again(const ReportRequest& request) {
@@ -87,7 +82,7 @@ ExitCode report_again(const ReportRequest& request) {
   DrawingFailures of_the_page;
   DrawingFailures of_figures;
   if (formats.contains("html")) {
-    report::ensure_writable(request.folder);
+    ensure_writable(request.folder);
     of_the_page = write_page(folder, report);
     written.push_back(folder.page_path().string());
   }
@@ -98,10 +93,10 @@ ExitCode report_again(const ReportRequest& request) {
   }
   const fs::path tables = fs::path(request.folder) / "tables";
   const auto write = [&](const std::string& name, const std::string& text) {
-    report::write_atomically(tables / name, text);
+    write_atomically(tables / name, text);
     written.push_back((tables / name).string());
   };
-  if (formats.contains("csv") || formats.contains("latex")) report::ensure_writable(tables);
+  if (formats.contains("csv") || formats.contains("latex")) ensure_writable(tables);
   if (formats.contains("csv")) {
     write("modes.csv", modes_csv(report));
     write("non_recurrence.csv", non_recurrence_csv(report));
@@ -109,7 +104,7 @@ ExitCode report_again(const ReportRequest& request) {
   if (formats.contains("latex")) write("modes.tex", modes_latex(report));
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json
-                   ? report::facts_text(std::vector<report::Fact>{{"written", written}})
+                   ? facts_text(std::vector<Fact>{{"written", written}})
                    : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n")));
   const ExitCode page_code = of_the_page.tell(no_page_picture, PictureRole::purpose);
   const ExitCode figure_code = of_figures.tell(no_figure, PictureRole::purpose);

@@ -8,9 +8,10 @@
 #include "output.hpp"
 #include "plan.hpp"
 #include "realisation_list.hpp"
-#include "rocking/experiment/results_version.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/salvage.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/store/results_version.hpp"
+#include "rocking/store/salvage.hpp"
+#include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -18,7 +19,7 @@ namespace {
 
 struct ResumeRequest {
   std::string folder;
-  Labour labour;
+  ExecutionOptions execution;
 };
 
 bool holds_run(const RunFolder& folder) {
@@ -26,30 +27,30 @@ bool holds_run(const RunFolder& folder) {
 }
 
 // Realisations of another results version are not mixed with this program's: the bits could differ.
-void expect_known_results(const RunFolder& folder, const experiment::Identity& identity) {
-  if (1 <= identity.results && identity.results <= experiment::results_version) return;
+void expect_known_results(const RunFolder& folder, const Identity& identity) {
+  if (1 <= identity.results && identity.results <= results_version) return;
   throw InTheWay(fmt::format(
       "{}: was begun by rocking {}, this is {}, which may give different results; finish it with the former, "
       "or start again in another folder",
       folder.name(), identity.code, code_identity()));
 }
 
-// Whatever is damaged is found before anything is added to it. A store of an earlier layout or results version is renewed.
-experiment::Store usable_store(const RunFolder& folder, const experiment::Experiment& experiment,
-                               experiment::Store store, const Loudness& loudness) {
+// Damage is found before rows are added. A store of an earlier layout or results version is renewed.
+Store usable_store(const RunFolder& folder, const Experiment& experiment,
+                               Store store, const Loudness& loudness) {
   const auto damage = store.damage();
-  const bool is_current = store.is_of_current_layout() && store.identity().results == experiment::results_version;
+  const bool is_current = store.is_of_current_layout() && store.identity().results == results_version;
   if (!damage && is_current) return store;
   const auto file = damage ? RunFolder::FormerFile::kept : RunFolder::FormerFile::removed;
   const RunFolder::Renewal renewal = folder.renew_store(std::move(store), experiment, file);
-  experiment::Store renewed = folder.open_store(experiment::sqlite::Access::write);
+  Store renewed = folder.open_store(sqlite::Access::write);
   if (!damage) {
     if (loudness.quiet) return renewed;
     print_notice(fmt::format("{}: was written in an earlier layout or by an earlier program; {} converted",
                              folder.store_path().string(), counted(renewal.realisations, "realisation")));
     return renewed;
   }
-  const auto missing = experiment::missing_realisations(experiment, renewed);
+  const auto missing = missing_realisations(experiment, renewed);
   print_notice(fmt::format("{}; {} in it {} intact and kept, the rest is run again: {}. The damaged file is now {}",
                            *damage, counted(renewal.realisations, "realisation"),
                            renewal.realisations == 1 ? "is" : "are", listed_realisations(missing),
@@ -65,24 +66,24 @@ ExitCode resume(const ResumeRequest& request) {
   folder.claim();
   folder.tidy_up();
   if (folder.has_replacement()) folder.enter_replacement();
-  experiment::count_pages_again(folder.store_path());
-  experiment::Store store = folder.open_store(experiment::sqlite::Access::write);
+  count_pages_again(folder.store_path());
+  Store store = folder.open_store(sqlite::Access::write);
   expect_known_results(folder, store.identity());
-  const experiment::Experiment experiment = experiment_of(store.identity());
-  store = usable_store(folder, experiment, std::move(store), request.labour.loudness);
-  const Plan plan = plan_of(experiment, {.threads = request.labour.threads,
+  const Experiment experiment = experiment_of(store.identity());
+  store = usable_store(folder, experiment, std::move(store), request.execution.loudness);
+  const Plan plan = plan_of(experiment, {.threads = request.execution.threads,
                                          .shard = store.identity().shard,
-                                         .stored = experiment::completeness(experiment, store).done});
-  if (!request.labour.max_time) expect_memory(plan.needs.memory_bytes);
+                                         .stored = completeness(experiment, store).done});
+  if (!request.execution.max_time) expect_memory(plan.needs.memory_bytes);
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
-  return carry_through(folder, experiment, store, request.labour);
+  return carry_through(folder, experiment, store, request.execution);
 }
 
 }  // namespace
 
-void add_resume(CLI::App& app, Action& action, const Crew& crew) {
+void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   const auto request = std::make_shared<ResumeRequest>();
-  request->labour = {.threads = crew.threads, .max_time = {}, .loudness = {}, .crew = crew};
+  request->execution = {.threads = pool.threads, .max_time = {}, .loudness = {}, .pool = pool};
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
   command->footer(
       "Example: rocking resume out\n"
@@ -91,9 +92,9 @@ void add_resume(CLI::App& app, Action& action, const Crew& crew) {
       "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under "
       "another name.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  add_threads(*command, request->labour);
-  add_max_time(*command, request->labour);
-  add_loudness(*command, request->labour.loudness);
+  add_threads(*command, request->execution);
+  add_max_time(*command, request->execution);
+  add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return resume(*request); }; });
 }
 

@@ -18,15 +18,15 @@ struct RunRequest {
   std::string file;
   std::string folder;
   std::optional<std::string> shard;
-  report::Overrides overrides;
-  Labour labour;
+  Overrides overrides;
+  ExecutionOptions execution;
   bool dry_run = false;
   bool overwrite = false;
 };
 
 /// `2/5` as a shard.
-experiment::Shard shard_from(const std::string& text) {
-  experiment::Shard shard;
+Shard shard_from(const std::string& text) {
+  Shard shard;
   const std::size_t slash = text.find('/');
   const auto whole = [&text](std::size_t from, std::size_t length) -> std::uint64_t {
     const std::string digits = text.substr(from, length);
@@ -43,13 +43,13 @@ experiment::Shard shard_from(const std::string& text) {
 }
 
 Means means_of(const RunRequest& request) {
-  return {.threads = request.labour.threads,
+  return {.threads = request.execution.threads,
           .shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt};
 }
 
-ExitCode show_plan(const RunRequest& request, const experiment::Experiment& experiment) {
+ExitCode show_plan(const RunRequest& request, const Experiment& experiment) {
   const Plan plan = plan_of(experiment, means_of(request));
-  print_result(request.labour.loudness.json ? report::facts_text(facts_of(plan)) : base::printable(to_text(plan)));
+  print_result(request.execution.loudness.json ? facts_text(facts_of(plan)) : base::printable(to_text(plan)));
   return ExitCode::done;
 }
 
@@ -66,8 +66,8 @@ void expect_no_run(const RunFolder& folder) {
   }
 }
 
-void expect_fixed_numbers(const experiment::Experiment& experiment) {
-  for (const experiment::Condition& condition : experiment.conditions) {
+void expect_fixed_numbers(const Experiment& experiment) {
+  for (const Condition& condition : experiment.conditions) {
     if (condition.until) {
       throw UsageError(
           "--shard: cannot be combined with `until`, because one part does not know the counts of the others; give a "
@@ -82,31 +82,31 @@ std::string folder_of(const std::string& file) {
 
 ExitCode run(const RunRequest& request) {
   const auto shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt;
-  const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
+  const Experiment experiment = load_experiment(request.file, request.overrides);
   if (request.dry_run) return show_plan(request, experiment);
   const Plan plan = plan_of(experiment, means_of(request));
-  // Where the time is limited, strobe points may be few when it is up.
-  if (!request.labour.max_time) expect_memory(plan.needs.memory_bytes);
+  // With a time limit a run may end with few strobe points, so its needs are not known.
+  if (!request.execution.max_time) expect_memory(plan.needs.memory_bytes);
   if (shard) expect_fixed_numbers(experiment);
   RunFolder folder(request.folder);
   folder.claim();
   folder.tidy_up();
   if (!request.overwrite) expect_no_run(folder);
-  if (request.labour.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan)));
+  if (request.execution.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan)));
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
   if (folder.has_store() || folder.has_report()) folder.begin_replacement();
-  experiment::Store store = folder.create_store({.experiment = experiment.canonical_text,
+  Store store = folder.create_store({.experiment = experiment.canonical_text,
                                                  .code = code_identity(),
                                                  .files = folder_of(request.file),
                                                  .shard = shard});
-  return carry_through(folder, experiment, store, request.labour);
+  return carry_through(folder, experiment, store, request.execution);
 }
 
 }  // namespace
 
-void add_run(CLI::App& app, Action& action, const Crew& crew) {
+void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   const auto request = std::make_shared<RunRequest>();
-  request->labour = {.threads = crew.threads, .max_time = {}, .loudness = {}, .crew = crew};
+  request->execution = {.threads = pool.threads, .max_time = {}, .loudness = {}, .pool = pool};
   CLI::App* command = app.add_subcommand("run", "Simulate an experiment and estimate the probability of each response");
   command->footer(
       "Example: rocking run experiments/headline/headline.json -o out\n"
@@ -118,7 +118,7 @@ void add_run(CLI::App& app, Action& action, const Crew& crew) {
   const auto folder =
       command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
           ->type_name("DIR");
-  add_threads(*command, request->labour);
+  add_threads(*command, request->execution);
   command
       ->add_option("--seed", request->overrides.seed,
                    "Seed, instead of the one in the file, for example 0x2012 or 8210")
@@ -129,11 +129,11 @@ void add_run(CLI::App& app, Action& action, const Crew& crew) {
       ->type_name("N");
   command->add_option("--shard", request->shard, "Run only the i-th of n parts; `rocking merge` joins them")
       ->type_name("I/N");
-  add_max_time(*command, request->labour);
+  add_max_time(*command, request->execution);
   const auto dry_run =
       command->add_flag("--dry-run", request->dry_run, "Print what would be done, and stop; writes nothing");
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder when this one is complete");
-  add_loudness(*command, request->labour.loudness);
+  add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request, folder, dry_run] {
     if (folder->empty() && dry_run->empty()) throw CLI::RequiredError("-o DIR (the folder for the results)");
     action = [request] { return run(*request); };

@@ -16,9 +16,9 @@
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/experiment/salvage.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/read_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/store/salvage.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking::program {
 namespace {
@@ -40,7 +40,7 @@ void expect_short_path(const std::filesystem::path& store) {
                                length - longest, longest, base::cut_to(store.parent_path().string(), 100)));
 }
 
-// Whether the open file is still the one of this name.
+// Whether the path still leads to the open file.
 bool is_file_at(int descriptor, const std::filesystem::path& path) {
   struct stat open {};
   struct stat named {};
@@ -48,20 +48,20 @@ bool is_file_at(int descriptor, const std::filesystem::path& path) {
          open.st_dev == named.st_dev;
 }
 
-// A lock file of this program is empty. What another program wrote into a file of this name is left to it, and so is a file
-// that another process put there since.
+// A lock file of this program is empty. A file of this name that another program wrote is not removed, nor one that another
+// process has created since.
 bool is_empty_file_at(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   return is_file_at(descriptor, path) && ::fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
          facts.st_size == 0;
 }
 
-bool has_rows(const experiment::Store& store) {
+bool has_rows(const Store& store) {
   bool any = false;
   try {
-    store.for_each_key([&any](const experiment::RealisationKey&) { any = true; });
-  } catch (const experiment::sqlite::UnusableFile&) {
-    // What was found before counts.
+    store.for_each_key([&any](const RealisationKey&) { any = true; });
+  } catch (const sqlite::UnusableFile&) {
+    // The earlier finding counts.
   }
   return any;
 }
@@ -74,11 +74,11 @@ RunFolder::~RunFolder() {
   ::close(lock_);
 }
 
-// A file of its own, open for writing: some network file systems lock nothing else. Who held the lock before may have removed
-// the file since it was opened here; a lock on it then guards nothing, and another try finds a new one.
+// A separate file, open for writing, because some network file systems can lock no other. The former holder of the lock may
+// have removed the file after it was opened here. A lock on it is then useless, and the next attempt creates a new file.
 void RunFolder::claim() {
   expect_short_path(store_path());
-  report::ensure_writable(path_);
+  ensure_writable(path_);
   while (lock_ < 0) {
     lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
     if (lock_ < 0) throw std::system_error(errno, std::generic_category(), lock_path().string() + ": cannot be opened");
@@ -88,12 +88,12 @@ void RunFolder::claim() {
   }
 }
 
-// Of processes that were killed. Nobody else is at work here now.
-void RunFolder::remove_leftovers() const { experiment::sqlite::remove_database(renewed_path()); }
+// Removes files of processes that were killed. No other process uses the folder now.
+void RunFolder::remove_leftovers() const { sqlite::remove_database(renewed_path()); }
 
 void RunFolder::wait_for_lock() {
   for (int attempt = 0; ::flock(lock_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
-    if (errno != EWOULDBLOCK) return;  // a file system that knows no locks cannot tell; there the user has to
+    if (errno != EWOULDBLOCK) return;  // on a file system without locks the user must prevent conflicts
     if (attempt == 10) {
       ::close(std::exchange(lock_, -1));
       throw InTheWay(name() + ": another `rocking` is working in this folder; wait for it, or choose another folder");
@@ -121,8 +121,8 @@ void RunFolder::expect_room(std::uint64_t bytes) const {
                   name(), spoken_size(bytes), spoken_size(free)));
 }
 
-experiment::Store RunFolder::create_store(const experiment::Identity& identity) const {
-  return experiment::Store::create(store_path(), identity);
+Store RunFolder::create_store(const Identity& identity) const {
+  return Store::create(store_path(), identity);
 }
 
 bool RunFolder::has_store() const {
@@ -132,53 +132,53 @@ bool RunFolder::has_store() const {
   return !std::filesystem::is_regular_file(status) || std::filesystem::file_size(store_path(), none) > 0;
 }
 
-experiment::Store RunFolder::open_store(experiment::sqlite::Access access) const {
+Store RunFolder::open_store(sqlite::Access access) const {
   expect_short_path(store_path());
   expect_installed();
   if (!has_store()) throw MissingInput(name() + ": contains no run (there is no realisations.sqlite)");
-  return experiment::Store::open(store_path(), access);
+  return Store::open(store_path(), access);
 }
 
-experiment::Store RunFolder::open_sound_store() const {
-  experiment::Store store = open_store(experiment::sqlite::Access::read);
+Store RunFolder::open_sound_store() const {
+  Store store = open_store(sqlite::Access::read);
   if (const auto damage = store.damage()) {
-    throw experiment::sqlite::UnusableFile(
+    throw sqlite::UnusableFile(
         fmt::format("{}. `rocking resume {}` keeps the intact rows and runs the rest again", *damage, name()));
   }
   return store;
 }
 
-RunFolder::Renewal RunFolder::renew_store(experiment::Store former, const experiment::Experiment& experiment,
+RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experiment,
                                           FormerFile file) const {
   Renewal renewal;
   {
-    experiment::Identity identity = former.identity();
-    identity.results = experiment::results_version;
-    experiment::Store store = experiment::Store::create(renewed_path(), identity);
-    renewal.realisations = experiment::salvage(experiment, former, store);
+    Identity identity = former.identity();
+    identity.results = results_version;
+    Store store = Store::create(renewed_path(), identity);
+    renewal.realisations = salvage(experiment, former, store);
     const bool same_results = former.identity().results == identity.results;
     if (renewal.realisations == 0 && same_results && has_rows(former)) {
-      throw experiment::sqlite::UnusableFile(fmt::format(
+      throw sqlite::UnusableFile(fmt::format(
           "{}: is damaged: none of its realisations belongs to its experiment, which may be "
           "that of another store; run the experiment again, with --overwrite",
           store_path().string()));
     }
     store.close_up();
   }
-  { const experiment::Store closed = std::move(former); }
+  { const Store closed = std::move(former); }
   if (file == FormerFile::kept) renewal.former_file = keep_store_file();
-  experiment::sqlite::remove_logs(store_path());  // they would be taken for the new file's
+  sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
   std::filesystem::rename(renewed_path(), store_path());
   return renewal;
 }
 
-// Under a name of its own, with its logs.
+// Keeps the file under another name, with its logs.
 std::filesystem::path RunFolder::keep_store_file() const {
   std::filesystem::path kept = first_free_name(path_);
   std::error_code no_links;
   std::filesystem::create_hard_link(store_path(), kept, no_links);
   if (no_links) std::filesystem::copy_file(store_path(), kept);
-  for (const char* suffix : experiment::sqlite::log_suffixes) {
+  for (const char* suffix : sqlite::log_suffixes) {
     const std::filesystem::path log = store_path().string() + suffix;
     if (std::filesystem::exists(log)) std::filesystem::rename(log, kept.string() + suffix);
   }
@@ -209,7 +209,7 @@ void RunFolder::install_replacement() {
 }
 
 void RunFolder::tidy_up() const {
-  report::remove_abandoned_files(path_);
+  remove_abandoned_files(path_);
   replacement().finish_installing();
 }
 
@@ -225,9 +225,9 @@ std::string code_identity() {
   return fmt::format("{} {}", build.version, build.revision);
 }
 
-experiment::Experiment experiment_of(const experiment::Identity& identity) {
+Experiment experiment_of(const Identity& identity) {
   try {
-    return report::read_experiment(identity.experiment, {}, {.files = report::files_seen_from(identity.files)});
+    return read_experiment(identity.experiment, {}, {.files = files_seen_from(identity.files)});
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }

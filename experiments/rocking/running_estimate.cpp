@@ -4,28 +4,28 @@
 
 #include <fmt/format.h>
 
-#include "rocking/report/mode_table.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::program {
 namespace {
 
 constexpr double confidence = 0.95;
 
-std::string name_of(const experiment::Condition& condition) {
+std::string name_of(const Condition& condition) {
   std::string name;
-  for (const experiment::Parameter& parameter : condition.parameters) {
-    const std::string key = parameter.pointer.substr(parameter.pointer.rfind('/') + 1);
-    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", key, report::short_value(parameter));
+  for (const Parameter& parameter : condition.parameters) {
+    name += fmt::format("{}{} {}", name.empty() ? "" : ", ", last_key(parameter.pointer), short_value(parameter));
   }
   return name.empty() ? "so far" : name;
 }
 
 }  // namespace
 
-void RunningEstimate::add(std::size_t condition, const std::vector<experiment::Summary>& summaries) {
+void RunningEstimate::add(std::size_t condition, const std::vector<Summary>& summaries) {
   condition_ = condition;
-  for (const experiment::Summary& summary : summaries) ++counts_[condition][summary.mode];
+  for (const Summary& summary : summaries) ++counts_[condition][summary.mode];
 }
 
 std::string RunningEstimate::text() const {

@@ -6,26 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "rocking/experiment/experiment.hpp"
-#include "rocking/experiment/summary.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/store/summary.hpp"
 
 namespace rocking::program {
 
-/// What a run says of the condition that it is at, while it runs. For a look, never for a record: it knows the realisations
-/// of this session only, and they come in the order in which threads finish.
+/// Estimate for the current condition of a run in progress, for display only: it counts the realisations of this session, in
+/// the order in which threads finish.
 class RunningEstimate {
  public:
-  explicit RunningEstimate(const experiment::Experiment& experiment) : experiment_(&experiment) {}
+  explicit RunningEstimate(const Experiment& experiment) : experiment_(&experiment) {}
 
-  void add(std::size_t condition, const std::vector<experiment::Summary>& summaries);
+  void add(std::size_t condition, const std::vector<Summary>& summaries);
 
-  /// The condition that was last added to, its most frequent response and Wilson's 95 % interval: `amplitude 4.2: (1,3) 69 %
-  /// [60, 77] of 100`. Empty before anything was added.
+  /// The condition of the last add(), its most frequent response and Wilson's 95 % interval: `amplitude 4.2: (1,3) 69 %
+  /// [60, 77] of 100`. Empty before the first add().
   [[nodiscard]] std::string text() const;
 
  private:
-  const experiment::Experiment* experiment_;
-  std::size_t condition_ = 0;  ///< that was last added to
+  const Experiment* experiment_;
+  std::size_t condition_ = 0;  ///< of the last add()
   std::map<std::size_t, std::map<section::ResponseMode, std::uint64_t>> counts_;
 };
 

@@ -4,7 +4,7 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/report/schema.hpp"
+#include "rocking/text/schema.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -16,13 +16,13 @@ void add_schema(CLI::App& app, Action& action) {
       "Example: rocking schema experiment > experiment.schema.json\n"
       "An editor that supports JSON Schema then completes and checks experiment files.");
   std::vector<std::string> names;
-  for (const report::Schema& schema : report::schemas()) names.emplace_back(schema.name);
+  for (const Schema& schema : schemas()) names.emplace_back(schema.name);
   command->add_option("NAME", *name, "Format")->required()->check(one_of(names));
   const auto loudness = std::make_shared<Loudness>();
   add_loudness(*command, *loudness);
   command->final_callback([&action, name, loudness] {
     action = [name] {
-      print_result(report::schema_text(*name).value());
+      print_result(schema_text(*name).value());
       return ExitCode::done;
     };
   });

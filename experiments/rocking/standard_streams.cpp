@@ -8,7 +8,7 @@
 namespace rocking::program {
 namespace {
 
-// The lowest free number is the one that open gives; those below were filled before.
+// open returns the lowest free number; the lower ones are in use already.
 void hold(int number, int mode) {
   if (::fcntl(number, F_GETFD) >= 0 || errno != EBADF) return;
   static_cast<void>(::open("/dev/null", mode));
@@ -18,7 +18,7 @@ void hold(int number, int mode) {
 
 void hold_standard_streams() {
   hold(STDIN_FILENO, O_RDONLY);
-  hold(STDOUT_FILENO, O_RDONLY);  // a write fails with EBADF, as it would on one that is closed
+  hold(STDOUT_FILENO, O_RDONLY);  // a write fails with EBADF, as on a closed descriptor
   hold(STDERR_FILENO, O_WRONLY);
 }
 

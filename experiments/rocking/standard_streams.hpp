@@ -2,8 +2,8 @@
 
 namespace rocking::program {
 
-/// Opens standard input, output and error where this process was started without them, so that no other file gets their
-/// numbers. Writing to an output that was closed stays an error; what is said on a standard error that was closed is dropped.
+/// Opens standard input, output and error if this process was started without them, so that no other file gets their
+/// numbers. Writing to a closed standard output remains an error; text for a closed standard error is dropped.
 void hold_standard_streams();
 
 }  // namespace rocking::program

@@ -6,10 +6,10 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/progress_note.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/output/progress_note.hpp"
+#include "rocking/output/write_facts.hpp"
+#include "rocking/text/files.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -20,26 +20,26 @@ struct StatusRequest {
   Loudness loudness;
 };
 
-/// How a run stands.
+/// State of a run.
 struct Standing {
   std::string state;  ///< running, stopped or finished
   std::string part;   ///< `2/5` of a shard; empty: the whole
-  experiment::Completeness realisations;
-  std::uint64_t failed = 0;  ///< of those that are done: the model or a budget gave no answer
-  bool replaces = false;     ///< an earlier run in the folder, once it is complete
-  double rate = 0.0;         ///< realisations a second of the run at work; 0 where none is, or it has just begun
+  Completeness realisations;
+  std::uint64_t failed = 0;  ///< of those that are done: stopped, or ended by Painleve's paradox
+  bool replaces = false;     ///< will replace an earlier run in the folder
+  double rate = 0.0;         ///< realisations per second of the active run; 0 if none is active or it has just started
 
   [[nodiscard]] std::uint64_t missing() const { return realisations.all - realisations.done; }
 };
 
 double rate_of(const RunFolder& folder) {
   if (!std::filesystem::exists(folder.progress_path())) return 0.0;
-  const auto note = report::read_progress_note(report::read_file(folder.progress_path()));
+  const auto note = read_progress_note(read_file(folder.progress_path()));
   if (!note || note->elapsed_s <= 0.0) return 0.0;
   return static_cast<double>(note->done - note->done_before) / note->elapsed_s;
 }
 
-bool has_no_answer(const experiment::Summary& summary) {
+bool has_no_answer(const Summary& summary) {
   return summary.termination == dynamics::Termination::painleve ||
          summary.termination == dynamics::Termination::stopped;
 }
@@ -47,14 +47,14 @@ bool has_no_answer(const experiment::Summary& summary) {
 Standing standing_of(RunFolder& folder) {
   const bool running = folder.is_at_work();
   if (folder.has_replacement()) folder.enter_replacement();
-  // The process at work checked the store when it began.
-  const experiment::Store store =
-      running ? folder.open_store(experiment::sqlite::Access::read) : folder.open_sound_store();
+  // The running process checked the store when it started.
+  const Store store =
+      running ? folder.open_store(sqlite::Access::read) : folder.open_sound_store();
   Standing standing;
   standing.replaces = folder.is_replacement();
   if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);
-  standing.realisations = experiment::completeness(experiment_of(store.identity()), store);
-  store.for_each([&](const experiment::RealisationKey&, const experiment::Summary& summary) {
+  standing.realisations = completeness(experiment_of(store.identity()), store);
+  store.for_each([&](const RealisationKey&, const Summary& summary) {
     standing.failed += has_no_answer(summary) ? 1 : 0;
   });
   const bool complete = standing.missing() == 0 && !standing.replaces && (folder.has_report() || !standing.part.empty());
@@ -79,8 +79,8 @@ std::string to_text(const StatusRequest& request, const Standing& standing) {
   return text;
 }
 
-std::vector<report::Fact> facts_of(const Standing& standing) {
-  std::vector<report::Fact> facts{{"state", standing.state},
+std::vector<Fact> facts_of(const Standing& standing) {
+  std::vector<Fact> facts{{"state", standing.state},
                                   {"done", standing.realisations.done},
                                   {"all", standing.realisations.all},
                                   {"missing", standing.missing()},
@@ -97,7 +97,7 @@ std::vector<report::Fact> facts_of(const Standing& standing) {
 ExitCode status(const StatusRequest& request) {
   RunFolder folder(request.folder);
   const Standing standing = standing_of(folder);
-  print_result(request.loudness.json ? report::facts_text(facts_of(standing)) : base::printable(to_text(request, standing)));
+  print_result(request.loudness.json ? facts_text(facts_of(standing)) : base::printable(to_text(request, standing)));
   return ExitCode::done;
 }
 

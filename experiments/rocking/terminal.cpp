@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t usual_columns = 80;
 
-/// Those that the locale of the environment can spell. The process itself stays in the "C" locale: numbers have a point.
-report::Letters letters_of_locale() {
+/// Letters that the locale of the environment supports. The process itself stays in the "C" locale, with decimal points.
+Letters letters_of_locale() {
   const locale_t locale = newlocale(LC_CTYPE_MASK, "", nullptr);
-  if (locale == nullptr) return report::Letters::ascii;
+  if (locale == nullptr) return Letters::ascii;
   const bool unicode = std::string_view(nl_langinfo_l(CODESET, locale)) == "UTF-8";
   freelocale(locale);
-  return unicode ? report::Letters::unicode : report::Letters::ascii;
+  return unicode ? Letters::unicode : Letters::ascii;
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ std::optional<std::size_t> terminal_columns(int descriptor) {
   return told ? std::optional<std::size_t>(size.ws_col) : std::nullopt;
 }
 
-report::TableLook table_look() {
+TableLook table_look() {
   if (isatty(STDOUT_FILENO) != 1) return {};
   return {.width = terminal_columns(STDOUT_FILENO).value_or(usual_columns), .bars = letters_of_locale()};
 }

@@ -4,17 +4,17 @@
 #include <optional>
 #include <string>
 
-#include "rocking/report/mode_table.hpp"
+#include "rocking/output/mode_table.hpp"
 
 namespace rocking::program {
 
-/// A variable of the environment; empty where it is not set.
+/// An environment variable; empty if it is not set.
 [[nodiscard]] std::string environment(const char* name);
 
-/// How many columns the terminal behind a file descriptor has; absent where there is none, or where it does not tell.
+/// Number of columns of the terminal at a file descriptor; absent without a terminal, or if it does not tell.
 [[nodiscard]] std::optional<std::size_t> terminal_columns(int descriptor);
 
-/// What suits standard output: on a terminal its width, and bars in the letters of the user's locale.
-[[nodiscard]] report::TableLook table_look();
+/// The look for standard output: on a terminal its width, and bars in the letters of the user's locale.
+[[nodiscard]] TableLook table_look();
 
 }  // namespace rocking::program

@@ -6,35 +6,36 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/output/write_trajectory.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/report/write_trajectory.hpp"
+#include "rocking/realisation/trajectory.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
 namespace {
 
 struct TrajectoryRequest {
   std::string file;
-  experiment::RealisationKey key;
+  RealisationKey key;
   std::optional<std::int64_t> periods;
   int samples = 0;
-  report::Overrides overrides;
+  Overrides overrides;
   Loudness loudness;
 };
 
 ExitCode print_trajectory(const TrajectoryRequest& request) {
-  const experiment::Experiment experiment = load_experiment(request.file, request.overrides);
+  const Experiment experiment = load_experiment(request.file, request.overrides);
   const std::size_t conditions = experiment.conditions.size();
   if (request.key.condition >= conditions) {
     throw UsageError(fmt::format("--condition {}: the experiment has {}, counted from 0; give at most {}",
                                  request.key.condition, counted(conditions, "condition"), conditions - 1));
   }
-  const experiment::Condition& condition = experiment.conditions[request.key.condition];
+  const Condition& condition = experiment.conditions[request.key.condition];
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
   const auto trajectory =
       trajectory_of(condition, experiment.seed, request.key.realisation,
-                    experiment::TrajectoryExtent(request.periods.value_or(horizon), request.samples));
-  print_result(report::trajectory_text(request.key, trajectory));
+                    TrajectoryExtent(request.periods.value_or(horizon), request.samples));
+  print_result(trajectory_text(request.key, trajectory));
   return ExitCode::done;
 }
 

@@ -7,13 +7,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rocking/report/spelling.hpp"
+#include "rocking/input/spelling.hpp"
 
 namespace rocking::program {
 namespace {
 
 std::string suggestion(std::string_view written, const std::vector<std::string>& known) {
-  const auto nearest = report::nearest_word(written, known);
+  const auto nearest = nearest_word(written, known);
   return nearest ? fmt::format("; did you mean \"{}\"?", *nearest) : "";
 }
 

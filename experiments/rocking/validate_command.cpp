@@ -6,7 +6,7 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "plan.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/output/write_facts.hpp"
 
 namespace rocking::program {
 namespace {
@@ -18,9 +18,9 @@ struct ValidateRequest {
 
 ExitCode validate(const ValidateRequest& request) {
   try {
-    const experiment::Experiment experiment = load_experiment(request.file, {});
+    const Experiment experiment = load_experiment(request.file, {});
     if (request.loudness.json) {
-      print_result(report::validation_text(experiment));
+      print_result(validation_text(experiment));
     } else if (!request.loudness.quiet) {
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
       print_result(base::printable(fmt::format("{}: valid: {}\n", request.file, to_text(plan))));
@@ -28,7 +28,7 @@ ExitCode validate(const ValidateRequest& request) {
     return ExitCode::done;
   } catch (const base::InputError& error) {
     if (!request.loudness.json) throw;
-    print_result(report::validation_text(error.problems()));
+    print_result(validation_text(error.problems()));
     return ExitCode::bad_input;
   }
 }

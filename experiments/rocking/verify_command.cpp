@@ -12,14 +12,16 @@
 #include "machine.hpp"
 #include "progress.hpp"
 #include "rocking/base/digest.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/results_version.hpp"
-#include "rocking/experiment/verification.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/input/read_report.hpp"
+#include "rocking/output/report_differences.hpp"
+#include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/report/files.hpp"
-#include "rocking/report/locate.hpp"
-#include "rocking/report/read_report.hpp"
-#include "rocking/report/write_facts.hpp"
+#include "rocking/store/results_version.hpp"
+#include "rocking/studies/verification.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
+#include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
@@ -28,12 +30,12 @@ namespace {
 struct VerifyRequest {
   std::string folder;
   std::optional<std::uint64_t> sample;
-  Labour labour{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-/// What a check of a run brought to light.
+/// Findings of a check of a run.
 struct Findings {
-  std::vector<std::string> wrong;  ///< empty: nothing
+  std::vector<std::string> wrong;  ///< empty: no finding
   std::uint64_t checked = 0;       ///< realisations that were run again
   std::uint64_t not_compared = 0;  ///< realisations of a former results version, of which this program gives other bits
   std::string why_not_compared;    ///< empty: there are none
@@ -41,17 +43,17 @@ struct Findings {
 
 std::string text_of(const std::filesystem::path& path) {
   try {
-    return report::read_file(path);
+    return read_file(path);
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }
 }
 
-report::ReportClaims claims_in(const std::string& text, const std::filesystem::path& path) {
+ReportClaims claims_in(const std::string& text, const std::filesystem::path& path) {
   try {
-    return report::read_report(text);
+    return read_report(text);
   } catch (const base::InputError& error) {
-    throw report::located(error, text, path.string());
+    throw located(error, text, path.string());
   }
 }
 
@@ -66,7 +68,7 @@ class Verifier {
   Findings check() {
     folder_.expect_installed();
     check_input();
-    if (!findings_.wrong.empty()) return findings_;  // what it asks is in doubt: nothing to run
+    if (!findings_.wrong.empty()) return findings_;  // the experiment itself may be wrong, so nothing is run
     if (folder_.has_store()) {
       check_with_store(folder_.open_sound_store());
     } else if (request_->sample) {
@@ -91,20 +93,20 @@ class Verifier {
         "report.json: input.experiment does not have the digest of input.sha256: one of them was changed");
   }
 
-  void check_with_store(const experiment::Store& store) {
-    const experiment::Identity& identity = store.identity();
-    for (const std::string& difference : report::experiment_differences(claims_.experiment, identity.experiment)) {
+  void check_with_store(const Store& store) {
+    const Identity& identity = store.identity();
+    for (const std::string& difference : experiment_differences(claims_.experiment, identity.experiment)) {
       findings_.wrong.push_back("report.json and realisations.sqlite have different experiments: " + difference);
     }
     if (!findings_.wrong.empty()) return;
-    const experiment::Experiment experiment = experiment_of(identity);
-    const auto result = experiment::result_of(experiment, store);
+    const Experiment experiment = experiment_of(identity);
+    const auto result = result_of(experiment, store);
     if (!result) {
       findings_.wrong.push_back("realisations.sqlite lacks realisations that report.json counts");
     } else {
       compare_report(experiment, *result);
     }
-    const auto again = experiment::verify(experiment, store, request_->sample, options());
+    const auto again = verify(experiment, store, request_->sample, options());
     findings_.checked = again.checked;
     findings_.not_compared = again.not_compared;
     if (again.not_compared > 0) findings_.why_not_compared = explain_not_compared(again.not_compared, identity);
@@ -118,33 +120,33 @@ class Verifier {
     }
   }
 
-  [[nodiscard]] std::string explain_not_compared(std::uint64_t number, const experiment::Identity& identity) const {
+  [[nodiscard]] std::string explain_not_compared(std::uint64_t number, const Identity& identity) const {
     return fmt::format(
         "{} not compared: rocking {} stored the run under results version {}, which gave other bits for motions that leave the "
         "ground than this program does (version {}). `rocking resume {}` runs what may differ again",
         number == 1 ? "1 realisation was" : counted(number, "realisation") + " were", identity.code, identity.results,
-        experiment::results_version, request_->folder);
+        results_version, request_->folder);
   }
 
   void check_without_store() {
-    const experiment::Experiment experiment =
+    const Experiment experiment =
         experiment_of({.experiment = claims_.experiment, .code = claims_.code, .files = request_->folder, .shard = {}});
-    const auto result = experiment::run(experiment, options());
+    const auto result = run(experiment, options());
     if (!result) return;
     for (const auto& condition : result->conditions) findings_.checked += condition.realisations;
     compare_report(experiment, *result);
   }
 
-  void compare_report(const experiment::Experiment& experiment, const experiment::ExperimentResult& result) {
-    const std::string right = report::report_text(experiment, result, system_facts(1));
-    for (const std::string& difference : report::report_differences(report_, right)) {
+  void compare_report(const Experiment& experiment, const ExperimentResult& result) {
+    const std::string right = report_text(experiment, result, system_facts(1));
+    for (const std::string& difference : report_differences(report_, right)) {
       findings_.wrong.push_back("report.json: " + difference);
     }
   }
 
-  experiment::RunOptions options() {
-    experiment::RunOptions options;
-    options.threads = request_->labour.threads;
+  RunOptions options() {
+    RunOptions options;
+    options.threads = request_->execution.threads;
     options.stop_requested = &stop_on_interrupt();
     options.on_progress = [this](std::uint64_t done, std::uint64_t all) { progress_.show(done, all); };
     return options;
@@ -153,9 +155,9 @@ class Verifier {
   const VerifyRequest* request_;
   RunFolder folder_;
   std::string report_;
-  report::ReportClaims claims_;
+  ReportClaims claims_;
   Findings findings_;
-  Progress progress_{suitable_progress_style(request_->labour.loudness), "realisations"};
+  Progress progress_{suitable_progress_style(request_->execution.loudness), "realisations"};
 };
 
 ExitCode verify(const VerifyRequest& request) {
@@ -165,8 +167,8 @@ ExitCode verify(const VerifyRequest& request) {
     return ExitCode::interrupted;
   }
   const bool right = findings.wrong.empty();
-  if (request.labour.loudness.json) {
-    print_result(report::facts_text(std::vector<report::Fact>{
+  if (request.execution.loudness.json) {
+    print_result(facts_text(std::vector<Fact>{
         {"verified", right}, {"realisations_run_again", findings.checked}, {"realisations_not_compared", findings.not_compared},
         {"findings", findings.wrong}}));
   } else if (right) {
@@ -198,8 +200,8 @@ void add_verify(CLI::App& app, Action& action) {
       ->add_option("--sample", request->sample, "Run about N realisations again, evenly spaced; default: all")
       ->check(whole_number(1, random::realisation_limit))
       ->type_name("N");
-  add_threads(*command, request->labour);
-  add_loudness(*command, request->labour.loudness);
+  add_threads(*command, request->execution);
+  add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return verify(*request); }; });
 }
 

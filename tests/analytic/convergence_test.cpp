@@ -1,5 +1,5 @@
-// A tighter tolerance gives a better trajectory, as much better as it is tighter, until rounding takes over: for every
-// reference case, and with frozen draws under fluctuation. The figures that it prints are those of lib/docs/accuracy.md.
+// A tighter tolerance reduces the error of a trajectory in proportion, until rounding dominates. This is tested for every
+// reference case, and with fixed random numbers under fluctuation. The printed figures are those of lib/docs/accuracy.md.
 
 #include <algorithm>
 #include <array>
@@ -14,21 +14,19 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 #include "support/reference_case.hpp"
 
 namespace rocking {
 namespace {
 
-using experiment::Condition;
-using experiment::Trajectory;
 using nlohmann::json;
 
 constexpr std::array tolerances{1e-4, 1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13, 1e-14};
 
-/// Numbers of a trajectory that are compared; as many in each.
+/// Numbers of a trajectory that are compared; every trajectory has the same number of them.
 using Values = std::vector<double>;
 
 double distance(const Values& a, const Values& b) {
@@ -37,7 +35,8 @@ double distance(const Values& a, const Values& b) {
   return a.size() == b.size() ? largest : 1e9;
 }
 
-/// A motion and what is looked at: Theta, Theta', X, V at the ends of some periods; or the first events, as tau and Theta'.
+/// A motion and the values compared: Theta, Theta', X, V at the ends of some periods; or tau and Theta' of the first
+/// events.
 struct Subject {
   Condition condition;
   std::uint64_t realisation = 0;
@@ -61,8 +60,8 @@ struct Subject {
     return values;
   }
 
-  /// How much a small error that is made all along has grown where we look: the largest change of the values over the
-  /// relative change of the base's amplitude and of the start that makes it; at least 1.
+  /// Growth of a small error that is made throughout the run, at the compared instants: the largest change of the values
+  /// over the relative change of base amplitude and initial state that causes it; at least 1.
   [[nodiscard]] double growth() const {
     constexpr double change = 1e-9;
     const Values here = values(1e-14);
@@ -78,17 +77,17 @@ struct Subject {
   }
 };
 
-// A step is as long as makes its last term the tolerance; the terms that it leaves out are less than twice that in sum,
-// and a period has some twenty steps: 40 tolerances a period. What was left in earlier periods has died out or is in the
-// growth. Rounding: one of 2^-53 a step, in 400 steps of twenty periods.
+// The length of a step makes its last term equal to the tolerance. The omitted terms sum to less than twice that, and a
+// period has about twenty steps: 40 tolerances per period. Errors of earlier periods have decayed or are contained in the
+// growth. Rounding: one of 2^-53 per step, in 400 steps of twenty periods.
 double allowed(double tolerance, double growth) { return growth * (40.0 * tolerance + 400.0 * 0x1p-53); }
 
-/// A row of the table: growth and errors, the largest of what was added.
+/// A row of the table: growth and errors, each the largest of those added.
 struct Row {
   double growth = 0.0;
   std::array<double, tolerances.size()> errors{};
 
-  /// Measures the errors at all tolerances and holds each to what is allowed.
+  /// Measures the errors at all tolerances and compares each with the allowed one.
   void add(const Subject& subject, const Values& truth) {
     const double own_growth = subject.growth();
     growth = std::max(growth, own_growth);
@@ -109,8 +108,8 @@ struct Row {
 
 class ReferenceCase : public testing::TestWithParam<std::string> {};
 
-// Over 20 periods, chaotic or not: the growth of errors is at most 4e5. Case 18 is at rest whenever a period ends; its
-// lift and its impacts are compared, those of the reference's list.
+// Over 20 periods the growth of errors is at most 4e5, for chaotic cases too. Case 18 is at rest at the end of every
+// period; instead, the lift and the impacts in the list of the reference are compared.
 TEST_P(ReferenceCase, HasErrorsThatFollowTheTolerance) {
   const json reference = tests::load_reference(GetParam());
   const bool compares_events = GetParam().starts_with("18");
@@ -133,21 +132,21 @@ TEST_P(ReferenceCase, HasErrorsThatFollowTheTolerance) {
 INSTANTIATE_TEST_SUITE_P(All, ReferenceCase, testing::ValuesIn(tests::reference_names()),
                          [](const auto& instance) { return instance.param; });
 
-/// A block that slips, or one that cannot, under some of the sources of fluctuation.
-Condition fluctuating(const experiment::Fluctuation& fluctuation) {
+/// A block that can slip, or one that cannot, with some of the sources of fluctuation.
+Condition fluctuating(const Fluctuation& fluctuation) {
   Condition condition;
-  experiment::Scene& scene = condition.scene;
+  Scene& scene = condition.scene;
   support::harmonic(scene).amplitude = 7.0;
   support::harmonic(scene).frequency_ratio = 10.0;
   scene.fluctuation = fluctuation;
   if (fluctuation.static_friction > 0.0 || fluctuation.kinetic_friction > 0.0) {
-    scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+    scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
   }
   return condition;
 }
 
-const std::vector<std::pair<std::string, experiment::Fluctuation>>& fluctuations() {
-  static const std::vector<std::pair<std::string, experiment::Fluctuation>> all{
+const std::vector<std::pair<std::string, Fluctuation>>& fluctuations() {
+  static const std::vector<std::pair<std::string, Fluctuation>> all{
       {"kinetic_friction", {.kinetic_friction = 0.03}},
       {"static_friction", {.static_friction = 0.03}},
       {"both_frictions", {.static_friction = 0.03, .kinetic_friction = 0.03}},
@@ -158,7 +157,8 @@ const std::vector<std::pair<std::string, experiment::Fluctuation>>& fluctuations
 
 class FrozenDraws : public testing::TestWithParam<std::size_t> {};
 
-// The truth is our own run with a tolerance below rounding, on the same draws; that of 1e-15 is within rounding of it.
+// The reference is our own run with a tolerance below rounding and common random numbers; that of 1e-15 agrees with it to
+// rounding.
 TEST_P(FrozenDraws, LeaveErrorsThatFollowTheTolerance) {
   const auto& [name, fluctuation] = fluctuations().at(GetParam());
   Row row;
@@ -176,15 +176,16 @@ TEST_P(FrozenDraws, LeaveErrorsThatFollowTheTolerance) {
 INSTANTIATE_TEST_SUITE_P(All, FrozenDraws, testing::Range<std::size_t>(0, 5),
                          [](const auto& instance) { return fluctuations().at(instance.param).first; });
 
-// The last term of a step of order 14 goes like the 14th power of its length: a tolerance 10^7 times as tight makes steps
-// 10^(7/14) = 3.16 times as short, but for 6 % of each (integrate::rough_root). Two events in a period of some four to
-// thirteen steps end theirs early, which on the average costs half a step each: (13 + 1)/(4 + 1) = 2.8 times as many.
+// The last term of a step of order 14 is proportional to the 14th power of its length: a tolerance 10^7 times tighter makes
+// steps 10^(7/14) = 3.16 times shorter, with a deviation of 6 % each (integrate::rough_root). The two events of a period
+// end a step early, which costs half a step each on average. With four to thirteen steps per period the ratio is (13 +
+// 1)/(4 + 1) = 2.8.
 TEST(Tolerance, IsPaidForInStepsAsTheOrderSays) {
   Condition condition = fluctuating({});
   support::harmonic(condition.scene).amplitude = 4.5;
   const auto steps = [&condition](double tolerance) {
     condition.tolerance = tolerance;
-    return static_cast<double>(experiment::realise(condition, 0, 0).effort.steps);
+    return static_cast<double>(realise(condition, 0, 0).operations.steps);
   };
   const double rough = steps(1e-7);
   const double fine = steps(1e-14);

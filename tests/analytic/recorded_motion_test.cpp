@@ -1,5 +1,5 @@
-// Blocks on a recorded base, where the motion can be written down: constant and linear accelerations, pulses, gravity by
-// another name.
+// Blocks under recorded excitations for which the motion has a closed form: constant and linear accelerations, pulses, and
+// a vertical acceleration that acts like gravity.
 
 #include <algorithm>
 #include <cmath>
@@ -11,28 +11,28 @@
 #include <gtest/gtest.h>
 
 #include "analytic/motion.hpp"
-#include "rocking/experiment/realisation.hpp"
-#include "rocking/experiment/record.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/start.hpp"
 #include "support/excitation.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 using dynamics::EventKind;
-using dynamics::RecordSample;
+using dynamics::GroundMotionSample;
 
-/// A sample at a normalised time, in g.
+/// A sample at a normalised time; accelerations in g.
 struct Knot {
   double tau;
   double horizontal;
   double vertical = 0.0;
 };
 
-/// A block of height `height` times its width under a record, without friction; strobe points a time 1 apart.
+/// A block of height `height` times its width under a ground motion, without friction; strobe points a time 1 apart.
 Condition shaken_by(const std::vector<Knot>& knots, bool has_vertical = false, double height = 4.0) {
   Condition condition;
   condition.scene.block.height = height;
-  const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
+  const double p = dynamics::geometry_of(mean_block(condition.scene)).frequency_parameter;
   GroundMotion motion{.samples = {}, .has_vertical = has_vertical};
   for (const Knot& knot : knots) motion.samples.push_back({knot.tau / p, knot.horizontal, knot.vertical});
   condition.scene.excitation = support::recorded_by(std::move(motion), 2.0 * pi);
@@ -40,13 +40,13 @@ Condition shaken_by(const std::vector<Knot>& knots, bool has_vertical = false, d
   return condition;
 }
 
-// A constant base acceleration is a gravity that is tilted by chi = atan(alpha) and sqrt(1 + alpha^2) times as large.
+// A constant base acceleration acts like a gravity tilted by chi = atan(alpha) and larger by sqrt(1 + alpha^2).
 TEST(RecordedConstant, MakesTheBlockFallAsUnderTiltedGravity) {
   for (const double height : {2.0, 4.0, 10.0}) {
     for (const double alpha : {-0.3, -0.02, 0.02}) {
       Condition condition = shaken_by({{0.0, alpha}, {50.0, alpha}}, false, height);
       condition.scene.initial.tilt = 0.4;
-      const double psi = dynamics::geometry_of(condition.scene.block).shape_angle;
+      const double psi = dynamics::geometry_of(mean_block(condition.scene)).shape_angle;
       const double chi = std::atan(alpha);
       const Trajectory trajectory = run(condition, 10);
       ASSERT_FALSE(trajectory.events.empty());
@@ -63,7 +63,7 @@ TEST(RecordedConstant, MovesASlenderBlockByAHyperbolicCosine) {
   double last_error = 0.0;
   for (const double height : {50.0, 100.0, 200.0}) {
     Condition condition = shaken_by({{0.0, 0.0}, {50.0, 0.0}}, false, height);
-    const double alpha = a * dynamics::geometry_of(condition.scene.block).shape_angle;
+    const double alpha = a * dynamics::geometry_of(mean_block(condition.scene)).shape_angle;
     condition = shaken_by({{0.0, alpha}, {50.0, alpha}}, false, height);
     condition.scene.initial.tilt = 0.6;
     const double error = std::abs(run(condition, 1).strobe.at(0).tilt - (0.7 - 0.1 * std::cosh(1.0)));
@@ -82,7 +82,7 @@ bool overturns_under_rectangle(double a, double tau) {
   return run(condition, 40).termination == Termination::overturned;
 }
 
-// Housner (1963), BSSA 53(2) 403-417: cosh(tau) = 1 + 1/(2 a (a - 1)) is the least that overturns.
+// Housner (1963), BSSA 53(2) 403-417: cosh(tau) = 1 + 1/(2 a (a - 1)) is the shortest duration that overturns.
 TEST(RectangularPulse, OverturnsFromHousnersDurationOn) {
   for (const double a : {1.1, 1.5, 3.0, 10.0}) {
     const double least = std::acosh(1.0 + 0.5 / (a * (a - 1.0)));
@@ -91,7 +91,7 @@ TEST(RectangularPulse, OverturnsFromHousnersDurationOn) {
   }
 }
 
-/// A block that slides at -2 on a floor with friction 0.1, far from tipping.
+/// A block that slides at V = -2 with friction 0.1, far from tipping.
 Condition sliding_under(const std::vector<Knot>& knots) {
   Condition condition = shaken_by(knots);
   condition.scene.friction = Friction{.static_coefficient = 0.1, .kinetic_coefficient = 0.1};
@@ -99,8 +99,8 @@ Condition sliding_under(const std::vector<Knot>& knots) {
   return condition;
 }
 
-// V' = -(4/3) (alpha - mu_k); under a triangle of height A from 0 over 1 to 2 the integrals of alpha are A/2, A/6 at its
-// peak and A, A (tau - 1) after it.
+// V' = -(4/3) (alpha - mu_k). Under a triangular pulse of height A from 0 over 1 to 2 the integrals of alpha are A/2 and
+// A/6 at its peak, A and A (tau - 1) after it.
 TEST(TriangularPulse, PushesASlidingBlockByItsTwoIntegrals) {
   constexpr double peak = 0.8;
   const Trajectory trajectory = run(sliding_under({{0.0, 0.0}, {1.0, peak}, {2.0, 0.0}}), 5);
@@ -114,15 +114,16 @@ TEST(TriangularPulse, PushesASlidingBlockByItsTwoIntegrals) {
   }
 }
 
-// Under a constant acceleration V' = -(4/3) (alpha - mu_k) from V = -2: it stops after 1.5/(mu_k - alpha), and rests as long
-// as abs(alpha) <= mu_s.
+// Under a constant acceleration V' = -(4/3) (alpha - mu_k) from V = -2: the block stops after the time 1.5/(mu_k - alpha)
+// and rests while abs(alpha) <= mu_s.
 TEST(RecordedConstant, StopsASlidingBlockWhereAndWhenConstantFrictionSays) {
   for (const double alpha : {-0.09, 0.05, -0.4}) {
     const Trajectory trajectory = run(sliding_under({{0.0, alpha}, {90.0, alpha}}), 40);
     const double tau = 1.5 / (0.1 - alpha);
     ASSERT_FALSE(trajectory.events.empty());
     EXPECT_EQ(trajectory.events[0].kind, alpha < -0.1 ? EventKind::slip_reverse : EventKind::slide_stop);
-    // V is rounded at the end of some forty steps: over its slope, (4/3) (mu_k - alpha) >= 0.06, an error of tau.
+    // V is rounded at the end of about forty steps. Divided by its slope, (4/3) (mu_k - alpha) >= 0.06, this is an error of
+    // tau.
     EXPECT_NEAR(trajectory.events[0].tau, tau, 1e-13) << alpha;
     EXPECT_NEAR(trajectory.events[0].slip, -tau, 1e-13) << alpha;
     EXPECT_TRUE(alpha < -0.1 || trajectory.events.size() == 1U) << "it stays there";
@@ -154,13 +155,13 @@ TEST(Gap, IsBridgedByAStraightLine) {
   for (std::size_t i = 0; i < a.events.size(); ++i) EXPECT_NEAR(a.events[i].tau, b.events[i].tau, 1e-11);
 }
 
-TEST(Record, FindsTheBaseAtRestBeforeItsFirstSample) {
+TEST(RecordedExcitation, FindsTheBaseAtRestBeforeItsFirstSample) {
   const Trajectory trajectory = run(shaken_by({{2.5, 0.3}, {2.75, 0.3}}), 4);
   ASSERT_FALSE(trajectory.events.empty());
   EXPECT_NEAR(trajectory.events[0].tau, 2.5, 1e-15);
 }
 
-/// Theta after three periods of A_h = 4.5, of which `samples` each are recorded.
+/// Theta after three periods of A_h = 4.5, recorded with `samples` per period.
 double tilt_under_sampled_sine(int samples) {
   const double amplitude = 4.5 * dynamics::geometry_of({}).shape_angle;
   std::vector<Knot> knots;
@@ -173,7 +174,8 @@ double tilt_under_sampled_sine(int samples) {
   return run(condition, 3).strobe.at(2).tilt;
 }
 
-// The line between samples h apart cuts (h^2/12) off a sine's amplitude, and nothing else to that order.
+// Linear interpolation between samples a time h apart reduces the amplitude of a sine by the relative amount h^2/12; to
+// this order it has no other effect.
 TEST(SampledSine, TendsToTheHarmonicExcitationWithTheSquareOfTheSpacing) {
   Condition harmonic = shaken_by({{0.0, 0.0}, {1.0, 0.0}});
   harmonic.scene.excitation = Harmonic{.amplitude = 4.5, .frequency_ratio = 10.0};
@@ -194,7 +196,7 @@ std::vector<Knot> pulses(double factor, double pace, double vertical) {
   return knots;
 }
 
-// alpha_v = 3: four times the gravity. In sqrt(4) times the time, with a quarter of alpha, nothing else has changed.
+// alpha_v = 3 acts like four times the gravity: with a quarter of alpha the motion is the same, in half of the time.
 TEST(VerticalAcceleration, IsGravityByAnotherName) {
   for (const bool slides : {false, true}) {
     Condition light = shaken_by(pulses(1.0, 1.0, 0.0));
@@ -235,7 +237,7 @@ TEST(VerticalAcceleration, IsNotComputedWhereNoneIsRecorded) {
   }
 }
 
-/// A motion that notes where its steps end.
+/// A motion that records the ends of its steps.
 template <class Motion>
 struct Noting {
   Motion& motion;
@@ -258,7 +260,7 @@ struct Noting {
   }
 };
 
-TEST(Record, EndsAStepAtEachOfItsSamples) {
+TEST(RecordedExcitation, EndsAStepAtEachOfItsSamples) {
   std::vector<Knot> knots;
   for (int i = 0; i <= 300; ++i) knots.push_back({0.013 * i + 0.003 * (i % 3), 0.5 * std::sin(0.2 * i)});
   const Condition condition = shaken_by(knots);
@@ -276,14 +278,14 @@ TEST(Record, EndsAStepAtEachOfItsSamples) {
   EXPECT_GE(motion.segments_looked_up(), 300U);
 }
 
-TEST(Record, IsLookedUpOnlyWhereThereIsOne) {
+TEST(RecordedExcitation, IsLookedUpOnlyWhereThereIsOne) {
   Condition condition = shaken_by(pulses(1.0, 1.0, 0.0));
-  EXPECT_GE(realise(condition, 0, 0).effort.record_segments, 5U);
+  EXPECT_GE(realise(condition, 0, 0).operations.ground_motion_segments, 5U);
   condition.scene.excitation = Harmonic{.amplitude = 1.0, .frequency_ratio = 2.0 * pi};
-  EXPECT_EQ(realise(condition, 0, 0).effort.record_segments, 0U);
+  EXPECT_EQ(realise(condition, 0, 0).operations.ground_motion_segments, 0U);
 }
 
-TEST(Record, OfNoMotionLeavesFreeRockingInEveryBit) {
+TEST(RecordedExcitation, OfNoMotionLeavesFreeRockingInEveryBit) {
   Condition still = shaken_by({{0.0, 0.0}, {1000.0, 0.0}});
   still.scene.initial.tilt = 0.7;
   Condition free = still;
@@ -300,4 +302,4 @@ TEST(Record, OfNoMotionLeavesFreeRockingInEveryBit) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -1,4 +1,4 @@
-// Our trajectories against those of an independent program in 50 and 80 digits (tests/reference/README.md).
+// Our trajectories, compared with those of an independent program in 50 and 80 digits (tests/reference/README.md).
 
 #include <algorithm>
 #include <cmath>
@@ -9,21 +9,19 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/reference_case.hpp"
 
 namespace rocking {
 namespace {
 
-using experiment::Trajectory;
-using experiment::TrajectoryEvent;
 using nlohmann::json;
 using tests::load_reference;
 using tests::reference_names;
 
 double number(const json& text) { return tests::reference_number(text); }
 
-/// What a good double implementation comes within: a hundred times the reference algorithm's own error in double, or
+/// Error that a good implementation in double attains: a hundred times the error of the reference algorithm in double, or
 /// 1e-12, whichever is larger.
 double attainable(const std::string& name, int period) {
   static const json table = load_reference("attainable");
@@ -44,10 +42,11 @@ class ReferenceTrajectory : public testing::TestWithParam<std::string> {
   void SetUp() override {
     reference_ = load_reference(GetParam());
     const std::int64_t periods = GetParam().starts_with("18") ? 5 : 20;
-    trajectory_ = experiment::trajectory_of(tests::condition_of_reference(reference_), 0, 0, periods);
+    trajectory_ = trajectory_of(tests::condition_of_reference(reference_), 0, 0, periods);
   }
 
-  /// Event times and the states after them lose what the states at the cycle ends lose; the worst of the run bounds them.
+  /// Event times and the states after them have the errors of the states at the ends of periods; the largest of the run is
+  /// a bound.
   [[nodiscard]] double event_tolerance() const { return attainable(GetParam(), 20); }
 
   json reference_;
@@ -70,10 +69,10 @@ TEST_P(ReferenceTrajectory, AgreesAtTheCycleEndsToTheAttainableDigits) {
   }
 }
 
-// Work is a sum over the whole run, and errors of the motion reach it many times over.
+// Work is a sum over the whole run, so that errors of the motion enter it many times.
 TEST_P(ReferenceTrajectory, TellsWhereItsEnergyCameFromAndWent) {
   const json& expected = reference_["energy_over_mR2p2"];
-  const experiment::EnergyAccount& energy = trajectory_.energy;
+  const EnergyAccount& energy = trajectory_.energy;
   const double tolerance = 10.0 * event_tolerance();
   EXPECT_NEAR(energy.at_start, number(expected["E0"]), tolerance);
   EXPECT_NEAR(energy.base_work, number(expected["W_base"]), tolerance);
@@ -87,7 +86,8 @@ TEST_P(ReferenceTrajectory, TellsWhereItsEnergyCameFromAndWent) {
 }
 
 TEST_P(ReferenceTrajectory, HasTheSameEventsInTheSameOrder) {
-  // In case 17 the chatter's last impacts are closer together than doubles resolve: there the list goes on with to_slide.
+  // In case 17 the last impacts of the chatter are closer together than doubles resolve; our list then continues with
+  // to_slide.
   const bool chatter_while_sliding = GetParam().starts_with("17");
   const auto events = without_past_balance(trajectory_);
   std::size_t next = 0;
@@ -112,7 +112,8 @@ TEST_P(ReferenceTrajectory, HasAsManyEventsOfEachKind) {
   std::map<std::string, int> counts;
   for (const TrajectoryEvent& event : without_past_balance(trajectory_)) ++counts[std::string(to_string(event.kind))];
   std::map<std::string, int> expected = reference_["event_counts"].get<std::map<std::string, int>>();
-  if (GetParam().starts_with("17") || GetParam().starts_with("18")) {  // as many impacts in a chatter as it is cut off
+  if (GetParam().starts_with("17") ||
+      GetParam().starts_with("18")) {  // the number of impacts of a chatter depends on where it is cut off
     for (const char* impact : {"impact_stick", "impact_slip"}) {
       counts.erase(impact);
       expected.erase(impact);
@@ -124,7 +125,7 @@ TEST_P(ReferenceTrajectory, HasAsManyEventsOfEachKind) {
 TEST_P(ReferenceTrajectory, EndsAsTheReferenceDoes) {
   const bool overturns = reference_["event_counts"].contains("overturn");
   EXPECT_EQ(trajectory_.termination,
-            overturns ? experiment::Termination::overturned : experiment::Termination::reached_horizon);
+            overturns ? Termination::overturned : Termination::reached_horizon);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReferenceTrajectory, testing::ValuesIn(reference_names()),

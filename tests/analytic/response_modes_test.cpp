@@ -1,5 +1,5 @@
-// The names that the noise-free reference cases get, run on far beyond their 20 periods; and those of a few noisy responses
-// against the names by a horizon 20 times longer. Many more of these: lib/docs/classification-evidence.md.
+// Response modes of the noise-free reference cases, run far beyond their 20 periods, and of a few noisy responses, compared
+// with a horizon 20 times longer. Many more of the latter: lib/docs/classification-evidence.md.
 
 #include <map>
 #include <string>
@@ -8,17 +8,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "support/excitation.hpp"
 #include "support/reference_case.hpp"
 
 namespace rocking {
 namespace {
 
-/// What each case is by its own note or, where that says nothing, by a run ten times as long (5000 + 600 periods).
-/// Case 10 is called chaotic there; its largest exponent over 3000 periods is -8e-5 +- 8e-5 a period: it moves on a torus,
-/// is neither periodic nor chaotic, and must not be named. Case 14's exponent is 0.0043 +- 0.0004: chaotic, too weakly
-/// for the default horizon to tell.
+/// Response mode of each case, from its note or, if the note does not say, from a run ten times as long (5000 + 600
+/// periods). Case 10 is called chaotic in its note. Its largest exponent over 3000 periods is -8e-5 +- 8e-5 per period: it
+/// moves on a torus, is neither periodic nor chaotic, and must be unresolved. The exponent of case 14 is 0.0043 +- 0.0004:
+/// chaotic, but too weakly for the default horizon.
 const std::map<std::string, std::string> modes{
     {"01_noslip_11", "(1,1)"},
     {"02_noslip_13", "(1,3)"},
@@ -44,15 +44,15 @@ const std::map<std::string, std::string> modes{
     {"22_kinetic_below_tip_static_above", "(0,1)"},
 };
 
-/// A chaotic motion is another one for every tolerance, as for every rounding. One in thirty (5, 11 and 7 of 200 tolerances in
-/// cases 8, 9 and 11) is left unresolved by the default horizon; none may get another name.
-void expect_chaos_of_most_roundings(experiment::Condition condition) {
+/// A chaotic motion differs for every tolerance and every rounding. About one in thirty (5, 11 and 7 of 200 tolerances in
+/// cases 8, 9 and 11) is unresolved at the default horizon; none may get another class.
+void expect_chaos_of_most_roundings(Condition condition) {
   constexpr int roundings = 20;
   const double tolerance = condition.tolerance;
   int chaotic = 0;
   for (int i = 0; i < roundings; ++i) {
     condition.tolerance = tolerance * (1.0 + 0.01 * i);
-    const std::string mode = to_string(experiment::realise(condition, 0, 0).verdict.mode);
+    const std::string mode = to_string(realise(condition, 0, 0).classification.mode);
     EXPECT_THAT(mode, testing::AnyOf("chaotic", "unresolved")) << "at tolerance " << condition.tolerance;
     chaotic += mode == "chaotic" ? 1 : 0;
   }
@@ -61,15 +61,15 @@ void expect_chaos_of_most_roundings(experiment::Condition condition) {
 
 class ReferenceMode : public testing::TestWithParam<std::string> {};
 
-TEST_P(ReferenceMode, IsNamedRight) {
+TEST_P(ReferenceMode, IsClassifiedRight) {
   const auto condition = tests::condition_of_reference(tests::load_reference(GetParam()));
   if (modes.at(GetParam()) == "chaotic") return expect_chaos_of_most_roundings(condition);
-  const experiment::Record record = experiment::realise(condition, 0, 0);
-  EXPECT_EQ(to_string(record.verdict.mode), modes.at(GetParam())) << to_string(record.verdict.reason.value());
+  const RealisationResult result = realise(condition, 0, 0);
+  EXPECT_EQ(to_string(result.classification.mode), modes.at(GetParam())) << to_string(result.classification.reason.value());
 }
 
-experiment::Condition noisy_friction(const experiment::Friction& friction, double amplitude) {
-  experiment::Condition condition;
+Condition noisy_friction(const Friction& friction, double amplitude) {
+  Condition condition;
   support::harmonic(condition.scene).amplitude = amplitude;
   support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.friction = friction;
@@ -79,37 +79,38 @@ experiment::Condition noisy_friction(const experiment::Friction& friction, doubl
 }
 
 constexpr std::uint64_t headline_seed = 0x2012;
-constexpr experiment::Friction low{.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
-constexpr experiment::Friction high{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+constexpr Friction low_friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
+constexpr Friction high_friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
 
-/// The name and share of a realisation, and its name by 20 times the sampled periods.
+/// Class and `held` of a realisation, and its class with 20 times as many sampled periods.
 struct Names {
-  section::Verdict verdict;
+  section::Classification classification;
   section::ResponseMode in_the_long_run;
 };
 
-Names names_of(experiment::Condition condition, std::uint64_t realisation) {
+Names names_of(Condition condition, std::uint64_t realisation) {
   Names names;
-  names.verdict = experiment::realise(condition, headline_seed, realisation).verdict;
+  names.classification = realise(condition, headline_seed, realisation).classification;
   condition.horizon.sampled_periods *= 20;
-  names.in_the_long_run = experiment::realise(condition, headline_seed, realisation).verdict.mode;
+  names.in_the_long_run = realise(condition, headline_seed, realisation).classification.mode;
   return names;
 }
 
-// Conditions of the headline experiment with one response in the long run: none of 1120 realisations like these was named
-// wrong, 5 were unresolved.
+// Conditions of the headline experiment with one long-term response. Of 1120 such realisations none was classified wrongly;
+// 5 were unresolved.
 TEST(NoisyMode, IsThatOfAHorizonTwentyTimesLonger) {
   struct Case {
-    experiment::Friction friction;
+    Friction friction;
     double amplitude;
     std::uint64_t realisations;
   };
-  for (const Case& c : {Case{low, 2.0, 4}, Case{high, 3.0, 4}, Case{high, 5.0, 4}, Case{low, 9.0, 1}}) {
+  for (const Case& c : {Case{low_friction, 2.0, 4}, Case{high_friction, 3.0, 4}, Case{high_friction, 5.0, 4},
+                        Case{low_friction, 9.0, 1}}) {
     for (std::uint64_t realisation = 0; realisation < c.realisations; ++realisation) {
       const Names names = names_of(noisy_friction(c.friction, c.amplitude), realisation);
-      EXPECT_EQ(to_string(names.verdict.mode), to_string(names.in_the_long_run)) << c.amplitude << ' ' << realisation;
-      EXPECT_NE(names.verdict.mode.kind, section::ResponseKind::unresolved) << c.amplitude << ' ' << realisation;
-      EXPECT_EQ(names.verdict.held, 1.0) << c.amplitude << ' ' << realisation;
+      EXPECT_EQ(to_string(names.classification.mode), to_string(names.in_the_long_run)) << c.amplitude << ' ' << realisation;
+      EXPECT_NE(names.classification.mode.kind, section::ResponseKind::unresolved) << c.amplitude << ' ' << realisation;
+      EXPECT_EQ(names.classification.held, 1.0) << c.amplitude << ' ' << realisation;
     }
   }
 }
@@ -122,9 +123,9 @@ TEST(NoisyMode, IsThatOfAHorizonTwentyTimesLongerAlsoWhereItSettledLate) {
   };
   for (const Case& c : {Case{5.5, 1, "(1,3)"}, Case{6.0, 21, "(1,3)"}, Case{6.0, 116, "(1,1)"}, Case{7.0, 40, "(1,1)"},
                         Case{7.0, 26, "(1,1)"}}) {
-    const Names names = names_of(noisy_friction(high, c.amplitude), c.realisation);
-    EXPECT_EQ(to_string(names.verdict.mode), c.mode) << c.amplitude << ' ' << c.realisation;
-    EXPECT_LT(names.verdict.held, 1.0) << c.amplitude << ' ' << c.realisation;
+    const Names names = names_of(noisy_friction(high_friction, c.amplitude), c.realisation);
+    EXPECT_EQ(to_string(names.classification.mode), c.mode) << c.amplitude << ' ' << c.realisation;
+    EXPECT_LT(names.classification.held, 1.0) << c.amplitude << ' ' << c.realisation;
     EXPECT_EQ(to_string(names.in_the_long_run), c.mode) << c.amplitude << ' ' << c.realisation;
   }
 }

@@ -1,5 +1,5 @@
-// The slender-block limit under harmonic shaking: symmetric (1,n) orbits, their phase, amplitude, range and stability in
-// closed form. Derived in lib/docs/closed-forms.md, whose letters are used here.
+// The slender-block limit under harmonic excitation: phase, amplitude, range and stability of symmetric (1,n) orbits in
+// closed form. Derived in lib/docs/closed-forms.md, whose symbols are used here.
 
 #include <algorithm>
 #include <array>
@@ -12,13 +12,13 @@
 #include <gtest/gtest.h>
 
 #include "analytic/motion.hpp"
-#include "rocking/experiment/record.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "support/excitation.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
-/// Orbits that repeat every n periods of Omega and keep the share r of the rate at each impact.
+/// Orbits with a period of n excitation periods and the rate ratio r of each impact.
 struct Family {
   double r;
   double omega;
@@ -39,7 +39,7 @@ struct State {
   double rate;
 };
 
-/// The member of the family with Gamma sin(phi) = x.
+/// The orbit of the family with Gamma sin(phi) = x.
 struct Orbit {
   Family family;
   double x;
@@ -48,7 +48,7 @@ struct Orbit {
   [[nodiscard]] double v() const { return (family.rho() - 1.0) * x / family.t(); }
   [[nodiscard]] double phase() const { return std::atan2(x, y() / family.omega); }
 
-  /// At a time u in [0, h] after the impact that put the block over its left edge.
+  /// State at a time u in [0, h] after the impact that put the block on its left edge.
   [[nodiscard]] State at(double u) const {
     const double c = x - 1.0;
     const double d = v() + y();
@@ -58,7 +58,7 @@ struct Orbit {
             c * std::sinh(u) + d * std::cosh(u) - gamma * family.omega * std::cos(angle)};
   }
 
-  /// At any time: the second half is the first on the other side.
+  /// State at any time: the second half of the orbit mirrors the first.
   [[nodiscard]] State later(double u) const {
     const double within = std::fmod(u, 2.0 * family.h());
     if (within <= family.h()) return at(within);
@@ -66,7 +66,7 @@ struct Orbit {
     return {-mirrored.tilt, -mirrored.rate};
   }
 
-  /// When Theta is largest: the best of many instants, then refined by halving the slope's bracket.
+  /// Time of the largest Theta: the best of many instants, refined by bisection of the slope.
   [[nodiscard]] double peak() const {
     double best = 0.5 * family.h();
     for (int i = 1; i < 200; ++i) {
@@ -82,14 +82,14 @@ struct Orbit {
     return low;
   }
 
-  /// Trace of the linearised map from one impact to the next; its determinant is r^2.
+  /// Trace of the linearised map from one impact to the next; the determinant is r^2.
   [[nodiscard]] double trace() const {
     const double r = family.r;
     return 1.0 + r * r + 0.5 * (1.0 - r * r) * (std::cosh(family.h()) - 1.0) * (1.0 / x - 1.0 / family.x_fold());
   }
 };
 
-/// Between the fold and the loss of symmetry, at the given share of the way.
+/// The orbit at this share of the range between the fold and the loss of symmetry.
 Orbit stable(const Family& family, double share) {
   return {family, family.x_fold() * (1.0 - share) + family.x_symmetry() * share};
 }
@@ -100,13 +100,13 @@ std::vector<Orbit> stable_orbits() {
           stable({.r = 0.912, .omega = 10.0, .n = 3}, 0.25), stable({.r = 0.9, .omega = 10.0, .n = 5}, 0.4)};
 }
 
-/// A block of height `height` times its width that starts with `start` and meets impacts of ratio r. e is whatever gives
-/// delta = r: beyond what an experiment may ask for, here it only names delta.
+/// A block of height `height` times its width with the initial state `start` and impacts of ratio r. e is chosen such that
+/// delta = r; it may lie outside the range allowed in experiments.
 Condition slender(const Orbit& orbit, double height, const State& start, double phase) {
   Condition condition;
   Scene& scene = condition.scene;
   scene.block.height = height;
-  const double sine = dynamics::geometry_of(scene.block).sine;
+  const double sine = dynamics::geometry_of(mean_block(scene)).sine;
   scene.restitution = (1.0 - orbit.family.r) / (1.5 * sine * sine) - 1.0;
   support::harmonic(scene).amplitude = orbit.family.amplitude(orbit.x);
   support::harmonic(scene).frequency_ratio = orbit.family.omega;
@@ -115,12 +115,12 @@ Condition slender(const Orbit& orbit, double height, const State& start, double 
   return condition;
 }
 
-/// Largest departure of the full block from the orbit on which it starts, over 8 n periods: of its states at the strobe
-/// points, and of the times of impacts and the rates after them.
+/// Largest difference between the full block and the orbit on which it starts, over 8 n periods: states at the strobe
+/// points, times of impacts and the rates after them.
 double departure(const Orbit& orbit, double height, double start) {
   const Family& family = orbit.family;
   const Condition condition = slender(orbit, height, orbit.at(start), orbit.phase() + family.omega * start);
-  const Trajectory trajectory = trajectory_of(condition, 0, 0, 8 * family.n);
+  const Trajectory trajectory = trajectory_of_unchecked(condition, 0, 0, 8 * family.n);
   double largest = 0.0;
   for (const TrajectorySample& sample : trajectory.strobe) {
     if (start != 0.5 * family.h() && sample.period % family.n != 0) continue;  // may lie next to an impact
@@ -143,8 +143,8 @@ std::string name_of(const Orbit& orbit) {
          ", n = " + std::to_string(orbit.family.n);
 }
 
-// The full equations differ from the limit's by terms of relative size psi^2, psi^4, ..., and so does their orbit: the
-// departure over psi^2 is a number of order one, the same for all H/B but for a relative change of order psi^2.
+// The full equations differ from the limit by terms of relative size psi^2, psi^4, ..., and so does their orbit. The
+// difference over psi^2 is therefore of order one and independent of H/B, except for a relative change of order psi^2.
 TEST(SlenderOrbit, IsKeptByTheFullBlockUpToTheSquareOfTheShapeAngle) {
   for (const Orbit& orbit : stable_orbits()) {
     for (const double start : {0.5 * orbit.family.h(), orbit.peak()}) {
@@ -164,7 +164,7 @@ TEST(SlenderOrbit, IsKeptByTheFullBlockUpToTheSquareOfTheShapeAngle) {
   }
 }
 
-/// What a small change of phase (1, 0) or rate (0, 1) after an impact has become after so many impacts.
+/// Result of a small change of phase (1, 0) or rate (0, 1) after a number of impacts.
 struct Change {
   double phase;
   double rate;
@@ -172,7 +172,7 @@ struct Change {
   [[nodiscard]] double size() const { return std::hypot(phase, rate); }
 };
 
-/// The closed form: the linearised map from one impact to the next, in a frame that is turned over at each.
+/// The closed form: the linearised map from one impact to the next, in a frame that is mirrored at each impact.
 Change next_in_the_limit(const Orbit& orbit, const Change& change) {
   const Family& family = orbit.family;
   const double c = std::cosh(family.h());
@@ -186,7 +186,8 @@ Change next_in_the_limit(const Orbit& orbit, const Change& change) {
   return {change.phase + family.omega * delay, family.r * (pull * delay - rate)};
 }
 
-/// The full block's: central differences of two runs that start right after an impact, changed by `step` times `change`.
+/// The same for the full block: central differences of two runs that start just after an impact, changed by `step` times
+/// `change`.
 std::vector<Change> changes_of_the_block(const Orbit& orbit, double height, const Change& change, int impacts) {
   constexpr double step = 1e-6;
   std::array<std::vector<Change>, 2> found;
@@ -194,7 +195,7 @@ std::vector<Change> changes_of_the_block(const Orbit& orbit, double height, cons
     const double size = i == 0 ? step : -step;
     const double start = orbit.phase() + size * change.phase;
     const Condition condition = slender(orbit, height, {0.0, orbit.v() + size * change.rate}, start);
-    for (const TrajectoryEvent& event : trajectory_of(condition, 0, 0, (impacts + 1) * orbit.family.n).events) {
+    for (const TrajectoryEvent& event : trajectory_of_unchecked(condition, 0, 0, (impacts + 1) * orbit.family.n).events) {
       if (event.kind != dynamics::EventKind::impact_stick) continue;
       found[i].push_back({orbit.family.omega * event.tau + start, std::abs(event.tilt_rate)});
     }
@@ -222,8 +223,8 @@ double error_of_the_map(const Orbit& orbit, double height) {
   return largest;
 }
 
-// Over psi^2 the error is a constant, but for terms of order psi^2 (some ten times 4e-4) and the rounding of the
-// differences (1e-13/1e-6 of an error of 1e-4, 1e-3 of it).
+// Over psi^2 the error is constant, except for terms of order psi^2 (about ten times 4e-4) and the rounding of the
+// differences (1e-13/1e-6, which is 1e-3 of an error of 1e-4).
 TEST(SlenderOrbit, HasTheReturnMapOfTheClosedFormUpToTheSquareOfTheShapeAngle) {
   for (const Orbit& orbit : stable_orbits()) {
     const double coarse = error_of_the_map(orbit, 50.0) * 50.0 * 50.0;
@@ -243,14 +244,14 @@ TEST(SlenderOrbit, HasTheDeterminantAndTraceOfTheDerivation) {
   }
 }
 
-/// Factor by which a change grows or decays from one impact of the full block to the next, on the average from the 60th
-/// to the 90th, when all but the slower direction has died out (the other one's factor is r^2 over this one).
+/// Factor by which a change grows or decays from one impact of the full block to the next: the mean from the 60th to the
+/// 90th impact, when only the slower direction remains (the factor of the other one is r^2 over this one).
 double multiplier_of_the_block(const Orbit& orbit) {
   const std::vector<Change> changes = changes_of_the_block(orbit, 1e5, {0.3, 1.0}, 90);
   return std::pow(changes.at(89).size() / changes.at(59).size(), 1.0 / 30.0);
 }
 
-/// The member of the family whose larger eigenvalue is `multiplier`.
+/// The orbit of the family whose larger eigenvalue is `multiplier`.
 Orbit with_multiplier(const Family& family, double multiplier) {
   const double square = family.r * family.r;
   const double trace = multiplier + square / multiplier;
@@ -258,10 +259,11 @@ Orbit with_multiplier(const Family& family, double multiplier) {
   return {family, 1.0 / (excess + 1.0 / family.x_fold())};
 }
 
-// To both sides of each end of the stable range, where the closed form's eigenvalue is 0.98 or 1.02: on the two branches
-// that meet in the fold, where it passes 1, and next to the loss of symmetry, where it passes -1. At H/B = 1e5 the block's
-// map is off by psi^2 = 1e-10 times some tens. Next to the fold, 1e-4 of x away, its orbit is off by 1e-10/1e-4, which
-// grows by 1.02 an impact and shifts the eigenvalue's distance from 1 by some 1e-2 of it; asked for is a twentieth of it.
+// On both sides of each end of the stable range, where the eigenvalue of the closed form is 0.98 or 1.02 in magnitude: on
+// the two branches that meet in the fold, where it passes 1, and near the loss of symmetry, where it passes -1. At H/B =
+// 1e5 the map of the block differs by psi^2 = 1e-10 times some tens. Near the fold, at a distance of 1e-4 in x, its orbit
+// differs by 1e-10/1e-4. This grows by 1.02 per impact and changes the eigenvalue's distance from 1 by about 1e-2 of it.
+// The test allows a twentieth.
 TEST(SlenderOrbit, GainsAndLosesStabilityAtTheClosedFormsEnds) {
   for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 4.0, .n = 1},
                                Family{.r = 0.7, .omega = 5.0, .n = 3}, Family{.r = 0.7, .omega = 10.0, .n = 3},
@@ -275,7 +277,7 @@ TEST(SlenderOrbit, GainsAndLosesStabilityAtTheClosedFormsEnds) {
   }
 }
 
-/// Whether no impact comes in between: Theta > 0 all through a half cycle.
+/// Whether there is no impact in between: Theta > 0 throughout a half cycle.
 bool stays_on_its_side(const Orbit& orbit) {
   for (int i = 1; i < 200; ++i) {
     if (orbit.at(orbit.family.h() * i / 200.0).tilt <= 0.0) return false;
@@ -283,17 +285,18 @@ bool stays_on_its_side(const Orbit& orbit) {
   return orbit.x > 0.0 && orbit.v() > 0.0;
 }
 
-/// What the response of a block is called that starts on an orbit.
-section::Verdict verdict_on(const Orbit& orbit) {
+/// Classification of the response of a block that starts on an orbit.
+section::Classification classification_on(const Orbit& orbit) {
   const State start = orbit.at(0.5 * orbit.family.h());
   const double phase = orbit.phase() + 0.5 * orbit.family.omega * orbit.family.h();
-  return realise(slender(orbit, 1e4, start, phase), 0, 0).verdict;
+  return realise_unchecked(slender(orbit, 1e4, start, phase), 0, 0).classification;
 }
 
-// A truth set without noise: (1,n) wherever the closed form has a stable orbit, all over its range. The start is off the
-// block's own orbit by some psi^2 = 1e-8, far inside the basin, which is as small as 1 % for long flights. Next to
-// the fold (eigenvalue 0.99) basin and tolerance of the name shrink together: there it may be unresolved, but not wrong.
-TEST(SlenderOrbit, IsNamedByItsPeriodAllOverItsStableRange) {
+// A truth set without noise: (1,n) wherever the closed form has a stable orbit, over its whole range. The start differs
+// from the orbit of the block by about psi^2 = 1e-8, far inside the basin, which for long flights is as small as 1 %. Near
+// the fold (eigenvalue 0.99) the basin and the tolerance of the classification shrink together; there the response may be
+// unresolved, but not wrong.
+TEST(SlenderOrbit, IsClassifiedByItsPeriodAllOverItsStableRange) {
   int inside = 0;
   int near_an_end = 0;
   int open_near_an_end = 0;
@@ -304,16 +307,16 @@ TEST(SlenderOrbit, IsNamedByItsPeriodAllOverItsStableRange) {
           const Family family{.r = r, .omega = omega, .n = n};
           const Orbit orbit = with_multiplier(family, multiplier);
           if (std::abs(multiplier) < r * r || !stays_on_its_side(orbit)) continue;
-          const section::Verdict verdict = verdict_on(orbit);
+          const section::Classification classification = classification_on(orbit);
           const std::string where = name_of(orbit) + ", multiplier " + std::to_string(multiplier) + ": " +
-                                    to_string(verdict.mode) + ' ' +
-                                    (verdict.reason ? std::string(to_string(*verdict.reason)) : "");
-          const bool right = verdict.mode == section::periodic(1, n);
+                                    to_string(classification.mode) + ' ' +
+                                    (classification.reason ? std::string(to_string(*classification.reason)) : "");
+          const bool right = classification.mode == section::periodic(1, n);
           if (std::abs(multiplier) < 0.95) {
             EXPECT_TRUE(right) << where;
             ++inside;
           } else {
-            EXPECT_TRUE(right || verdict.mode.kind == section::ResponseKind::unresolved) << where;
+            EXPECT_TRUE(right || classification.mode.kind == section::ResponseKind::unresolved) << where;
             ++near_an_end;
             open_near_an_end += right ? 0 : 1;
           }
@@ -327,13 +330,13 @@ TEST(SlenderOrbit, IsNamedByItsPeriodAllOverItsStableRange) {
 }
 
 /// Largest difference between h and the time from one impact to the next, over the last 20 of 400 periods; h if the block
-/// does not rock any more.
+/// no longer rocks.
 double irregularity(const Family& family, double amplitude) {
   const Orbit fold{family, family.x_fold()};
   Condition condition =
       slender(fold, 1000.0, fold.at(0.5 * family.h()), fold.phase() + 0.5 * family.omega * family.h());
   support::harmonic(condition.scene).amplitude = amplitude;
-  const Trajectory trajectory = trajectory_of(condition, 0, 0, 400 * family.n);
+  const Trajectory trajectory = trajectory_of_unchecked(condition, 0, 0, 400 * family.n);
   const double late = 380.0 * 2.0 * family.h();
   double last = late;
   double largest = 0.0;
@@ -345,7 +348,8 @@ double irregularity(const Family& family, double amplitude) {
   return last > late ? largest : family.h();
 }
 
-// Above the fold the block settles on the orbit, to what psi^2 leaves; below there is none, and the block goes elsewhere.
+// Above the fold the block settles on the orbit, to order psi^2. Below it there is no such orbit and the block moves
+// otherwise.
 TEST(SlenderOrbit, ExistsFromTheFoldOn) {
   for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 10.0, .n = 1},
                                Family{.r = 0.7, .omega = 10.0, .n = 3}, Family{.r = 0.9, .omega = 10.0, .n = 5}}) {
@@ -356,4 +360,4 @@ TEST(SlenderOrbit, ExistsFromTheFoldOn) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -21,7 +21,7 @@ class ArkodeFlow final : public peer::Flow {
   struct Solver;
   peer::FlowAccuracy accuracy_;
   std::unique_ptr<Solver> solver_;
-  double last_step_;  ///< the solver's choice: where the next stretch starts from
+  double last_step_;  ///< chosen by the solver: the next stretch starts with it
 };
 
 }  // namespace rocking::benchmarks

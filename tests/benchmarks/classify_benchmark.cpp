@@ -1,5 +1,6 @@
-// What a name costs, beside the motion that it is given to: for each scene the integration of a realisation to its horizon,
-// and the classification of its strobe points. The exponent, where it is needed, is counted as companion periods of the run.
+// Cost of a classification, compared with that of the motion: for each scene the integration of a realisation to its
+// horizon, and the classification of its strobe points. If the exponent is needed, its periods are counted as periods of
+// the perturbed pair.
 
 #include <optional>
 #include <string>
@@ -15,15 +16,15 @@ using namespace rocking;
 struct Case {
   const char* name;
   double amplitude;
-  double sigma;  ///< of friction 0.40/0.35; negative: no sliding, and this of the restitution
+  double sigma;  ///< of friction 0.40/0.35; negative: no sliding, and the absolute value is that of the restitution
 };
 
-experiment::Condition condition_of(const Case& c) {
-  experiment::Condition condition;
-  condition.scene.excitation = experiment::Harmonic{.amplitude = c.amplitude, .frequency_ratio = 10.0, .phase = 0.0};
+Condition condition_of(const Case& c) {
+  Condition condition;
+  condition.scene.excitation = Harmonic{.amplitude = c.amplitude, .frequency_ratio = 10.0, .phase = 0.0};
   condition.tolerance = 1e-10;
   if (c.sigma > 0.0) {
-    condition.scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+    condition.scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
     condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = c.sigma;
   } else {
     condition.scene.fluctuation.restitution = -c.sigma;
@@ -35,7 +36,7 @@ constexpr int transient = 500;
 constexpr int sampled = 120;
 
 void integrate_it(benchmark::State& state, const Case& c) {
-  const experiment::Condition condition = condition_of(c);
+  const Condition condition = condition_of(c);
   std::uint64_t realisation = 0;
   for (auto _ : state) {
     evidence::LongRun run(condition, random::Draws(1, realisation++), transient + sampled);
@@ -44,10 +45,10 @@ void integrate_it(benchmark::State& state, const Case& c) {
 }
 
 void classify_it(benchmark::State& state, const Case& c) {
-  const experiment::Condition condition = condition_of(c);
+  const Condition condition = condition_of(c);
   const evidence::LongRun run(condition, random::Draws(1, 0), transient + sampled);
   const section::ClassifierInput input{.periods = std::span(run.periods()).subspan(transient),
-                                       .random = experiment::is_random(condition.scene),
+                                       .random = is_random(condition.scene),
                                        .resolution = 1e-7};
   for (auto _ : state) {
     benchmark::DoNotOptimize(section::classify(input, [] { return section::ExponentEstimate{-0.2, 0.01}; }));

@@ -1,5 +1,6 @@
-// What each effect costs, in time and in counted work, and how the time grows with threads, periods and realisations.
-// A block of H/B = 4 at Omega_h = 10, tolerance 1e-11, 620 periods, through the whole pipeline of a run (a store in memory).
+// Cost of each effect, in time and in counts of work, and growth of the time with threads, periods and realisations. A
+// block of H/B = 4 at Omega_h = 10, tolerance 1e-11, 620 periods, through the whole pipeline of a run (with a store in
+// memory).
 
 #include <algorithm>
 #include <chrono>
@@ -15,12 +16,12 @@
 
 #include <sys/resource.h>
 
-#include "rocking/experiment/run.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "support/excitation.hpp"
 
 namespace {
 
-using namespace rocking::experiment;
+using namespace rocking;
 
 double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
 double wall_seconds() {
@@ -30,7 +31,7 @@ double wall_seconds() {
 Condition no_sliding() {
   Condition condition;
   condition.tolerance = 1e-11;
-  condition.repeat_every = 0;
+  condition.rerun_every = 0;
   rocking::support::harmonic(condition.scene).amplitude = 4.5;
   rocking::support::harmonic(condition.scene).frequency_ratio = 10.0;
   condition.scene.initial.tilt = Uniform{.low = 0.05, .high = 0.35};
@@ -46,10 +47,10 @@ Condition sliding(double static_coefficient, double amplitude) {
   return condition;
 }
 
-/// The harmonic motion of no_sliding as a record: two hundred samples a period.
+/// The harmonic motion of no_sliding as a ground motion: two hundred samples per period.
 Condition recorded(bool has_vertical) {
   Condition condition = no_sliding();
-  const auto geometry = rocking::dynamics::geometry_of(condition.scene.block);
+  const auto geometry = rocking::dynamics::geometry_of(mean_block(condition.scene));
   const double frequency = 10.0 * geometry.frequency_parameter;
   GroundMotion motion{.samples = {}, .has_vertical = has_vertical};
   for (int i = 0; i <= 620 * 200; ++i) {
@@ -111,20 +112,20 @@ void print_effects() {
               "segments");
   for (const auto& [name, condition] : scenes()) {
     double least = 1e300;
-    Effort effort;
+    OperationCounts operations;
     for (int repetition = 0; repetition < 3; ++repetition) {
       const Measured measured = measure(condition, 1);
       least = std::min(least, measured.processor);
-      effort = measured.result.conditions[0].effort;
+      operations = measured.result.conditions[0].operations;
     }
     const double periods = periods_of(condition);
     const auto share = [periods](std::uint64_t count) { return static_cast<double>(count) / periods; };
-    const auto events = std::accumulate(effort.events.begin(), effort.events.end(), std::uint64_t{0});
-    const auto draws = effort.static_friction_draws + effort.kinetic_friction_draws + effort.restitution_draws +
-                       effort.amplitude_draws;
+    const auto events = std::accumulate(operations.events.begin(), operations.events.end(), std::uint64_t{0});
+    const auto draws = operations.static_friction_draws + operations.kinetic_friction_draws + operations.restitution_draws +
+                       operations.amplitude_draws;
     std::printf("%-26s %9.3f %7.2f %7.2f %7.2f %7.2f %7.2f %9.1f\n", name.c_str(), 1e6 * least / periods,
-                share(effort.steps), share(effort.slip_steps), share(effort.root_isolations), share(events),
-                share(draws), share(effort.record_segments));
+                share(operations.steps), share(operations.slip_steps), share(operations.root_isolations), share(events),
+                share(draws), share(operations.ground_motion_segments));
   }
 }
 
@@ -135,7 +136,7 @@ void print_scaling() {
   double one = 1e300;
   double two = 1e300;
   for (int repetition = 0; repetition < 5;
-       ++repetition) {  // in turns: the machine may change from one minute to the next
+       ++repetition) {  // alternating, because the speed of the machine may change from one minute to the next
     one = std::min(one, measure(many, 1).wall);
     two = std::min(two, measure(many, 2).wall);
   }

@@ -13,8 +13,8 @@
 #include "benchmarks/arkode_flow.hpp"
 #include "benchmarks/odeint_flow.hpp"
 #include "differential/peer/block.hpp"
-#include "rocking/experiment/realisation.hpp"
-#include "rocking/lanes/crew.hpp"
+#include "rocking/lanes/lane_scheduler.hpp"
+#include "rocking/realisation/start.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking::benchmarks {
@@ -45,7 +45,7 @@ peer::FlowAccuracy accuracy_of(const Question& question, double tolerance) {
   return {.relative = tolerance, .absolute = tolerance, .longest_step = period / 16.0};
 }
 
-/// The distance of end states; infinite where one of the two did not come as far as the horizon.
+/// Distance of end states; infinite if one of the two did not reach the horizon.
 double distance(const EndState& a, const EndState& b) {
   if (!a.reached || !b.reached) return HUGE_VAL;
   return std::max(
@@ -62,11 +62,11 @@ Calibration errors_at(const Case& c, const Follow& follow, double tolerance) {
   return {tolerance, errors[starts / 2], errors.back()};
 }
 
-/// A realisation in a crew.
+/// A realisation in the lane scheduler.
 class LaneRun {
  public:
   explicit LaneRun(const Question& question)
-      : motion_(experiment::motion_of(question.condition.scene, beginning_of(question), observer_)) {}
+      : motion_(motion_of(question.condition.scene, beginning_of(question), observer_)) {}
   LaneRun(const LaneRun&) = delete;
   LaneRun& operator=(const LaneRun&) = delete;
 
@@ -76,15 +76,15 @@ class LaneRun {
   [[nodiscard]] bool reached_horizon() const { return motion_.termination() == dynamics::Termination::reached_horizon; }
 
  private:
-  static experiment::Beginning beginning_of(const Question& question) {
-    const experiment::Condition& condition = question.condition;
+  static Beginning beginning_of(const Question& question) {
+    const Condition& condition = question.condition;
     const random::Draws draws(question.seed, question.realisation);
-    return experiment::begin_realisation(condition, draws, experiment::start_of(condition.scene, draws),
-                                         experiment::Strobe::poincare, question.periods);
+    return begin_realisation(condition, draws, start_of(condition.scene, draws),
+                                         Strobe::poincare, question.periods);
   }
 
   LastStrobe observer_;
-  experiment::Motion motion_;
+  Motion motion_;
   integrate::LoopCounts counts_;
 };
 
@@ -93,24 +93,24 @@ class LaneRun {
 Question question_of(const Case& c, int start) {
   Question question{
       .condition = {}, .seed = 0x2012, .realisation = static_cast<std::uint64_t>(start), .periods = periods};
-  experiment::Scene& scene = question.condition.scene;
+  Scene& scene = question.condition.scene;
   support::harmonic(scene).amplitude = c.amplitude;
   support::harmonic(scene).frequency_ratio = 10.0;
-  if (c.slides) scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+  if (c.slides) scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
   scene.fluctuation.static_friction = scene.fluctuation.kinetic_friction = c.sigma;
   scene.initial.tilt = 0.05 + 0.02 * start;
   return question;
 }
 
 EndState follow_by_ours(const Question& question, double tolerance) {
-  experiment::Condition condition = question.condition;
+  Condition condition = question.condition;
   condition.tolerance = tolerance;
   const random::Draws draws(question.seed, question.realisation);
   LastStrobe observer;
-  const experiment::Start start = experiment::start_of(condition.scene, draws);
+  const Start start = start_of(condition.scene, draws);
   const auto beginning =
-      experiment::begin_realisation(condition, draws, start, experiment::Strobe::poincare, question.periods);
-  experiment::Motion motion = experiment::motion_of(condition.scene, beginning, observer);
+      begin_realisation(condition, draws, start, Strobe::poincare, question.periods);
+  Motion motion = motion_of(condition.scene, beginning, observer);
   integrate::advance(motion);
   const double psi = beginning.setting.block.shape_angle;
   const dynamics::State& last = observer.last();
@@ -121,15 +121,15 @@ EndState follow_by_ours(const Question& question, double tolerance) {
 class SideBySide::Implementation {
  public:
   Implementation(const Case& c, double tolerance, const lanes::Kernels& kernels)
-      : case_(c), tolerance_(tolerance), crew_(kernels), runs_(crew_.wanted_size()) {
+      : case_(c), tolerance_(tolerance), scheduler_(kernels), runs_(scheduler_.wanted_size()) {
     for (auto& run : runs_) begin(run);
   }
 
   int finish(int count) {
     int reached = 0;
     for (int finished = 0; finished < count;) {
-      crew_.step();
-      while (const LaneRun* ended = crew_.take_finished()) {
+      scheduler_.step();
+      while (const LaneRun* ended = scheduler_.take_finished()) {
         reached += ended->reached_horizon() ? 1 : 0;
         ++finished;
         begin(*std::ranges::find_if(runs_, [ended](const auto& run) { return &*run == ended; }));
@@ -143,12 +143,12 @@ class SideBySide::Implementation {
     Question question = question_of(case_, begun_ % starts);
     question.realisation = static_cast<std::uint64_t>(begun_++);
     question.condition.tolerance = tolerance_;
-    crew_.add(run.emplace(question));
+    scheduler_.add(run.emplace(question));
   }
 
   Case case_;
   double tolerance_;
-  lanes::Crew<LaneRun> crew_;
+  lanes::LaneScheduler<LaneRun> scheduler_;
   std::vector<std::optional<LaneRun>> runs_;
   int begun_ = 0;
 };
@@ -163,7 +163,7 @@ EndState follow_by_odeint(const Question& question, double tolerance) {
   return end_of(peer::story_of(differential::peer_scene(question), question.periods, flow));
 }
 
-/// ARKODE gives up where rounding keeps it from a tolerance: such a run did not reach its end.
+/// ARKODE fails if rounding prevents it from meeting a tolerance: such a run has not reached its end.
 EndState follow_by_arkode(const Question& question, double tolerance) {
   ArkodeFlow flow(accuracy_of(question, tolerance));
   try {
@@ -177,7 +177,7 @@ Calibration calibrate(const Case& c, const Follow& follow, double wanted) {
   constexpr int first = 28;
   constexpr int last = 58;
   Calibration best{.tolerance = 0.0, .median = HUGE_VAL, .largest = HUGE_VAL};
-  for (int rung = first; rung <= last && best.median > wanted; ++rung) {  // four a decade, from 1e-7
+  for (int rung = first; rung <= last && best.median > wanted; ++rung) {  // four tolerances a decade, from 1e-7
     const Calibration found = errors_at(c, follow, std::pow(10.0, -0.25 * rung));
     if (found.median < best.median) best = found;
   }

@@ -1,8 +1,8 @@
-// What a period of motion costs at a given end-state error, on one thread: ours, alone and side by side in lanes (the same
-// bits), beside Boost.odeint and SUNDIALS' ARKODE, which follow the mechanics of tests/differential/peer. Every integrator
-// takes the coarsest tolerance of a ladder at which the median error of its end states, against ours at 1e-15, is at most
-// `wanted_error`. The pipeline is what a run does with realisations of the usual 620 periods: motion in lanes, name, digest,
-// row of the store. The last lines give times, errors and ratios.
+// Cost of a period of motion at a given error of the end state, on one thread. Our integrator, alone and in lanes (the same
+// bits), is compared with Boost.odeint and with ARKODE of SUNDIALS, which integrate the mechanics of
+// tests/differential/peer. Every integrator uses the coarsest tolerance of a sequence at which the median error of its end
+// states, compared with ours at 1e-15, is at most `wanted_error`. The pipeline is the work of a run for realisations of 620
+// periods: motion in lanes, classification, digest, row of the store. The last lines give times, errors and ratios.
 
 #include <algorithm>
 #include <array>
@@ -15,9 +15,9 @@
 #include <benchmark/benchmark.h>
 
 #include "benchmarks/follow.hpp"
-#include "rocking/experiment/realisation_crew.hpp"
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/store.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/realisation_scheduler.hpp"
+#include "rocking/store/store.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace {
@@ -51,21 +51,21 @@ void follow_in_lanes(benchmark::State& state, const Case& c, const Calibration& 
 void run_pipeline(benchmark::State& state, const Case& c, const Calibration& calibration) {
   constexpr std::size_t at_a_time = 128;
   const support::TemporaryFolder folder;
-  auto store = experiment::Store::create(folder / "benchmark.sqlite", {});
-  std::vector<experiment::Condition> conditions;
+  auto store = Store::create(folder / "benchmark.sqlite", {});
+  std::vector<Condition> conditions;
   for (int start = 0; start < starts; ++start) {
     conditions.push_back(question_of(c, start).condition);
     conditions.back().tolerance = calibration.tolerance;
   }
-  experiment::RealisationCrew crew(0x2012, lanes::available_kernels().back());
-  std::size_t ticket = 0;
+  RealisationScheduler scheduler(0x2012, lanes::available_kernels().back());
+  std::size_t id = 0;
   std::int64_t done = 0;
-  for (auto _ : state) {  // the crew stays full from one to the next
+  for (auto _ : state) {  // the scheduler stays full from one iteration to the next
     for (std::size_t finished = 0; finished < at_a_time;) {
-      for (; crew.wants_more(); ++ticket) crew.start({&conditions[ticket % starts], ticket}, ticket);
-      for (const auto& [number, record] : crew.work()) {
-        store.add({.condition = 0, .realisation = number}, experiment::summarise(record, number));
-        done += static_cast<std::int64_t>(record.strobe.size());
+      for (; scheduler.wants_more(); ++id) scheduler.start({&conditions[id % starts], id}, id);
+      for (const auto& [number, result] : scheduler.work()) {
+        store.add({.condition = 0, .realisation = number}, summarise(result, number));
+        done += static_cast<std::int64_t>(result.strobe.size());
         ++finished;
       }
     }
@@ -74,7 +74,7 @@ void run_pipeline(benchmark::State& state, const Case& c, const Calibration& cal
   state.SetItemsProcessed(done);
 }
 
-/// The usual table; beside it, the least time a period of each benchmark is kept.
+/// Prints the usual table and keeps the shortest time per period of each benchmark.
 class Table : public benchmark::ConsoleReporter {
  public:
   void expect(const std::string& scene, const std::string& integrator, const Calibration& calibration) {
@@ -108,7 +108,7 @@ class Table : public benchmark::ConsoleReporter {
   struct Row {
     std::string peer;
     Calibration calibration{};
-    double microseconds = 0.0;  ///< 0: was not run
+    double microseconds = 0.0;  ///< 0: not run
   };
   std::vector<std::string> order_;
   std::map<std::string, Row> rows_;

@@ -1,5 +1,5 @@
-// What a normal number costs: ours, several at a time and one at a time, beside those of Boost.Random and of the standard
-// library, each on the engine that it is most often given. Each benchmark fills an array; the last lines are ratios.
+// Cost of a normal number: ours, several at a time and one at a time, compared with those of Boost.Random and of the
+// standard library, each with its most common engine. Each benchmark fills an array; the last lines are ratios.
 
 #include <algorithm>
 #include <cstdint>
@@ -23,8 +23,8 @@ namespace {
 using namespace rocking::random;
 
 constexpr std::size_t many = 10000;
-constexpr std::size_t one_period = 200;  // draws of kinetic friction in a period of the excitation
-constexpr std::size_t at_once = 16;      // of them, what a realisation asks for
+constexpr std::size_t one_period = 200;  // draws of kinetic friction per excitation period
+constexpr std::size_t at_once = 16;      // number that a realisation requests at once
 const std::string ours = "rocking, array";
 const Draws draws(0x2012, 0);
 
@@ -89,7 +89,7 @@ void register_all() {
   benchmark::RegisterBenchmark("std, std mt19937_64", by_distribution<Standard, std::mt19937_64>, std::mt19937_64(1));
 }
 
-/// The usual table; beside it, the least time a number of each benchmark is kept.
+/// Prints the usual table and keeps the shortest time per number of each benchmark.
 class Ratios : public benchmark::ConsoleReporter {
  public:
   void ReportRuns(const std::vector<Run>& runs) override {

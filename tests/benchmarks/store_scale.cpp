@@ -1,4 +1,4 @@
-// What a store of many realisations costs: time, room, memory. The numbers of lib/docs/scale.md.
+// Cost of a store of many realisations: time, disk space, memory. The numbers of lib/docs/scale.md.
 // Usage: store_scale ROWS FOLDER
 
 #include <chrono>
@@ -8,31 +8,31 @@
 #include <iostream>
 #include <string>
 
-#include "rocking/experiment/merge.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/summary_bytes.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/ensemble/summary_bytes.hpp"
+#include "rocking/store/merge.hpp"
 
 namespace {
 
-using namespace rocking::experiment;
+using namespace rocking;
 
 const Identity identity{.experiment = "{}", .code = "", .files = "", .shard = {}};
 
-/// A row as a headline realisation leaves it: 620 periods of sliding and rocking.
+/// A row of a typical realisation of the headline experiment: 620 periods of sliding and rocking.
 Summary typical(std::uint64_t number) {
   Summary summary;
   summary.mode = rocking::section::periodic(1, 1);
   summary.margin = std::sqrt(static_cast<double>(number + 2));
   summary.held = 1.0;
   summary.digest = rocking::base::sha256(std::to_string(number));
-  if (number % 2 == 0) summary.parted_from_next = static_cast<std::int64_t>(number % 600);
-  if (number % 10 == 0) summary.repeat_mode = summary.mode;
-  summary.effort.steps = 30000 + number % 5000;
-  summary.effort.slip_steps = 20000 + number % 4000;
-  summary.effort.root_isolations = 3000 + number % 500;
-  summary.effort.kinetic_friction_draws = 25000 + number % 4000;
-  summary.effort.static_friction_draws = 600 + number % 300;
-  for (std::uint64_t& events : summary.effort.events) events = 100 + number % 700;
+  if (number % 2 == 0) summary.diverged_from_next = static_cast<std::int64_t>(number % 600);
+  if (number % 10 == 0) summary.rerun_mode = summary.mode;
+  summary.operations.steps = 30000 + number % 5000;
+  summary.operations.slip_steps = 20000 + number % 4000;
+  summary.operations.root_isolations = 3000 + number % 500;
+  summary.operations.kinetic_friction_draws = 25000 + number % 4000;
+  summary.operations.static_friction_draws = 600 + number % 300;
+  for (std::uint64_t& events : summary.operations.events) events = 100 + number % 700;
   return summary;
 }
 
@@ -44,7 +44,7 @@ Experiment experiment_of(std::uint64_t rows) {
   return question;
 }
 
-/// Most memory that this process ever held.
+/// Largest memory use of this process so far.
 std::string peak_memory() {
   std::ifstream facts("/proc/self/status");
   for (std::string line; std::getline(facts, line);) {

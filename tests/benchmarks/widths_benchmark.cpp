@@ -1,4 +1,4 @@
-// What a period of motion costs in the lanes of each instruction set that the machine has, on one thread. The bits are the same.
+// Cost of a period of motion in the lanes of each instruction set of the machine, on one thread. The bits are the same.
 
 #include <cstdint>
 #include <string>

@@ -1,4 +1,4 @@
-// report.html in Chromium: opened from disk, as a reader opens it.
+// report.html in Chromium, opened from disk.
 
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
@@ -17,7 +17,7 @@ before(async () => {
 });
 after(async () => browser?.close());
 
-/// Opens the page and gathers what it says and asks for.
+/// Opens the page and collects its texts, its messages and its requests.
 async function open(options = {}) {
   const context = await browser.newContext({ viewport: desktop, ...options });
   const page = await context.newPage();
@@ -31,8 +31,8 @@ async function open(options = {}) {
   return { page, heard, close: () => context.close() };
 }
 
-/// Share of a picture's pixels that are neither white nor as pale as a grid, and the number of its colours. Of a chart what
-/// lies within its axes.
+/// Share of the pixels of a picture that are neither white nor as pale as a grid, and the number of its colours. Of a chart,
+/// only the area within its axes.
 async function ink(png, part) {
   const page = await browser.newPage();
   const found = await page.evaluate(async ({ source, part }) => {
@@ -62,7 +62,7 @@ async function assertDrawn(locator, what, part = whole) {
   assert.ok(share > 0.005 && colours > 8, `${what}: ${share} of it is drawn on, in ${colours} colours`);
 }
 
-/// Texts of a column of a table, from the top.
+/// Texts of a column of a table, from top to bottom.
 const column = (table, place) =>
   table.locator('tbody tr').evaluateAll((rows, at) => rows.map((row) => row.cells[at].textContent.trim()), place);
 

@@ -1,4 +1,5 @@
-// experiments/beyond_the_paper and reports/beyond_the_paper: the files are good, and the report is what its script makes.
+// experiments/beyond_the_paper and reports/beyond_the_paper: the files are valid, and the report is the output of its
+// script.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +22,7 @@ class BeyondThePaper : public rocking::support::ProgramTest {
     return content.str();
   }
 
-  /// Experiment files, seen from their folder.
+  /// Experiment files, relative to their folder.
   static std::vector<fs::path> files() {
     std::vector<fs::path> found;
     for (const auto& entry : fs::recursive_directory_iterator(experiments)) {
@@ -41,8 +42,8 @@ TEST_F(BeyondThePaper, AsksQuestionsThatAreValidAndPublishesTheAnswersToThem) {
     const auto validated = rocking("validate '" + (experiments / file).string() + "' --json");
     EXPECT_EQ(validated.exit_code, 0) << file << validated.errors;
     fs::path report = published_reports / file;
-    const auto published = rocking::report::Json::parse(text_of(report.replace_extension() / "report.json"));
-    EXPECT_EQ(published["input"]["sha256"], rocking::report::Json::parse(validated.output)["sha256"]) << file;
+    const auto published = rocking::Json::parse(text_of(report.replace_extension() / "report.json"));
+    EXPECT_EQ(published["input"]["sha256"], rocking::Json::parse(validated.output)["sha256"]) << file;
   }
 }
 

@@ -1,4 +1,4 @@
-// `rocking bifurcation`: what coexists along a sweep.
+// `rocking bifurcation`: responses that coexist along a sweep.
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
@@ -18,7 +18,7 @@ class Bifurcation : public rocking::support::ProgramTest {
  protected:
   Bifurcation() { write("quick.json", quick_experiment().dump()); }
 
-  /// Exit code, and that nothing was made.
+  /// Returns the exit code; tests that no file was written.
   int refused(const std::string& arguments) const {
     const auto outcome = rocking("bifurcation " + arguments + " -o refused");
     EXPECT_NE(outcome.errors, "");

@@ -1,4 +1,4 @@
-// experiments/cluster/submit with an sbatch that only writes down what it is asked.
+// experiments/cluster/submit with an sbatch that only writes down its arguments.
 
 #include <string>
 
@@ -18,7 +18,7 @@ class ClusterSubmit : public rocking::support::ProgramTest {
     write("sbatch", "#!/bin/sh\necho \"$*\" >>asked\necho 17\n");
   }
 
-  /// What becomes of these arguments, with these variables in the environment.
+  /// Runs it with these arguments and these environment variables.
   Outcome submit(const std::string& arguments, const std::string& variables = "") const {
     return shell("chmod +x sbatch; PATH=$PWD:$PATH ROCKING='" ROCKING_PROGRAM "' " + variables +
                  " '" ROCKING_SOURCE_DIR "/experiments/cluster/submit' " + arguments);

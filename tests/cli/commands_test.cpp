@@ -1,4 +1,4 @@
-// What each command prints.
+// Output of each command.
 
 #include <algorithm>
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::example_experiment;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
@@ -51,8 +51,8 @@ TEST_F(Command, RunPrintsTheTableAndWhereTheReportIs) {
                                     HasSubstr("report: out/report.json")));
 }
 
-// Realisation 1 of this condition of the headline experiment locks onto (1,3) in the third eighth of its sampled periods.
-TEST_F(Command, RunSaysHowManySettledLateAndOnHowLittleTheirNamesRest) {
+// Realisation 1 of this condition of the headline experiment settles on (1,3) in the third eighth of its sampled periods.
+TEST_F(Command, RunSaysHowManySettledLateAndTheLeastHeldShare) {
   Json experiment = without(example_experiment(), "sweep");
   experiment["realisations"] = 2;
   experiment["excitation"]["amplitude"] = 5.5;
@@ -112,7 +112,7 @@ TEST_F(Command, DryRunOfADeterministicExperimentCountsOneRealisation) {
               AllOf(HasSubstr("3 realisations"), HasSubstr("nothing is random")));
 }
 
-TEST_F(Command, DryRunOfARecordNamesItAndCountsThePeriodsOfTheStrobe) {
+TEST_F(Command, DryRunOfAGroundMotionNamesItAndCountsThePeriodsOfTheStrobe) {
   write("record.json", recorded_experiment().dump());
   write("pulse.txt", recorded_pulse());
   const std::string horizontal = rocking("run record.json --dry-run").output;
@@ -122,7 +122,7 @@ TEST_F(Command, DryRunOfARecordNamesItAndCountsThePeriodsOfTheStrobe) {
   EXPECT_THAT(rocking("run record.json --dry-run").output, HasSubstr("recorded vertical motion of the base"));
 }
 
-TEST_F(Command, RunFollowsARecordFromTheFolderOfItsExperiment) {
+TEST_F(Command, RunFindsAGroundMotionFromTheFolderOfItsExperiment) {
   ASSERT_EQ(shell("mkdir there").exit_code, 0);
   write("there/record.json", recorded_experiment().dump());
   write("there/pulse.txt", recorded_pulse());

@@ -1,4 +1,4 @@
-// `rocking compare`: what a setting changes.
+// `rocking compare`: the effect of a setting.
 
 #include <cmath>
 
@@ -9,7 +9,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
@@ -68,7 +68,7 @@ TEST_F(Compare, HasTheConfidenceOfEachCondition) {
   EXPECT_TRUE(json["confidence"].is_null());
   EXPECT_EQ(json["conditions"][0]["confidence"], 0.8);
   EXPECT_EQ(json["conditions"][1]["confidence"], 0.999);
-  // The two conditions are equal but for the confidence: none of 4 realisations differs.
+  // The two conditions differ in the confidence only: none of 4 realisations differs.
   const auto upper_end = [&](int i) { return json["conditions"][i]["changed"]["interval"][1].get<double>(); };
   EXPECT_NEAR(upper_end(0), 1.0 - std::pow(0.1, 0.25), 1e-12);
   EXPECT_NEAR(upper_end(1), 1.0 - std::pow(0.0005, 0.25), 1e-12);

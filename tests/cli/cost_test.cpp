@@ -1,4 +1,4 @@
-// `rocking cost`: what accuracy costs in an experiment.
+// `rocking cost`: the cost of accuracy in an experiment.
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::objections;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;

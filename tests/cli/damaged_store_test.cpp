@@ -1,4 +1,4 @@
-// Stores that were damaged or edited: each command gives the right bytes or refuses by exit code 65, and no report is wrong.
+// Damaged or edited stores: each command gives the right bytes or refuses with exit code 65, and no report is wrong.
 
 #include <algorithm>
 #include <string>
@@ -7,11 +7,11 @@
 #include <sys/stat.h>
 
 #include "cli/program.hpp"
-#include "rocking/experiment/sqlite.hpp"
+#include "rocking/store/sqlite.hpp"
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::Outcome;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
@@ -31,7 +31,7 @@ class DamagedRun : public rocking::support::ProgramTest {
     EXPECT_EQ(plainly("run question.json -q -o whole").exit_code, 0);
   }
 
-  /// Runs `rocking` where gnuplot is not found: the figures take most of the time otherwise.
+  /// Runs `rocking` without gnuplot, since drawing would take most of the time.
   Outcome plainly(const std::string& arguments) const {
     return shell("PATH=$PWD/nothing exec '" ROCKING_PROGRAM "' " + arguments);
   }
@@ -44,7 +44,7 @@ class DamagedRun : public rocking::support::ProgramTest {
 
   std::string pages() const { return read("whole/realisations.sqlite"); }
 
-  /// A finished run with these bytes for its store.
+  /// Writes a finished run with these bytes as its store.
   void put_run(const std::string& store) const {
     std::filesystem::remove_all(folder_ / "out");
     std::filesystem::create_directory(folder_ / "out");
@@ -52,7 +52,7 @@ class DamagedRun : public rocking::support::ProgramTest {
     std::filesystem::copy_file(folder_ / "whole/report.json", folder_ / "out/report.json");
   }
 
-  /// What each command makes of the run in `out`; `resume` comes last, with the report gone.
+  /// Tests each command on the run in `out`; `resume` comes last, without the report.
   void expect_right_or_refused(const std::string& what) const {
     const auto right_or_refused = AnyOf(Eq(0), Eq(65), Eq(74));
     for (const char* command : {"status out", "verify out -q", "report out --format csv,html",
@@ -75,8 +75,8 @@ class DamagedRun : public rocking::support::ProgramTest {
 
   void change_store(const std::string& sql) const {
     put_run(pages());
-    rocking::experiment::sqlite::Database(folder_ / "out/realisations.sqlite",
-                                          rocking::experiment::sqlite::Access::write)
+    rocking::sqlite::Database(folder_ / "out/realisations.sqlite",
+                                          rocking::sqlite::Access::write)
         .execute(sql);
   }
 };
@@ -170,11 +170,11 @@ TEST_F(DamagedRun, IsRefusedWhereItHoldsMoreThanItsTables) {
 }
 
 TEST_F(DamagedRun, OfALaterLayoutIsRefusedWithTheVersionThatWroteIt) {
-  change_store("PRAGMA user_version = 3; UPDATE identity SET code = '0.9.0 fedcba987654'");
+  change_store("PRAGMA user_version = 4; UPDATE identity SET code = '0.9.0 fedcba987654'");
   const Outcome refused = plainly("resume out");
   EXPECT_EQ(refused.exit_code, 65);
   EXPECT_THAT(refused.errors,
-              AllOf(HasSubstr("was written by rocking 0.9.0 fedcba987654 in layout 3"), HasSubstr("layouts up to 2")));
+              AllOf(HasSubstr("was written by rocking 0.9.0 fedcba987654 in layout 4"), HasSubstr("layouts up to 3")));
 }
 
 TEST_F(DamagedRun, DoesNotGrowWhereItsHeaderCountsTooManyPages) {
@@ -200,7 +200,7 @@ TEST_F(DamagedRun, OfWhichTheStoreIsEmptyBeginsAnew) {
 }
 
 TEST_F(DamagedRun, TakesNoLogOfAnotherStore) {
-  // What a killed run leaves, of another seed; its user removes the store and not the log.
+  // Files of a killed run with another seed; the user removes the store but not the log.
   const Outcome killed = shell("'" ROCKING_PROGRAM
                                "' run question.json -q -o out --seed 7 --realisations 100000 & "
                                "child=$!; until test -s out/realisations.sqlite-wal; do sleep 0.01; done; sleep 0.3; "

@@ -1,4 +1,4 @@
-// What the program tells the shell, and what it says when something is wrong.
+// Exit codes of the program, and its messages when something is wrong.
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -128,7 +128,7 @@ TEST_F(ExitCode, Is66ForAFileThatIsNotThere) {
   EXPECT_FALSE(exists("out"));
 }
 
-TEST_F(ExitCode, Is66ForARecordThatIsNotThere) {
+TEST_F(ExitCode, Is66ForAGroundMotionThatIsNotThere) {
   write("record.json", rocking::support::recorded_experiment().dump());
   const auto outcome = rocking("run record.json -o out");
   EXPECT_EQ(outcome.exit_code, 66);
@@ -136,7 +136,7 @@ TEST_F(ExitCode, Is66ForARecordThatIsNotThere) {
   EXPECT_FALSE(exists("out"));
 }
 
-TEST_F(ExitCode, Is65ForARecordOfWhichEveryBadLineIsTold) {
+TEST_F(ExitCode, Is65ForAGroundMotionOfWhichEveryBadLineIsTold) {
   write("record.json", rocking::support::recorded_experiment().dump());
   write("pulse.txt", "0 0\n1 x\n2 NaN\n");
   const auto outcome = rocking("run record.json -o out");
@@ -155,7 +155,7 @@ TEST_F(ExitCode, Is74ForAFolderThatCannotBeMade) {
 }
 
 TEST_F(ExitCode, Is74ForAFolderThatCannotBeWrittenTo) {
-  // The superuser may write everywhere, unless that capability is taken away.
+  // The superuser may write everywhere, unless that capability is removed.
   const std::string powerless = geteuid() == 0 ? "setpriv --bounding-set=-dac_override " : "";
   if (shell(powerless + "true").exit_code != 0) GTEST_SKIP() << "the superuser cannot give up a capability here";
   ASSERT_EQ(shell("mkdir out && chmod 500 out").exit_code, 0);

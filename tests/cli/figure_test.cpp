@@ -1,4 +1,4 @@
-// `rocking report`, `rocking figure` and `rocking trajectory --samples`: pictures that show something, from files alone.
+// `rocking report`, `rocking figure` and `rocking trajectory --samples`: non-empty pictures, from files alone.
 
 #include <map>
 #include <regex>
@@ -12,7 +12,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::objections;
 using rocking::support::Outcome;
 using rocking::support::quick_experiment;
@@ -25,7 +25,7 @@ class Figures : public rocking::support::ProgramTest {
 
   bool has_gnuplot() const { return shell("command -v gnuplot").exit_code == 0; }
 
-  /// Pixels of a PNG by colour, every fourth of every fourth line, as gnuplot reads them.
+  /// Pixels of a PNG by colour, every fourth of every fourth line, read by gnuplot.
   std::map<std::string, int> colours(const std::string& png) const {
     const Outcome outcome = shell("gnuplot -d -e \"set table 'pixels'; plot '" + png +
                                   "' binary filetype=png every 4:4 using 1:2:3 with rgbimage\" && cut -c1-60 pixels");
@@ -41,7 +41,7 @@ class Figures : public rocking::support::ProgramTest {
     return found;
   }
 
-  /// Every PNG that a command wrote shows something on white.
+  /// Tests that every PNG that a command wrote shows something on white.
   void expect_pictures(const std::string& written) const {
     std::istringstream lines(written);
     int pictures = 0;

@@ -1,19 +1,19 @@
-// Stores that revision 61b81ca wrote (layout 1, tests/data/store_61b81ca): read, resumed, verified, joined.
+// Stores written by revision 61b81ca (layout 1, tests/data/store_61b81ca): read, resumed, verified, merged.
 
 #include <string>
 
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
-#include "rocking/experiment/sqlite.hpp"
-#include "rocking/experiment/store.hpp"
+#include "rocking/store/sqlite.hpp"
+#include "rocking/store/store.hpp"
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
-namespace sqlite = rocking::experiment::sqlite;
+namespace sqlite = rocking::sqlite;
 
 class FormerStore : public rocking::support::ProgramTest {
  protected:
@@ -38,10 +38,10 @@ class FormerStore : public rocking::support::ProgramTest {
   }
 
   /// With the checksum that a row has in layout 1.
-  void put_row(const std::string& folder, const rocking::experiment::RealisationKey& key,
-               const rocking::experiment::Summary& summary) const {
+  void put_row(const std::string& folder, const rocking::RealisationKey& key,
+               const rocking::Summary& summary) const {
     const sqlite::Database database(folder_ / folder / "realisations.sqlite", sqlite::Access::write);
-    const rocking::experiment::RowFormat rows(database, 1, "");
+    const rocking::RowFormat rows(database, 1, "");
     auto insert = database.prepare("INSERT OR REPLACE INTO realisations (" + rows.columns() + ") VALUES (" +
                                    rows.placeholders() + ")");
     rows.bind(insert, key, summary);
@@ -58,10 +58,10 @@ TEST_F(FormerStore, IsLookedAt) {
 TEST_F(FormerStore, IsResumedWithTheReportOfANewRun) {
   const auto resumed = rocking("resume stopped");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
-  // Of 62: 17 left the ground, one is paired with one of these, 6 others were rerun at a tighter tolerance.
+  // Of 62: 17 lost contact, one is the other of a pair with one of these, 6 others were rerun at a tighter tolerance.
   EXPECT_THAT(resumed.errors, HasSubstr("38 realisations converted"));
   expect_report_of_a_new_run("stopped");
-  EXPECT_TRUE(rocking::experiment::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read)
+  EXPECT_TRUE(rocking::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read)
                   .is_of_current_layout());
   EXPECT_THAT(rocking("verify stopped -q").output, HasSubstr("64 realisations run again, all with the same bits"));
   EXPECT_FALSE(exists("stopped/damaged-1.sqlite"));
@@ -75,7 +75,7 @@ TEST_F(FormerStore, ThatIsFinishedIsResumedToo) {
 TEST_F(FormerStore, IsVerifiedWhereItHasTheBitsOfThisProgram) {
   const auto verified = rocking("verify whole");
   EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
-  // The 17 that left the ground, the one that is paired with one of them, and 6 that were rerun at a tighter tolerance.
+  // The 17 that lost contact, the other one of a pair with one of these, and 6 that were rerun at a tighter tolerance.
   EXPECT_THAT(verified.output, AllOf(HasSubstr("40 realisations run again"), HasSubstr("24 realisations were not compared"),
                                      HasSubstr("results version 1"), HasSubstr("`rocking resume whole`")));
   const auto told = Json::parse(rocking("verify whole --json").output);
@@ -93,7 +93,7 @@ TEST_F(FormerStore, IsReplayedWhereTheBitsAreThoseOfThisProgram) {
 
 TEST_F(FormerStore, IsNotVerifiedWhereARowThatShouldHaveTheSameBitsHasOthers) {
   ASSERT_EQ(rocking("run experiment.json -q -o other --seed 5").exit_code, 0);
-  const auto other = rocking::experiment::Store::open(folder_ / "other/realisations.sqlite", sqlite::Access::read);
+  const auto other = rocking::Store::open(folder_ / "other/realisations.sqlite", sqlite::Access::read);
   put_row("whole", {0, 3}, *other.find({0, 3}));
   const auto verified = rocking("verify whole");
   EXPECT_EQ(verified.exit_code, 1);
@@ -135,12 +135,12 @@ TEST_F(FormerStore, IsRefusedWhereItsPartIsNone) {
 }
 
 TEST_F(FormerStore, OfARevisionWithOtherResultsIsNotResumed) {
-  // As an older revision would have written it, with the checksum that layout 1 has.
+  // As an older revision would have written it, with the checksum of layout 1.
   rocking::base::Sha256Builder sum;
   std::string experiment;
   std::string files;
   {
-    const auto store = rocking::experiment::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read);
+    const auto store = rocking::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read);
     experiment = store.identity().experiment;
     files = store.identity().files;
   }

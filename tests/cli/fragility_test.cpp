@@ -1,4 +1,4 @@
-// `rocking fragility`: overturning against the intensity of the shaking.
+// `rocking fragility`: overturning as a function of the intensity.
 
 #include <gmock/gmock.h>
 
@@ -7,7 +7,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::objections;
 using ::testing::AllOf;
 using ::testing::ElementsAre;
@@ -15,7 +15,7 @@ using ::testing::HasSubstr;
 
 class Fragility : public rocking::support::ProgramTest {
  protected:
-  /// A slow harmonic motion from a random phase, which overturns some.
+  /// A slow harmonic motion with a random phase; some realisations overturn.
   static Json shaken() {
     return Json::parse(R"({
       "format": "rocking.experiment/1", "title": "shaken", "block": { "width_m": 1.0, "height_m": 8.0 },
@@ -41,7 +41,7 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
   const Json report = Json::parse(read("out/report.json"));
   ASSERT_EQ(curves.size(), 2U);
   EXPECT_EQ(curves[1]["others"]["/restitution"], 0.2);
-  const std::vector<std::size_t> order{1, 2, 0};  // by amplitude, 0 left out
+  const std::vector<std::size_t> order{1, 2, 0};  // by amplitude, without 0
   for (std::size_t curve = 0; curve < 2; ++curve) {
     EXPECT_EQ(curves[curve]["outcome"], "fitted");
     ASSERT_EQ(curves[curve]["levels"].size(), 3U);
@@ -92,7 +92,7 @@ TEST_F(Fragility, HasNoLawWhereEveryRealisationDoesTheSame) {
     outcomes.push_back(curve.at("outcome"));
     EXPECT_TRUE(curve.at("law").is_null());
   }
-  // With restitution 0 the outcome changes once with the amplitude, with 0.2 more than once.
+  // With restitution 0 the outcome changes once as the amplitude increases, with 0.2 more than once.
   EXPECT_THAT(outcomes, ElementsAre("separated", "no_scatter"));
   const auto told = rocking("fragility out -o kept");
   EXPECT_THAT(told.output, HasSubstr("the realisations overturn at the same levels"));

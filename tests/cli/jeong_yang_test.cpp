@@ -1,4 +1,4 @@
-// experiments/jeong_yang_2012 and reports/jeong_yang_2012: the published words follow from the published results, and these
+// experiments/jeong_yang_2012 and reports/jeong_yang_2012: the published text follows from the published results, and these
 // from the files.
 
 #include <algorithm>

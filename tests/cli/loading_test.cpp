@@ -1,4 +1,4 @@
-// The snippets of lib/docs/loading.md, run where their language is installed.
+// The snippets of lib/docs/loading.md, run for each language that is installed.
 
 #include <fstream>
 #include <sstream>
@@ -10,12 +10,12 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::Outcome;
 using rocking::support::quick_experiment;
 using ::testing::HasSubstr;
 
-/// pandas is a package of the system's Python, which need not be the first one that is found.
+/// pandas is a package of the system's Python, which may not be the first one in PATH.
 const std::string debian_python = "PATH=/usr/bin:$PATH python3";
 
 class Loading : public rocking::support::ProgramTest {
@@ -41,7 +41,7 @@ class Loading : public rocking::support::ProgramTest {
     return shell(command + " snippet");
   }
 
-  /// `condition mode count` of the whole run, a line each, as the store has them.
+  /// `condition mode count` of the whole run, one line each, from the store.
   std::string counts() const {
     std::ostringstream lines;
     const Json conditions = Json::parse(read("out/report.json"))["result"]["conditions"];

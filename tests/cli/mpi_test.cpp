@@ -1,4 +1,4 @@
-// One run by several processes: the same bytes on any number of ranks, and what happens when one dies.
+// One run by several processes: the same bytes on any number of ranks, and the behaviour when one is killed.
 
 #include <filesystem>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -28,7 +28,7 @@ class Ranks : public rocking::support::ProgramTest {
     write("long.json", question.dump());
   }
 
-  /// The library of MPI leaks a little at its end, which is none of our business.
+  /// The MPI library leaks a little memory at its end; that is not our fault.
   static std::string ranks(int number, const std::string& arguments) {
     return "env ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) + " '" +
            ROCKING_PROGRAM "' " + arguments;
@@ -65,7 +65,7 @@ TEST_F(Ranks, StopAtTheSameNumberWhereIntervalsSayWhen) {
 
 TEST_F(Ranks, LoseAtMostTheirOpenBlocksWhenOneDies) {
   ASSERT_EQ(shell(ranks(3, "run long.json -q -o whole")).exit_code, 0);
-  // The last rank dies when the first block has been stored: the status counts what is done.
+  // The last rank is killed when the first pairs have been stored: the status counts finished realisations.
   const auto outcome =
       shell(ranks(3, "run long.json -q -o out") +
             " & job=$!; until '" ROCKING_PROGRAM "' status out 2>/dev/null | grep -q 'done *[1-9]'; do sleep 0.01; done; "

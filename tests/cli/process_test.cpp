@@ -1,4 +1,4 @@
-// The program as a process: signals, standard streams, files that are none, an earlier run that is to be replaced.
+// The program as a process: signals, standard streams, paths that are no regular files, replacement of an earlier run.
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -19,14 +19,14 @@ class Process : public rocking::support::ProgramTest {
     endless["horizon"]["transient_periods"] = 100'000'000;
     endless["realisations"] = 1;
     write("endless.json", endless.dump());
-    endless["excitation"]["amplitude"] = 0.1;  // never uplifts: all of its steps are done outside the lanes
+    endless["excitation"]["amplitude"] = 0.1;  // never uplifts: all of its steps are made outside the lanes
     endless.erase("sweep");
     write("endless_rest.json", endless.dump());
   }
 
   static std::string program(const std::string& arguments) { return "'" ROCKING_PROGRAM "' " + arguments; }
 
-  /// Puts a program called gnuplot before the real one.
+  /// Puts a script called gnuplot before the real one in PATH.
   std::string with_gnuplot(const std::string& script) const {
     std::filesystem::create_directory(folder_ / "bin");
     write("bin/gnuplot", "#!/bin/sh\n" + script + "\n");
@@ -133,8 +133,9 @@ TEST_F(Process, ReadsNoPipeAndNoDevice) {
   recorded["excitation"]["file"] = "pipe";
   write("record.json", recorded.dump());
   for (const std::string arguments :
-       {"run pipe -o out", "validate /dev/zero", "trajectory pipe", "cost pipe", "run record.json -o out", "figure pipe -o out",
-        "report folder", "verify folder", "status stored", "compare stored stored", "replay stored --condition 0 --realisation 0"}) {
+       {"run pipe -o out", "validate /dev/zero", "trajectory pipe", "cost pipe", "run record.json -o out",
+        "figure pipe -o out", "report folder", "verify folder", "status stored", "compare stored stored",
+        "replay stored --condition 0 --realisation 0"}) {
     const auto outcome = shell("exec timeout 20 " + program(arguments));
     EXPECT_EQ(outcome.exit_code, 65) << arguments << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("is a pipe or a device")) << arguments;
@@ -163,9 +164,10 @@ TEST_F(Process, ReplacesARunOnlyOnceTheNewOneIsComplete) {
   EXPECT_EQ(files_of("out"), earlier);
   EXPECT_THAT(rocking("status out").output, AllOf(HasSubstr("out: stopped"), HasSubstr("earlier run")));
   EXPECT_EQ(rocking("verify out -q").exit_code, 0);
-  // Another one takes the place of the one that was stopped; a kill leaves one that resume completes.
+  // A new run replaces the one that was stopped; if it is killed, resume completes it.
   ASSERT_EQ(shell(in_background(program("run quick.json -q -o out --overwrite --seed 5 --realisations 2000")) +
-                  "until " + program("status out 2>/dev/null") + " | grep -q 'of 6000'; do sleep 0.01; done; kill -9 $child; wait $child; true")
+                  "until " + program("status out 2>/dev/null") +
+                  " | grep -q 'of 6000'; do sleep 0.01; done; kill -9 $child; wait $child; true")
                 .exit_code,
             0);
   EXPECT_EQ(files_of("out"), earlier);

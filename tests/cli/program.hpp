@@ -10,18 +10,18 @@
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::support {
 
-/// What a run of the program left behind.
+/// Result of a run of the program.
 struct Outcome {
-  int exit_code = -1;  ///< -1 where a signal ended it
+  int exit_code = -1;  ///< -1 if a signal ended it
   std::string output;  ///< standard output
   std::string errors;  ///< standard error
 };
 
-/// A test with a folder of its own, in which the program is run.
+/// A test with its own folder, in which the program is run.
 class ProgramTest : public ::testing::Test {
  protected:
   ProgramTest() {
@@ -30,20 +30,22 @@ class ProgramTest : public ::testing::Test {
   }
   ~ProgramTest() override { std::filesystem::remove_all(folder_); }
 
-  /// Runs `rocking` with these arguments, as a shell reads them.
+  /// Runs `rocking` with these arguments, as interpreted by a shell.
   Outcome rocking(const std::string& arguments) const {
     return shell("exec '" ROCKING_PROGRAM "' " + arguments);
   }
 
-  /// Begins a command in the background of a script, where a shell gives its children a SIGINT that is ignored.
+  /// Starts a command in the background of a script, where a shell makes its children ignore SIGINT.
   static std::string in_background(const std::string& command) {
     return "env --default-signal=INT " + command + " & child=$!; ";
   }
 
-  /// Runs a script in the folder; its two streams end up in the outcome. After two minutes it is ended, with code 124.
+  /// Runs a script in the folder and returns its output. After two minutes it is ended, with exit code 124.
   Outcome shell(const std::string& script) const {
     write("script", script + '\n');
-    const std::string command = "cd '" + folder_.string() + "' && timeout 120 env --default-signal=HUP,INT,TERM,USR1 sh script >stdout 2>stderr </dev/null";
+    const std::string command =
+        "cd '" + folder_.string() +
+        "' && timeout 120 env --default-signal=HUP,INT,TERM,USR1 sh script >stdout 2>stderr </dev/null";
     const int status = std::system(command.c_str());
     return {
         .exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -1, .output = read("stdout"), .errors = read("stderr")};
@@ -62,20 +64,20 @@ class ProgramTest : public ::testing::Test {
   std::filesystem::path folder_;
 };
 
-/// A question about a recorded motion, in `pulse.txt` beside it.
-inline report::Json recorded_experiment() {
-  return report::Json::parse(R"({
+/// An experiment with a recorded excitation, from `pulse.txt` in the same folder.
+inline Json recorded_experiment() {
+  return Json::parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 8.0 },
     "excitation": { "kind": "recorded", "file": "pulse.txt" },
     "sweep": [ { "parameter": "/excitation/scale", "values": [0.1, 1.0, 10.0] } ] })");
 }
 
-/// A fifth of a second of 2 m/s^2: it makes that block rock, and ten times as much overturns it.
+/// 0.2 s of 2 m/s^2: the block of that experiment rocks, and overturns if it is scaled by 10.
 inline const char* recorded_pulse() { return "# time, horizontal\n0.5, 0\n0.5, 2\n0.7, 2\n0.7, 0\n"; }
 
-/// A question that is answered at once, yet has a sweep and something random.
-inline report::Json quick_experiment() {
-  return report::Json::parse(R"({
+/// An experiment that runs quickly, with a sweep and with random numbers.
+inline Json quick_experiment() {
+  return Json::parse(R"({
     "format": "rocking.experiment/1", "title": "quick",
     "block": { "width_m": 1.0, "height_m": 4.0 },
     "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },

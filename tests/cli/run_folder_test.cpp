@@ -1,15 +1,15 @@
-// Runs that are stopped, cut, joined, checked: what a user sees of them.
+// Runs that are stopped, divided, merged and verified, as seen by a user.
 
 #include <string>
 
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
-#include "rocking/experiment/store.hpp"
+#include "rocking/store/store.hpp"
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
 using ::testing::HasSubstr;
@@ -19,7 +19,7 @@ class RunFolder : public rocking::support::ProgramTest {
  protected:
   RunFolder() { write("quick.json", quick_experiment().dump()); }
 
-  /// A run of some seconds on one thread (on many it could be too short), for which there is time to be stopped.
+  /// A run of some seconds on one thread (on many threads it could be too short), so that there is time to stop it.
   void write_slow() const {
     auto slow = quick_experiment();
     slow["horizon"]["transient_periods"] = 2000;
@@ -27,7 +27,7 @@ class RunFolder : public rocking::support::ProgramTest {
     write("slow.json", slow.dump());
   }
 
-  /// What must be the same however a report came about.
+  /// The part of a report that must not depend on how it was made.
   std::string lasting_part(const std::string& report) const {
     Json json = Json::parse(read(report));
     json.erase("system");
@@ -35,8 +35,8 @@ class RunFolder : public rocking::support::ProgramTest {
   }
 
   void change_store(const std::string& sql) const {
-    rocking::experiment::sqlite::Database(folder_ / "out/realisations.sqlite",
-                                          rocking::experiment::sqlite::Access::write)
+    rocking::sqlite::Database(folder_ / "out/realisations.sqlite",
+                                          rocking::sqlite::Access::write)
         .execute(sql);
   }
 
@@ -108,22 +108,21 @@ TEST_F(RunFolder, ResumeAsksForARun) {
 }
 
 TEST_F(RunFolder, IsResumedByAnotherVersionWhereItsResultsAreTheSame) {
-  namespace experiment = rocking::experiment;
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
   const std::filesystem::path path = folder_ / "out/realisations.sqlite";
-  auto identity = experiment::Store::open(path, experiment::sqlite::Access::read).identity();
+  auto identity = rocking::Store::open(path, rocking::sqlite::Access::read).identity();
   identity.code = "0.0.9 old";
-  for (const std::uint64_t results : {std::uint64_t{0}, experiment::results_version + 1}) {
+  for (const std::uint64_t results : {std::uint64_t{0}, rocking::results_version + 1}) {
     identity.results = results;
     std::filesystem::remove(path);
-    experiment::Store::create(path, identity).close_up();
+    rocking::Store::create(path, identity).close_up();
     const auto refused = rocking("resume out");
     EXPECT_EQ(refused.exit_code, 74);
     EXPECT_THAT(refused.errors, HasSubstr("0.0.9 old"));
   }
-  identity.results = experiment::results_version;
+  identity.results = rocking::results_version;
   std::filesystem::remove(path);
-  experiment::Store::create(path, identity).close_up();
+  rocking::Store::create(path, identity).close_up();
   EXPECT_EQ(rocking("resume out -q").exit_code, 0);
 }
 
@@ -161,10 +160,9 @@ TEST_F(RunFolder, OfShardsThatDisagreeIsNotMade) {
   ASSERT_EQ(rocking("run quick.json -q -o a").exit_code, 0);
   ASSERT_EQ(shell("cp -r a b").exit_code, 0);
   {
-    namespace experiment = rocking::experiment;
-    auto store = experiment::Store::open(folder_ / "b/realisations.sqlite", experiment::sqlite::Access::write);
+    auto store = rocking::Store::open(folder_ / "b/realisations.sqlite", rocking::sqlite::Access::write);
     auto changed = store.find({1, 2}).value();
-    ++changed.effort.steps;
+    ++changed.operations.steps;
     store.add({1, 2}, changed);
     store.close_up();
   }
@@ -325,14 +323,14 @@ TEST_F(RunFolder, IsNotVerifiedWhereAStoredRealisationWasEdited) {
   EXPECT_THAT(outcome.errors, HasSubstr("condition 1, realisation 2 differs from what was written"));
 }
 
-TEST_F(RunFolder, IsMadeUnderARecordWhereEachBlockHasAHorizonOfItsOwn) {
+TEST_F(RunFolder, IsMadeUnderAGroundMotionWhereEachBlockHasItsOwnHorizon) {
   auto question = rocking::support::recorded_experiment();
   question["sweep"][0] = {{"parameter", "/block/height_m"}, {"values", {4.0, 8.0}}};
   write("record.json", question.dump());
   write("pulse.txt", rocking::support::recorded_pulse());
   const auto outcome = rocking("run record.json -q -o out");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the ground motion"));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("each as long as the base moves"));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWithoutAReport) {

@@ -1,4 +1,4 @@
-// What comes from a file or is the name of one, as the program shows it: on a terminal, in JSON, in tables.
+// Texts from files, and names of files, as shown by the program: on a terminal, in JSON, in tables.
 
 #include <string>
 
@@ -8,7 +8,7 @@
 
 namespace {
 
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::Outcome;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
@@ -92,7 +92,8 @@ TEST_F(ShownText, OfAConfidenceNearOneIsNotACertainty) {
 TEST_F(ShownText, OfAProblemHasTheFileAndTheLine) {
   write("a.json", "{\n\"format\": \"rocking.experiment/1\",\n\"blok\": 1,\n\"block\": {\"width_m\": 1,\n\"height_m\": -4},\n"
                   "\"excitation\": {\"amplitude\": 1, \"frequency_ratio\": 1}}");
-  EXPECT_THAT(rocking("validate a.json").errors, AllOf(HasSubstr("a.json, line 3: /blok"), HasSubstr("a.json, line 5: /block/height_m")));
+  EXPECT_THAT(rocking("validate a.json").errors,
+              AllOf(HasSubstr("a.json, line 3: /blok"), HasSubstr("a.json, line 5: /block/height_m")));
   EXPECT_THAT(rocking("bifurcation a.json -o b").errors, HasSubstr("a.json, line 3"));
 }
 

@@ -1,4 +1,4 @@
-// What someone at a terminal sees: progress, help, completion, and what was probably meant.
+// Interactive use at a terminal: progress, help, completion and suggestions.
 
 #include <algorithm>
 #include <regex>
@@ -45,7 +45,7 @@ class Terminal : public rocking::support::ProgramTest {
     return all_matches(help.substr(help.find("Subcommands:")), R"(\n  ([a-z][a-z-]*) +[A-Z])");
   }
 
-  /// What bash offers at the end of a line.
+  /// Completions that bash offers at the end of a line.
   std::vector<std::string> offered(const std::string& line) const {
     const Outcome outcome =
         shell("'" ROCKING_PROGRAM "' completion bash >completion; bash -c '. ./completion; line=\"" + line +
@@ -62,7 +62,8 @@ class Terminal : public rocking::support::ProgramTest {
   }
 };
 
-/// A terminal that `script` plays. Skipped by name where that cannot be: in a container without /dev/pts, for one.
+/// A terminal simulated by `script`. Skipped with a message if that is impossible, for example in a container without
+/// /dev/pts.
 class PseudoTerminal : public Terminal {
  protected:
   void SetUp() override {
@@ -70,7 +71,7 @@ class PseudoTerminal : public Terminal {
     if (trial.exit_code != 0) GTEST_SKIP() << "no pseudo-terminal can be had here: " << trial.output << trial.errors;
   }
 
-  /// What a terminal of so many columns gets to see of the program's standard error.
+  /// Standard error of the program on a terminal with this number of columns.
   std::string seen(int columns, const std::string& arguments, const std::string& environment = "") const {
     const Outcome outcome = shell("TERM=xterm script -qec \"stty cols " + std::to_string(columns) + "; " + environment +
                                   " '" + ROCKING_PROGRAM + "' " + arguments + " >table\" typescript >shown");
@@ -78,7 +79,7 @@ class PseudoTerminal : public Terminal {
     return read("shown");
   }
 
-  /// What it gets to see of the program's standard output.
+  /// Standard output of the program on such a terminal.
   std::string printed(int columns, const std::string& arguments, const std::string& environment) const {
     const Outcome outcome = shell("TERM=xterm script -qec \"stty cols " + std::to_string(columns) + "; " + environment +
                                   " '" + ROCKING_PROGRAM + "' " + arguments + " 2>notices\" typescript >shown");
@@ -123,7 +124,7 @@ TEST_F(PseudoTerminal, IsLeftAloneWhereItCannotRewriteOrIsAskedNotTo) {
 
 TEST_F(PseudoTerminal, SeesBarsInTheTableInTheLettersOfItsLocale) {
   auto two_modes = quick_experiment();
-  two_modes["sweep"][0]["values"] = {0.5, 4.2};  // the first never lifts
+  two_modes["sweep"][0]["values"] = {0.5, 4.2};  // the first value never lifts
   write("two.json", two_modes.dump());
   EXPECT_THAT(printed(120, "run two.json -o out", "LC_ALL=C.UTF-8"),
               AllOf(HasSubstr("█ rest"), HasSubstr("  ████████")));

@@ -8,9 +8,9 @@
 namespace rocking::differential {
 namespace {
 
-constexpr double same_instant = 1e-10;  ///< events closer than this are told at one instant
+constexpr double same_instant = 1e-10;  ///< events closer than this are listed as simultaneous
 
-/// Samples go where they belong: after the events of their instant, to rounding.
+/// Inserts samples in their places: after the events of their instant, to rounding.
 void insert_samples(Account& account, const Account& samples) {
   for (const Entry& sample : samples) {
     const auto later = std::find_if(account.begin(), account.end(),
@@ -46,7 +46,7 @@ Account finished(Account events, const Account& samples, std::string_view ending
 
 bool ends_chatter(const Entry& entry) { return entry.what == "to_rest" || entry.what == "to_slide"; }
 
-Account account_of(const experiment::Trajectory& trajectory, double period) {
+Account account_of(const Trajectory& trajectory, double period) {
   Account events;
   Account samples;
   for (const auto& e : trajectory.events) {

@@ -13,7 +13,7 @@
 namespace rocking::differential {
 namespace {
 
-constexpr double useless = 1e-3;  ///< displacements that have grown to this size tell nothing
+constexpr double useless = 1e-3;  ///< displacements that have grown to this size allow no comparison
 
 double period_of(const Question& question) {
   return 2.0 * std::numbers::pi / frequency_ratio(question.condition.scene.excitation);
@@ -21,21 +21,21 @@ double period_of(const Question& question) {
 
 Account our_account(const Question& question) {
   return account_of(
-      experiment::trajectory_of(question.condition, question.seed, question.realisation, question.periods),
+      trajectory_of(question.condition, question.seed, question.realisation, question.periods),
       period_of(question));
 }
 
-/// Every number of the scene a little larger or smaller, each as its own bit of `signs` says. What is 0 stays 0, so
+/// Every number of the scene slightly increased or decreased, as given by one bit of `signs` each. A value of 0 stays 0, so
 /// that a block at rest stays at rest; mu_s = mu_k stays so too.
 Question displaced(const Question& question, std::uint64_t signs, double size) {
   Question other = question;
-  experiment::Scene& scene = other.condition.scene;
+  Scene& scene = other.condition.scene;
   const auto nudge = [&signs, size](double value) {
     const double factor = 1.0 + ((signs & 1U) != 0 ? size : -size);
     signs >>= 1U;
     return value * factor;
   };
-  scene.block.height = nudge(scene.block.height);
+  scene.block.height = nudge(mean_block(scene).height);
   support::harmonic(scene).amplitude = nudge(support::harmonic(scene).amplitude);
   support::harmonic(scene).phase = nudge(std::get<double>(support::harmonic(scene).phase));
   scene.restitution = nudge(scene.restitution);
@@ -45,14 +45,14 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
     mu_s = nudge(mu_s);
     mu_k = equal ? mu_s : nudge(mu_k);
   }
-  for (experiment::Quantity* start : {&scene.initial.tilt, &scene.initial.tilt_rate, &scene.initial.slip_rate}) {
+  for (Quantity* start : {&scene.initial.tilt, &scene.initial.tilt_rate, &scene.initial.slip_rate}) {
     *start = nudge(std::get<double>(*start));
   }
   return other;
 }
 
-/// Pairs of opposite displacements in random directions, and the same scene at other tolerances: what a chatter between
-/// sticking and slipping ends in depends on where it is cut off.
+/// Pairs of opposite displacements in random directions, and the same scene at other tolerances: the end of a chatter
+/// between sticking and slipping depends on where it is cut off.
 std::vector<Account> displaced_accounts(const Question& question) {
   constexpr int pairs = 4;
   support::SplitMix random(question.realisation);
@@ -77,7 +77,7 @@ bool same_kind(const Account& a, const Account& b, std::size_t index) {
 /// Our account and those of the displaced scenes.
 struct Evidence {
   Account ours;
-  std::vector<Account> companions;
+  std::vector<Account> displaced;
 };
 
 double unexplained(const Entry& ours, const Entry& theirs) {
@@ -86,21 +86,21 @@ double unexplained(const Entry& ours, const Entry& theirs) {
 
 Comparison compare(const Evidence& evidence, const Account& theirs, double share_allowed) {
   const Account& ours = evidence.ours;
-  std::vector<Account> companions = evidence.companions;
+  std::vector<Account> displaced = evidence.displaced;
   Comparison result;
   const auto ends_as = [&result](Outcome outcome) {
     result.outcome = outcome;
     return result;
   };
-  double growth = 0.0;  // of the displacements, so far
+  double growth = 0.0;  // growth of the displacements so far
   for (; result.entries < ours.size(); ++result.entries) {
     const std::size_t i = result.entries;
-    std::erase_if(companions, [&](const Account& other) { return !same_kind(ours, other, i); });
+    std::erase_if(displaced, [&](const Account& other) { return !same_kind(ours, other, i); });
     if (!same_kind(ours, theirs, i)) {
-      return ends_as(companions.size() < evidence.companions.size() ? Outcome::split : Outcome::disagreed);
+      return ends_as(displaced.size() < evidence.displaced.size() ? Outcome::split : Outcome::disagreed);
     }
-    for (const Account& companion : companions) growth = std::max(growth, distance(ours[i], companion[i]));
-    if (companions.empty() || growth > useless) return ends_as(Outcome::grown);
+    for (const Account& other : displaced) growth = std::max(growth, distance(ours[i], other[i]));
+    if (displaced.empty() || growth > useless) return ends_as(Outcome::grown);
     result.difference = std::max(result.difference, distance(ours[i], theirs[i]));
     result.share = std::max(result.share, unexplained(ours[i], theirs[i]) / growth);
     if (result.share > share_allowed) return ends_as(Outcome::disagreed);

@@ -1,4 +1,4 @@
-// Our trajectories against those of an independent block on SUNDIALS (lib/docs/differential.md).
+// Our trajectories, compared with those of an independent implementation on SUNDIALS (lib/docs/differential.md).
 
 #include <array>
 #include <cstddef>
@@ -15,7 +15,7 @@
 namespace rocking::differential {
 namespace {
 
-/// The peer may be as far from us as a displacement of 1e-9 takes our own run.
+/// The peer may differ from us by as much as a displacement of 1e-9 changes our own run.
 constexpr double share_allowed = 1.0;
 
 struct Totals {
@@ -26,7 +26,7 @@ struct Totals {
   [[nodiscard]] int of(Outcome outcome) const { return outcomes[static_cast<std::size_t>(outcome)]; }
 };
 
-/// Adds a scene; tells of it if the two disagree.
+/// Adds a scene; prints it if the two disagree.
 void ask(std::uint64_t number, Totals& totals) {
   const Question question = random_question(number);
   const Comparison comparison = compare(question, question, share_allowed);
@@ -40,7 +40,7 @@ void ask(std::uint64_t number, Totals& totals) {
 
 constexpr std::uint64_t block_size = 100;
 
-/// A block of scenes; blocks can run side by side.
+/// A group of scenes; groups can run in parallel.
 class DifferentialFuzz : public testing::TestWithParam<std::uint64_t> {};
 
 TEST_P(DifferentialFuzz, AgreesWithAnIndependentBlockUntilRoundOffHasGrown) {
@@ -54,7 +54,7 @@ TEST_P(DifferentialFuzz, AgreesWithAnIndependentBlockUntilRoundOffHasGrown) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DifferentialFuzz, testing::Range<std::uint64_t>(0, 10));
 
-/// How many of the first scenes tell the two apart when the peer's question is another.
+/// Number of the first scenes that reveal the difference if the peer's question is changed.
 template <class Change>
 int noticed(int scenes, Change change) {
   int count = 0;
@@ -79,24 +79,24 @@ TEST(Differential, ItsScenesKnowEveryKindOfEvent) {
 }
 
 TEST(Differential, NoticesARestitutionThatIsOffByATenMillionth) {
-  const auto change = [](experiment::Scene& scene) { scene.restitution += 1e-7; };
+  const auto change = [](Scene& scene) { scene.restitution += 1e-7; };
   EXPECT_GE(noticed(20, change), 5);
 }
 
 TEST(Differential, NoticesAFrictionThatIsOffByATenMillionth) {
-  const auto change = [](experiment::Scene& scene) {
+  const auto change = [](Scene& scene) {
     if (scene.friction) scene.friction->kinetic_coefficient *= 1.0 - 1e-7;
   };
   EXPECT_GE(noticed(20, change), 5);
 }
 
 TEST(Differential, NoticesAGridOfFrictionThatIsOneIntervalFiner) {
-  const auto change = [](experiment::Scene& scene) { scene.fluctuation.refreshes_per_period += 1; };
+  const auto change = [](Scene& scene) { scene.fluctuation.refreshes_per_period += 1; };
   EXPECT_GE(noticed(20, change), 1);
 }
 
 TEST(Differential, NoticesTheOtherInertia) {
-  const auto change = [](experiment::Scene& scene) {
+  const auto change = [](Scene& scene) {
     scene.slide_inertia = scene.slide_inertia == dynamics::SlideInertia::edge ? dynamics::SlideInertia::centroidal
                                                                               : dynamics::SlideInertia::edge;
   };

@@ -18,10 +18,10 @@ Question random_question(std::uint64_t number) {
 }
 
 peer::Scene peer_scene(const Question& question) {
-  const experiment::Scene& scene = question.condition.scene;
+  const Scene& scene = question.condition.scene;
   const double turn = 2.0 * std::numbers::pi;
   const double phase = std::get<double>(support::harmonic(scene).phase);
-  peer::Scene same{.slenderness = scene.block.height / scene.block.width,
+  peer::Scene same{.slenderness = mean_block(scene).height / mean_block(scene).width,
                    .amplitude = support::harmonic(scene).amplitude,
                    .frequency = support::harmonic(scene).frequency_ratio,
                    .phase = phase - turn * std::floor(phase / turn),

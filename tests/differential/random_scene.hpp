@@ -3,22 +3,22 @@
 #include <cstdint>
 
 #include "differential/peer/scene.hpp"
-#include "rocking/experiment/experiment.hpp"
+#include "rocking/scene/experiment.hpp"
 
 namespace rocking::differential {
 
-/// A question that both sides can be asked.
+/// A question for both implementations.
 struct Question {
-  experiment::Condition condition;
+  Condition condition;
   std::uint64_t seed;
   std::uint64_t realisation;
   std::int64_t periods;
 };
 
-/// The same question for the same number, everywhere.
+/// The question with this number, the same on every machine.
 [[nodiscard]] Question random_question(std::uint64_t number);
 
-/// The question in the peer's words.
+/// The question in the form that the peer takes.
 [[nodiscard]] peer::Scene peer_scene(const Question& question);
 
 }  // namespace rocking::differential

@@ -1,5 +1,5 @@
-// How far the names of noisy responses can be trusted: each against the name by a horizon 20 times longer, and against the
-// names that other horizons and thresholds would have given. The tables are for lib/docs/classification-evidence.md.
+// Reliability of the classification of noisy responses: each is compared with the one at a horizon 20 times longer, and
+// with those at other horizons and thresholds. The tables are for lib/docs/classification-evidence.md.
 //
 //     label_evidence EXPERIMENT.json REALISATIONS
 
@@ -12,16 +12,15 @@
 #include <vector>
 
 #include "evidence/long_run.hpp"
-#include "rocking/report/read_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::evidence {
 namespace {
 
-using experiment::Condition;
 using section::ResponseMode;
 using section::Thresholds;
-using section::Verdict;
+using section::Classification;
 
 constexpr int times_longer = 20;
 
@@ -61,7 +60,7 @@ std::vector<Variant> variants_of(const Condition& condition) {
   return variants;
 }
 
-bool is_named(const ResponseMode& mode) { return mode.kind != section::ResponseKind::unresolved; }
+bool is_classified(const ResponseMode& mode) { return mode.kind != section::ResponseKind::unresolved; }
 
 std::string description_of(const Condition& condition) {
   std::string text;
@@ -71,14 +70,14 @@ std::string description_of(const Condition& condition) {
 
 using Tally = std::map<ResponseMode, std::uint64_t>;
 
-/// What another horizon or threshold changes.
+/// Effect of another horizon or threshold.
 struct Effect {
-  int renamed = 0;       ///< realisations with another name
-  int lost = 0;          ///< named before, unresolved now
-  int found = 0;         ///< unresolved before, named now
-  double largest = 0.0;  ///< change of a probability
+  int renamed = 0;       ///< realisations with another class
+  int lost = 0;          ///< classified before, unresolved now
+  int found = 0;         ///< unresolved before, classified now
+  double largest = 0.0;  ///< largest change of a probability
   std::string where;
-  int outside = 0;  ///< probabilities before and after that are outside of each other's simultaneous interval
+  int outside = 0;  ///< probabilities before and after that lie outside each other's simultaneous interval
 
   void compare(const std::string& condition, const Tally& before, const Tally& after, std::uint64_t trials) {
     std::set<ResponseMode> modes;
@@ -118,19 +117,19 @@ class Evidence {
       std::vector<ResponseMode> names;
       for (const Variant& variant : variants)
         names.push_back(run.name(variant.window, sampled, variant.thresholds).mode);
-      const Verdict truth = run.name({transient, times_longer * sampled}, times_longer * sampled / 8);
+      const Classification truth = run.name({transient, times_longer * sampled}, times_longer * sampled / 8);
       const ResponseMode next = run.name({transient + sampled, sampled}, sampled).mode;
       confront(description_of(condition), number, names[0], next, truth);
       in_the_long_run.insert(truth.mode);
-      open += is_named(names[0]) ? 0 : 1;
+      open += is_classified(names[0]) ? 0 : 1;
       for (std::size_t v = 0; v < variants.size(); ++v) {
         ++tallies[v][names[v]];
-        effects_[v].renamed += is_named(names[0]) && is_named(names[v]) && names[v] != names[0] ? 1 : 0;
-        effects_[v].lost += is_named(names[0]) && !is_named(names[v]) ? 1 : 0;
-        effects_[v].found += !is_named(names[0]) && is_named(names[v]) ? 1 : 0;
+        effects_[v].renamed += is_classified(names[0]) && is_classified(names[v]) && names[v] != names[0] ? 1 : 0;
+        effects_[v].lost += is_classified(names[0]) && !is_classified(names[v]) ? 1 : 0;
+        effects_[v].found += !is_classified(names[0]) && is_classified(names[v]) ? 1 : 0;
       }
     }
-    const bool one_response = in_the_long_run.size() == 1 && is_named(*in_the_long_run.begin());
+    const bool one_response = in_the_long_run.size() == 1 && is_classified(*in_the_long_run.begin());
     (one_response ? away_ : near_).add(realisations, open);
     for (std::size_t v = 0; v < variants.size(); ++v) {
       effects_[v].compare(description_of(condition), tallies[0], tallies[v], realisations);
@@ -169,9 +168,9 @@ class Evidence {
   };
 
   void confront(const std::string& condition, std::uint64_t number, const ResponseMode& name, const ResponseMode& next,
-                const Verdict& truth) {
+                const Classification& truth) {
     ++confusion_[{name, truth.mode}];
-    if (!is_named(name) || !is_named(truth.mode)) return;
+    if (!is_classified(name) || !is_classified(truth.mode)) return;
     ++named_;
     if (name == truth.mode) return;
     ++wrong_;
@@ -202,7 +201,7 @@ int main(int count, char** arguments) {
     return 64;
   }
   try {
-    const experiment::Experiment experiment = report::read_experiment_file(arguments[1]);
+    const Experiment experiment = read_experiment_file(arguments[1]);
     evidence::Evidence evidence;
     for (const auto& condition : experiment.conditions) {
       evidence.add(condition, experiment.seed, std::strtoull(arguments[2], nullptr, 10));

@@ -6,17 +6,17 @@
 
 namespace rocking::evidence {
 
-LongRun::LongRun(const experiment::Condition& condition, const random::Draws& draws, int periods)
-    : shape_angle_(dynamics::geometry_of(condition.scene.block).shape_angle),
+LongRun::LongRun(const Condition& condition, const random::Draws& draws, int periods)
+    : shape_angle_(dynamics::geometry_of(mean_block(condition.scene)).shape_angle),
       resolution_(std::max(1e-9, 1e3 * condition.tolerance)),
-      random_(experiment::is_random(condition.scene)),
+      random_(is_random(condition.scene)),
       recorder_(shape_angle_, periods) {
-  const experiment::Start start = experiment::start_of(condition.scene, draws);
+  const Start start = start_of(condition.scene, draws);
   const int transient = condition.horizon.transient_periods;
   const auto beginning =
-      experiment::begin_realisation(condition, draws, start, experiment::Strobe::poincare, transient);
+      begin_realisation(condition, draws, start, Strobe::poincare, transient);
   if (!is_periodic(condition.scene.excitation)) throw std::runtime_error("only a periodic excitation repeats");
-  Motion motion = experiment::motion_of(condition.scene, beginning, recorder_);
+  Motion motion = motion_of(condition.scene, beginning, recorder_);
   integrate::advance(motion);
   after_transient_ = motion;
   motion.extend(periods - transient);
@@ -24,7 +24,7 @@ LongRun::LongRun(const experiment::Condition& condition, const random::Draws& dr
   termination_ = motion.termination();
 }
 
-section::Verdict LongRun::name(const Window& window, int exponent_periods, const section::Thresholds& thresholds) {
+section::Classification LongRun::name(const Window& window, int exponent_periods, const section::Thresholds& thresholds) {
   const auto end = static_cast<std::size_t>(window.first + window.count);
   if (periods().size() < end) {
     const bool fell = termination_ == dynamics::Termination::overturned;
@@ -37,12 +37,12 @@ section::Verdict LongRun::name(const Window& window, int exponent_periods, const
                            [&] { return exponent(exponent_periods).exponent; });
 }
 
-const experiment::CompanionRun& LongRun::exponent(int periods) {
+const ExponentRun& LongRun::exponent(int periods) {
   const auto known =
       std::find_if(exponents_.begin(), exponents_.end(), [&](const auto& entry) { return entry.first == periods; });
   if (known != exponents_.end()) return known->second;
-  experiment::CompanionPair pair(*after_transient_, shape_angle_, periods);
-  experiment::run_alone(pair);
+  PerturbedPair pair(*after_transient_, shape_angle_, periods);
+  run_alone(pair);
   return exponents_.emplace_back(periods, pair.result()).second;
 }
 

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/experiment/exponent.hpp"
-#include "rocking/experiment/strobe_recorder.hpp"
+#include "rocking/realisation/exponent.hpp"
+#include "rocking/realisation/strobe_recorder.hpp"
 #include "rocking/section/classify.hpp"
 
 namespace rocking::evidence {
@@ -15,29 +15,28 @@ struct Window {
   int count = 0;
 };
 
-/// A realisation of a harmonic scene, run on far beyond its horizon, that can be named by any window of it.
+/// A realisation of a harmonic scene, run far beyond its horizon, that can be classified by any window.
 class LongRun {
  public:
-  using Motion = experiment::Motion;
 
-  LongRun(const experiment::Condition& condition, const random::Draws& draws, int periods);
+  LongRun(const Condition& condition, const random::Draws& draws, int periods);
 
-  /// The name by a window, and by the exponent from the end of the condition's transient on, of `exponent_periods` or as
-  /// many times more as a run takes; overturned if it did so before the window's end.
-  section::Verdict name(const Window& window, int exponent_periods, const section::Thresholds& thresholds = {});
+  /// Classification by a window, and by the exponent from the end of the condition's transient on, over `exponent_periods`
+  /// or up to the multiple that a run allows; overturned if it overturned before the end of the window.
+  section::Classification name(const Window& window, int exponent_periods, const section::Thresholds& thresholds = {});
   [[nodiscard]] const std::vector<section::Period>& periods() const { return recorder_.periods(); }
 
-  /// From the end of the condition's transient on. Computed once for each number of periods.
-  [[nodiscard]] const experiment::CompanionRun& exponent(int periods);
+  /// Exponent from the end of the condition's transient on. Computed once for each number of periods.
+  [[nodiscard]] const ExponentRun& exponent(int periods);
 
  private:
   double shape_angle_;
   double resolution_;
   bool random_;
-  experiment::StrobeRecorder recorder_;
+  StrobeRecorder recorder_;
   std::optional<Motion> after_transient_;
   std::optional<dynamics::Termination> termination_;
-  std::vector<std::pair<int, experiment::CompanionRun>> exponents_;  ///< by the periods asked for
+  std::vector<std::pair<int, ExponentRun>> exponents_;  ///< by the number of periods requested
 };
 
 }  // namespace rocking::evidence

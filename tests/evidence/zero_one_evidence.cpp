@@ -1,11 +1,12 @@
-// The 0-1 test for chaos as a second opinion, and where noise deceives it. The table is for
+// The 0-1 test for chaos as an independent test, and cases in which noise makes it wrong. The table is for
 // lib/docs/classification-evidence.md.
 //
 //     zero_one_evidence
 //
-// Gottwald & Melbourne (2009), SIAM J. Appl. Dyn. Syst. 8, 129-145: from x_1 ... x_N and a frequency c the translation
-// p(n) = sum x_j cos(jc), q(n) = sum x_j sin(jc); its mean square displacement M(n) for n <= N/10, less the oscillating
-// part (E x)^2 (1 - cos nc)/(1 - cos c), is D(n); K is the median over c of the correlation of D(n) with n. 0: regular; 1: chaotic.
+// Gottwald & Melbourne (2009), SIAM J. Appl. Dyn. Syst. 8, 129-145. From x_1 ... x_N and a frequency c: the translation
+// p(n) = sum x_j cos(jc), q(n) = sum x_j sin(jc). D(n) is its mean square displacement M(n) for n <= N/10 minus the
+// oscillating part (E x)^2 (1 - cos nc)/(1 - cos c). K is the median over c of the correlation of D(n) with n. 0: regular;
+// 1: chaotic.
 
 #include <algorithm>
 #include <cmath>
@@ -77,11 +78,11 @@ struct Scene {
   double amplitude;
   bool slides;
   double sigma;             ///< of friction, or of restitution where the block cannot slide
-  bool as_plotted = false;  ///< with that formulation, and a cosine's start
+  bool as_plotted = false;  ///< with that formulation, and the initial phase of a cosine
 };
 
 void print(const Scene& scene) {
-  experiment::Condition condition;
+  Condition condition;
   condition.scene.block = {.width = 1.0, .height = 4.0, .gravity = 9.81};
   support::harmonic(condition.scene).amplitude = scene.amplitude;
   support::harmonic(condition.scene).frequency_ratio = 10.0;
@@ -91,7 +92,7 @@ void print(const Scene& scene) {
     support::harmonic(condition.scene).phase = 0.5 * std::numbers::pi;
   }
   if (scene.slides) {
-    condition.scene.friction = experiment::Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+    condition.scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
     condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = scene.sigma;
   } else {
     condition.scene.fluctuation.restitution = scene.sigma;

@@ -1,6 +1,6 @@
-// change_files FILE SEED COUNT: makes COUNT changed copies of a report.json or of what a command printed, and reads each as
-// the commands do. Prints how many were used and refused. A copy that does anything else is written to changed-SEED.json,
-// and the program ends with 1.
+// change_files FILE SEED COUNT: makes COUNT changed copies of a report.json or of the output of a command, and reads each
+// as the commands do. Prints how many were used and refused. A copy with any other result is written to changed-SEED.json,
+// and the program ends with exit code 1.
 
 #include <cstdio>
 #include <cstdlib>
@@ -19,7 +19,7 @@ int main(int argc, char** argv) {
   }
   std::ifstream file(argv[1], std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(file), {}};
-  const auto document = rocking::report::Json::parse(text);
+  const auto document = rocking::Json::parse(text);
   const bool is_report = document.value("format", "") == "rocking.report/1";
   const std::uint64_t first = std::strtoull(argv[2], nullptr, 0);
   const std::uint64_t count = std::strtoull(argv[3], nullptr, 0);
@@ -28,7 +28,7 @@ int main(int argc, char** argv) {
     JsonMutator mutator(seed);
     const std::string changed =
         seed % 4 == 0 ? mutator.damaged_text(text)
-                      : sealed(mutator.damaged(document)).dump(1, ' ', false, rocking::report::Json::error_handler_t::replace);
+                      : sealed(mutator.damaged(document)).dump(1, ' ', false, rocking::Json::error_handler_t::replace);
     try {
       if (is_report) static_cast<void>(try_claims(changed));
       if ((is_report ? try_report(changed) : try_output(changed)) == Reading::refused) ++refused;

@@ -1,4 +1,4 @@
-// Files that rocking wrote and somebody changed: every command that reads them uses them or refuses them by name.
+// Changed copies of files that rocking wrote: every command that reads them uses them or refuses them by name.
 
 #include <functional>
 #include <string>
@@ -15,7 +15,7 @@ namespace {
 using rocking::fuzz::JsonMutator;
 using rocking::fuzz::Reading;
 using rocking::fuzz::sealed;
-using rocking::report::Json;
+using rocking::Json;
 using rocking::support::Outcome;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
@@ -42,7 +42,7 @@ class ChangedFiles : public rocking::support::ProgramTest {
   }
 };
 
-/// Every change of `text` ends in one of the two ways; returns how many were refused.
+/// Tests that every change of `text` is used or refused; returns how many were refused.
 int refused(const std::string& text, const std::function<Reading(const std::string&)>& use) {
   EXPECT_EQ(use(text), Reading::used);
   const Json document = Json::parse(text);
@@ -50,7 +50,8 @@ int refused(const std::string& text, const std::function<Reading(const std::stri
   for (int seed = 0; seed < mutations; ++seed) {
     JsonMutator mutator(static_cast<std::uint64_t>(seed));
     const std::string changed =
-        seed % 4 == 0 ? mutator.damaged_text(text) : sealed(mutator.damaged(document)).dump(1, ' ', false, Json::error_handler_t::replace);
+        seed % 4 == 0 ? mutator.damaged_text(text)
+                      : sealed(mutator.damaged(document)).dump(1, ' ', false, Json::error_handler_t::replace);
     try {
       if (use(changed) == Reading::refused) ++count;
     } catch (const std::exception& error) {

@@ -5,23 +5,25 @@
 #include <string_view>
 #include <vector>
 
+#include "analysis/data_file.hpp"
 #include "analysis/figure.hpp"
 #include "analysis/gnuplot_script.hpp"
-#include "analysis/data_file.hpp"
 #include "analysis/output_figures.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
 #include "analysis/run_report.hpp"
 #include "analysis/tables.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/report/read_report.hpp"
+#include "rocking/input/read_report.hpp"
+#include "rocking/output/report_differences.hpp"
 
-/// What the commands do with files that rocking wrote and somebody may have changed, without drawing and without files.
+/// Reading of files that rocking wrote and that may have been changed, as in the commands, without drawing and without
+/// files.
 namespace rocking::fuzz {
 
 enum class Reading : std::uint8_t { used, refused };
 
-/// `rocking report` with every format. Throws what is not a refusal.
+/// As `rocking report` with every format. Rethrows any exception that is not a refusal.
 inline Reading try_report(std::string_view text) {
   try {
     const analysis::RunReport report = analysis::read_run_report(text);
@@ -43,17 +45,17 @@ inline Reading try_report(std::string_view text) {
   }
 }
 
-/// What `rocking verify` reads of a report before it runs anything.
+/// Reads a report as `rocking verify` does before it runs anything.
 inline Reading try_claims(std::string_view text) {
   try {
-    static_cast<void>(report::read_report(text));
+    static_cast<void>(read_report(text));
     return Reading::used;
   } catch (const base::InputError&) {
     return Reading::refused;
   }
 }
 
-/// `rocking figure`.
+/// As `rocking figure`.
 inline Reading try_output(const std::string& text) {
   try {
     for (const analysis::Figure& figure : analysis::output_figures({{.path = "file.json", .text = text}}, {})) {

@@ -11,9 +11,8 @@
 namespace rocking::fuzz {
 namespace {
 
-using report::Json;
 
-/// Pointers to every value of a document, itself included.
+/// Pointers to every value of a document, including the document itself.
 std::vector<Json::json_pointer> places_of(const Json& document) {
   std::vector<Json::json_pointer> places{Json::json_pointer()};
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -28,7 +27,7 @@ std::vector<Json::json_pointer> places_of(const Json& document) {
   return places;
 }
 
-/// The same object with its keys given by `name(index, key)`; an empty name leaves the member out.
+/// The object with its keys replaced by `name(index, key)`; an empty name removes the member.
 template <class Name>
 Json renamed(const Json& object, Name name) {
   Json result = Json::object();

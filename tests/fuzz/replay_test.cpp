@@ -1,4 +1,4 @@
-// Every input that the fuzzers started from or once stumbled over, played again. Needs no fuzzer.
+// Runs every input of the corpora, and every input that once caused a failure. Needs no fuzzer.
 
 #include <filesystem>
 #include <fstream>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Plays a folder of the corpus; returns how many files it has.
+/// Runs the files of a folder of the corpus; returns their number.
 int replay(const std::string& target, const std::function<void(std::string_view)>& play) {
   int played = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(ROCKING_SOURCE_DIR) / "tests/fuzz/corpus" / target)) {
@@ -29,13 +29,13 @@ int replay(const std::string& target, const std::function<void(std::string_view)
 
 TEST(FuzzCorpus, OfExperimentsHoldsNoSurprise) { EXPECT_GT(replay("experiment", rocking::fuzz::try_experiment), 40); }
 
-TEST(FuzzCorpus, OfRecordsHoldsNoSurprise) { EXPECT_GT(replay("record", rocking::fuzz::try_record), 20); }
+TEST(FuzzCorpus, OfGroundMotionsHoldsNoSurprise) { EXPECT_GT(replay("record", rocking::fuzz::try_record), 20); }
 
 TEST(FuzzCorpus, OfScenesHoldsNoSurprise) { EXPECT_GT(replay("scene", rocking::fuzz::try_scene), 10); }
 
 TEST(FuzzTargets, SeeWhatMustNotBe) {
   EXPECT_THROW(rocking::fuzz::demand(false, "sabotage"), rocking::fuzz::Finding);
-  // A watch that is told of a state that is none, and of an event before the last.
+  // A watch that receives an invalid state, and an event earlier than the last one.
   rocking::fuzz::Watch watch;
   rocking::dynamics::State state;
   state.tilt = std::nan("");

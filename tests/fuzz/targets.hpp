@@ -7,15 +7,14 @@
 #include <string_view>
 #include <system_error>
 
-#include "rocking/experiment/realisation.hpp"
-#include "rocking/report/read_experiment.hpp"
-#include "rocking/report/read_record.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/realisation/start.hpp"
 
-/// What is fuzzed, as functions from bytes to nothing. A fuzzer calls them with what it makes up; replay_test calls them
-/// with what was worth keeping.
+/// The fuzzed code, as functions of bytes. A fuzzer calls them with generated input, replay_test with the corpus.
 namespace rocking::fuzz {
 
-/// Something that must not happen, whatever the input.
+/// A result that no input may cause.
 class Finding : public std::logic_error {
  public:
   using std::logic_error::logic_error;
@@ -25,8 +24,8 @@ inline void demand(bool holds, const std::string& what) {
   if (!holds) throw Finding(what);
 }
 
-/// What an experiment finds where it names a file: the same few lines, which are a record with times and one with even
-/// spacing. No file of the machine is opened.
+/// Contents of every file that an experiment names: the same few lines, valid as a ground motion with times and as one with
+/// even spacing. No file of the machine is opened.
 inline std::string made_up_file(const std::string& name, std::size_t) {
   if (name.find("absent") != std::string::npos) {
     throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory), name);
@@ -35,18 +34,18 @@ inline std::string made_up_file(const std::string& name, std::size_t) {
   return name.find("bad") != std::string::npos ? "0 x\n" : "0 0.5\n0.1 6\n0.1 -7\n0.5 4\n";
 }
 
-/// An experiment of few conditions. Throws base::InputError where it is none.
-inline experiment::Experiment read_small_experiment(std::string_view text) {
-  return report::read_experiment(text, {}, {.files = made_up_file, .most_conditions = 32});
+/// Reads an experiment with few conditions. Throws base::InputError if it is not valid.
+inline Experiment read_small_experiment(std::string_view text) {
+  return read_experiment(text, {}, {.files = made_up_file, .most_conditions = 32});
 }
 
-/// A text is refused with its problems, or its canonical text is its own and means the same number of conditions.
+/// A text is refused with its problems, or its canonical text reproduces itself and has the same number of conditions.
 inline void try_experiment(std::string_view text) {
   try {
-    const experiment::Experiment read = read_small_experiment(text);
+    const Experiment read = read_small_experiment(text);
     demand(!read.conditions.empty(), "an experiment has a condition");
     try {
-      const experiment::Experiment again = read_small_experiment(read.canonical_text);
+      const Experiment again = read_small_experiment(read.canonical_text);
       demand(again.canonical_text == read.canonical_text, "the canonical text is its own: " + read.canonical_text);
       demand(again.conditions.size() == read.conditions.size(), "it has the same conditions");
     } catch (const base::InputError& error) {
@@ -57,20 +56,20 @@ inline void try_experiment(std::string_view text) {
     for (const base::Problem& problem : error.problems()) {
       demand(!problem.place.empty() && !problem.reason.empty(), "a problem has a place and a reason");
     }
-  } catch (const std::system_error&) {  // a file that is not there
+  } catch (const std::system_error&) {  // the file does not exist
   }
 }
 
-/// A record is refused with its problems, or it is one. The first byte chooses whether it has times of its own.
+/// A ground motion is refused with its problems, or it is valid. The first byte selects whether it has times.
 inline void try_record(std::string_view text) {
   if (text.empty()) return;
-  report::RecordReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
+  GroundMotionReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
   if (text.front() % 2 == 0) how.time_step = 0.01;
-  report::Problems problems;
-  const auto motion = report::read_record(text.substr(1), how, problems);
-  demand(motion.has_value() == problems.empty(), "a record is read, or told why not");
+  Problems problems;
+  const auto motion = read_ground_motion(text.substr(1), how, problems);
+  demand(motion.has_value() == problems.empty(), "a ground motion is read, or its problems are reported");
   if (!motion) return;
-  demand(motion->samples.size() >= 2, "a record has samples");
+  demand(motion->samples.size() >= 2, "a ground motion has samples");
   double before = 0.0;
   for (const auto& sample : motion->samples) {
     demand(sample.time >= before, "times do not fall");
@@ -80,7 +79,7 @@ inline void try_record(std::string_view text) {
   }
 }
 
-/// A motion that is stopped after some steps, whatever it is about to do.
+/// A motion that is stopped after some steps.
 template <class Motion>
 struct Limited {
   Motion& motion;
@@ -103,7 +102,7 @@ struct Limited {
   void reset(const integrate::FiredGuards& fired, bool at_breakpoint) { motion.reset(fired, at_breakpoint); }
 };
 
-/// Watches that a state is one.
+/// Checks that states are valid.
 class Watch final : public dynamics::Observer {
  public:
   void event(dynamics::EventKind, double tau, const dynamics::State& state) override {
@@ -121,17 +120,17 @@ class Watch final : public dynamics::Observer {
   double last_ = 0.0;
 };
 
-/// Whatever the reader lets through can be run: two periods of its first condition, at most 2000 steps.
+/// Any experiment that the reader accepts can be run: two periods of its first condition, at most 2000 steps.
 inline void try_scene(std::string_view text) {
   try {
-    const experiment::Experiment read = read_small_experiment(text);
-    const experiment::Condition& condition = read.conditions.front();
+    const Experiment read = read_small_experiment(text);
+    const Condition& condition = read.conditions.front();
     const random::Draws draws(read.seed, 0);
-    const experiment::Start start = experiment::start_of(condition.scene, draws);
+    const Start start = start_of(condition.scene, draws);
     Watch watch;
-    const auto beginning = experiment::begin_realisation(condition, draws, start, experiment::Strobe::start, 2);
-    experiment::Motion motion = experiment::motion_of(condition.scene, beginning, watch);
-    Limited<experiment::Motion> limited{motion, 2000};
+    const auto beginning = begin_realisation(condition, draws, start, Strobe::start, 2);
+    Motion motion = motion_of(condition.scene, beginning, watch);
+    Limited<Motion> limited{motion, 2000};
     static_cast<void>(integrate::advance(limited));
     watch.strobe(motion.state());
   } catch (const base::InputError&) {

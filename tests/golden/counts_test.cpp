@@ -1,8 +1,8 @@
-// What a period of the excitation costs, in counted work: exact, so that work that creeps in shows where a clock would
-// waver. The counts are the same with every compiler and processor, as the bits of the results are.
+// Work per excitation period, as counts. Counts are exact and show additional work that a clock would not resolve. They are
+// the same with every compiler and processor, as are the bits of the results.
 //
-// A failure says what was counted, in the notation of this table. If the change of work is meant (a guard that is cleared
-// by a cheaper bound, a step that is longer), put the new row here and say in the commit what became of the cost.
+// A failure prints the counts in the notation of this table. If the change is intended (a guard excluded by a cheaper
+// bound, a longer step), enter the new row here and state the change of cost in the commit.
 
 #include <numeric>
 #include <ostream>
@@ -10,15 +10,14 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
+#include "rocking/realisation/realisation_result.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
 namespace {
 
-using namespace experiment;
 
-/// Of one realisation, over 100 periods.
+/// Counts of one realisation over 100 periods.
 struct Work {
   std::uint64_t steps;
   std::uint64_t slip_steps;
@@ -54,15 +53,15 @@ Work work_of(const Case& c) {
   condition.scene.fluctuation = c.fluctuation;
   condition.horizon = {.transient_periods = 60, .sampled_periods = 40};
   condition.tolerance = c.tolerance;
-  const Record record = realise(condition, 0x2012, 0);
-  EXPECT_EQ(record.strobe.size(), 100U) << "the block overturned: what was counted is less than 100 periods";
-  const Effort& effort = record.effort;
-  return {.steps = effort.steps,
-          .slip_steps = effort.slip_steps,
-          .root_isolations = effort.root_isolations,
-          .events = std::accumulate(effort.events.begin(), effort.events.end(), std::uint64_t{0}),
-          .draws = effort.static_friction_draws + effort.kinetic_friction_draws + effort.restitution_draws +
-                   effort.amplitude_draws + effort.initial_draws};
+  const RealisationResult result = realise_unchecked(condition, 0x2012, 0);
+  EXPECT_EQ(result.strobe.size(), 100U) << "the block overturned: what was counted is less than 100 periods";
+  const OperationCounts& operations = result.operations;
+  return {.steps = operations.steps,
+          .slip_steps = operations.slip_steps,
+          .root_isolations = operations.root_isolations,
+          .events = std::accumulate(operations.events.begin(), operations.events.end(), std::uint64_t{0}),
+          .draws = operations.static_friction_draws + operations.kinetic_friction_draws + operations.restitution_draws +
+                   operations.amplitude_draws + operations.initial_draws};
 }
 
 class Counts : public testing::TestWithParam<Case> {};

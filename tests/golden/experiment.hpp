@@ -1,11 +1,10 @@
 #pragma once
 
-#include "rocking/experiment/experiment.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking::golden {
 
-using namespace experiment;
 
 inline Condition rocking_with_everything() {
   Condition condition;
@@ -40,7 +39,7 @@ inline Condition as_printed() {
   return condition;
 }
 
-/// A small experiment that uses everything that draws, slips, lands and chatters.
+/// A small experiment with all sources of random numbers, slip, impacts and chatter.
 inline Experiment golden_experiment() {
   Experiment experiment;
   experiment.seed = 0x2012;

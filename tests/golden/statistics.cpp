@@ -1,4 +1,4 @@
-// Prints the statistics that a report derives from counts, for a grid of counts: tests/golden/everywhere --statistics.
+// Prints the statistics that a report computes from counts, for a grid of counts: tests/golden/everywhere --statistics.
 
 #include <cstdint>
 #include <cstdio>

@@ -1,5 +1,5 @@
-// A denormal, an infinity, a number that is none, in every place that takes a number: it is refused by name, or it is a
-// number like any other and the run says something finite.
+// A denormal number, an infinity or NaN in every place that takes a number: either it is refused with its place, or it is
+// valid and the results of the run are finite.
 
 #include <algorithm>
 #include <array>
@@ -15,25 +15,24 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/trajectory.hpp"
-#include "rocking/report/read_experiment.hpp"
-#include "rocking/report/read_record.hpp"
-#include "rocking/report/result_json.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/output/result_json.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
 namespace {
 
-using report::Json;
 
 constexpr std::array<const char*, 12> bad_numbers{"1e-320", "-1e-320", "5e-324", "1e308",    "-1e308", "-0.0",
                                                   "1e400",  "-1e400",  "NaN",    "Infinity", "-nan",   "1e-400"};
 
 Json parse(const char* text) { return Json::parse(text); }
 
-/// Files in which every key that takes a number has one, at a horizon that is run at once.
+/// Files that contain every key with a numeric value, with a short horizon.
 std::vector<Json> full_experiments() {
   return {parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 4.0, "gravity_m_s2": 9.81 },
@@ -68,11 +67,11 @@ std::string record_file(const std::string&, std::size_t) { return "0 0\n3 1\n-4 
 void collect_numbers(const Json& value, const std::string& pointer, std::vector<std::string>& numbers) {
   if (value.is_number()) numbers.push_back(pointer);
   if (value.is_object()) {
-    for (const auto& [key, child] : value.items()) collect_numbers(child, report::child_pointer(pointer, key), numbers);
+    for (const auto& [key, child] : value.items()) collect_numbers(child, child_pointer(pointer, key), numbers);
   }
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      collect_numbers(value[i], report::child_pointer(pointer, std::to_string(i)), numbers);
+      collect_numbers(value[i], child_pointer(pointer, std::to_string(i)), numbers);
     }
   }
 }
@@ -82,14 +81,15 @@ bool is_finite(const Json& value) {
   return !value.is_structured() || std::all_of(value.begin(), value.end(), is_finite);
 }
 
-/// The text of `document` with a word in place of what stands at `pointer`.
+/// The text of `document` with the value at `pointer` replaced by a word.
 std::string with_word(Json document, const std::string& pointer, const std::string& word) {
   document[Json::json_pointer(pointer)] = "PLACE";
   std::string text = document.dump();
   return text.replace(text.find("\"PLACE\""), 7, word);
 }
 
-/// Whether a problem is told at the number's key, at what holds it, or, for a sweep, at its other numbers or where it leads.
+/// Whether a problem is reported at the key of the number, at the object that contains it, or, for a sweep, at its other
+/// numbers or its target.
 bool names(const base::InputError& error, const std::string& pointer, const Json& document) {
   const bool in_sweep = pointer.starts_with("/sweep/");
   const auto is_of = [&](const base::Problem& problem) {
@@ -101,12 +101,12 @@ bool names(const base::InputError& error, const std::string& pointer, const Json
   return std::any_of(error.problems().begin(), error.problems().end(), is_of);
 }
 
-/// Runs what was read; all numbers of what a report would say.
-void expect_finite_result(const experiment::Experiment& read, const std::string& what) {
-  const auto result = experiment::run(read, {});
+/// Runs the experiment and checks all numbers that its report would contain.
+void expect_finite_result(const Experiment& read, const std::string& what) {
+  const auto result = run(read, {});
   ASSERT_TRUE(result) << what;
   for (std::size_t i = 0; i < read.conditions.size(); ++i) {
-    EXPECT_TRUE(is_finite(report::condition_json(read.conditions[i], result->conditions[i]))) << what;
+    EXPECT_TRUE(is_finite(condition_json(read.conditions[i], result->conditions[i]))) << what;
     const auto& horizon = read.conditions[i].horizon;
     const auto trajectory =
         trajectory_of(read.conditions[i], read.seed, 0, horizon.transient_periods + horizon.sampled_periods);
@@ -128,7 +128,7 @@ TEST(BadNumber, InAnyKeyOfAnExperimentIsRefusedByItsNameOrRunsToFiniteNumbers) {
       for (const char* word : bad_numbers) {
         const std::string what = pointer + " = " + word;
         try {
-          const auto read = report::read_experiment(with_word(document, pointer, word), {}, {.files = record_file});
+          const auto read = read_experiment(with_word(document, pointer, word), {}, {.files = record_file});
           ++ran;
           expect_finite_result(read, what);
         } catch (const base::InputError& error) {
@@ -142,9 +142,9 @@ TEST(BadNumber, InAnyKeyOfAnExperimentIsRefusedByItsNameOrRunsToFiniteNumbers) {
   EXPECT_GT(ran, 100) << "a denormal is a number";
 }
 
-// --- a record ----------------------------------------------------------------------------------------------------------
+// --- a ground motion -------------------------------------------------------------------------------------------------------
 
-TEST(BadNumber, InAnyPlaceOfARecordIsRefusedWithItsLineOrIsANumber) {
+TEST(BadNumber, InAnyPlaceOfAGroundMotionIsRefusedWithItsLineOrIsANumber) {
   const std::vector<std::vector<std::string>> lines{
       {"0", "0", "0"}, {"0.5", "2", "1"}, {"0.7", "-2", "-3"}, {"0.9", "0", "0"}};
   int read = 0;
@@ -156,16 +156,16 @@ TEST(BadNumber, InAnyPlaceOfARecordIsRefusedWithItsLineOrIsANumber) {
         std::ostringstream text;
         for (const auto& line : changed) text << line[0] << ' ' << line[1] << ' ' << line[2] << '\n';
         const std::string what = "line " + std::to_string(row + 1) + ": " + word;
-        report::Problems problems;
+        Problems problems;
         const auto motion =
-            report::read_record(text.str(), {.name = "record.txt", .time_step = {}, .gravity = 9.81}, problems);
+            read_ground_motion(text.str(), {.name = "record.txt", .time_step = {}, .gravity = 9.81}, problems);
         ASSERT_EQ(motion.has_value(), problems.empty()) << what;
         for (const base::Problem& problem : problems) {
           EXPECT_EQ(problem.place, "record.txt, line " + std::to_string(row + 1)) << what;
         }
         if (!motion) continue;
         ++read;
-        experiment::Condition condition;
+        Condition condition;
         condition.scene.excitation = support::recorded_by(*motion, 5.0);
         condition.horizon = {.transient_periods = 0, .sampled_periods = 3};
         for (const auto& point : realise(condition, 0, 0).strobe) {
@@ -213,11 +213,11 @@ TEST_F(CommandLine, TakesNoLawThatIsNone) {
 
 // --- the library's structs ---------------------------------------------------------------------------------------------
 
-/// A scene that has a use for each of its numbers.
-experiment::Condition full_condition() {
-  experiment::Condition condition;
-  condition.scene.excitation = experiment::Harmonic{.amplitude = 4.0, .frequency_ratio = 10.0, .phase = 0.5};
-  condition.scene.friction = experiment::Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
+/// A scene that uses each of its numbers.
+Condition full_condition() {
+  Condition condition;
+  condition.scene.excitation = Harmonic{.amplitude = 4.0, .frequency_ratio = 10.0, .phase = 0.5};
+  condition.scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
   condition.scene.fluctuation = {.static_friction = 0.03,
                                  .kinetic_friction = 0.03,
                                  .refreshes_per_period = 20,
@@ -230,7 +230,7 @@ experiment::Condition full_condition() {
 
 struct Place {
   const char* pointer;
-  std::function<void(experiment::Condition&, double)> put;
+  std::function<void(Condition&, double)> put;
   bool may_be_zero;
 };
 
@@ -243,7 +243,12 @@ std::vector<Place> places() {
       {"/excitation/amplitude", [](auto& c, double x) { support::harmonic(c.scene).amplitude = x; }, true},
       {"/excitation/frequency_ratio", [](auto& c, double x) { support::harmonic(c.scene).frequency_ratio = x; }, false},
       {"/excitation/phase_rad", [](auto& c, double x) { support::harmonic(c.scene).phase = x; }, true},
-      {"/friction/static", [](auto& c, double x) { c.scene.friction->static_coefficient = x; }, true},
+      {"/friction/static",
+       [](auto& c, double x) {  // kinetic friction is not above it
+         const double kinetic = std::min(c.scene.friction->kinetic_coefficient, x);
+         c.scene.friction = Friction{.static_coefficient = x, .kinetic_coefficient = kinetic};
+       },
+       true},
       {"/friction/kinetic", [](auto& c, double x) { c.scene.friction->kinetic_coefficient = x; }, true},
       {"/fluctuation/static_friction/sigma", [](auto& c, double x) { c.scene.fluctuation.static_friction = x; }, true},
       {"/fluctuation/kinetic_friction/sigma", [](auto& c, double x) { c.scene.fluctuation.kinetic_friction = x; },
@@ -256,12 +261,12 @@ std::vector<Place> places() {
       {"/accuracy/tolerance", [](auto& c, double x) { c.tolerance = x; }, false}};
 }
 
-// Who fills the structs by hand passes no reader.
+// Structs filled in by a C++ caller do not pass the reader of experiment files.
 TEST(BadNumber, InAnyPlaceOfASceneIsRefusedByItsName) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   for (const Place& place : places()) {
     for (const double x : {std::nan(""), infinite, -infinite}) {
-      experiment::Condition condition = full_condition();
+      Condition condition = full_condition();
       place.put(condition, x);
       try {
         static_cast<void>(realise(condition, 0, 0));
@@ -273,16 +278,16 @@ TEST(BadNumber, InAnyPlaceOfASceneIsRefusedByItsName) {
   }
 }
 
-// Numbers that are one, however large, run to their end or to the budget of steps, a million in a period, or are refused.
+// Valid numbers, however large, run to their end or to the budget of steps, a million per period, or are refused.
 TEST(HugeNumber, InAnyPlaceOfASceneEndsTheRun) {
   for (const Place& place : places()) {
     for (const double x : {1e308, -1e308, 1e154, -1e154}) {
-      experiment::Condition condition = full_condition();
+      Condition condition = full_condition();
       place.put(condition, x);
       try {
-        const auto record = realise(condition, 0, 0);
-        EXPECT_LE(record.effort.steps, 3'000'003U) << place.pointer << " = " << x;
-        for (const auto& point : record.strobe) EXPECT_TRUE(std::isfinite(point.tilt)) << place.pointer << " = " << x;
+        const auto result = realise(condition, 0, 0);
+        EXPECT_LE(result.operations.steps, 3'000'003U) << place.pointer << " = " << x;
+        for (const auto& point : result.strobe) EXPECT_TRUE(std::isfinite(point.tilt)) << place.pointer << " = " << x;
       } catch (const base::InputError& error) {
         EXPECT_TRUE(std::string(place.pointer).starts_with(error.problems().at(0).place)) << place.pointer;
       }
@@ -290,17 +295,17 @@ TEST(HugeNumber, InAnyPlaceOfASceneEndsTheRun) {
   }
 }
 
-// What is nearly nothing does nearly nothing, or is refused where nothing is not allowed.
+// A nearly zero value has nearly no effect, or is refused where zero is not allowed.
 TEST(Denormal, InAPlaceThatMayBeZeroGivesTheMotionOfZero) {
   for (const Place& place : places()) {
-    experiment::Condition tiny = full_condition();
-    tiny.scene.fluctuation.static_friction = 0.0;  // a slip rate stops, however small, and a stop draws
+    Condition tiny = full_condition();
+    tiny.scene.fluctuation.static_friction = 0.0;  // any slip rate stops, however small, and a stop draws
     place.put(tiny, 1e-320);
     if (!place.may_be_zero) {
       EXPECT_THROW(static_cast<void>(realise(tiny, 0, 0)), base::InputError) << place.pointer;
       continue;
     }
-    experiment::Condition zero = full_condition();
+    Condition zero = full_condition();
     zero.scene.fluctuation.static_friction = 0.0;
     place.put(zero, 0.0);
     const auto a = realise(tiny, 0, 0);

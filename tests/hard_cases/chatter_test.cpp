@@ -1,5 +1,5 @@
-// Chatter: infinitely many impacts in finite time, from hops near the balance down to those below the tolerance. Instants
-// and places against closed forms.
+// Chatter: infinitely many impacts in finite time, from hops near the balance to hops below the tolerance. Times and
+// positions are compared with closed forms.
 
 #include <algorithm>
 #include <cmath>
@@ -13,18 +13,18 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 using dynamics::EventKind;
 using support::SplitMix;
 
-/// A block under a constant base acceleration, without friction unless it is given. Strobe points a time 1 apart.
+/// A block under a constant base acceleration, without friction by default. Strobe points a time 1 apart.
 Condition pushed(double height, double alpha, double tolerance) {
   Condition condition;
   condition.scene.block.height = height;
@@ -34,12 +34,12 @@ Condition pushed(double height, double alpha, double tolerance) {
   return condition;
 }
 
-/// Time of a hop thrown up at rate w over the edge S under a constant alpha.
+/// Duration of a hop that starts at rate w on the edge S under a constant alpha.
 ///
-/// Gravity is tilted by chi = atan(alpha) and A = sqrt(1 + alpha^2) times as large: with gamma = phi - S chi the motion is
-/// gamma'' = A sin(gamma), a pendulum that rises and falls alike. Over the rate u instead of time, dt = du/(A sin(gamma)) with
-/// A cos(gamma) = A cos(gamma0) + (w^2 - u^2)/2: an integral without a singularity, exact to rounding by Gauss's formula for
-/// hops that stay away from the balance.
+/// Gravity is tilted by chi = atan(alpha) and larger by A = sqrt(1 + alpha^2). With gamma = phi - S chi the motion is
+/// gamma'' = A sin(gamma), a pendulum whose rise and fall are symmetric. With the rate u as variable of integration, dt =
+/// du/(A sin(gamma)) and A cos(gamma) = A cos(gamma0) + (w^2 - u^2)/2. For hops away from the balance this integral has no
+/// singularity; Gauss's formula gives it to rounding.
 long double hop_time(long double rate, long double side, long double alpha, long double psi) {
   const long double size = std::sqrt(1.0L + alpha * alpha);
   const long double ground = size * std::cos(psi - side * std::atan(alpha));
@@ -56,10 +56,10 @@ struct Chatter {
   double rate;  ///< Theta' at the start, over the left edge
 };
 
-// Each impact at its instant of the closed form, and the end no further from the limit of the series than documented.
-// A step is off by the tolerance, 1e-13 psi, at most in the rate; a rate that is off by r moves the landing by 2 r/pull, pull =
-// sin(psi) - abs(alpha) cos(psi), and all later ones by 1/(1 - delta) times as much. Some steps a hop, the first hops only:
-// ten steps of full size bound it.
+// Each impact occurs at the time of the closed form, and the end differs from the limit of the series by no more than
+// documented. The rate after a step has an error of at most the tolerance, 1e-13 psi. An error r of the rate changes the
+// time of landing by 2 r/pull, pull = sin(psi) - abs(alpha) cos(psi), and all later ones by 1/(1 - delta) times as much. A
+// hop has few steps, and only the first hops count: ten steps of full size are a bound.
 TEST(ChatterToRest, HasEachImpactAtTheInstantOfTheClosedForm) {
   double worst = 0.0;
   for (const Chatter& scene : {Chatter{4.0, 0.0, 0.9}, Chatter{4.0, 0.0, 0.1}, Chatter{4.0, 0.1, 0.4},
@@ -107,25 +107,26 @@ TEST(ChatterToRest, HasEachImpactAtTheInstantOfTheClosedForm) {
   RecordProperty("worst", std::to_string(worst) + " of bound");
 }
 
-/// Time and place at which a block that chatters while it slides comes to rest on a still base.
+/// Time and position at which a block that chatters while it slides comes to rest on a base at rest.
 struct Stop {
   long double tau;
   long double slip;
 };
 
-// Friction is mu_k times the normal force in every hop and every impact, as long as all of them slip the same way and the
-// edges take turns (an impact that sends the block back over the same edge has a convention instead of an impulse). So
-// x + s mu_k y of the centre of mass moves as under a constant force, whatever the hops: with x' = V - w cos(psi) and
-// y' = abs(w) sin(psi) at the start, u = s (V - w cos(psi)) + mu_k abs(w) sin(psi) and the deceleration (4/3) mu_k,
-// the block stops at u/((4/3) mu_k), having slid u^2/((8/3) mu_k).
+// Friction is mu_k times the normal force in every hop and every impact, as long as all of them slip in the same direction
+// and the edges alternate. (An impact after which the block turns about the same edge follows a convention and has no
+// impulse.) Then x + s mu_k y of the centre of mass moves as under a constant force, whatever the hops are. With x' = V - w
+// cos(psi) and y' = abs(w) sin(psi) at the start, u = s (V - w cos(psi)) + mu_k abs(w) sin(psi) and the deceleration (4/3)
+// mu_k, the block stops after the time u/((4/3) mu_k) and the distance u^2/((8/3) mu_k).
 Stop stop_of(long double slip_rate, long double rate, long double mu_k, long double psi) {
   const long double sign = slip_rate < 0.0L ? -1.0L : 1.0L;
   const long double speed = sign * (slip_rate - rate * std::cos(psi)) + mu_k * std::abs(rate) * std::sin(psi);
   return {.tau = 0.75L * speed / mu_k, .slip = sign * 0.375L * speed * speed / mu_k};
 }
 
-// What a chatter leaves out, a last hop at rate w2, is no more than abs(w2) of the speed u, so 0.75 abs(w2)/mu_k of the time;
-// 2 abs(w2) is below the tolerance times the pull, which is below 1. Rounding and steps: the tolerance again.
+// The end of the chatter neglects a last hop at rate w2: at most abs(w2) of the speed u, hence 0.75 abs(w2)/mu_k of the
+// time. 2 abs(w2) is below the tolerance times the pull, which is below 1. Rounding and the error of steps add the
+// tolerance again.
 TEST(ChatterToSlide, StopsAtTheTimeAndPlaceOfTheClosedForm) {
   double worst = 0.0;
   int found = 0;
@@ -133,7 +134,7 @@ TEST(ChatterToSlide, StopsAtTheTimeAndPlaceOfTheClosedForm) {
     SplitMix draw(seed);
     const double tolerance = std::pow(10.0, -draw.uniform(6.0, 13.0));
     Condition condition = pushed(draw.uniform(1.5, 6.0), 0.0, tolerance);
-    const double psi = dynamics::geometry_of(condition.scene.block).shape_angle;
+    const double psi = dynamics::geometry_of(mean_block(condition.scene)).shape_angle;
     const double mu = std::tan(psi) * draw.uniform(0.3, 0.8);
     condition.scene.friction = Friction{.static_coefficient = mu, .kinetic_coefficient = mu * draw.uniform(0.7, 1.0)};
     const double tilt_rate = draw.uniform(-0.3, 0.3);
@@ -165,4 +166,4 @@ TEST(ChatterToSlide, StopsAtTheTimeAndPlaceOfTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -1,5 +1,5 @@
-// Slender and squat blocks, shaking from next to nothing to a thousand times the threshold, slow to fast: energy balances to
-// what the tolerance allows, impacts are those of the closed form, strobe points fall where they should.
+// Slender and squat blocks, from very weak excitation to a thousand times the threshold, at low and high frequencies. The
+// energy balance holds within the tolerance, impacts follow the closed form, and strobe points are at the right phase.
 
 #include <algorithm>
 #include <array>
@@ -19,14 +19,14 @@ namespace {
 using support::Stage;
 using ShakenBlock = support::Simulation<ConstantCoefficients>;
 
-/// What energy is made of, over m R^2 p^2, relative to the base.
+/// Energy and power, over m R^2 p^2, relative to the base.
 struct Balance {
   double energy;
-  double power;  ///< of the base's acceleration and of friction
+  double power;  ///< of the base acceleration and of friction
 };
 
-/// With u = V - w cos(phi), v = S w sin(phi) the velocity of the centre of mass: E = (u^2 + v^2)/2 + w^2/6 + (4/3) cos(phi),
-/// dE/dtau = -(4/3) alpha u - mu_k N abs(V), N as in lib/docs/model.md, section 2.
+/// With the velocity of the centre of mass u = V - w cos(phi), v = S w sin(phi): E = (u^2 + v^2)/2 + w^2/6 + (4/3) cos(phi)
+/// and dE/dtau = -(4/3) alpha u - mu_k N abs(V), N as in lib/docs/model.md, section 2.
 Balance balance_of(const State& state, double alpha, double mu_k, const Geometry& block) {
   const bool rocks = state.contact == ContactState::rock || state.contact == ContactState::rock_slide;
   const double phi = block.shape_angle - std::abs(state.tilt);
@@ -45,11 +45,11 @@ Balance balance_of(const State& state, double alpha, double mu_k, const Geometry
           .power = -4.0 / 3.0 * alpha * u - loss};
 }
 
-/// The largest violation of the balance over the pieces of a run, over what a step may err by.
+/// Largest violation of the balance over the pieces of a run, divided by the allowed error of a step.
 ///
-/// A step leaves out terms of w and V below the tolerance times psi, and as much again beyond the last two; theta and X err
-/// by the step's length times as much. The derivatives of E by w, V and theta are below 3 (abs(w) + abs(V)), the same, and
-/// 2 + w^2 + abs(w V). Roundings: a hundred of whatever adds up.
+/// A step neglects terms of w and V below the tolerance times psi, and the same amount beyond the last two terms; the
+/// errors of theta and X are these times the length of the step. The derivatives of E by w, V and theta are below 3 (abs(w)
+/// + abs(V)), the same, and 2 + w^2 + abs(w V). Roundings: a hundred times the size of the terms.
 double worst_violation(ShakenBlock& run, const Stage& stage, double amplitude, double end) {
   const Geometry block = stage.geometry();
   double worst = 0.0;
@@ -84,8 +84,9 @@ struct Shape {
 
 class FreeShape : public ::testing::TestWithParam<Shape> {};
 
-// Between impacts energy is kept, so the next impact comes at the rate of the last; there w2 = delta w1, delta = 1 - (3/2)
-// (1 + e) sin^2(psi). Where delta < 0 the block goes back over the edge it came from. Each step keeps w to the tolerance.
+// Between impacts the energy is constant, so that the next impact occurs at the rate after the last one; there w2 = delta
+// w1, delta = 1 - (3/2) (1 + e) sin^2(psi). If delta < 0, the block turns about the same edge again. Each step keeps w to
+// the tolerance.
 TEST_P(FreeShape, HasTheRatesOfTheClosedFormImpactAfterImpact) {
   const auto [height, restitution] = GetParam();
   const Stage stage{
@@ -100,7 +101,7 @@ TEST_P(FreeShape, HasTheRatesOfTheClosedFormImpactAfterImpact) {
   for (const auto& event : run.log.events) {
     if (event.kind != EventKind::impact_stick) break;
     EXPECT_EQ(std::signbit(event.state.tilt_rate), std::signbit(event.state.side)) << impacts;
-    // Over one edge after the other, or always over the same.
+    // On alternating edges, or always on the same one.
     EXPECT_EQ(event.state.side, delta < 0.0 || impacts % 2 == 1 ? 1.0 : -1.0) << impacts;
     const double rate = event.state.tilt_rate;
     ++impacts;
@@ -178,8 +179,8 @@ TEST(AmplitudeAndFrequency, OverManyDecadesBalanceEnergyAndNeverStopTheRun) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// A run that reaches its horizon has the clock on the last strobe point: a whole number of periods after the start, the
-// phase that it had there, to the clock's resolution.
+// At the end of a run that reaches its horizon the clock is on the last strobe point: a whole number of periods after the
+// start and at the same phase, to the clock's resolution.
 TEST(AmplitudeAndFrequency, OverManyDecadesKeepTheStrobeOnItsPhase) {
   int reached = 0;
   for (const double amplitude : amplitudes) {

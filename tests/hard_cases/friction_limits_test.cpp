@@ -1,5 +1,5 @@
-// Friction at the ends of its range: none at all, kinetic equal to static, and 4/3, where the equations of rock-slide lose
-// their solution.
+// Friction at the ends of its range: none, kinetic equal to static, and 4/3, where the equations of rock-slide lose their
+// solution.
 
 #include <algorithm>
 #include <cmath>
@@ -25,8 +25,9 @@ using ScriptedRun = support::Simulation<ScriptedCoefficients>;
 
 const ScriptedCoefficients no_friction{.statics = {0.0}, .kinetics = {0.0}};
 
-// Without friction a block in full contact stays where it is in space: V = V0 + (4/3) A (cos(Omega tau + Phi) - cos(Phi))/Omega,
-// through any number of stops. Some ten steps a period, two of them with a stop, cost a few roundings of the terms each.
+// Without friction a block in full contact does not move in space: V = V0 + (4/3) A (cos(Omega tau + Phi) -
+// cos(Phi))/Omega, through any number of stops. A period has about ten steps, two of them with a stop; each costs a few
+// roundings of the terms.
 TEST(NoFriction, LeavesABlockAtItsPlaceInSpaceThroughAllReversals) {
   double worst = 0.0;
   std::size_t reversals = 0;
@@ -54,8 +55,9 @@ TEST(NoFriction, LeavesABlockAtItsPlaceInSpaceThroughAllReversals) {
   RecordProperty("worst", std::to_string(worst * 1e15));
 }
 
-// No horizontal force: shaking does not reach the tilt. (1/6 + sin^2(phi)/2) w^2 + (4/3) cos(phi) is kept between impacts, and
-// each, slipping, multiplies the rate by (1 - 3 q)/(1 + 3 q), q = sin^2(psi). V - w cos(phi) follows the base through all.
+// Without a horizontal force the base motion has no effect on the tilt. (1/6 + sin^2(phi)/2) w^2 + (4/3) cos(phi) is
+// constant between impacts. Each impact slips and multiplies the rate by (1 - 3 q)/(1 + 3 q), q = sin^2(psi). V - w
+// cos(phi) follows the base throughout.
 TEST(NoFriction, KeepsShakingFromTheTiltAndTheMomentumThroughImpacts) {
   double worst_rate = 0.0;
   double worst_momentum = 0.0;
@@ -76,7 +78,7 @@ TEST(NoFriction, KeepsShakingFromTheTiltAndTheMomentumThroughImpacts) {
         if (event.kind != EventKind::impact_slip || impacts == 5) continue;
         ++impacts;
         rate *= (1.0 - 3.0 * q) / (1.0 + 3.0 * q);
-        // The steps' tolerance, 1e-13 psi, some ten of them a hop.
+        // Tolerance of the steps, 1e-13 psi, about ten of them per hop.
         EXPECT_NEAR(std::abs(event.state.tilt_rate), rate, 10.0 * 1e-13) << "impact " << impacts;
         worst_rate = std::max(worst_rate, std::abs(std::abs(event.state.tilt_rate) - rate));
         const double base = 4.0 / 3.0 * amplitude * block.shape_angle / stage.frequency;
@@ -98,8 +100,8 @@ State after_a_period(double amplitude, double mu_s, double mu_k) {
   return run.log.strobes.back();
 }
 
-// mu_k = mu_s is a case of its own: V' = 0 at the onset of slip. It is the limit of mu_k < mu_s: what the two differ by halves
-// when mu_s - mu_k does.
+// mu_k = mu_s is handled separately: V' = 0 at the onset of slip. It is the limit of mu_k < mu_s: the difference between
+// the two motions halves with mu_s - mu_k.
 TEST(KineticFriction, OfTheStaticOneIsTheLimitOfLess) {
   int slipped = 0;
   int compared = 0;
@@ -111,7 +113,7 @@ TEST(KineticFriction, OfTheStaticOneIsTheLimitOfLess) {
       ++slipped;
       const double far = after_a_period(amplitude, mu, mu * (1.0 - 0x1p-20)).slip - limit.slip;
       const double near = after_a_period(amplitude, mu, mu * (1.0 - 0x1p-21)).slip - limit.slip;
-      // The next order is 2^-20 of it, times the second derivative; rounding is 1e-13 of 1e-8 at least.
+      // The next order is 2^-20 of it times the second derivative; rounding is 1e-13 of at least 1e-8.
       if (std::abs(near) > 1e-9) {
         ++compared;
         EXPECT_NEAR(far / near, 2.0, 1e-2) << "A_h = " << amplitude << ", mu = " << mu;
@@ -123,15 +125,15 @@ TEST(KineticFriction, OfTheStaticOneIsTheLimitOfLess) {
   EXPECT_GT(compared, 60);
 }
 
-/// A block tilted over its left edge that slips to the left on a still base: rock-slide with S s = -1. Its determinant D is
-/// smallest, J + 1/2 - sqrt(1 + mu_k^2)/2, at phi = atan(mu_k)/2, which it passes as it is thrown over.
+/// A block tilted over its left edge that slips to the left on a base at rest: rock-slide with S s = -1. Its determinant D
+/// is smallest, J + 1/2 - sqrt(1 + mu_k^2)/2, at phi = atan(mu_k)/2. The block passes this angle as it turns over.
 struct ThrownOver {
   Stage stage{};
   double mu_k;
 
   [[nodiscard]] double edge_angle(const State& state) const { return stage.geometry().shape_angle - state.tilt; }
 
-  /// V - w cos(phi) + s mu_k (w sin(phi) + (4/3) tau): friction is mu_k N, so it is kept whatever N does.
+  /// V - w cos(phi) + s mu_k (w sin(phi) + (4/3) tau): constant whatever N is, because friction is mu_k N.
   [[nodiscard]] double momentum(const State& state, double tau) const {
     const double phi = edge_angle(state);
     return state.slip_rate - state.tilt_rate * std::cos(phi) -
@@ -145,7 +147,8 @@ struct ThrownOver {
     return 0.5 * (x * x + y * y + state.tilt_rate * state.tilt_rate / 3.0) + 4.0 / 3.0 * std::cos(phi);
   }
 
-  /// Whether N, in proportion to 4/3 - w^2 cos(phi), is > 0 throughout. Below 0, in the fall, friction would pull.
+  /// Whether N, proportional to 4/3 - w^2 cos(phi), is > 0 throughout. If N < 0, in the fall, friction would accelerate the
+  /// slip.
   [[nodiscard]] bool presses(const WalkPiece& piece) const {
     return std::all_of(piece.nodes.begin(), piece.nodes.end(), [this](const support::WalkNode& node) {
       return node.state.tilt_rate * node.state.tilt_rate * std::cos(edge_angle(node.state)) < 4.0 / 3.0;
@@ -165,8 +168,9 @@ ThrownOver thrown_over(double height, double tilt, double excess) {
 
 ScriptedCoefficients rough(double mu_k) { return {.statics = {2.0}, .kinetics = {mu_k}}; }
 
-// mu_k below 4/3 by a part in 2^2 to 2^32: the least D goes down to 1e-10, the solution exists throughout. Rounding in N is
-// magnified by 1/D, but not in the momentum, since friction takes what N gives: some hundred steps, a rounding of 6 + 4 mu_k each.
+// mu_k below 4/3 by a relative 2^-2 to 2^-32: the smallest D is 1e-10, and the solution exists throughout. Rounding in N is
+// multiplied by 1/D, but not in the momentum, since friction is proportional to N. Allowed: some hundred steps with a
+// rounding of 6 + 4 mu_k each.
 TEST(BelowPainleve, IsPassedWithMomentumKeptAndEnergyLost) {
   double worst = 0.0;
   for (const double height : {1.2, 1.5}) {
@@ -200,7 +204,7 @@ TEST(BelowPainleve, IsPassedWithMomentumKeptAndEnergyLost) {
   RecordProperty("worst", std::to_string(worst * 1e15));
 }
 
-// Above 4/3 D vanishes on the way: the run ends there, and says why.
+// Above 4/3 D becomes zero on the way: the run ends there with the reason.
 TEST(AbovePainleve, EndsWhereTheDeterminantVanishes) {
   for (const double height : {1.2, 1.5}) {
     for (int k = 6; k <= 16; k += 2) {
@@ -213,7 +217,7 @@ TEST(AbovePainleve, EndsWhereTheDeterminantVanishes) {
   }
 }
 
-// At 4/3 to the bit neither is to be had: the steps shrink with D. The run comes to an end that is counted.
+// At exactly 4/3 neither is possible: the steps shrink with D. The run ends in one of the ways that are counted.
 TEST(AtPainleve, EndsInACountedWayWithinTheBudget) {
   const ThrownOver block = thrown_over(1.5, 0.01, 0.0);
   ScriptedRun run(block.stage, rough(block.mu_k));

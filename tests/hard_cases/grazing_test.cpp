@@ -1,5 +1,5 @@
-// Grazing contact: a block falls towards the base, which pushes it up again just as it arrives. Whether it lands is decided
-// by the sign of the lowest point. A dip below the ground is two impacts, one on each edge; a near miss is none.
+// Grazing contact: a block falls towards the base, which pushes it up again just as it arrives. The sign of the lowest
+// point decides whether it lands. A dip below the ground is two impacts, one on each edge; a near miss is none.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@ struct Fall {
   double amplitude;
   LongDoubleRock exact;
 
-  [[nodiscard]] double pull() const {  ///< theta'' at the ground under the peak of the base acceleration
+  [[nodiscard]] double pull() const {  ///< theta'' at the ground at the peak of the base acceleration
     return amplitude * stage.geometry().shape_angle * stage.geometry().cosine - stage.geometry().sine;
   }
   [[nodiscard]] double ratio() const { return 1.0 - 1.5 * stage.geometry().sine * stage.geometry().sine; }
@@ -55,7 +55,7 @@ Fall fall_from(SplitMix& draw, double frequency, double phase) {
   return fall;
 }
 
-/// The impacts before `end`, with the mirror image for side = -1.
+/// The impacts before `end`; mirrored for side = -1.
 std::vector<support::LoggedEvent> impacts(const Fall& fall, double tilt, double rate, double end, double side) {
   Stage stage = fall.stage;
   stage.start = {.tilt = side * tilt, .tilt_rate = side * rate};
@@ -68,7 +68,8 @@ std::vector<support::LoggedEvent> impacts(const Fall& fall, double tilt, double 
   return found;
 }
 
-/// Two impacts, on one edge and on the other, at rates that fall by Housner's ratio; the first as in long double.
+/// Expects two impacts, on one edge and on the other, at rates that decrease by Housner's ratio; the first as in long
+/// double.
 void expect_dip(const Fall& fall, const LongDoubleRock::Dip& dip, const std::vector<support::LoggedEvent>& events,
                 double side, double relative) {
   ASSERT_EQ(events.size(), 2U);
@@ -80,8 +81,8 @@ void expect_dip(const Fall& fall, const LongDoubleRock::Dip& dip, const std::vec
   EXPECT_EQ(side * events[1].state.side, 1.0);
 }
 
-// From a start at rounding distance of grazing to one a part in 2^8 away. A rounding of theta by r at the ground changes the
-// rate there, w, by a r/w. r: the units in the last place of the terms of some ten steps.
+// From a start that grazes to rounding, to one that differs by 2^-8. A rounding r of theta at the ground changes the rate w
+// there by a r/w. r: the units in the last place of the terms of about ten steps.
 TEST(Grazing, FallMissesNoImpactAndInventsNone) {
   int dips = 0;
   int misses = 0;
@@ -97,7 +98,7 @@ TEST(Grazing, FallMissesNoImpactAndInventsNone) {
       (fall.exact.dip(tilt, rate).tilt < 0.0L ? fast : slow) = rate;
     }
     if (slow == 0.0L) continue;                               // it lands however slowly it starts
-    if (fall.exact.dip(tilt, fast).tilt < -1e-12L) continue;  // the push ends before the fall does: no grazing
+    if (fall.exact.dip(tilt, fast).tilt < -1e-12L) continue;  // the push ends before the fall: no grazing
     const double grazing = static_cast<double>(slow);
     for (int k = 8; k <= 53; ++k) {
       for (const double direction : {1.0, -1.0}) {
@@ -128,7 +129,7 @@ TEST(Grazing, FallMissesNoImpactAndInventsNone) {
   EXPECT_GE(misses, 500);
 }
 
-/// Tilt rates at the ground from 1e-3 to 1e-15: the start is as near to the ground as they are small, so that they are
+/// Tilt rates at the ground from 1e-3 to 1e-15. The start is as near to the ground as they are small, so that they are
 /// resolved to the last digits.
 class GrazingRate : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(TenToTheMinus, GrazingRate, testing::Range(3, 16), testing::PrintToStringParamName());
@@ -146,7 +147,7 @@ TEST_P(GrazingRate, IsThatOfTheClosedFormHoweverSmall) {
     const double side = draw.below(2) == 0 ? 1.0 : -1.0;
     const auto events = impacts(fall, tilt, rate, 0.1, side);
     const testing::ScopedTrace trace(__FILE__, __LINE__, "seed " + std::to_string(seed));
-    // w^2 = rate^2 - 2 a theta0: three roundings each, magnified by rate^2/w^2, at most 1 + 2 a 2 < 8.
+    // w^2 = rate^2 - 2 a theta0: three roundings each, multiplied by rate^2/w^2, at most 1 + 2 a 2 < 8.
     ASSERT_NO_FATAL_FAILURE(expect_dip(fall, dip, events, side, 8.0 * 8.0 * unit_rounding));
     worst = std::max(
         worst,

@@ -1,4 +1,5 @@
-// Whoever leaves the model is counted, never dropped, and can be looked at again from its numbers (lib/docs/model.md, 7).
+// Realisations that leave the range of the model are counted, never dropped, and can be replayed from their numbers
+// (lib/docs/model.md, 7).
 
 #include <cstdint>
 #include <functional>
@@ -9,19 +10,17 @@
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/trajectory.hpp"
-#include "rocking/report/read_experiment.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/simulation.hpp"
 
 namespace rocking {
 namespace {
 
 using dynamics::Termination;
-using experiment::Trajectory;
-using report::Json;
 
-/// Draws decide who overturns, and falls so fast that N reaches 0.
+/// Random numbers decide which realisations overturn, with falls so fast that N reaches 0.
 Json leaves_the_ground() {
   return Json::parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 4.0 },
@@ -31,7 +30,7 @@ Json leaves_the_ground() {
     "realisations": 40, "seed": "0x7" })");
 }
 
-/// H/B = 2 slides with mu_k > tan(psi), tips, and D <= 0 wherever a draw reaches 4/3.
+/// H/B = 2: the block slides with mu_k > tan(psi) and tips; D <= 0 where a draw reaches 4/3.
 Json meets_painleve() {
   return Json::parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 2.0 },
@@ -41,8 +40,8 @@ Json meets_painleve() {
     "realisations": 40, "seed": "0x7" })");
 }
 
-/// A record with a sample for each of more steps than a strobe period may have. Who starts beyond the balance overturns
-/// before that.
+/// A ground motion with more samples in a strobe period than the budget of steps allows. Realisations that start beyond the
+/// balance overturn before that.
 Json exhausts_the_steps() {
   return Json::parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 4.0 },
@@ -58,16 +57,16 @@ std::string dense_record() {
   return text;
 }
 
-/// Runs `document` as a library would, and follows each realisation by its numbers.
+/// Runs `document` as a C++ caller would, and follows each realisation by its numbers.
 struct Replayed {
-  experiment::ConditionResult result;
+  ConditionResult result;
   std::vector<Trajectory> trajectories;
 };
 
 Replayed replay(const Json& document) {
-  const experiment::Experiment read = report::read_experiment(document.dump());
-  const experiment::Condition& condition = read.conditions.at(0);
-  Replayed replayed{.result = experiment::run(read, {})->conditions.at(0), .trajectories = {}};
+  const Experiment read = read_experiment(document.dump());
+  const Condition& condition = read.conditions.at(0);
+  Replayed replayed{.result = run(read, {})->conditions.at(0), .trajectories = {}};
   const auto& horizon = condition.horizon;
   for (std::uint64_t number = 0; number < condition.realisations; ++number) {
     replayed.trajectories.push_back(
@@ -76,8 +75,8 @@ Replayed replay(const Json& document) {
   return replayed;
 }
 
-/// Each realisation has a response mode, and each that is unresolved has a reason or ended before its horizon.
-void expect_all_counted(const experiment::ConditionResult& result, std::uint64_t realisations) {
+/// Each realisation has a response mode. Each unresolved one has a reason or ended before its horizon.
+void expect_all_counted(const ConditionResult& result, std::uint64_t realisations) {
   std::uint64_t named = 0;
   std::uint64_t unresolved = result.validity.painleve.count + result.validity.stopped.count;
   for (const auto& [reason, cases] : result.validity.unresolved) unresolved += cases.count;
@@ -91,16 +90,16 @@ void expect_all_counted(const experiment::ConditionResult& result, std::uint64_t
   EXPECT_EQ(named, realisations) << "a realisation is missing from the modes";
 }
 
-/// The cases are those trajectories of which `holds` is true, and some are not.
-void expect_cases(const experiment::Cases& cases, const std::vector<Trajectory>& all,
+/// The cases are those trajectories for which `holds` is true; for some it is false.
+void expect_cases(const Cases& cases, const std::vector<Trajectory>& all,
                   const std::function<bool(const Trajectory&)>& holds) {
-  experiment::Cases seen;
+  Cases seen;
   for (std::uint64_t number = 0; number < all.size(); ++number) {
     if (holds(all[number])) seen.add(number);
   }
   EXPECT_EQ(cases.count, seen.count);
   EXPECT_EQ(cases.first, seen.first);
-  EXPECT_GT(seen.count, experiment::Cases::kept) << "the scene shows more than is listed";
+  EXPECT_GT(seen.count, Cases::kept) << "the scene shows more than is listed";
   EXPECT_LT(seen.count, all.size()) << "and some that are not";
 }
 
@@ -126,7 +125,7 @@ TEST(Painleve, IsCountedListedAndSeenAgainFromItsNumbers) {
                [](const Trajectory& trajectory) { return trajectory.termination == Termination::painleve; });
 }
 
-/// A source of coefficients that always has another change for the very instant: time stands still.
+/// A source of coefficients that announces another change at the same instant for ever: time does not advance.
 struct ChangesForever : dynamics::ConstantCoefficients {
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool) const {
     return clock.now();
@@ -143,7 +142,7 @@ TEST(EventBudget, EndsARunInWhichTimeStandsStill) {
 
 class LeavingTheModel : public support::ProgramTest {
  protected:
-  /// Runs `document`; the validity of its only condition.
+  /// Runs `document` and returns the validity of its only condition.
   Json validity_of(const Json& document) const {
     write("question.json", document.dump());
     EXPECT_EQ(rocking("run question.json -o out -q").exit_code, 0);

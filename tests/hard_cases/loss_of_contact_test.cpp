@@ -1,4 +1,5 @@
-// N <= 0 in full contact, where N = (4/3)(1 + alpha_v): the base falls away faster than the block (lib/docs/model.md, 7).
+// N <= 0 in full contact, where N = (4/3)(1 + alpha_v): the base accelerates downwards faster than the block can fall
+// (lib/docs/model.md, 7).
 
 #include <cmath>
 #include <cstdint>
@@ -8,29 +9,29 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 using dynamics::ContactState;
 using dynamics::EventKind;
 using dynamics::Termination;
 
-/// A sample at a normalised time, in g.
+/// A sample at a normalised time; accelerations in g.
 struct Knot {
   double tau;
   double vertical;
   double horizontal = 0.0;
 };
 
-/// The reference block on a base that moves as the knots say; strobe points a time 1 apart.
+/// The reference block on a base that moves as given by the knots; strobe points a time 1 apart.
 Condition on_base(const std::vector<Knot>& knots) {
   Condition condition;
-  const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
+  const double p = dynamics::geometry_of(mean_block(condition.scene)).frequency_parameter;
   GroundMotion motion{.samples = {}, .has_vertical = true};
   for (const Knot& knot : knots) motion.samples.push_back({knot.tau / p, knot.horizontal, knot.vertical});
   condition.scene.excitation = support::recorded_by(std::move(motion), 2.0 * 3.141592653589793);
@@ -54,13 +55,14 @@ std::vector<Knot> two_dips(double depth) {
   return {{0.0, 0.0}, {1.0, 0.0}, {2.0, depth}, {3.0, 0.0}, {4.0, depth}, {5.0, 0.0}};
 }
 
-// Without friction to lose and nothing that pushes, full contact holds whatever the weight: mu_s = 0, alpha = 0.
+// With mu_s = 0 and alpha = 0 there is no friction to exceed and no horizontal force, so that full contact persists for any
+// weight.
 TEST(LossOfContactAtRest, IsCountedAtEachDownwardCrossingThoughTheBlockStaysAtRest) {
   const Condition condition = with_friction(on_base(two_dips(-2.0)), 0.0, 0.0);
-  const Record record = realise(condition, 0, 0);
-  EXPECT_EQ(record.losses_of_contact, 2U);
-  EXPECT_NEAR(record.first_loss_of_contact, 1.5, 1e-14) << "1 + alpha_v = 1 - 2 (tau - 1)";
-  EXPECT_EQ(record.termination, Termination::reached_horizon);
+  const RealisationResult result = realise(condition, 0, 0);
+  EXPECT_EQ(result.losses_of_contact, 2U);
+  EXPECT_NEAR(result.first_loss_of_contact, 1.5, 1e-14) << "1 + alpha_v = 1 - 2 (tau - 1)";
+  EXPECT_EQ(result.termination, Termination::reached_horizon);
   const Trajectory trajectory = trajectory_of(condition, 0, 0, 10);
   EXPECT_TRUE(trajectory.events.empty());
   EXPECT_EQ(trajectory.strobe.back().contact, ContactState::rest);
@@ -72,26 +74,26 @@ TEST(LossOfContactAtRest, IsNoneWhereTheBaseFallsALittleMoreSlowlyThanTheBlock) 
 }
 
 TEST(LossOfContactAtRest, IsCountedWhereTheWeightVanishesForAnInstant) {
-  const Record record = realise(with_friction(on_base(two_dips(-1.0)), 0.0, 0.0), 0, 0);
-  EXPECT_EQ(record.losses_of_contact, 2U) << "N <= 0, not N < 0";
-  EXPECT_NEAR(record.first_loss_of_contact, 2.0, 1e-14);
+  const RealisationResult result = realise(with_friction(on_base(two_dips(-1.0)), 0.0, 0.0), 0, 0);
+  EXPECT_EQ(result.losses_of_contact, 2U) << "N <= 0, not N < 0";
+  EXPECT_NEAR(result.first_loss_of_contact, 2.0, 1e-14);
 }
 
 TEST(LossOfContactAtRest, IsCountedAtTheInstantOfAJump) {
-  const Record record =
+  const RealisationResult result =
       realise(with_friction(on_base({{0.0, 0.0}, {1.25, 0.0}, {1.25, -1.5}, {1.5, -1.5}, {1.5, 0.0}}), 0.0, 0.0), 0, 0);
-  EXPECT_EQ(record.losses_of_contact, 1U);
-  EXPECT_NEAR(record.first_loss_of_contact, 1.25, 1e-15);
+  EXPECT_EQ(result.losses_of_contact, 1U);
+  EXPECT_NEAR(result.first_loss_of_contact, 1.25, 1e-15);
 }
 
 TEST(LossOfContactAtRest, IsCountedAtTheStart) {
-  const Record record = realise(with_friction(on_base({{0.0, -1.5}, {1.0, -1.5}}), 0.0, 0.0), 0, 0);
-  EXPECT_EQ(record.losses_of_contact, 1U);
-  EXPECT_EQ(record.first_loss_of_contact, 0.0);
+  const RealisationResult result = realise(with_friction(on_base({{0.0, -1.5}, {1.0, -1.5}}), 0.0, 0.0), 0, 0);
+  EXPECT_EQ(result.losses_of_contact, 1U);
+  EXPECT_EQ(result.first_loss_of_contact, 0.0);
 }
 
-// abs(alpha) > min(tan(psi), mu_s)(1 + alpha_v) from 1 + alpha_v = 0 on: rest ends there, by a lift or by a slide, also
-// where nothing pushes sideways. The crossing is counted once, whichever of the two states it is seen in.
+// From 1 + alpha_v = 0 on, abs(alpha) > min(tan(psi), mu_s)(1 + alpha_v): rest ends there, by a lift or by a slide, also
+// without a horizontal force. The crossing is counted once, in whichever of the two states it is detected.
 TEST(LossOfContactAtRest, EndsTheRestOfABlockThatNothingPushesSideways) {
   support::SplitMix random(20121104);
   for (int dip = 0; dip < 200; ++dip) {
@@ -113,33 +115,33 @@ TEST(LossOfContactAtRest, EndsTheRestOfABlockThatNothingPushesSideways) {
       if (trajectory.events.size() > 1) {
         EXPECT_GT(trajectory.events[1].tau, 2.0 - 1e-12) << depth << ": it does not come back before the jump";
       }
-      const Record record = realise(condition, 0, 0);
-      EXPECT_EQ(record.losses_of_contact, 1U) << depth;
-      EXPECT_NEAR(record.first_loss_of_contact, instant, 1e-14) << depth;
-      EXPECT_NE(record.termination, Termination::stopped) << depth;
+      const RealisationResult result = realise(condition, 0, 0);
+      EXPECT_EQ(result.losses_of_contact, 1U) << depth;
+      EXPECT_NEAR(result.first_loss_of_contact, instant, 1e-14) << depth;
+      EXPECT_NE(result.termination, Termination::stopped) << depth;
     }
   }
 }
 
-// V' = -s mu_k (4/3)(1 + alpha_v): as the equation stands, friction drives the slip on while N < 0. Over a dip of 1 + alpha_v
-// down to 1 + depth and back, which takes a time 2, V changes by -(4/3) mu_k (2 + depth).
+// V' = -s mu_k (4/3)(1 + alpha_v): by this equation friction accelerates the slip while N < 0. If 1 + alpha_v decreases to
+// 1 + depth and returns within a time of 2, V changes by -(4/3) mu_k (2 + depth).
 TEST(LossOfContactInSlide, IsCountedAndTheRunGoesOnWithTheEquationAsItStands) {
   constexpr double mu = 0.15;
   for (const double depth : {-0.5, -1.5, -4.0}) {
     Condition condition = with_friction(on_base(two_dips(depth)), 0.2, mu);
     condition.scene.initial.slip_rate = 9.0;
-    const Record record = realise(condition, 0, 0);
-    EXPECT_EQ(record.losses_of_contact, depth < -1.0 ? 2U : 0U) << depth;
+    const RealisationResult result = realise(condition, 0, 0);
+    EXPECT_EQ(result.losses_of_contact, depth < -1.0 ? 2U : 0U) << depth;
     if (depth < -1.0) {
-      EXPECT_NEAR(record.first_loss_of_contact, 1.0 - 1.0 / depth, 1e-14) << depth;
+      EXPECT_NEAR(result.first_loss_of_contact, 1.0 - 1.0 / depth, 1e-14) << depth;
     }
     // A dozen roundings of numbers below 16.
-    EXPECT_NEAR(record.strobe.at(9).slip_rate, 9.0 - 4.0 / 3.0 * mu * (10.0 + 2.0 * depth), 2e-14) << depth;
+    EXPECT_NEAR(result.strobe.at(9).slip_rate, 9.0 - 4.0 / 3.0 * mu * (10.0 + 2.0 * depth), 2e-14) << depth;
   }
 }
 
-// In full contact without weight, friction pulls the other way and does not tip, however large mu_k is. It tips as soon as
-// the block presses on the base: 1 + alpha_v = -1/2 until 1, then rises to 1 + height at 4.
+// In full contact with N < 0, friction acts in the other direction and does not tip the block, however large mu_k is. The
+// block tips as soon as it presses on the base: 1 + alpha_v = -1/2 until 1, then increases to 1 + height at 4.
 TEST(LossOfContactInSlide, EndsInATipWhereKineticFrictionIsAboveTanPsi) {
   support::SplitMix random(20121105);
   for (int rise = 0; rise < 200; ++rise) {
@@ -156,14 +158,14 @@ TEST(LossOfContactInSlide, EndsInATipWhereKineticFrictionIsAboveTanPsi) {
     if (trajectory.events.size() > 1) {
       EXPECT_GT(trajectory.events[1].tau, trajectory.events[0].tau + 0.1) << height << ": it does not fall back";
     }
-    const Record record = realise(condition, 0, 0);
-    EXPECT_EQ(record.losses_of_contact, trajectory.losses_of_contact);
-    EXPECT_EQ(record.first_loss_of_contact, 0.0);
+    const RealisationResult result = realise(condition, 0, 0);
+    EXPECT_EQ(result.losses_of_contact, trajectory.losses_of_contact);
+    EXPECT_EQ(result.first_loss_of_contact, 0.0);
   }
 }
 
-// Pushed hard enough, rocking would press on its edge though full contact does not (N = G + S w' sin(psi) > 0 > G), and need
-// more friction than there is; but slip could not tip the block. It slides, whatever mu_k is.
+// Under a sufficiently large push, rocking would press on its edge although full contact does not (N = G + S w' sin(psi) >
+// 0 > G), and would need more friction than is available; but slip could not tip the block. It slides, whatever mu_k is.
 TEST(LossOfContactInSlide, FollowsAJumpInWhichNeitherLiftNorTipIsPossible) {
   for (const double mu_k : {0.1, 0.5}) {
     Condition condition =
@@ -178,7 +180,7 @@ TEST(LossOfContactInSlide, FollowsAJumpInWhichNeitherLiftNorTipIsPossible) {
   }
 }
 
-// Whatever a base does to a block, time goes on and the numbers stay numbers.
+// Whatever the base does, time advances and all numbers are finite.
 TEST(LossOfContact, UnderRandomVerticalMotionNeverStopsARun) {
   support::SplitMix random(20121103);
   int lost = 0;
@@ -194,13 +196,13 @@ TEST(LossOfContact, UnderRandomVerticalMotionNeverStopsARun) {
     const double mu_k = random.below(3) == 0 ? mu_s : random.uniform(0.0, mu_s);
     if (random.below(5) != 0) condition = with_friction(condition, mu_s, mu_k);
     if (condition.scene.friction && random.below(2) == 0) condition.scene.initial.slip_rate = random.uniform(-2.0, 2.0);
-    const Record record = realise(condition, 0, 0);
-    EXPECT_NE(record.termination, Termination::stopped) << scene;
-    EXPECT_LT(record.effort.steps, 20'000U) << scene;
-    lost += record.losses_of_contact > 0 ? 1 : 0;
+    const RealisationResult result = realise(condition, 0, 0);
+    EXPECT_NE(result.termination, Termination::stopped) << scene;
+    EXPECT_LT(result.operations.steps, 20'000U) << scene;
+    lost += result.losses_of_contact > 0 ? 1 : 0;
   }
   EXPECT_GT(lost, 200) << "the scenes are those that are meant";
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

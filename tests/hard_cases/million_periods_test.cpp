@@ -1,4 +1,4 @@
-// A million periods: a periodic orbit is where it was, and the clock has lost nothing but its roundings.
+// A million periods: a periodic orbit stays where it was, and the error of the clock is limited to its roundings.
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/dynamics/clock.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
@@ -16,9 +16,6 @@ namespace {
 
 using dynamics::Clock;
 using dynamics::ContactState;
-using experiment::Condition;
-using experiment::Trajectory;
-using experiment::TrajectorySample;
 
 constexpr std::int64_t million = 1'000'000;
 
@@ -34,7 +31,7 @@ const TrajectorySample& at(const Trajectory& trajectory, std::int64_t period) {
   return trajectory.strobe.at(static_cast<std::size_t>(period - 1));
 }
 
-/// The largest distance of later points from the one after a thousand periods.
+/// Largest distance of later points from the one after a thousand periods.
 double drift_of(const Trajectory& trajectory) {
   const TrajectorySample& reference = at(trajectory, 1'000);
   double largest = 0.0;
@@ -46,10 +43,10 @@ double drift_of(const Trajectory& trajectory) {
   return largest;
 }
 
-// A (1,1) orbit draws what is near by a factor delta^2 = 0.83 a period: after a thousand periods all that is left is the
-// rounding of a period, some tens of steps and two impacts, 2^-53 times numbers below 1 each, and what the attraction leaves
-// standing of those before, 1/(1 - 0.83) times as much. Were the strobe to drift by 1e-16 of a period in each, the point
-// would have moved by 1e-10 Theta''.
+// A (1,1) orbit attracts nearby motions by a factor delta^2 = 0.83 per period. After a thousand periods the remaining error
+// is the rounding of one period (some tens of steps and two impacts, 2^-53 times numbers below 1 each) plus what the
+// attraction leaves of earlier ones, 1/(1 - 0.83) times as much. If the strobe drifted by 1e-16 of a period in each period,
+// the point would have moved by 1e-10 Theta''.
 TEST(MillionPeriods, OfAPeriodicOrbitEndWhereTheFirstThousandDid) {
   Condition condition = shaken(2.0);
   condition.tolerance = 1e-6;
@@ -59,11 +56,11 @@ TEST(MillionPeriods, OfAPeriodicOrbitEndWhereTheFirstThousandDid) {
   EXPECT_LE(drift_of(trajectory), 50 * 2 * 0x1p-53 / (1.0 - 0.83));
 }
 
-// Sliding to and fro under mu = 0.15 forgets its past in each reversal.
+// Sliding to and fro under mu = 0.15 loses its history in each reversal.
 TEST(MillionPeriods, OfSlidingToAndFroEndWhereTheFirstThousandDid) {
   Condition condition = shaken(4.0);
   condition.tolerance = 1e-6;
-  condition.scene.friction = experiment::Friction{.static_coefficient = 0.15, .kinetic_coefficient = 0.15};
+  condition.scene.friction = Friction{.static_coefficient = 0.15, .kinetic_coefficient = 0.15};
   const Trajectory trajectory = trajectory_of(condition, 0, 0, million);
   ASSERT_EQ(trajectory.strobe.size(), static_cast<std::size_t>(million));
   EXPECT_EQ(at(trajectory, million).contact, ContactState::slide);
@@ -74,7 +71,7 @@ TEST(MillionPeriods, OfSlidingToAndFroEndWhereTheFirstThousandDid) {
 
 __extension__ using Integer = __int128;
 
-/// A double that is a multiple of 2^-60 as a whole number of them.
+/// A double that is a multiple of 2^-60, as an integer multiple of it.
 Integer exactly(double value) {
   const double scaled = std::ldexp(value, 60);
   EXPECT_EQ(scaled, std::floor(scaled));
@@ -83,17 +80,18 @@ Integer exactly(double value) {
 
 double as_double(Integer value) { return std::ldexp(static_cast<double>(value), -60); }
 
-// Millions of steps of any length: the clock and the exact sum of the steps differ by the roundings of times within a period,
-// each at most 2^-54 since they stay below 1. One rounding of a time of a million periods would be 2^-34.
+// Millions of steps of any length: the clock and the exact sum of the steps differ by the roundings of times within a
+// period. Each is at most 2^-54, since these times are below 1. A single rounding of a time of a million periods would be
+// 2^-34.
 TEST(ClockArithmetic, OverAMillionPeriodsDiffersFromExactIntegersByTheRoundingsOfOneOnly) {
-  Clock clock(10.0, 0.0);  // a period of 0.63: times and steps add up to less than 1
+  Clock clock(10.0, 0.0);  // a period of 0.63: times and steps sum to less than 1
   const Integer length = exactly(clock.period_length());
   support::SplitMix random(20121107);
   Integer sum = 0;
   std::int64_t steps = 0;
   Integer worst = 0;
   while (clock.now().period < million) {
-    // In multiples of 2^-60, as the spacing of the smallest of them is.
+    // In multiples of 2^-60, the spacing of the smallest of them.
     const double step = std::ldexp(std::floor(std::ldexp(random.uniform(0.05, 0.3), 60)), -60);
     clock.advance(step);
     sum += exactly(step);
@@ -106,7 +104,7 @@ TEST(ClockArithmetic, OverAMillionPeriodsDiffersFromExactIntegersByTheRoundingsO
   EXPECT_GT(steps, 3 * million);
 }
 
-// The strobe instants themselves are integers and suffer no rounding at all, wherever within a period the clock stands.
+// Strobe instants are integers and have no rounding error, wherever within a period the clock is.
 TEST(ClockArithmetic, TellsTheTimeUntilAStrobeAMillionPeriodsOnToOneRounding) {
   Clock clock(10.0, 0.0);
   const Integer length = exactly(clock.period_length());

@@ -1,5 +1,5 @@
-// No guard crossing is missed: a million steps of random motions, made as the product makes them, against a close look at every
-// guard over all of the time that a step went on.
+// No guard crossing is missed: a million steps of random motions, computed as in a run, compared with a dense evaluation of
+// every guard over the whole time of each step.
 
 #include <algorithm>
 #include <array>
@@ -14,14 +14,15 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/horizon_run.hpp"
-#include "rocking/experiment/realisation_crew.hpp"
+#include "rocking/realisation/horizon_run.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_scheduler.hpp"
 #include "support/excitation.hpp"
 #include "support/guard_watch.hpp"
 #include "support/random_scene.hpp"
 #include "support/watched_motion.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 using support::GuardTally;
@@ -38,10 +39,10 @@ constexpr std::uint64_t watched_steps = 200'000;
 constexpr std::uint64_t watched_steps = 1'000'000;
 #endif
 
-/// A broken line, its knots unevenly spaced, now and then a jump; two in three with a vertical motion.
+/// A broken line with unevenly spaced knots and occasional jumps; two in three with a vertical motion.
 GroundMotion random_ground_motion(const Scene& scene, SplitMix& draw) {
   GroundMotion motion{.samples = {}, .has_vertical = draw.below(3) != 0};
-  const dynamics::Geometry block = dynamics::geometry_of(scene.block);
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
   const double period = 2.0 * std::numbers::pi / frequency_ratio(scene.excitation) / block.frequency_parameter;
   const double strongest = draw.uniform(0.05, 0.4);
   for (double time = 0.0; time < horizon_periods * period;) {
@@ -51,7 +52,7 @@ GroundMotion random_ground_motion(const Scene& scene, SplitMix& draw) {
   return motion;
 }
 
-/// A squat block on rubber, thrown over the edge that slips: D may vanish on the way.
+/// A squat block with high friction, thrown over the slipping edge: D may become zero on the way.
 void throw_over(Scene& scene, SplitMix& draw) {
   const double side = draw.below(2) == 0 ? 1.0 : -1.0;
   scene.block.height = draw.uniform(1.0, 1.6);
@@ -62,7 +63,8 @@ void throw_over(Scene& scene, SplitMix& draw) {
   scene.initial.slip_rate = -side * draw.uniform(2.0, 6.0);
 }
 
-/// Squat and slender, all formulations, every effect on and off, tolerances of ten decades; every fourth base recorded.
+/// Squat and slender blocks, all formulations, every effect on and off, tolerances over ten decades; every fourth base
+/// motion is recorded.
 Condition random_condition(std::uint64_t number) {
   SplitMix draw(number);
   Condition condition;
@@ -81,25 +83,26 @@ Condition random_condition(std::uint64_t number) {
 
 constexpr std::uint64_t seed = 0x2012;
 
-/// Runs a realisation of a condition as run_alone does, watched but for its companions.
-Record run_watched(const Condition& condition, std::uint64_t realisation, GuardTally& tally,
+/// Runs a realisation of a condition as run_alone does. The motion is watched, except the reference and the perturbed
+/// trajectory.
+RealisationResult run_watched(const Condition& condition, std::uint64_t realisation, GuardTally& tally,
                    const integrate::FiredGuards& overlooked = {}) {
   const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                 strobes_before_copy(condition));
-  HorizonRun run(condition,
+  HorizonRun run(condition, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
   support::WatchedMotion watched(run.motion(), watch, overlooked);
   while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
-  if (CompanionPair* companions = run.name()) run_alone(*companions);
+  if (PerturbedPair* perturbed_pair = run.name()) run_alone(*perturbed_pair);
   return run.finish();
 }
 
-/// What a realisation came to, and the steps and searches that it took.
-std::string outcome_of(const Record& record) {
-  return base::to_hex(digest_of(record, 0)) + " " + std::to_string(record.effort.steps) + " steps, " +
-         std::to_string(record.effort.root_isolations) + " isolations";
+/// The result of a realisation, and the steps and searches that it needed.
+std::string outcome_of(const RealisationResult& result) {
+  return base::to_hex(digest_of(result, 0)) + " " + std::to_string(result.operations.steps) + " steps, " +
+         std::to_string(result.operations.root_isolations) + " isolations";
 }
 
 std::string spelled(const GuardTally& tally) {
@@ -114,21 +117,21 @@ std::string spelled(const GuardTally& tally) {
   return text;
 }
 
-/// The same realisations side by side in lanes.
+/// Compares with the same realisations advanced together in lanes.
 void expect_the_same_in_lanes(const lanes::Kernels& kernels, const std::vector<Condition>& conditions,
                               const std::vector<std::string>& outcomes) {
-  RealisationCrew crew(seed, kernels);
-  for (std::size_t next = 0; next < conditions.size() || !crew.is_idle();) {
-    for (; next < conditions.size() && crew.wants_more(); ++next) {
-      crew.start({&conditions[next], next}, next);
+  RealisationScheduler scheduler(seed, kernels);
+  for (std::size_t next = 0; next < conditions.size() || !scheduler.is_idle();) {
+    for (; next < conditions.size() && scheduler.wants_more(); ++next) {
+      scheduler.start({&conditions[next], next}, next);
     }
-    for (const auto& [ticket, record] : crew.work()) {
-      ASSERT_EQ(outcome_of(record), outcomes[ticket]) << "random_condition(" << ticket << "), " << kernels.name;
+    for (const auto& [id, result] : scheduler.work()) {
+      ASSERT_EQ(outcome_of(result), outcomes[id]) << "random_condition(" << id << "), " << kernels.name;
     }
   }
 }
 
-// Lanes cannot be watched step by step. They make the same steps if they come to the same strobe points and counts.
+// Lanes cannot be watched step by step. If strobe points and counts are equal, their steps are the same.
 TEST(GuardCrossing, IsNeverMissedInAMillionStepsOfRandomMotions) {
   GuardTally tally;
   std::vector<Condition> conditions;
@@ -148,7 +151,7 @@ TEST(GuardCrossing, IsNeverMissedInAMillionStepsOfRandomMotions) {
   expect_the_same_in_lanes(lanes::available_kernels().back(), conditions, outcomes);
 }
 
-/// Of an integrator that does not see one guard.
+/// An integrator that does not see one guard.
 class OverlookedGuard : public testing::TestWithParam<std::size_t> {};
 
 TEST_P(OverlookedGuard, IsNoticed) {
@@ -163,4 +166,4 @@ TEST_P(OverlookedGuard, IsNoticed) {
 INSTANTIATE_TEST_SUITE_P(GuardCrossing, OverlookedGuard, testing::Range<std::size_t>(0, dynamics::guard_count));
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

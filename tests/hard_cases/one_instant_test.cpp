@@ -1,5 +1,6 @@
-// Two things at one instant: a slip that stops as the block lands, slip that begins in the impact. Neighbouring starts, a
-// unit in the last place apart, see them in one order or the other, or together; the motion after them must be the same.
+// Two events at one instant: a slip that stops as the block lands, and slip that begins in an impact. Neighbouring initial
+// states, a unit in the last place apart, lead to one order or the other, or to simultaneous events; the motion afterwards
+// must be the same.
 
 #include <algorithm>
 #include <cmath>
@@ -21,7 +22,7 @@ using support::SplitMix;
 using support::Stage;
 using ScriptedRun = support::Simulation<ScriptedCoefficients>;
 
-/// Halves [low, high] until the two are neighbours, `claim` false at low and true at high; returns high.
+/// Bisects [low, high] until the two are neighbours, with `claim` false at low and true at high; returns high.
 template <class Claim>
 double first_true(double low, double high, Claim&& claim) {
   for (double middle = 0.5 * (low + high); middle != low && middle != high; middle = 0.5 * (low + high)) {
@@ -30,7 +31,7 @@ double first_true(double low, double high, Claim&& claim) {
   return high;
 }
 
-/// A block that lands while it slips slower and slower on a still base.
+/// A block that lands while its slip decelerates on a base at rest.
 struct Landing {
   Stage stage;
   double side;
@@ -44,8 +45,8 @@ struct Landing {
   }
 };
 
-// The stop's root and the landing's move apart by 7.5 units of time for each of slip rate; within the clock's resolution
-// they are one. Before and after, the tilt rate in the impact is the same: V1 is below the resolution times V' < 1.
+// The times of the stop and the landing differ by 7.5 per unit of slip rate; within the clock's resolution they are
+// simultaneous. The tilt rate in the impact is the same in all cases: V1 is below the resolution times V' < 1.
 TEST(ImpactAndStop, LeaveTheSameMotionInEitherOrderAndTogether) {
   int orders[2] = {0, 0};
   double worst = 0.0;
@@ -81,7 +82,7 @@ TEST(ImpactAndStop, LeaveTheSameMotionInEitherOrderAndTogether) {
   RecordProperty("worst", std::to_string(worst * 1e15));
 }
 
-/// A block that lands on a shaken base; friction may give way right after the impact.
+/// A block that lands on a moving base; slip may begin right after the impact.
 struct Onset {
   Stage stage;
   double static_friction;
@@ -95,14 +96,15 @@ struct Onset {
   }
 };
 
-/// Whether the first thing that happens is a sticking impact, and then whether slip starts at that instant. Absent otherwise.
+/// Whether slip starts at the instant of a sticking impact, which must be the first event. Absent otherwise.
 std::optional<bool> slips_at_once(const support::EventLog& log) {
   if (log.events.size() < 2 || log.events[0].kind != EventKind::impact_stick) return std::nullopt;
   return log.events[1].kind == EventKind::slip_start && log.events[1].tau == log.events[0].tau;
 }
 
-// The demand on friction right after the impact is mu_s to a unit in the last place. With mu_k = mu_s slip that begins or does
-// not begins without acceleration, so the state a period later is the same but for roundings, which grow by less than 1e3.
+// The friction required right after the impact equals mu_s to a unit in the last place. With mu_k = mu_s slip begins
+// without acceleration. Whether it begins or not, the state a period later is the same except for roundings, which grow by
+// less than 1e3.
 TEST(OnsetOfSlipInTheImpact, AtTheLimitToTheUlpIsNeitherAContradictionNorAJump) {
   int found = 0;
   double worst = 0.0;

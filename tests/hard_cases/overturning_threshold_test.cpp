@@ -1,4 +1,4 @@
-// Where a block just overturns, found by bisection: against closed forms, and the same twice.
+// Overturning thresholds by bisection, compared with closed forms, and the same in a second run.
 
 #include <array>
 #include <cmath>
@@ -8,12 +8,12 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 #include "support/split_mix.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 using dynamics::EventKind;
@@ -21,7 +21,7 @@ using dynamics::Termination;
 
 constexpr double psi = 0x1.f5b75f92c80ddp-3;  ///< of H/B = 4
 
-/// The parameter between which and the next the answer changes, or where `width` is reached.
+/// The adjacent values of the parameter between which the result changes, or an interval of length `width`.
 struct Bracket {
   double stands;
   double overturns;
@@ -42,7 +42,7 @@ bool is_overturned(const Condition& condition) {
 
 // --- an initial rate ---------------------------------------------------------------------------------------------------
 
-/// Upright, with the rate Theta'.
+/// Upright, with the initial rate Theta'.
 Condition thrown(double rate) {
   Condition condition;
   support::harmonic(condition.scene).frequency_ratio = 6.0;
@@ -51,8 +51,8 @@ Condition thrown(double rate) {
   return condition;
 }
 
-// w0^2/2 + cos(psi) = 1 at the balance: w0 = 2 sin(psi/2). The energy of a run is kept to a rounding, about 1e-16 of 1, over
-// some 10 units of time that are passed away from the balance; dE = w0 dw.
+// w0^2/2 + cos(psi) = 1 at the balance: w0 = 2 sin(psi/2). A run keeps its energy to a rounding, about 1e-16 of 1, over
+// about 10 units of time away from the balance; dE = w0 dw.
 constexpr double least_rate = 0.99750126918139714578;  // 2 sin(psi/2)/psi, mpmath
 constexpr double rate_error = 10 * 0x1p-53 / (0.2449 * 0.2449);
 
@@ -88,10 +88,10 @@ TEST(OverturningRate, IsPassedWithDifferentStoriesOnItsTwoSides) {
 
 // --- a rectangular pulse -----------------------------------------------------------------------------------------------
 
-/// At rest under alpha = `push` that lasts for `tau`.
+/// At rest under alpha = `push` of duration `tau`.
 Condition pushed(double push, double tau) {
   Condition condition;
-  const double p = dynamics::geometry_of(condition.scene.block).frequency_parameter;
+  const double p = dynamics::geometry_of(mean_block(condition.scene)).frequency_parameter;
   condition.scene.excitation = support::recorded_by(
       {.samples = {{0.0, push, 0.0}, {tau / p, push, 0.0}, {tau / p, 0.0, 0.0}}, .has_vertical = false}, 6.0);
   condition.horizon = {.transient_periods = 0, .sampled_periods = 60};
@@ -103,9 +103,9 @@ struct Pulse {
   double least;
 };
 
-// The pulse does the work alpha (sin(psi) - sin(phi1)), which must be 1 - cos(psi): that is where it may end. The time until
-// then is the integral of dphi/w, w^2/2 = cos(psi) - cos(phi) + alpha (sin(psi) - sin(phi)). Housner's formula is its limit
-// for psi -> 0. The integral below is mpmath's in 50 digits.
+// The pulse does the work alpha (sin(psi) - sin(phi1)), which must reach 1 - cos(psi): this gives its end phi1. The time
+// until then is the integral of dphi/w with w^2/2 = cos(psi) - cos(phi) + alpha (sin(psi) - sin(phi)). Housner's formula is
+// its limit for psi -> 0. The integral below is from mpmath with 50 digits.
 TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlender) {
   constexpr std::array<Pulse, 4> pulses{{{0.3, 1.787188386909848861},
                                          {0.5, 0.694657418494709702},
@@ -114,8 +114,8 @@ TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlend
   for (const auto& [push, least] : pulses) {
     const auto overturns = [push](double tau) { return is_overturned(pushed(push, tau)); };
     const Bracket bracket = bisect(overturns, {0.5 * least, 2.0 * least}, 1e-13);
-    // An error of time dt is one of energy alpha cos(phi) w dt; energy is known to ten roundings, and to what a step leaves
-    // out, 1e-13 psi of w, in a handful of steps.
+    // An error dt of the time is an error alpha cos(phi) w dt of the energy. The energy is known to ten roundings plus what
+    // a handful of steps neglect, 1e-13 psi of w each.
     const double rate = std::sqrt(2.0 * (1.0 - std::cos(psi)));
     EXPECT_NEAR(bracket.stands, least, 1e-13 + (10 * 0x1p-53 + 5 * 1e-13 * psi * rate) / (push * 0.96 * 0.5 * rate))
         << push;
@@ -140,7 +140,8 @@ Bracket least_amplitude(double tolerance) {
                 1e-12);
 }
 
-// From rest the set of amplitudes that overturn has more than one edge; bisection finds one, and the same one each time.
+// From rest the set of amplitudes that overturn has several boundaries; bisection finds one of them, the same one each
+// time.
 TEST(OverturningAmplitude, IsFoundWithTheSameBitsAgainAndToTheErrorOfTheStepsAtAnotherTolerance) {
   const Bracket first = least_amplitude(1e-13);
   EXPECT_LE(first.overturns - first.stands, 1e-12);
@@ -160,11 +161,11 @@ TEST(OverturningAmplitude, HasStoriesThatAreOneUntilTheBalanceAndThenPart) {
   std::size_t common = 0;
   while (common < overturns.events.size() && overturns.events[common].kind == stands.events[common].kind) ++common;
   EXPECT_GE(common + 2, overturns.events.size()) << "nothing but the passage of the balance and the fall differs";
-  // The last in common is by the balance, where a distance of 1e-12 has become its root.
+  // The last common event is near the balance, where a distance of 1e-12 has become its square root.
   for (std::size_t i = 0; i + 1 < common; ++i) {
     EXPECT_NEAR(overturns.events[i].tau, stands.events[i].tau, 1e-6) << i;
   }
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -1,4 +1,4 @@
-// A slide that all but stops: slip rates that graze zero, and slips that end just where friction no longer holds the block.
+// Slides that nearly stop: slip rates that graze zero, and slips that end just where friction ceases to hold the block.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ struct Slide {
   long double phase;
   long double friction;
 
-  /// V - V0 after the base's angle has grown from the phase to `angle`.
+  /// V - V0 when the argument of the excitation has grown from the phase to `angle`.
   [[nodiscard]] long double gain(long double angle) const {
     const long double swing = peak * (std::cos(angle) - std::cos(phase));
     return 4.0L / 3.0L * (swing - friction * (angle - phase)) / frequency;
@@ -60,9 +60,9 @@ Slide random_slide(SplitMix& draw) {
           .friction = draw.uniform(0.05, 0.2)};
 }
 
-// V falls while alpha > -mu and is lowest where alpha = -mu on its way down. Whether it stops there is the sign of that value,
-// known to rounding r of the terms that make it up. A stop comes where the closed form has its zero; V' there is the root of
-// 2 V'' times the depth, which gives the bound on its instant.
+// V decreases while alpha > -mu and is smallest where alpha falls through -mu. The sign of this value, known to the
+// rounding r of its terms, decides whether the block stops. A stop occurs at the zero of the closed form. V' there is the
+// square root of 2 V'' times the depth, which gives the bound on its time.
 TEST(GrazingSlip, StopsIfAndOnlyIfTheClosedFormFallsBelowZero) {
   int stops = 0;
   int misses = 0;
@@ -112,8 +112,9 @@ TEST(GrazingSlip, StopsIfAndOnlyIfTheClosedFormFallsBelowZero) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// The slip ends where alpha, growing, passes mu_s: a bit before, the block rests for a moment and slides off; a bit after, it
-// reverses. Either way it slides the other way from then on. V is then of the second order in what separates the two.
+// The slip ends where the increasing alpha passes mu_s. If it ends slightly before, the block rests for a moment and slides
+// off; if slightly after, it reverses. In both cases it then slides the other way, and V is of second order in the
+// difference.
 TEST(Reversal, WhereTheStopMeetsTheThresholdIsTheSameSlideByEitherStory) {
   int reversed = 0;
   int rested = 0;
@@ -150,7 +151,7 @@ TEST(Reversal, WhereTheStopMeetsTheThresholdIsTheSameSlideByEitherStory) {
   RecordProperty("worst", std::to_string(worst * 1e16));
 }
 
-// The slip stops where sticking would need N <= 0. The reference is an independent integration in 30 digits.
+// The slip stops where sticking would need N <= 0. The reference is an independent integration with 30 digits.
 TEST(ReversalInRockSlide, KeepsTheBlockOnTheBaseWhereStickingWouldNot) {
   Stage stage{.frequency = 4.0, .phase = 1.213, .periods = 4};
   stage.start = {.tilt = -0.018 * support::psi, .tilt_rate = 0.407 * support::psi};
@@ -167,8 +168,8 @@ TEST(ReversalInRockSlide, KeepsTheBlockOnTheBaseWhereStickingWouldNot) {
   EXPECT_NEAR(end.state.slip_rate, -0.0423, 5e-5);
 }
 
-/// Of a block that rocks and does not slip: N of sticking, and whether slip against the friction of sticking keeps N > 0 and
-/// is driven on. From the laws of lib/docs/model.md, section 1.
+/// For a block that rocks without slip: N of sticking, and whether slip against the friction of sticking has N > 0 and is
+/// accelerated. From the laws of lib/docs/model.md, section 1.
 struct Contact {
   long double sticking;
   bool slip_keeps_it;
@@ -193,8 +194,8 @@ Contact contact_of(const State& state, const Stage& stage, long double alpha, lo
           .slip_keeps_it = normal > 0.0L && direction * slip_acceleration > 0.0L};
 }
 
-// Stops, impacts, starts and redrawn amplitudes of blocks of every shape on a violent base. No event leaves a block stuck without
-// N > 0 where slip would keep it on the base; only where rounding decides is it left open.
+// Stops, impacts, starts and redrawn amplitudes for blocks of every shape on a strongly moving base. After no event does a
+// block stick without N > 0 where slip would keep it on the base. Cases that rounding decides are not tested.
 TEST(LossOfContactInRock, NeverFollowsAnEventAfterWhichSlipKeepsTheBlockOnTheBase) {
   SplitMix draw(20161108);
   std::map<EventKind, int> saved;

@@ -1,9 +1,9 @@
-// Slow passage by the unstable equilibrium abs(Theta) = 1, where an error grows as e^tau.
+// Slow passage near the unstable equilibrium abs(Theta) = 1, where an error grows as e^tau.
 //
-// Without shaking phi = psi - theta obeys phi'' = sin(phi): from rest at phi0, cos(phi/2) = k cd(tau, k^2), k = cos(phi0/2).
-// The numbers below are this formula in 60 digits (mpmath: 2*acos(k*ellipfun('cd', tau, m=k**2))), and the falling times
-// K(k) - F(asin(cos(phi/2)/k), k), for the double psi = 0x1.f5b75f92c80ddp-3 of H/B = 4 and phi0 a multiple of 2^-55, the
-// spacing of doubles at psi, so that psi - phi0 is a double.
+// Without base motion phi = psi - theta obeys phi'' = sin(phi): from rest at phi0, cos(phi/2) = k cd(tau, k^2), k =
+// cos(phi0/2). The numbers below are this formula in 60 digits (mpmath: 2*acos(k*ellipfun('cd', tau, m=k**2))), and the
+// falling times are K(k) - F(asin(cos(phi/2)/k), k). psi is the double 0x1.f5b75f92c80ddp-3 of H/B = 4, and phi0 is a
+// multiple of 2^-55, the spacing of doubles at psi, so that psi - phi0 is a double.
 
 #include <array>
 #include <cmath>
@@ -12,7 +12,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/realisation.hpp"
+#include "rocking/realisation/start.hpp"
 #include "support/excitation.hpp"
 #include "support/simulation.hpp"
 
@@ -24,10 +24,10 @@ using dynamics::Termination;
 using support::Stage;
 using FreeRun = support::Simulation<dynamics::ConstantCoefficients>;
 
-constexpr double psi = 0x1.f5b75f92c80ddp-3;
-constexpr double ulp = 0x1p-55;  ///< at psi
+constexpr double balance = 0x1.f5b75f92c80ddp-3;
+constexpr double ulp = 0x1p-55;  ///< at the balance
 
-/// Free rocking from `start`, strobe points pi/10 apart, so that a step is no longer than that.
+/// Free rocking from `start`; strobe points are pi/10 apart, so that no step is longer.
 Stage standing(double start, std::int64_t periods) {
   return {.frequency = 20.0, .tolerance = 1e-16, .start = {.tilt = start}, .periods = periods};
 }
@@ -35,12 +35,12 @@ Stage standing(double start, std::int64_t periods) {
 struct Passage {
   std::int64_t strobe;  ///< tau = strobe pi/10
   std::int64_t ulps;    ///< phi0
-  double angle;         ///< phi then
+  double angle;         ///< phi at that time
 };
 
-// Each step rounds theta, by at most ulp/2; what is rounded at t has grown by cosh(tau - t) at tau. With steps of at most
-// pi/10 the sum is at most (ulp/2) (e^tau/2)/(1 - e^(-pi/10)) < ulp e^tau. Roundings of w, relative to w: a few a step, 110
-// steps. Terms left out are below 1e-20 of phi at that length of steps.
+// Each step rounds theta by at most ulp/2; a rounding at t has grown by cosh(tau - t) at tau. With steps of at most pi/10
+// the sum is at most (ulp/2) (e^tau/2)/(1 - e^(-pi/10)) < ulp e^tau. Roundings of w, relative to w: a few per step, 110
+// steps. Neglected terms are below 1e-20 of phi at this step length.
 TEST(SlowPassage, IsLeftWithAnErrorThatGrowsAsTheExponentialOfTime) {
   constexpr std::array<Passage, 7> passages{{{16, 47280013408271, 0.09998342652866405},
                                              {32, 310224022566, 0.09997917465646233},
@@ -49,47 +49,48 @@ TEST(SlowPassage, IsLeftWithAnErrorThatGrowsAsTheExponentialOfTime) {
                                              {80, 87633, 0.09997888752248108},
                                              {96, 575, 0.09997942400968061},
                                              {112, 4, 0.1059970369420320}}};
-  ASSERT_EQ(Stage{}.geometry().shape_angle, psi);
+  ASSERT_EQ(Stage{}.geometry().shape_angle, balance);
   for (const Passage& passage : passages) {
     for (const double direction : {-1.0, 1.0}) {
       const double phi0 = static_cast<double>(passage.ulps) * ulp;
-      FreeRun run(standing(psi + direction * phi0, passage.strobe), {});
+      FreeRun run(standing(balance + direction * phi0, passage.strobe), {});
       run.run();
       ASSERT_EQ(run.log.strobes.size(), static_cast<std::size_t>(passage.strobe));
       const double tau = static_cast<double>(passage.strobe) * 0.31415926535897932;
-      const double error = std::abs(run.log.strobes.back().tilt - (psi + direction * passage.angle));
+      const double error = std::abs(run.log.strobes.back().tilt - (balance + direction * passage.angle));
       EXPECT_LE(error, ulp * std::exp(tau) + 1e-14) << "tau = " << tau;
     }
   }
 }
 
-// A base that falls with three quarters of g leaves a quarter of the weight: phi'' = sin(phi)/4, the same passage in twice
-// the time. Fifty units of time are 25 of the equilibrium's own; the error is that of the row with as many ulps above.
+// A base that accelerates downwards with three quarters of g leaves a quarter of the weight: phi'' = sin(phi)/4, the same
+// passage in twice the time. Fifty units of time are 25 of those of the equilibrium; the error is that of the row with the
+// same number of ulps above.
 TEST(SlowPassage, OfFiftyUnitsOfTimeUnderAQuarterOfTheWeightEndsWhereTheClosedFormDoes) {
   constexpr Passage passage{160, 87633, 0.09997888752248108};
   for (const double direction : {-1.0, 1.0}) {
-    experiment::Condition condition;
+    Condition condition;
     condition.tolerance = 1e-16;
     condition.scene.excitation =
         support::recorded_by({.samples = {{0.0, 0.0, -0.75}, {1000.0, 0.0, -0.75}}, .has_vertical = true}, 20.0);
-    experiment::Start start{};
-    start.state.tilt = psi + direction * static_cast<double>(passage.ulps) * ulp;
+    Start start = start_of(condition.scene, random::Draws(0, 0));
+    start.state.tilt = balance + direction * static_cast<double>(passage.ulps) * ulp;
     support::EventLog log;
     const auto beginning =
-        begin_realisation(condition, random::Draws(0, 0), start, experiment::Strobe::start, passage.strobe);
-    experiment::Motion motion = motion_of(condition.scene, beginning, log);
+        begin_realisation(condition, random::Draws(0, 0), start, Strobe::start, passage.strobe);
+    Motion motion = motion_of(condition.scene, beginning, log);
     static_cast<void>(integrate::advance(motion));
-    EXPECT_NEAR(log.strobes.back().tilt, psi + direction * passage.angle, 2.0 * ulp * std::exp(25.14))
+    EXPECT_NEAR(log.strobes.back().tilt, balance + direction * passage.angle, 2.0 * ulp * std::exp(25.14))
         << "twice as many steps";
   }
 }
 
 TEST(SlowPassage, NeverBeginsForABlockThatStandsExactlyOnItsEdge) {
   for (const double side : {-1.0, 1.0}) {
-    FreeRun run(standing(side * psi, 160), {});
+    FreeRun run(standing(side * balance, 160), {});
     run.run();
     EXPECT_EQ(run.log.story(), "");
-    EXPECT_EQ(run.motion.state().tilt, side * psi) << "fifty units of time, to the bit";
+    EXPECT_EQ(run.motion.state().tilt, side * balance) << "fifty units of time, to the bit";
     EXPECT_EQ(run.motion.state().tilt_rate, 0.0);
   }
 }
@@ -100,9 +101,9 @@ struct Fall {
   double to_side;
 };
 
-// Less than 40 units of time is all that doubles can hold between standing still and falling. The side is never lost: w' has
-// the sign of phi0 from the start. phi0 is known to ulp (above: what rounding does grows with e^tau as phi0 does), so that
-// the time is known to log(1 + ulp/phi0), and to 1e-13 far away.
+// Doubles can represent less than 40 units of time between rest and falling. The side is never lost: w' has the sign of
+// phi0 from the start. phi0 is known to ulp (see above: rounding errors grow with e^tau, as phi0 does), so that the time is
+// known to log(1 + ulp/phi0), and to 1e-13 far from the equilibrium.
 TEST(SlowPassage, EndsOnTheSideOnWhichItBeganFromOneUlpOn) {
   constexpr std::array<Fall, 8> falls{{{1, 37.410909348313644, 39.135860927598787},
                                        {2, 36.717762167753699, 38.442713747038842},
@@ -115,13 +116,13 @@ TEST(SlowPassage, EndsOnTheSideOnWhichItBeganFromOneUlpOn) {
   for (const Fall& fall : falls) {
     const double phi0 = static_cast<double>(fall.ulps) * ulp;
     const double margin = std::log1p(1.5 / static_cast<double>(fall.ulps)) + 1e-13;
-    FreeRun back(standing(psi - phi0, 160), {});
+    FreeRun back(standing(balance - phi0, 160), {});
     back.run();
     ASSERT_FALSE(back.log.events.empty()) << fall.ulps;
     EXPECT_EQ(back.log.events[0].kind, EventKind::impact_stick) << fall.ulps;
     EXPECT_NEAR(back.log.events[0].tau, fall.to_ground, margin) << fall.ulps;
     EXPECT_FALSE(back.motion.was_past_balance());
-    FreeRun over(standing(psi + phi0, 160), {});
+    FreeRun over(standing(balance + phi0, 160), {});
     over.run();
     ASSERT_FALSE(over.log.events.empty()) << fall.ulps;
     EXPECT_EQ(over.motion.termination(), Termination::overturned) << fall.ulps;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Makes statsmodels_fragility.json: lognormal laws as statsmodels fits them, a probit regression on ln intensity, with the
-covariance over trial numbers (clusters) and G/(G - 1) for few of them. Trials are made up by a seeded generator.
+"""Makes statsmodels_fragility.json: lognormal laws fitted by statsmodels, a probit regression on ln intensity, with the
+covariance over trial numbers (clusters) and G/(G - 1) for few of them. Trials come from a seeded generator.
 
 Needs what statsmodels_intervals.py says, and python3-numpy, -pandas, -dateutil, -tz, -six, libblas3, liblapack3, libgfortran5.
 """
@@ -16,7 +16,7 @@ from statsmodels.discrete.discrete_model import Probit
 
 
 def trials(intensities, numbers, median, dispersion, shared):
-    """`shared`: of the variance of a trial's logarithm, the part that trials of one number have in common."""
+    """`shared`: share of the variance of a trial's logarithm that trials with the same number have in common."""
     levels = [[] for _ in intensities]
     for _ in range(numbers):
         common = generator.gauss(0.0, math.sqrt(shared))

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes statsmodels_intervals.json: what statsmodels, or SciPy where it has none, gives for a grid of counts.
+"""Makes statsmodels_intervals.json: intervals and tests of statsmodels, or of SciPy where it has none, for a grid of counts.
 
 Needs python3-statsmodels and python3-scipy of Debian 12, which cannot be installed beside Boost 1.81. Unpacked they serve:
 
@@ -34,7 +34,7 @@ TABLES = ([0, 0, 0, 5], [1, 1, 7, 12], [1, 5, 16, 3], [0, 3, 0, 4], [80, 12, 12,
 
 
 def proportion(k, n, confidence):
-    """The intervals of one proportion; `seven`: one of seven at once; `unforeseen`: doubt = share p, see family.hpp."""
+    """The intervals of one proportion; `seven`: one of seven at once; `not_prespecified`: level = share p, see family.hpp."""
     alpha = 1 - confidence
     row = {"k": k, "n": n, "confidence": confidence}
     for name, method in (("wilson", "wilson"), ("clopper_pearson", "beta"), ("jeffreys", "jeffreys")):
@@ -50,17 +50,17 @@ def proportion(k, n, confidence):
     if k < n:
         high = optimize.brentq(lambda p: stats.binom.logcdf(k, n, p) - math.log(half_share * p), max(k / n, 1e-12),
                                1 - 1e-16, xtol=1e-15)
-    row["unforeseen"] = (low, high)
+    row["not_prespecified"] = (low, high)
     return row
 
 
 def sample(counts, confidence):
-    """Simultaneous intervals; null where statsmodels finds none."""
+    """Simultaneous intervals; null if statsmodels finds none."""
     row = {"counts": counts, "confidence": confidence}
     for name in ("goodman", "sison_glaz"):
         try:
             row[name] = multinomial_proportions_confint(counts, 1 - confidence, name.replace("_", "-")).tolist()
-        except Exception as error:  # statsmodels raises this very class
+        except Exception as error:  # the class that statsmodels raises
             row[name] = None
             print(counts, confidence, name, error, file=sys.stderr)
     return row

@@ -1,5 +1,5 @@
-// Effects one by one and together: every combination of what may fluctuate with every kind of base motion runs, and what a
-// scene does not ask for is not computed, to the last bit and the last count.
+// Effects alone and combined. Every combination of fluctuations with every kind of base motion runs. An effect that a scene
+// does not ask for is not computed: bits and counts stay the same.
 
 #include <cmath>
 #include <cstddef>
@@ -9,9 +9,10 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/trajectory.hpp"
-#include "rocking/report/read_experiment.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "support/excitation.hpp"
 #include "support/experiment_text.hpp"
 #include "support/split_mix.hpp"
@@ -19,33 +20,28 @@
 namespace rocking {
 namespace {
 
-using experiment::Condition;
-using experiment::Effort;
-using experiment::Record;
-using experiment::Trajectory;
-using report::Json;
 using support::SplitMix;
 
-enum class Base { harmonic, recorded, recorded_with_vertical, recorded_with_zero_vertical };
+enum class BaseMotion { harmonic, recorded, recorded_with_vertical, recorded_with_zero_vertical };
 
-/// Ten seconds of strong shaking at three cycles a second, no two alike, with a jump now and then.
-std::string record_text(Base base) {
+/// Ten seconds of strong excitation at three cycles per second, all cycles different, with occasional jumps.
+std::string record_text(BaseMotion base) {
   SplitMix draw(7);
   std::string text;
   for (int i = 0; i <= 500; ++i) {
     const double horizontal = draw.uniform(12.0, 18.0) * std::sin(0.38 * i);
-    const double vertical = base == Base::recorded_with_vertical ? draw.uniform(-2.0, 2.0) : 0.0;
+    const double vertical = base == BaseMotion::recorded_with_vertical ? draw.uniform(-2.0, 2.0) : 0.0;
     const int place = i % 50 == 49 ? i - 1 : i;
     text += std::to_string(0.02 * place) + " " + std::to_string(horizontal);
-    text += base == Base::recorded ? "\n" : " " + std::to_string(vertical) + "\n";
+    text += base == BaseMotion::recorded ? "\n" : " " + std::to_string(vertical) + "\n";
   }
   return text;
 }
 
-/// What a scene asks for. Static and kinetic friction fluctuate only where there is friction; the amplitude only under
-/// harmonic shaking: the reader refuses the rest.
+/// The effects of a scene. Static and kinetic friction fluctuate only if there is friction, the amplitude only under
+/// harmonic excitation; the reader refuses the rest.
 struct Combination {
-  Base base = Base::harmonic;
+  BaseMotion base = BaseMotion::harmonic;
   bool friction = false;
   bool static_friction = false;
   bool kinetic_friction = false;
@@ -67,7 +63,7 @@ struct Combination {
 
 std::vector<Combination> all_combinations() {
   std::vector<Combination> all;
-  for (const Base base : {Base::harmonic, Base::recorded, Base::recorded_with_vertical}) {
+  for (const BaseMotion base : {BaseMotion::harmonic, BaseMotion::recorded, BaseMotion::recorded_with_vertical}) {
     for (unsigned bits = 0; bits < 32; ++bits) {
       const Combination one{.base = base,
                             .friction = (bits & 1U) != 0,
@@ -76,7 +72,7 @@ std::vector<Combination> all_combinations() {
                             .restitution = (bits & 8U) != 0,
                             .amplitude = (bits & 16U) != 0};
       if (!one.friction && (one.static_friction || one.kinetic_friction)) continue;
-      if (base != Base::harmonic && one.amplitude) continue;
+      if (base != BaseMotion::harmonic && one.amplitude) continue;
       all.push_back(one);
     }
   }
@@ -87,7 +83,7 @@ Json document_of(const Combination& combination) {
   Json document = support::least_experiment();
   document["horizon"] = {{"transient_periods", 10}, {"sampled_periods", 20}};
   document["excitation"] = {{"amplitude", 7.0}, {"frequency_ratio", 10.0}};
-  if (combination.base != Base::harmonic) {
+  if (combination.base != BaseMotion::harmonic) {
     document["excitation"] = {{"kind", "recorded"}, {"file", "pulses.txt"}, {"frequency_ratio", 10.0}};
   }
   if (combination.friction) document["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
@@ -98,9 +94,9 @@ Json document_of(const Combination& combination) {
   return document;
 }
 
-Condition condition_of(const Json& document, Base base) {
+Condition condition_of(const Json& document, BaseMotion base) {
   const auto file = [base](const std::string&, std::size_t) { return record_text(base); };
-  return report::read_experiment(document.dump(), {}, {.files = file}).conditions.at(0);
+  return read_experiment(document.dump(), {}, {.files = file}).conditions.at(0);
 }
 
 Condition condition_of(const Combination& combination) {
@@ -109,8 +105,8 @@ Condition condition_of(const Combination& combination) {
 
 constexpr std::uint64_t seed = 0x2012;
 
-std::uint64_t count_of(const Effort& effort, dynamics::EventKind kind) {
-  return effort.events[static_cast<std::size_t>(kind)];
+std::uint64_t count_of(const OperationCounts& operations, dynamics::EventKind kind) {
+  return operations.events[static_cast<std::size_t>(kind)];
 }
 
 TEST(EveryCombination, OfEffectsRunsToItsEnd) {
@@ -119,12 +115,12 @@ TEST(EveryCombination, OfEffectsRunsToItsEnd) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
     const Condition condition = condition_of(combination);
     for (std::uint64_t realisation = 0; realisation < 4; ++realisation) {
-      const Record record = experiment::realise(condition, seed, realisation);
-      EXPECT_NE(record.termination, dynamics::Termination::painleve);
-      EXPECT_NE(record.termination, dynamics::Termination::stopped);
-      EXPECT_EQ(record.contradictions, 0U);
-      EXPECT_EQ(record.strobe.size() == 30U, record.termination == dynamics::Termination::reached_horizon);
-      for (const auto& point : record.strobe) {
+      const RealisationResult result = realise(condition, seed, realisation);
+      EXPECT_NE(result.termination, dynamics::Termination::painleve);
+      EXPECT_NE(result.termination, dynamics::Termination::stopped);
+      EXPECT_EQ(result.contradictions, 0U);
+      EXPECT_EQ(result.strobe.size() == 30U, result.termination == dynamics::Termination::reached_horizon);
+      for (const auto& point : result.strobe) {
         ASSERT_TRUE(std::isfinite(point.tilt) && std::isfinite(point.tilt_rate) && std::isfinite(point.slip_rate));
       }
     }
@@ -134,38 +130,38 @@ TEST(EveryCombination, OfEffectsRunsToItsEnd) {
 TEST(EveryCombination, CountsWorkForTheEffectsThatItHasAndNoneForTheOthers) {
   for (const Combination& combination : all_combinations()) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
-    const Record record = experiment::realise(condition_of(combination), seed, 1);
-    const Effort& effort = record.effort;
-    EXPECT_EQ(effort.static_friction_draws > 0, combination.static_friction);
-    EXPECT_EQ(effort.kinetic_friction_draws > 0, combination.kinetic_friction);
-    EXPECT_EQ(effort.restitution_draws > 0, combination.restitution);
-    EXPECT_EQ(effort.amplitude_draws > 0, combination.amplitude);
-    EXPECT_EQ(effort.initial_draws, 0U);
-    EXPECT_EQ(effort.slip_steps > 0, combination.friction);
-    EXPECT_EQ(count_of(effort, dynamics::EventKind::slip_start) > 0, combination.friction);
-    EXPECT_EQ(effort.record_segments > 0, combination.base != Base::harmonic);
-    EXPECT_TRUE(effort.companion_periods == 0 || combination.base == Base::harmonic);
-    EXPECT_GT(count_of(effort, dynamics::EventKind::impact_stick) + count_of(effort, dynamics::EventKind::impact_slip),
+    const RealisationResult result = realise(condition_of(combination), seed, 1);
+    const OperationCounts& operations = result.operations;
+    EXPECT_EQ(operations.static_friction_draws > 0, combination.static_friction);
+    EXPECT_EQ(operations.kinetic_friction_draws > 0, combination.kinetic_friction);
+    EXPECT_EQ(operations.restitution_draws > 0, combination.restitution);
+    EXPECT_EQ(operations.amplitude_draws > 0, combination.amplitude);
+    EXPECT_EQ(operations.initial_draws, 0U);
+    EXPECT_EQ(operations.slip_steps > 0, combination.friction);
+    EXPECT_EQ(count_of(operations, dynamics::EventKind::slip_start) > 0, combination.friction);
+    EXPECT_EQ(operations.ground_motion_segments > 0, combination.base != BaseMotion::harmonic);
+    EXPECT_TRUE(operations.perturbed_pair_periods == 0 || combination.base == BaseMotion::harmonic);
+    EXPECT_GT(count_of(operations, dynamics::EventKind::impact_stick) + count_of(operations, dynamics::EventKind::impact_slip),
               9U);
-    const auto& clamps = record.clamps;
+    const auto& clamps = result.clamps;
     EXPECT_TRUE(clamps.kinetic_at_static == 0 || combination.static_friction || combination.kinetic_friction);
     EXPECT_EQ(clamps.kinetic_at_zero + clamps.static_at_zero + clamps.restitution + clamps.amplitude_at_zero, 0U);
   }
 }
 
-/// All bits of what two realisations did, and of how they are judged.
+/// Compares all bits of two realisations, and their classification.
 void expect_same(const Condition& one, const Condition& other) {
   for (std::uint64_t realisation = 0; realisation < 2; ++realisation) {
-    const Record a = experiment::realise(one, seed, realisation);
-    const Record b = experiment::realise(other, seed, realisation);
-    ASSERT_EQ(experiment::digest_of(a, 0), experiment::digest_of(b, 0));
-    EXPECT_EQ(to_string(a.verdict.mode), to_string(b.verdict.mode));
-    EXPECT_EQ(a.verdict.reason, b.verdict.reason);
-    EXPECT_EQ(a.verdict.margin, b.verdict.margin);
-    EXPECT_EQ(a.effort.steps, b.effort.steps);
+    const RealisationResult a = realise(one, seed, realisation);
+    const RealisationResult b = realise(other, seed, realisation);
+    ASSERT_EQ(digest_of(a, 0), digest_of(b, 0));
+    EXPECT_EQ(to_string(a.classification.mode), to_string(b.classification.mode));
+    EXPECT_EQ(a.classification.reason, b.classification.reason);
+    EXPECT_EQ(a.classification.margin, b.classification.margin);
+    EXPECT_EQ(a.operations.steps, b.operations.steps);
     EXPECT_EQ(a.losses_of_contact, b.losses_of_contact);
-    const Trajectory p = experiment::trajectory_of(one, seed, realisation, 30);
-    const Trajectory q = experiment::trajectory_of(other, seed, realisation, 30);
+    const Trajectory p = trajectory_of(one, seed, realisation, 30);
+    const Trajectory q = trajectory_of(other, seed, realisation, 30);
     ASSERT_EQ(p.events.size(), q.events.size());
     for (std::size_t i = 0; i < p.events.size(); ++i) {
       ASSERT_EQ(p.events[i].kind, q.events[i].kind) << i;
@@ -184,7 +180,7 @@ TEST(EveryCombination, HasTheSameBitsWithASigmaOfZeroForWhatDoesNotFluctuate) {
     Json& fluctuation = document["fluctuation"];
     if (fluctuation.is_null()) fluctuation = Json::object();
     if (!fluctuation.contains("restitution")) fluctuation["restitution"] = {{"sigma", 0.0}};
-    if (combination.base == Base::harmonic && !combination.amplitude) fluctuation["amplitude"] = {{"sigma", 0.0}};
+    if (combination.base == BaseMotion::harmonic && !combination.amplitude) fluctuation["amplitude"] = {{"sigma", 0.0}};
     if (combination.friction && !combination.static_friction) fluctuation["static_friction"] = {{"sigma", 0.0}};
     if (combination.friction && !combination.kinetic_friction) {
       fluctuation["kinetic_friction"] = {{"relative_sigma", 0.0}, {"refreshes_per_period", 50}};
@@ -193,7 +189,7 @@ TEST(EveryCombination, HasTheSameBitsWithASigmaOfZeroForWhatDoesNotFluctuate) {
   }
 }
 
-// Friction of 5 carries whatever these bases ask for, and kinetic friction is then never looked at.
+// A friction of 5 is never exceeded on these bases, and kinetic friction is then never used.
 TEST(EveryCombination, HasTheSameBitsWithFrictionThatNeverGivesWayAsWithNone) {
   for (const Combination& combination : all_combinations()) {
     if (!combination.friction) continue;
@@ -208,19 +204,19 @@ TEST(EveryCombination, HasTheSameBitsWithFrictionThatNeverGivesWayAsWithNone) {
     }
     const Condition condition = condition_of(with, combination.base);
     expect_same(condition, condition_of(without, combination.base));
-    const Effort effort = experiment::realise(condition, seed, 0).effort;
-    EXPECT_EQ(effort.slip_steps, 0U);
-    EXPECT_EQ(effort.kinetic_friction_draws, 0U);
-    EXPECT_EQ(effort.static_friction_draws, combination.static_friction ? 1U : 0U) << "the value at the start";
+    const OperationCounts operations = realise(condition, seed, 0).operations;
+    EXPECT_EQ(operations.slip_steps, 0U);
+    EXPECT_EQ(operations.kinetic_friction_draws, 0U);
+    EXPECT_EQ(operations.static_friction_draws, combination.static_friction ? 1U : 0U) << "the value at the start";
   }
 }
 
 TEST(EveryCombination, HasTheSameBitsWithAVerticalMotionOfZeroAsWithNone) {
   for (Combination combination : all_combinations()) {
-    if (combination.base != Base::recorded) continue;
+    if (combination.base != BaseMotion::recorded) continue;
     const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
     const Condition without = condition_of(combination);
-    combination.base = Base::recorded_with_zero_vertical;
+    combination.base = BaseMotion::recorded_with_zero_vertical;
     const Condition with = condition_of(combination);
     EXPECT_TRUE(support::recorded(with.scene).ground_motion->has_vertical);
     EXPECT_FALSE(support::recorded(without.scene).ground_motion->has_vertical);
@@ -234,8 +230,8 @@ TEST(EveryEffect, ChangesWhatTheBlockDoes) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, combination.name());
     Combination still = combination;
     still.static_friction = still.kinetic_friction = still.restitution = still.amplitude = false;
-    EXPECT_NE(experiment::digest_of(experiment::realise(condition_of(combination), seed, 1), 0),
-              experiment::digest_of(experiment::realise(condition_of(still), seed, 1), 0));
+    EXPECT_NE(digest_of(realise(condition_of(combination), seed, 1), 0),
+              digest_of(realise(condition_of(still), seed, 1), 0));
   }
 }
 

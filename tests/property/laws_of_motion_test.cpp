@@ -1,5 +1,5 @@
-// What holds on every motion: the balance of energy, the cone of friction, contact. Random blocks, bases and starts; a
-// failing scene is known by its number.
+// Laws that hold for every motion: the balance of energy, the friction limit, contact. Blocks, bases and initial states are
+// random; a failing scene is identified by its number.
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ using support::SplitMix;
 using support::WalkNode;
 using support::WalkPiece;
 
-/// From slender to squat, from weak to strong shaking, from ice to rubber; static friction redrawn at stops; every third
-/// base harmonic, recorded, recorded with a vertical motion.
+/// Slender to squat blocks, weak to strong excitation, small to large friction. Static friction is redrawn at stops. The
+/// base motion is in turn harmonic, recorded, and recorded with a vertical motion.
 Scene random_scene(std::uint64_t number) {
   SplitMix draw(number);
   Scene scene;
@@ -49,7 +49,7 @@ Scene random_scene(std::uint64_t number) {
     scene.coefficients.statics = {mu_s, mu_s * draw.uniform(0.5, 1.5), mu_s * draw.uniform(0.5, 1.5), mu_s};
     scene.coefficients.kinetics = {mu_s * (draw.below(3) == 0 ? 2.0 : draw.uniform(0.3, 1.0))};
   }
-  // Above 1/3 the impact of a squat block may gain energy (lib/docs/model.md, section 4).
+  // Above 1/3 an impact of a squat block may gain energy (lib/docs/model.md, section 4).
   scene.coefficients.restitutions = {draw.below(2) == 0 ? 0.0 : draw.uniform(-0.9, psi < 0.62 ? 1.0 : 1.0 / 3.0)};
   scene.base = static_cast<Base>(number % 3);
   if (scene.base != Base::harmonic) scene.knots = random_record(scene.stage, 11.0, draw);
@@ -60,11 +60,11 @@ Scene random_scene(std::uint64_t number) {
   return scene;
 }
 
-/// Ten periods take a few hundred pieces; a chatter, a few hundred more.
+/// Ten periods consist of a few hundred pieces; a chatter adds a few hundred.
 constexpr int most_pieces = 5'000;
 
-/// Calls visit(scene, run, piece) for each smooth piece of the first ten periods of each of many scenes. The numbers of
-/// the scenes that did not get there.
+/// Calls visit(scene, run, piece) for each smooth piece of the first ten periods of each of many scenes. Returns the
+/// numbers of the scenes that did not finish.
 template <class Visit>
 std::vector<std::uint64_t> on_every_motion(Visit&& visit, double tolerance = 1e-13) {
   std::vector<std::uint64_t> stuck;
@@ -87,11 +87,11 @@ TEST(Motion, NeverStandsStillInTime) {
   EXPECT_THAT(stuck, testing::IsEmpty()) << "these scenes take more than " << most_pieces << " steps for ten periods";
 }
 
-// dE = -(4/3) (alpha (V - w cos(phi)) + alpha_v S w sin(phi)) - s mu_k N V: the work of the base and of friction. A step's
-// last two terms are at most the tolerance, in Theta' and in V; where the terms fall off evenly it leaves out less than
-// twice that in each rate, and in the energy that times a few momenta of order 1 + E. Terms that come near a cosine's
-// zero twice in a row, to a share s, hide 1/s as much and do so with a chance of s^2. Gauss's formula adds nothing.
-// Rounding: some hundred of 2^-53.
+// dE = -(4/3) (alpha (V - w cos(phi)) + alpha_v S w sin(phi)) - s mu_k N V: the work of the base and of friction. The last
+// two terms of a step are at most the tolerance, in Theta' and in V. If the terms decrease steadily, the omitted ones sum
+// to less than twice that in each rate; in the energy this is multiplied by a few momenta of order 1 + E. If two successive
+// terms happen to be near a zero of a cosine, reduced to a share s, they hide an error larger by 1/s; the probability of
+// this is s^2. Gauss's formula adds no error. Rounding: about a hundred times 2^-53.
 class EnergyAtTolerance : public testing::TestWithParam<double> {};
 
 TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
@@ -126,8 +126,8 @@ TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
 
 INSTANTIATE_TEST_SUITE_P(All, EnergyAtTolerance, testing::Values(1e-13, 1e-11, 1e-8));
 
-// Only impacts take energy at an instant, and none gives any (e <= 1/3 here where blocks are squat). What a chatter drops
-// is below its tolerance.
+// Only impacts change the energy at an instant, and none increases it (e <= 1/3 here for squat blocks). What the end of a
+// chatter neglects is below its tolerance.
 TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
   on_every_motion([](const Scene& scene, const auto& run, const WalkPiece& piece) {
     bool lands = false;
@@ -136,7 +136,7 @@ TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
       lands = lands || kind == EventKind::impact_stick || kind == EventKind::impact_slip;
     }
     const double jump = energy_of(piece.after, scene) - energy_of(piece.end, scene);
-    // What a root leaves of theta and V is set to 0; a root is as good as the time, 2^-49 T.
+    // At a root theta and V are set to 0; the root has the accuracy of the time, 2^-49 T.
     const double rounding = 1e-12 * (1.0 + energy_of(piece.end, scene));
     ASSERT_LE(jump, rounding) << "at tau = " << piece.end_tau;
     ASSERT_TRUE(lands || jump >= -rounding) << "at tau = " << piece.end_tau << " by " << jump;
@@ -147,8 +147,7 @@ TEST(Friction, OfARockingBlockStaysWithinItsConeWhileItPressesOnTheBase) {
   on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
     if (piece.start.contact != ContactState::rock || piece.end_tau == piece.start_tau) return;
     for (const WalkNode& node : piece.nodes) {
-      const Forces forces = rocking_forces(node.state, scene.ground(node.tau).alpha, scene.ground(node.tau).weight,
-                                           scene.stage.geometry());
+      const Forces forces = sticking_forces(node.state, scene, node.tau);
       if (forces.normal <= 0.0) continue;
       ASSERT_LE(std::abs(forces.friction), piece.static_friction * forces.normal + 1e-11) << "at tau = " << node.tau;
     }
@@ -167,8 +166,8 @@ TEST(Friction, OpposesTheSlip) {
   });
 }
 
-// F is what Newton's law leaves for friction: the change of the centre's horizontal speed, V - w cos(phi), and (4/3) alpha.
-// A thousand tolerances, since a step's last terms may hide what it leaves out, as above.
+// By Newton's law, F is the change of the horizontal speed of the centre, V - w cos(phi), plus (4/3) alpha. The bound is a
+// thousand tolerances, since the last terms of a step can hide an omitted part, as above.
 TEST(Friction, OfASlippingBlockIsItsShareOfTheNormalForceAgainstTheSlip) {
   on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
     if (!slips(piece.start)) return;
@@ -216,9 +215,7 @@ TEST(NormalForce, IsPositiveOrItsLossIsReported) {
     for (const WalkNode& node : piece.nodes) {
       if (!rocks(node.state)) continue;
       const double normal = slips(node.state) ? slipping_normal(node.state, scene, node.tau, piece.kinetic_friction)
-                                              : rocking_forces(node.state, scene.ground(node.tau).alpha,
-                                                               scene.ground(node.tau).weight, scene.stage.geometry())
-                                                    .normal;
+                                              : sticking_forces(node.state, scene, node.tau).normal;
       if (normal >= -1e-12) continue;
       ASSERT_GT(run.motion.losses_of_contact(), 0U) << "at tau = " << node.tau;
       ASSERT_LE(run.motion.first_loss_of_contact(), node.tau + 1e-12);
@@ -226,7 +223,7 @@ TEST(NormalForce, IsPositiveOrItsLossIsReported) {
   });
 }
 
-// X is the integral of V, across events too.
+// X is the integral of V, also across events.
 TEST(Slip, IsTheIntegralOfItsRate) {
   on_every_motion([](const Scene&, const auto&, const WalkPiece& piece) {
     double slip = piece.start.slip;

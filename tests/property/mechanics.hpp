@@ -3,8 +3,9 @@
 #include <cmath>
 
 #include "property/scene.hpp"
+#include "rocking/dynamics/forces.hpp"
 
-/// Mechanics of the block as the laws ask for it, from lib/docs/model.md alone.
+/// Mechanics of the block, written from lib/docs/model.md alone.
 namespace rocking::property {
 
 /// phi.
@@ -28,6 +29,12 @@ inline double slipping_normal(const dynamics::State& state, const Scene& scene, 
   const double q = state.side * std::sin(phi) + state.slip_direction * mu_k * std::cos(phi);
   const double determinant = 1.0 / 3.0 + state.side * std::sin(phi) * q;
   return (g - state.tilt_rate * state.tilt_rate * std::cos(phi)) / (3.0 * determinant);
+}
+
+/// Forces of rocking without slip.
+inline dynamics::Forces sticking_forces(const dynamics::State& state, const Scene& scene, double tau) {
+  const auto ground = scene.ground(tau);
+  return dynamics::rocking_forces(state, {.horizontal = ground.alpha, .weight = ground.weight}, scene.stage.geometry());
 }
 
 inline bool slips(const dynamics::State& state) {

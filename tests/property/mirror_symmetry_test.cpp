@@ -1,4 +1,4 @@
-// Left and right are alike: the mirror image of a motion is the motion of the mirror image, to the bit.
+// Left and right are equivalent: the mirror image of a motion is the motion of the mirror image, to the bit.
 
 #include <cmath>
 #include <cstdint>
@@ -31,7 +31,7 @@ Scene random_setting(std::uint64_t number) {
   scene.coefficients.amplitude_value = draw.uniform(0.5, 10.0);
   const double mu_s = draw.uniform(0.05, 0.6);
   scene.coefficients.statics = {mu_s, mu_s * draw.uniform(0.5, 1.5), mu_s};
-  // With the inertia about the edge a block near mu_k = mu_s can neither stick nor slip: not this test's business.
+  // With the inertia about the edge, a block near mu_k = mu_s can neither stick nor slip; that is not tested here.
   const double share = scene.stage.inertia > 1.0 ? 0.3 : 1.0;
   scene.coefficients.kinetics = {share * 0.9 * mu_s, share * 0.7 * mu_s, share * 0.95 * mu_s};
   scene.coefficients.changes = {{.period = 2, .time = 0.1}, {.period = 3, .time = 0.0}};
@@ -77,7 +77,7 @@ Account account_of(const Scene& scene) {
   return account;
 }
 
-// The vertical motion is its own mirror image; of the horizontal one the amplitude changes its sign.
+// Under reflection the vertical base motion is unchanged and the amplitude of the horizontal one changes its sign.
 TEST(MirrorImage, OfAMotionIsTheMotionOfTheMirrorImageToTheBit) {
   for (std::uint64_t number = 0; number < 600; ++number) {
     const testing::ScopedTrace trace(__FILE__, __LINE__, "scene " + std::to_string(number));

@@ -13,12 +13,12 @@
 #include "support/simulation.hpp"
 #include "support/split_mix.hpp"
 
-/// Random scenes for laws that hold on every motion, under harmonic and recorded bases.
+/// Random scenes for laws that hold for every motion, under harmonic and recorded excitations.
 namespace rocking::property {
 
 enum class Base { harmonic, recorded, recorded_with_vertical };
 
-/// A base acceleration at a point between two knots or at one.
+/// A base acceleration between two knots or at one.
 struct Ground {
   double alpha;
   double weight;  ///< 1 + alpha_v
@@ -28,9 +28,9 @@ struct Scene {
   support::Stage stage;
   support::ScriptedCoefficients coefficients;
   Base base = Base::harmonic;
-  std::vector<dynamics::RecordSample> knots{};  ///< their times are tau
+  std::vector<dynamics::GroundMotionSample> knots{};  ///< their times are tau
 
-  /// Worked out on its own: linear between the knots, still before and after.
+  /// Computed independently of the library: linear between the knots, 0 before and after.
   [[nodiscard]] Ground ground(double tau) const {
     const double amplitude = coefficients.amplitude_value;
     if (base == Base::harmonic) return {stage.base_acceleration(amplitude, tau), 1.0};
@@ -44,11 +44,11 @@ struct Scene {
   }
 };
 
-/// A broken line of `periods` periods of the stage, its knots unevenly spaced, now and then a jump. The horizontal motion
-/// has the size that A_h = 1 has, the vertical one at most 0.8.
-inline std::vector<dynamics::RecordSample> random_record(const support::Stage& stage, double periods,
+/// A broken line of `periods` excitation periods of the stage, with unevenly spaced knots and occasional jumps. The
+/// horizontal motion has the size of A_h = 1, the vertical one is at most 0.8.
+inline std::vector<dynamics::GroundMotionSample> random_record(const support::Stage& stage, double periods,
                                                          support::SplitMix& draw) {
-  std::vector<dynamics::RecordSample> knots;
+  std::vector<dynamics::GroundMotionSample> knots;
   const double size = stage.geometry().shape_angle;
   double time = 0.0;
   while (time < periods * stage.period_length()) {
@@ -58,13 +58,13 @@ inline std::vector<dynamics::RecordSample> random_record(const support::Stage& s
   return knots;
 }
 
-/// Calls use(run) with the scene's simulation at its start.
+/// Calls use(run) with the simulation of the scene at its start.
 template <class Use>
 void with_simulation(const Scene& scene, Use&& use) {
   using support::ScriptedCoefficients;
   const auto recorded = [&]<bool vertical>() {
     const dynamics::Clock clock(scene.stage.frequency, scene.stage.phase);
-    const auto motion = std::make_shared<const dynamics::RecordedMotion>(scene.knots, 1.0, clock);
+    const auto motion = std::make_shared<const dynamics::NormalisedGroundMotion>(scene.knots, 1.0, clock);
     using Excitation = dynamics::RecordedExcitation<vertical>;
     support::Simulation<ScriptedCoefficients> run(scene.stage, scene.coefficients, Excitation(motion, 1.0));
     use(run);

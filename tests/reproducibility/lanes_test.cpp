@@ -1,4 +1,4 @@
-// Whoever is beside a realisation, on how many lanes and with which instructions: it gets the bits that it gets alone.
+// A realisation has the same bits as alone, whatever the other realisations, the number of lanes and the instruction set.
 
 #include <cmath>
 #include <cstdint>
@@ -19,10 +19,11 @@
 #include <gtest/gtest.h>
 
 #include "golden/experiment.hpp"
-#include "rocking/experiment/horizon_run.hpp"
-#include "rocking/experiment/realisation_crew.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/lanes/crew.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/lanes/lane_scheduler.hpp"
+#include "rocking/realisation/horizon_run.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_scheduler.hpp"
 #include "support/excitation.hpp"
 
 namespace {
@@ -37,7 +38,7 @@ std::uint64_t allocations = 0;
 [[gnu::noinline]] void operator delete(void* memory) noexcept { std::free(memory); }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 Condition shaken(double amplitude, std::optional<Friction> friction = std::nullopt) {
@@ -51,10 +52,11 @@ Condition shaken(double amplitude, std::optional<Friction> friction = std::nullo
   return condition;
 }
 
-/// A record of a sine, `spacing` periods between samples, with or without a vertical part and jumps; its strobe once a period.
+/// A ground motion of a sine, with `spacing` periods between samples, with or without a vertical part and jumps; one strobe
+/// a period.
 GroundMotion sampled_sine(double spacing, double vertical, bool jumps) {
   Condition reference;
-  const double p = dynamics::geometry_of(reference.scene.block).frequency_parameter;
+  const double p = dynamics::geometry_of(mean_block(reference.scene)).frequency_parameter;
   const double period = 0.2 * std::numbers::pi;
   GroundMotion motion{.samples = {}, .has_vertical = vertical > 0.0};
   for (int i = 0; i * spacing < 40.0; ++i) {
@@ -79,7 +81,7 @@ Condition recorded(GroundMotion motion, double scale, std::optional<Friction> fr
   return condition;
 }
 
-/// Records with samples closer than the short steps and farther apart, with every kind of contact.
+/// Ground motions with samples closer than the short steps and farther apart, with every contact state.
 std::vector<Condition> recorded_crowd() {
   std::vector<Condition> conditions;
   const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
@@ -102,8 +104,8 @@ std::vector<Condition> recorded_crowd() {
   return conditions;
 }
 
-/// Everything that a lane can meet: rocking with and without friction, slip, grids coarse and fine, amplitudes that jump,
-/// chatter and rest, an overturning, a slip that ends the model, other blocks and tolerances, in one crowd.
+/// All cases that occur in lanes: rocking with and without friction, slip, coarse and fine grids, amplitudes that jump,
+/// chatter and rest, overturning, a slip that ends the model, other blocks and tolerances.
 std::vector<Condition> crowd() {
   std::vector<Condition> conditions = golden::golden_experiment().conditions;
   const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
@@ -118,7 +120,7 @@ std::vector<Condition> crowd() {
     conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
     support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   }
-  conditions.push_back(shaken(6.6, rough));  // friction held at 0, and at the static
+  conditions.push_back(shaken(6.6, rough));  // friction clamped at 0 and at the static one
   conditions.back().scene.fluctuation.kinetic_friction = 0.3;
   conditions.back().scene.fluctuation.refreshes_per_period = 200;
   conditions.push_back(shaken(5.0));
@@ -126,11 +128,11 @@ std::vector<Condition> crowd() {
   conditions.push_back(shaken(6.6, rough));
   conditions.back().scene.fluctuation.amplitude = 0.5;
   conditions.back().scene.fluctuation.kinetic_friction = 0.05;
-  conditions.push_back(shaken(8.0, rough));  // needs companions to be named
+  conditions.push_back(shaken(8.0, rough));  // its classification needs the exponent
   support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   conditions.back().scene.fluctuation.static_friction = conditions.back().scene.fluctuation.kinetic_friction = 0.02;
   conditions.back().horizon = {.transient_periods = 200, .sampled_periods = 120};
-  conditions.push_back(shaken(0.6));  // chatters to rest, over and over
+  conditions.push_back(shaken(0.6));  // chatters to rest, repeatedly
   conditions.push_back(shaken(4.5));
   conditions.back().scene.fluctuation.restitution = 0.05;
   conditions.push_back(shaken(30.0));
@@ -142,9 +144,9 @@ std::vector<Condition> crowd() {
   return conditions;
 }
 
-/// All of the crowd, those of one condition far apart.
-std::vector<Task> mixed(const std::vector<Condition>& conditions) {
-  std::vector<Task> tasks;
+/// All realisations of these conditions, those of one condition far apart.
+std::vector<RequestedRun> mixed(const std::vector<Condition>& conditions) {
+  std::vector<RequestedRun> tasks;
   for (std::uint64_t realisation = 0; realisation < 12; ++realisation) {
     for (const Condition& condition : conditions) {
       if (realisation < condition.realisations) tasks.push_back({&condition, realisation});
@@ -155,36 +157,36 @@ std::vector<Task> mixed(const std::vector<Condition>& conditions) {
 
 constexpr std::uint64_t seed = 0x2012;
 
-/// What a record is made of, the counts of work too.
-std::string spelled(const Record& record) {
-  const Effort& effort = record.effort;
-  return base::to_hex(digest_of(record, 0)) + " " + std::to_string(effort.steps) + " steps, " +
-         std::to_string(effort.slip_steps) + " with slip, " + std::to_string(effort.root_isolations) + " isolations, " +
-         std::to_string(effort.record_segments) + " segments, " + std::to_string(effort.kinetic_friction_draws) +
-         " draws, " + std::to_string(effort.companion_periods) + " periods of companions, " +
-         std::to_string(record.losses_of_contact) + " losses, " + std::to_string(record.contradictions) +
-         " contradictions, margin " + std::to_string(record.verdict.margin);
+/// All parts of a result as text, including the counts of work.
+std::string spelled(const RealisationResult& result) {
+  const OperationCounts& operations = result.operations;
+  return base::to_hex(digest_of(result, 0)) + " " + std::to_string(operations.steps) + " steps, " +
+         std::to_string(operations.slip_steps) + " with slip, " + std::to_string(operations.root_isolations) + " isolations, " +
+         std::to_string(operations.ground_motion_segments) + " segments, " + std::to_string(operations.kinetic_friction_draws) +
+         " draws, " + std::to_string(operations.perturbed_pair_periods) + " periods of perturbed pairs, " +
+         std::to_string(result.losses_of_contact) + " losses, " + std::to_string(result.contradictions) +
+         " contradictions, margin " + std::to_string(result.classification.margin);
 }
 
-std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<Task>& tasks) {
+std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<RequestedRun>& tasks) {
   std::vector<std::string> spellings(tasks.size());
-  RealisationCrew crew(seed, kernels);
-  for (std::size_t next = 0; next < tasks.size() || !crew.is_idle();) {
-    for (; next < tasks.size() && crew.wants_more(); ++next) crew.start(tasks[next], next);
-    for (const auto& [ticket, record] : crew.work()) spellings[ticket] = spelled(record);
+  RealisationScheduler scheduler(seed, kernels);
+  for (std::size_t next = 0; next < tasks.size() || !scheduler.is_idle();) {
+    for (; next < tasks.size() && scheduler.wants_more(); ++next) scheduler.start(tasks[next], next);
+    for (const auto& [id, result] : scheduler.work()) spellings[id] = spelled(result);
   }
   return spellings;
 }
 
-/// Companions that were needed.
+/// Number of realisations whose exponent was computed.
 std::uint64_t expect_the_bits_alone(const std::vector<Condition>& conditions) {
-  const std::vector<Task> tasks = mixed(conditions);
+  const std::vector<RequestedRun> tasks = mixed(conditions);
   std::vector<std::string> alone;
-  std::uint64_t companions = 0;
-  for (const Task& task : tasks) {
-    const Record record = realise(*task.condition, seed, task.realisation);
-    companions += record.effort.companion_periods > 0 ? 1 : 0;
-    alone.push_back(spelled(record));
+  std::uint64_t perturbed_pairs = 0;
+  for (const RequestedRun& task : tasks) {
+    const RealisationResult result = realise_unchecked(*task.condition, seed, task.realisation);
+    perturbed_pairs += result.operations.perturbed_pair_periods > 0 ? 1 : 0;
+    alone.push_back(spelled(result));
   }
   for (const lanes::Kernels& kernels : lanes::available_kernels()) {
     const auto together = side_by_side(kernels, tasks);
@@ -193,14 +195,15 @@ std::uint64_t expect_the_bits_alone(const std::vector<Condition>& conditions) {
                                        << ", realisation " << tasks[i].realisation;
     }
   }
-  return companions;
+  return perturbed_pairs;
 }
 
 TEST(Lanes, GiveEachRealisationTheBitsThatItGetsAlone) { EXPECT_GT(expect_the_bits_alone(crowd()), 10U); }
 
-TEST(Lanes, GiveEachRealisationUnderARecordTheBitsThatItGetsAlone) {
+TEST(Lanes, GiveEachRealisationUnderAGroundMotionTheBitsThatItGetsAlone) {
   EXPECT_EQ(expect_the_bits_alone(recorded_crowd()), 0U);
 }
+
 
 TEST(Lanes, OfEveryWidthGiveTheSameRun) {
   Experiment experiment = golden::golden_experiment();
@@ -229,52 +232,52 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
   condition.scene.fluctuation.static_friction = 0.03;
   condition.horizon.transient_periods = 20'000;
   using Run = HorizonRun;
-  lanes::Crew<Run> crew(lanes::available_kernels().back());
+  lanes::LaneScheduler<Run> scheduler(lanes::available_kernels().back());
   std::vector<std::unique_ptr<Run>> runs;
-  for (std::uint64_t number = 0; number < crew.wanted_size(); ++number) {
+  for (std::uint64_t number = 0; number < scheduler.wanted_size(); ++number) {
     const random::Draws draws(seed, number);
     const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                   strobes_before_copy(condition));
     runs.push_back(std::make_unique<Run>(
-        condition, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); }));
-    crew.add(*runs.back());
+        condition, beginning, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); }));
+    scheduler.add(*runs.back());
   }
-  const auto steps = [&crew](int count) {
-    for (int i = 0; i < count; ++i) crew.step();
+  const auto steps = [&scheduler](int count) {
+    for (int i = 0; i < count; ++i) scheduler.step();
   };
-  steps(20'000);  // buffers grow to what they need
+  steps(20'000);  // buffers grow to the size that they need
   const std::uint64_t before = allocations;
   steps(20'000);
   EXPECT_EQ(allocations - before, 0U);
-  EXPECT_EQ(crew.take_finished(), nullptr) << "a run that ends allocates, and is not what is tested here";
+  EXPECT_EQ(scheduler.take_finished(), nullptr) << "a run that ends allocates, and is not what is tested here";
 }
 
 struct Work {
-  std::uint64_t companion_periods = 0;
+  std::uint64_t perturbed_pair_periods = 0;
   std::uint64_t allocations = 0;
 };
 
-/// Of realisations whose names need companions, over as many periods as are sampled or more.
-Work work_of_companions(int sampled_periods) {
+/// Work of realisations whose classification needs the exponent, over at least the sampled periods.
+Work work_of_perturbed_pairs(int sampled_periods) {
   Condition condition = shaken(8.0, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
   support::harmonic(condition.scene).phase = Uniform{.low = 0.0, .high = 6.0};
   condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.02;
   condition.horizon = {.transient_periods = 100, .sampled_periods = sampled_periods};
   const std::uint64_t before = allocations;
   Work work;
-  RealisationCrew crew(seed, lanes::available_kernels().back());
-  for (std::uint64_t number = 0; number < 60 || !crew.is_idle();) {
-    for (; number < 60 && crew.wants_more(); ++number) crew.start({&condition, number}, number);
-    for (const auto& [ticket, record] : crew.work()) work.companion_periods += record.effort.companion_periods;
+  RealisationScheduler scheduler(seed, lanes::available_kernels().back());
+  for (std::uint64_t number = 0; number < 60 || !scheduler.is_idle();) {
+    for (; number < 60 && scheduler.wants_more(); ++number) scheduler.start({&condition, number}, number);
+    for (const auto& [id, result] : scheduler.work()) work.perturbed_pair_periods += result.operations.perturbed_pair_periods;
   }
   work.allocations = allocations - before;
   return work;
 }
 
-TEST(Lanes, AllocateForNoPeriodOfCompanions) {
-  const Work some = work_of_companions(400);
-  const Work more = work_of_companions(800);
-  const std::uint64_t more_periods = more.companion_periods - some.companion_periods;
+TEST(Lanes, AllocateForNoPeriodOfPerturbedPairs) {
+  const Work some = work_of_perturbed_pairs(400);
+  const Work more = work_of_perturbed_pairs(800);
+  const std::uint64_t more_periods = more.perturbed_pair_periods - some.perturbed_pair_periods;
   EXPECT_GT(more_periods, 10'000U);
   EXPECT_LT(more.allocations - some.allocations, more_periods / 4) << "those of naming twice as many points are fewer";
 }
@@ -291,17 +294,17 @@ std::vector<std::string> output_of(const std::string& command) {
   return lines;
 }
 
-// An inline function of a standard container that was compiled for AVX-512 could be linked into the whole program and crash
-// an older processor: such units share nothing with others.
+// The linker could use an inline function of a standard container that was compiled for AVX-512 in the whole program, which
+// would crash on an older processor. Such units must not share functions with others.
 TEST(Lanes, ShareNothingThatWasCompiledForANewerProcessor) {
 #if ROCKING_CONTRACTS
   GTEST_SKIP() << "sanitizers and contracts add symbols of their own";
 #endif
-  const auto modules = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "lib/rocking";
+  const auto rooms = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "lib/rocking";
   for (const std::string library : {"lanes/librocking_lanes.a", "random/librocking_random.a"}) {
     std::string unit;
     int kernels = 0;
-    for (const std::string& line : output_of("nm -C '" + (modules / library).string() + "'")) {
+    for (const std::string& line : output_of("nm -C '" + (rooms / library).string() + "'")) {
       if (line.ends_with(".o:")) unit = line;
       if (unit.find("_avx") == std::string::npos && unit.find("_neon") == std::string::npos) continue;
       ++kernels;
@@ -314,4 +317,4 @@ TEST(Lanes, ShareNothingThatWasCompiledForANewerProcessor) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

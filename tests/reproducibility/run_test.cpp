@@ -8,12 +8,14 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/record.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/work.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/ensemble/work_list.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "support/excitation.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 Condition condition_at(double amplitude, std::uint64_t realisations) {
@@ -26,7 +28,8 @@ Condition condition_at(double amplitude, std::uint64_t realisations) {
   return condition;
 }
 
-/// Four conditions of unlike cost: friction that fluctuates, an odd number of realisations, a random start, nothing random.
+/// Four conditions of different cost: friction that fluctuates, an odd number of realisations, a random start, nothing
+/// random.
 Experiment four_conditions() {
   Experiment question;
   question.seed = 0x2012;
@@ -51,9 +54,9 @@ ExperimentResult result_with(unsigned threads) {
   return std::move(*result);
 }
 
-void expect_same(const PartingTimes& a, const PartingTimes& b) {
+void expect_same(const DivergenceTimes& a, const DivergenceTimes& b) {
   EXPECT_EQ(a.pairs, b.pairs);
-  EXPECT_EQ(a.parted, b.parted);
+  EXPECT_EQ(a.diverged, b.diverged);
   EXPECT_EQ(a.lower_quartile, b.lower_quartile);
   EXPECT_EQ(a.median, b.median);
   EXPECT_EQ(a.upper_quartile, b.upper_quartile);
@@ -79,13 +82,13 @@ void expect_same(const ConditionResult& a, const ConditionResult& b) {
   }
   ASSERT_EQ(a.non_recurrence.has_value(), b.non_recurrence.has_value());
   if (a.non_recurrence) expect_same(*a.non_recurrence, *b.non_recurrence);
-  EXPECT_EQ(a.effort.steps, b.effort.steps);
-  EXPECT_EQ(a.effort.root_isolations, b.effort.root_isolations);
-  EXPECT_EQ(a.effort.companion_periods, b.effort.companion_periods);
-  EXPECT_EQ(a.effort.static_friction_draws, b.effort.static_friction_draws);
-  EXPECT_EQ(a.effort.kinetic_friction_draws, b.effort.kinetic_friction_draws);
-  EXPECT_EQ(a.effort.initial_draws, b.effort.initial_draws);
-  EXPECT_EQ(a.effort.events, b.effort.events);
+  EXPECT_EQ(a.operations.steps, b.operations.steps);
+  EXPECT_EQ(a.operations.root_isolations, b.operations.root_isolations);
+  EXPECT_EQ(a.operations.perturbed_pair_periods, b.operations.perturbed_pair_periods);
+  EXPECT_EQ(a.operations.static_friction_draws, b.operations.static_friction_draws);
+  EXPECT_EQ(a.operations.kinetic_friction_draws, b.operations.kinetic_friction_draws);
+  EXPECT_EQ(a.operations.initial_draws, b.operations.initial_draws);
+  EXPECT_EQ(a.operations.events, b.operations.events);
   EXPECT_EQ(a.stopped_because, b.stopped_because);
 }
 
@@ -102,7 +105,7 @@ TEST(Run, GivesTheSameResultWithAnyNumberOfThreads) {
   }
 }
 
-// Realised backwards, last condition first, and put together in their order: the digest of the run.
+// Realisations computed in reverse order, last condition first, and combined in order have the digest of the run.
 TEST(Run, HasTheDigestOfRealisationsMadeInAnyOrder) {
   const Experiment question = four_conditions();
   std::vector<base::Sha256> conditions(question.conditions.size());
@@ -169,18 +172,18 @@ TEST(Run, ReportsItsProgressUpToTheEnd) {
   EXPECT_EQ(total, last);
 }
 
-TEST(Run, RepeatsAsManyRealisationsAsItIsAskedTo) {
-  for (const auto& [every, repeated] : {std::pair{0U, 0U}, {1U, 12U}, {5U, 3U}, {100U, 1U}}) {
+TEST(Run, RerunsAsManyRealisationsAsItIsAskedTo) {
+  for (const auto& [every, rerun] : {std::pair{0U, 0U}, {1U, 12U}, {5U, 3U}, {100U, 1U}}) {
     Experiment question = four_conditions();
-    for (Condition& condition : question.conditions) condition.repeat_every = every;
+    for (Condition& condition : question.conditions) condition.rerun_every = every;
     const auto result = run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
-    EXPECT_EQ(result->conditions[0].non_recurrence->arithmetic_flips.trials, repeated);
-    EXPECT_EQ(result->digest, result_with(2).digest) << "what is repeated does not touch what it is compared with";
+    EXPECT_EQ(result->conditions[0].non_recurrence->arithmetic_flips.trials, rerun);
+    EXPECT_EQ(result->digest, result_with(2).digest) << "what is rerun does not touch what it is compared with";
   }
 }
 
-// Under a longer horizon each checked realisation is what a run of that horizon calls it.
-TEST(Run, ChecksLabelsByALongerRunOfTheSameDraws) {
+// Each checked realisation has the response mode that a run with the longer horizon gives it.
+TEST(Run, ChecksLabelsByALongerRunWithCommonRandomNumbers) {
   Experiment question = four_conditions();
   question.conditions.resize(1);
   Experiment longer = question;
@@ -189,8 +192,8 @@ TEST(Run, ChecksLabelsByALongerRunOfTheSameDraws) {
   const auto result = run(question, {.threads = 2, .on_progress = {}, .stop_requested = nullptr});
   std::map<section::ResponseMode, std::pair<std::uint64_t, std::uint64_t>> expected;  // gained, lost
   for (const std::uint64_t number : {0U, 4U, 8U}) {
-    const auto named = realise(question.conditions[0], question.seed, number).verdict.mode;
-    const auto in_the_long_run = realise(longer.conditions[0], question.seed, number).verdict.mode;
+    const auto named = realise(question.conditions[0], question.seed, number).classification.mode;
+    const auto in_the_long_run = realise(longer.conditions[0], question.seed, number).classification.mode;
     if (named == in_the_long_run) continue;
     ++expected[in_the_long_run].first;
     ++expected[named].second;
@@ -217,4 +220,4 @@ TEST(Run, CountsEveryRealisationOnce) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -1,19 +1,19 @@
-// A run that stops when its intervals are narrow enough: where it stops depends on the draws and on nothing else.
+// A run that stops when its intervals are narrow enough: where it stops depends on the random numbers only.
 
 #include <algorithm>
 #include <atomic>
 
 #include <gtest/gtest.h>
 
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/stopping.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/ensemble/stopping.hpp"
 #include "support/excitation.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
-/// Cheap conditions: a free block, started at random, falls or comes to rest within two periods. The first is at even
-/// odds, the second almost always rests, the third has no chance in it.
+/// Inexpensive conditions: a free block with a random start overturns or comes to rest within two periods. In the first
+/// condition both are equally likely, in the second it almost always comes to rest, in the third always.
 Experiment experiment(double half_width, std::uint64_t at_most) {
   Experiment question;
   question.seed = 0x2012;
@@ -111,4 +111,4 @@ TEST(Until, StopsAtTheSameNumberWhereverItWasInterrupted) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

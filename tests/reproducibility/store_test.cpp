@@ -1,16 +1,17 @@
-// Stopped and resumed, cut and merged: the same rows and the same result.
+// Stopped and resumed, divided and merged: the same rows and the same result.
 
 #include <atomic>
 #include <vector>
 
 #include <gmock/gmock.h>
 
-#include "rocking/experiment/merge.hpp"
-#include "rocking/experiment/run.hpp"
-#include "rocking/experiment/verification.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/store/difference.hpp"
+#include "rocking/store/merge.hpp"
+#include "rocking/studies/verification.hpp"
 #include "support/excitation.hpp"
 
-namespace rocking::experiment {
+namespace rocking {
 namespace {
 
 using ::testing::ElementsAre;
@@ -118,7 +119,7 @@ TEST(Shards, AreToldWhereTheyDisagree) {
   Store other = undisturbed();
   Summary changed = other.find({1, 4}).value();
   changed.digest = base::sha256("another");
-  ++changed.effort.steps;
+  ++changed.operations.steps;
   other.add({1, 4}, changed);
   Store together = Store::in_memory(whole);
   EXPECT_THAT(merge(together, alone), IsEmpty());
@@ -156,4 +157,4 @@ TEST(Verification, TakesASampleFromTheWholeExperiment) {
 }
 
 }  // namespace
-}  // namespace rocking::experiment
+}  // namespace rocking

@@ -1,4 +1,4 @@
-// How often intervals cover the truth, by adding up the probabilities of all outcomes: no simulation, no false alarm.
+// Coverage of intervals, from the sum of the probabilities of all outcomes: no simulation, no false alarm.
 
 #include <algorithm>
 #include <array>
@@ -13,13 +13,14 @@
 
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/sison_glaz.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace {
 
 using namespace rocking::stats;
 using IntervalMaker = Interval (*)(const Proportion&, double);
 
-/// The sabotaged twin: the textbook interval estimate +- z sqrt(p (1 - p)/n), known to promise too much.
+/// The sabotaged twin: the textbook interval estimate +- z sqrt(p (1 - p)/n), whose coverage is known to be too low.
 Interval wald(const Proportion& proportion, double confidence) {
   EXPECT_EQ(confidence, 0.95);
   const auto n = static_cast<double>(proportion.trials);
@@ -28,7 +29,7 @@ Interval wald(const Proportion& proportion, double confidence) {
   return {estimate - half_width, estimate + half_width};
 }
 
-/// Probability that the interval made of a count covers the probability `p` behind it.
+/// Probability that the interval of a count covers the probability `p` behind it.
 double coverage(const std::vector<Interval>& interval_of_count, double p) {
   const auto n = static_cast<double>(interval_of_count.size() - 1);
   const boost::math::binomial_distribution<double> law(n, p);
@@ -46,8 +47,8 @@ std::vector<Interval> intervals_of_all_counts(IntervalMaker interval, std::uint6
   return all;
 }
 
-/// The least coverage over all p in (0, 1). Between two ends of intervals the same counts cover and the coverage has no
-/// minimum inside, so it is least just beyond an end.
+/// Smallest coverage over all p in (0, 1). Between two interval ends the same counts cover p and the coverage has no
+/// minimum inside; therefore the smallest value is just beyond an end.
 double least_coverage(IntervalMaker interval, std::uint64_t n, double confidence) {
   const std::vector<Interval> all = intervals_of_all_counts(interval, n, confidence);
   double least = 1.0;
@@ -99,23 +100,23 @@ TEST(Jeffreys, CoversTheTruthAboutAsOftenAsItPromisesOnTheAverage) {
   }
 }
 
-Interval of_unforeseen(const Proportion& proportion, double confidence) {
-  return exact_interval(proportion, Family{.foreseen = 6, .confidence = confidence}.of_unforeseen());
+Interval of_others(const Proportion& proportion, double confidence) {
+  return exact_interval(proportion, Family{.prespecified = 6, .confidence = confidence}.of_others());
 }
 
-TEST(ExactInterval, MissesNoMoreOftenThanItsDoubt) {
+TEST(ExactInterval, MissesNoMoreOftenThanItsSignificanceLevel) {
   for (const std::uint64_t n : sizes) {
-    const std::vector<Interval> all = intervals_of_all_counts(&of_unforeseen, n, 0.5);
-    const Doubt doubt = Family{.foreseen = 6, .confidence = 0.5}.of_unforeseen();
+    const std::vector<Interval> all = intervals_of_all_counts(&of_others, n, 0.5);
+    const Significance significance = Family{.prespecified = 6, .confidence = 0.5}.of_others();
     for (int i = 1; i < 4000; ++i) {
       const double p = i < 1000 ? std::pow(10.0, -0.006 * i) : (i - 1000) / 3000.0 + 1e-4;
-      EXPECT_LE(1.0 - coverage(all, p), doubt.at(p) + 1e-14) << n << " at " << p;  // the sums' rounding
+      EXPECT_LE(1.0 - coverage(all, p), significance.at(p) + 1e-14) << n << " at " << p;  // the sums' rounding
     }
   }
 }
 
-// The rule it replaces: as many shares as categories were seen. With ever so many that are ever so rare one is seen
-// more often than not, and its interval starts above its probability.
+// The former rule: one share for each category that was seen. If there are very many very rare categories, one of them is
+// seen more often than not, and its interval begins above its probability.
 TEST(SharesByWhatWasSeen, BreakThePromise) {
   constexpr double rare = 5e-6;
   constexpr std::uint64_t n = 200;
@@ -123,7 +124,7 @@ TEST(SharesByWhatWasSeen, BreakThePromise) {
   EXPECT_GT(of_one_seen.low, rare);
   const double none_of_a_thousand = std::pow(1.0 - 1000.0 * rare, static_cast<double>(n));
   EXPECT_LT(none_of_a_thousand, 0.37);  // no more than this is their coverage
-  EXPECT_LT(of_unforeseen({1, n}, 0.95).low, rare);
+  EXPECT_LT(of_others({1, n}, 0.95).low, rare);
 }
 
 using Counts = std::array<std::uint64_t, 3>;
@@ -142,12 +143,12 @@ Intervals bonferroni(const Counts& counts, double confidence) {
   return intervals;
 }
 
-/// The first category foreseen, the others not.
-Intervals one_foreseen(const Counts& counts, double confidence) {
-  const Family family{.foreseen = 1, .confidence = confidence};
+/// The first category prespecified, the others not.
+Intervals one_prespecified(const Counts& counts, double confidence) {
+  const Family family{.prespecified = 1, .confidence = confidence};
   const std::uint64_t n = total(counts);
-  return {exact_interval({counts[0], n}, family.of_foreseen()), exact_interval({counts[1], n}, family.of_unforeseen()),
-          exact_interval({counts[2], n}, family.of_unforeseen())};
+  return {exact_interval({counts[0], n}, family.of_prespecified()), exact_interval({counts[1], n}, family.of_others()),
+          exact_interval({counts[2], n}, family.of_others())};
 }
 
 Intervals goodman_of_three(const Counts& counts, double confidence) {
@@ -156,14 +157,14 @@ Intervals goodman_of_three(const Counts& counts, double confidence) {
   return intervals;
 }
 
-/// Where the method has no answer it claims nothing.
+/// If the method has no answer, the interval is [0, 1].
 Intervals sison_glaz_of_three(const Counts& counts, double confidence) {
   const auto found = sison_glaz(counts, confidence);
   if (!found) return {Interval{0.0, 1.0}, Interval{0.0, 1.0}, Interval{0.0, 1.0}};
   return {(*found)[0], (*found)[1], (*found)[2]};
 }
 
-/// All outcomes of n draws in three categories, each with what its intervals are and in how many orders it comes about.
+/// All outcomes of n draws in three categories, each with its intervals and the number of orders that lead to it.
 struct Outcome {
   Counts counts;
   Intervals intervals;
@@ -183,7 +184,7 @@ std::vector<Outcome> all_outcomes(SimultaneousMaker maker, std::uint64_t n, doub
   return outcomes;
 }
 
-/// Probability that the intervals of all three categories cover their truths at once.
+/// Probability that the intervals of all three categories cover at once.
 double joint_coverage(const std::vector<Outcome>& outcomes, const Truth& truth) {
   double covered = 0.0;
   for (const auto& [counts, intervals, orders] : outcomes) {
@@ -202,7 +203,7 @@ struct Coverage {
   double mean = 0.0;
 };
 
-/// Over a grid of truths, with 1/60 between them.
+/// Over a grid of true probabilities with a spacing of 1/60.
 Coverage joint_coverage(SimultaneousMaker maker, std::uint64_t n, double confidence) {
   const std::vector<Outcome> outcomes = all_outcomes(maker, n, confidence);
   Coverage found;
@@ -218,7 +219,7 @@ Coverage joint_coverage(SimultaneousMaker maker, std::uint64_t n, double confide
   return found;
 }
 
-// At level 0.6 three intervals at once can fail to keep a promise made for one.
+// At level 0.6 three intervals can fail to cover at once as often as one of them promises.
 TEST(BonferroniClopperPearson, CoversAllTruthsAtOnceAsOftenAsItPromises) {
   EXPECT_GE(joint_coverage(&bonferroni<3>, 10, 0.6).least, 0.6);
   EXPECT_GE(joint_coverage(&bonferroni<3>, 30, 0.95).least, 0.95);
@@ -226,9 +227,9 @@ TEST(BonferroniClopperPearson, CoversAllTruthsAtOnceAsOftenAsItPromises) {
 
 TEST(BonferroniClopperPearson, NeedsItsCorrection) { EXPECT_LT(joint_coverage(&bonferroni<1>, 10, 0.6).least, 0.6); }
 
-TEST(Family, CoversAllTruthsAtOnceAlsoOfCategoriesThatNobodyForesaw) {
-  EXPECT_GE(joint_coverage(&one_foreseen, 10, 0.6).least, 0.6);
-  EXPECT_GE(joint_coverage(&one_foreseen, 30, 0.95).least, 0.95);
+TEST(Family, CoversAllTruthsAtOnceAlsoOfCategoriesThatWereNotPrespecified) {
+  EXPECT_GE(joint_coverage(&one_prespecified, 10, 0.6).least, 0.6);
+  EXPECT_GE(joint_coverage(&one_prespecified, 30, 0.95).least, 0.95);
 }
 
 TEST(Goodman, CoversAllTruthsAboutAsOftenAsItPromisesOnTheAverage) {
@@ -247,7 +248,7 @@ std::string per_cent(double probability) {
   return text.data();
 }
 
-/// The rows of the tables in lib/docs/methods.md; the first is about one mode, the second about three at once.
+/// The rows of the tables in lib/docs/methods.md; the first table is for one mode, the second for three at once.
 std::vector<std::string> rows_of_documents() {
   std::vector<std::string> rows;
   const auto add = [&rows](const char* name, std::uint64_t n, std::initializer_list<double> values) {
@@ -267,7 +268,7 @@ std::vector<std::string> rows_of_documents() {
   for (const std::uint64_t n : {10U, 30U}) {
     for (const auto& [name, maker] :
          {std::pair<const char*, SimultaneousMaker>{"Bonferroni, three shares", &bonferroni<3>},
-          {"Bonferroni, one foreseen", &one_foreseen},
+          {"Bonferroni, one prespecified", &one_prespecified},
           {"Goodman", &goodman_of_three},
           {"Sison-Glaz", &sison_glaz_of_three}}) {
       const Coverage found = joint_coverage(maker, n, 0.95);

@@ -1,5 +1,5 @@
-// Sabotaged samplers, each of which the tests that good draws pass (random_normal_test.cpp) must find out. Every sample
-// has a fixed seed, so a verdict never changes.
+// Sabotaged samplers. The tests that good draws pass (random_normal_test.cpp) must detect each of them. Every sample has a
+// fixed seed, so that the result never changes.
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ using namespace rocking::random;
 using namespace rocking::stats;
 using namespace rocking::support;
 
-/// `n` numbers, made one block of two uniform ones after the other.
+/// `n` numbers, each pair made from two uniform numbers.
 Sample box_muller_of(std::size_t n, const std::function<double()>& uniform) {
   Sample sample;
   while (sample.size() < n) {
@@ -47,7 +47,7 @@ Sample sums_of_twelve(std::size_t n, std::uint64_t seed) {
   return sample;
 }
 
-// Kurtosis -0.1: 1.44 standard errors of a sample of 5000.
+// Kurtosis -0.1 from normal: 1.44 standard errors of a sample of 5000.
 TEST(Sabotage, TheSumOfTwelveUniformNumbersHasNoUniformPValues) {
   FalseAlarms alarms;
   const auto found = uniformities(200, [](std::uint64_t seed) { return check_of(sums_of_twelve(5000, seed)); });
@@ -75,7 +75,7 @@ TEST(Sabotage, ASpareGivenTwiceIsFoundOutByCorrelation) {
   EXPECT_TRUE(is_refuted(check));
 }
 
-// The spare of the pair before: each number comes twice, three places apart.
+// Uses the second number of the previous pair: each number occurs twice, three places apart.
 TEST(Sabotage, ASpareOfThePairBeforeIsFoundOutByALag) {
   Sample sample;
   double spare = 0.0;
@@ -96,13 +96,13 @@ TEST(Sabotage, ASpareNeverRenewedIsFoundOutByEveryTest) {
   for (std::size_t i = 1; i < sample.size(); i += 2) sample[i] = stale.sine;
   const NormalCheck check = check_of(sample);
   EXPECT_LT(check.kolmogorov_smirnov.p_value, false_alarm);
-  EXPECT_LT(check.anderson_darling.p_value, 1e-7);  // no smaller than 3e-8 at this size
+  EXPECT_LT(check.anderson_darling.p_value, 1e-7);  // the p-value at this size is at least 3e-8
   EXPECT_LT(check.dagostino_pearson.p_value, false_alarm);
   EXPECT_TRUE(is_refuted(check));
 }
 
-// Neave (1973), Appl. Stat. 22, 92-97: neighbours from a multiplicative congruential generator with a small
-// multiplier, put through Box-Muller, lie on a spiral; the tails go missing.
+// Neave (1973), Appl. Stat. 22, 92-97: successive numbers of a multiplicative congruential generator with a small
+// multiplier, transformed by Box-Muller, lie on a spiral; the tails are missing.
 TEST(Sabotage, ACongruentialGeneratorIsFoundOutByItsTails) {
   std::uint64_t state = 20120213;
   const auto uniform = [&state] {
@@ -128,7 +128,7 @@ TEST(Sabotage, OneUniformNumberForRadiusAndAngleIsFoundOut) {
   EXPECT_TRUE(is_refuted(check));
 }
 
-// Each number is normal, and no two are correlated: only their squares tell.
+// Each number is normal, and no two are correlated; only their squares show the fault.
 TEST(Sabotage, ASpareThatIsTheFirstNumberWithASignOfItsOwnIsFoundOutBySquares) {
   FalseAlarms alarms;
   PhiloxEngine engine(Draws(2012, 1), Source::check_normal);
@@ -143,12 +143,12 @@ TEST(Sabotage, ASpareThatIsTheFirstNumberWithASignOfItsOwnIsFoundOutBySquares) {
 TEST(Sabotage, AShiftOfATwentiethOfSigmaIsFoundOutInALargeSample) {
   const NormalCheck check = check_of(sample_normal(SamplerKind::box_muller, 2012, large, 0.05, 1.0));
   EXPECT_LT(check.kolmogorov_smirnov.p_value, false_alarm);
-  EXPECT_LT(check.anderson_darling.p_value, 1e-9);  // no smaller than 6e-10 at this size
+  EXPECT_LT(check.anderson_darling.p_value, 1e-9);  // the p-value at this size is at least 6e-10
   EXPECT_GT(check.mean.moment.z, largest_score);
   EXPECT_TRUE(is_refuted(check));
 }
 
-// Realisations 2k and 2k + 1 then have the same draws.
+// Realisations 2k and 2k + 1 then have the same random numbers.
 TEST(Sabotage, RealisationsThatLoseTheirLowestBitAreFoundOut) {
   Sample across;
   for (std::uint64_t k = 0; k < 100000; ++k) {

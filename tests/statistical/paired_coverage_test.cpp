@@ -1,4 +1,4 @@
-// Tests and intervals for paired trials, by adding up the probabilities of all outcomes: no simulation, no false alarm.
+// Tests and intervals for paired trials, from the sum of the probabilities of all outcomes: no simulation, no false alarm.
 
 #include <algorithm>
 #include <array>
@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/stats/paired.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace paired {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 using namespace rocking::stats;
 using IntervalMaker = Interval (*)(const PairedCounts&, double);
 
-/// The sabotaged twin: the textbook's difference +- z standard errors.
+/// The sabotaged twin: the textbook interval difference +- z standard errors.
 Interval wald(const PairedCounts& counts, double confidence) {
   EXPECT_EQ(confidence, 0.95);
   const double deviation = std::sqrt(variance_reduction(counts).paired / static_cast<double>(counts.trials()));
@@ -26,7 +27,7 @@ Interval wald(const PairedCounts& counts, double confidence) {
   return {difference - 1.959963984540054 * deviation, difference + 1.959963984540054 * deviation};
 }
 
-/// What matters of an outcome: b and c of n, in how many orders they come about, and something made of them.
+/// The relevant part of an outcome: b and c of n, the number of orders that lead to them, and a value computed from them.
 template <class Value>
 struct Outcome {
   double b;
@@ -51,8 +52,8 @@ auto all_outcomes(std::uint64_t n, Maker maker) {
   return outcomes;
 }
 
-/// Probability of the outcomes whose value `counts`, if a trial falls on the first side only with probability p, on the
-/// second only with probability q. Powers of 0 are 1 for 0.
+/// Probability of the outcomes for which `counts` holds, if a trial falls on the first side only with probability p and on
+/// the second only with probability q. Powers of 0 are 1 for exponent 0.
 template <class Outcomes, class Predicate>
 double probability(const Outcomes& outcomes, double p, double q, Predicate counts) {
   const double log_p = std::log(p), log_q = std::log(q), log_rest = std::log(1.0 - p - q);
@@ -64,7 +65,7 @@ double probability(const Outcomes& outcomes, double p, double q, Predicate count
   return sum;
 }
 
-/// Calls for p and q on a grid of sixtieths, and for some that are small.
+/// Calls the function for p and q on a grid of sixtieths, and for some small values.
 template <class Function>
 void for_all_probabilities(Function function) {
   for (int i = 1; i < 60; ++i) {
@@ -112,7 +113,7 @@ TEST(PairedWald, BreaksThePromiseSoThisTestCanSee) {
   EXPECT_LT(coverage(&wald, 10).mean, 0.94);
 }
 
-/// How often McNemar's test rejects at 5 % though both settings are alike, at the most.
+/// Largest frequency with which McNemar's test rejects at 5 % although both settings are equal.
 double largest_error(std::uint64_t n, double McNemar::*p_value) {
   const auto outcomes = all_outcomes(n, [&](const PairedCounts& counts) { return mcnemar(counts).*p_value; });
   double largest = 0.0;

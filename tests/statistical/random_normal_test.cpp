@@ -1,5 +1,5 @@
-// Are the draws what they claim to be: independent numbers from N(0, 1)? Every sample has a fixed seed, so a verdict
-// never changes; the stated false-alarm probability is that of an honest generator failing with a seed picked blindly.
+// Tests that the draws are independent numbers from N(0, 1). Every sample has a fixed seed, so that the result never
+// changes. The stated false-alarm probability is that of a correct generator failing with a random seed.
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,10 @@
 
 #include "rocking/random/draws.hpp"
 #include "rocking/random/sampler.hpp"
+#include "rocking/stats/anderson_darling.hpp"
 #include "rocking/stats/binomial_test.hpp"
 #include "rocking/stats/correlation.hpp"
+#include "rocking/stats/kolmogorov_smirnov.hpp"
 #include "rocking/stats/normal_check.hpp"
 #include "rocking/stats/normality.hpp"
 #include "support/normal_samples.hpp"
@@ -34,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(All, Sampler,
                            return name;
                          });
 
-// 500 seeds: a p-value whose law is off by 0.15 anywhere is seen. At n = 1000 Jarque-Bera's is off by 0.015.
+// 500 seeds: a p-value whose law is wrong by 0.15 anywhere is detected. At n = 1000 that of Jarque-Bera is wrong by 0.015.
 TEST_P(Sampler, GivesEveryTestUniformPValuesOverManySeeds) {
   FalseAlarms alarms;
   const auto found = uniformities(500, [](std::uint64_t seed) { return check_of(GetParam(), seed, 1000); });
@@ -42,7 +44,7 @@ TEST_P(Sampler, GivesEveryTestUniformPValuesOverManySeeds) {
   for (std::size_t i = 0; i < found.size(); ++i) EXPECT_GT(found[i], alarms.level()) << "p-value " << i;
 }
 
-// Moments, correlations, tests of fit and tails, 19 of them. That of the squares is 1.5 times too small so far out.
+// 19 p-values: moments, correlations, tests of fit and tails. That of the squares is 1.5 times too small so far out.
 TEST_P(Sampler, PassesEveryTestInALargeSample) {
   FalseAlarms alarms;
   const NormalCheck check = check_of(GetParam(), 2012, large);
@@ -51,7 +53,7 @@ TEST_P(Sampler, PassesEveryTestInALargeSample) {
   for (std::size_t i = 0; i < p_values.size(); ++i) EXPECT_GT(p_values[i], alarms.level()) << "p-value " << i;
 }
 
-/// Correlation of the same `n` indices under two names.
+/// Correlation of the same `n` indices of two sources.
 double score_between(const Draws& a, Source source_a, const Draws& b, Source source_b, std::uint64_t shift = 0) {
   Sample interleaved;
   for (std::uint64_t j = 0; j < 100000; ++j) {
@@ -61,7 +63,7 @@ double score_between(const Draws& a, Source source_a, const Draws& b, Source sou
   return std::abs(pair_correlation(interleaved, {}).z);
 }
 
-TEST(Draws, OfNeighbouringNamesAreUncorrelated) {
+TEST(Draws, OfNeighbouringSourcesAreUncorrelated) {
   FalseAlarms alarms;
   const Draws draws(7, 7);
   const Source kinetic = Source::kinetic_friction;
@@ -70,11 +72,11 @@ TEST(Draws, OfNeighbouringNamesAreUncorrelated) {
   EXPECT_LT(score_between(draws, kinetic, Draws(7, 7 + (std::uint64_t{1} << 32U)), kinetic), alarms.score());
   EXPECT_LT(score_between(draws, kinetic, draws, Source::static_friction), alarms.score());
   EXPECT_LT(score_between(draws, kinetic, draws, kinetic, std::uint64_t{1} << 32U), alarms.score());
-  EXPECT_GT(score_between(draws, kinetic, draws, kinetic), 100.0);  // the twin that must fail: a name twice
+  EXPECT_GT(score_between(draws, kinetic, draws, kinetic), 100.0);  // the twin that must fail: a source with itself
 }
 
-// A realisation uses few draws of each of many names. Draw 0 of static friction over realisations is what most
-// depends on.
+// A realisation uses few draws from each of many sources. Results depend most on draw 0 of static friction, taken over
+// realisations.
 TEST(Draws, FitTheLawAcrossRealisationsAndAcrossPairs) {
   FalseAlarms alarms;
   Sample across_realisations, across_chatters;
@@ -97,14 +99,14 @@ TEST(Draws, AreUniformWhereAskedToBe) {
   EXPECT_LT(*std::max_element(numbers.begin(), numbers.end()), 1.0);
 }
 
-/// A test of fit taken at its word at a level.
+/// The p-value of a test of fit, tested at a level.
 struct Word {
   TestOfFit (*test)(std::span<const double>);
   double level;
-  double frequency;  ///< of p-values at most `level` that true samples have, if the word is good
+  double frequency;  ///< of p-values <= `level` for samples from the law, if the p-value is accurate
 };
 
-/// Of each, the p-value of the frequency that `samples` true samples of n numbers have.
+/// For each, the p-value of the frequency found in `samples` samples of n numbers from the law.
 std::vector<double> trials_of(const std::vector<Word>& words, std::size_t n, std::uint64_t samples) {
   std::vector<Proportion> alarms(words.size(), Proportion{0, samples});
   Sample sample(n);
@@ -121,8 +123,9 @@ std::vector<double> trials_of(const std::vector<Word>& words, std::size_t n, std
   return p_values;
 }
 
-// The table of lib/docs/methods.md, section 4, was made of a million other samples and is good to 2 %. Here 20000 tell 20 %
-// from it at 0.05, 50 % at 0.001. The last is the twin: taken at its word, Jarque-Bera fails.
+// The table of lib/docs/methods.md, section 4, was made from a million other samples and is accurate to 2 %. Here 20000
+// samples detect a deviation of 20 % at 0.05 and of 50 % at 0.001. The last comparison is the twin: with its nominal
+// p-value Jarque-Bera fails.
 TEST(TestsOfShape, AreAsFarOffInSmallSamplesAsTheirTableSays) {
   FalseAlarms alarms;
   const auto p_values = trials_of({{jarque_bera, 0.05, 0.0421},
@@ -135,7 +138,7 @@ TEST(TestsOfShape, AreAsFarOffInSmallSamplesAsTheirTableSays) {
   EXPECT_LT(p_values[4], false_alarm);
 }
 
-// Of the size of Jeong & Yang's (2012) samples: 2000 of them tell 0.05 from 0.09.
+// At the size of Jeong & Yang's (2012) samples: 2000 samples distinguish 0.05 from 0.09.
 TEST(TestsOfShape, KeepTheirWordAtTwentyThousand) {
   FalseAlarms alarms;
   const auto p_values = trials_of({{jarque_bera, 0.05, 0.05}, {dagostino_pearson, 0.05, 0.05}}, 20000, 2000);

@@ -1,5 +1,5 @@
-// What looking again and again does to an interval: exactly, by adding up the probabilities of all paths of counts, and
-// by simulating whole runs that stop by the rule.
+// Effect of repeated looks on an interval: exactly, from the sum of the probabilities of all paths of counts, and by
+// simulation of whole runs that stop by the rule.
 
 #include <algorithm>
 #include <cmath>
@@ -21,9 +21,9 @@ using namespace rocking::stats;
 
 using Misses = std::function<bool(const Proportion&)>;
 
-/// Probability that an interval misses p at some number of trials in first ... last: of all paths of counts, those that
-/// have not yet come to a count that misses are carried on. Counts of probability below 1e-18 are not asked about and
-/// count as missing, 1e-15 in all.
+/// Probability that an interval misses p at any number of trials in first ... last. Of all paths of counts, those that have
+/// not yet reached a missing count are continued. Counts with a probability below 1e-18 are taken as missing, 1e-15 in
+/// total.
 double probability_of_ever_missing(double p, std::uint64_t first, std::uint64_t last, const Misses& misses) {
   std::vector<double> alive{1.0};  // by count
   for (std::uint64_t n = 1; n <= last; ++n) {
@@ -40,13 +40,13 @@ double probability_of_ever_missing(double p, std::uint64_t first, std::uint64_t 
   return 1.0 - sum;
 }
 
-double probability_that_a_sequence_misses(double p, double concentration, double doubt) {
+double probability_that_a_sequence_misses(double p, double concentration, double significance) {
   const ConfidenceSequence sequence(concentration);
   return probability_of_ever_missing(
-      p, 1, 2000, [&](const Proportion& counts) { return sequence.log_martingale(counts, p) >= -std::log(doubt); });
+      p, 1, 2000, [&](const Proportion& counts) { return sequence.log_martingale(counts, p) >= -std::log(significance); });
 }
 
-TEST(ConfidenceSequence, MissesNoMoreOftenThanItsDoubtHoweverOftenOneLooks) {
+TEST(ConfidenceSequence, MissesNoMoreOftenThanItsSignificanceLevelHoweverOftenOneLooks) {
   for (const double p : {0.01, 0.1, 0.5, 0.7}) {
     const double missed = probability_that_a_sequence_misses(p, 20.0, 0.05);
     EXPECT_LE(missed, 0.05) << p;
@@ -55,7 +55,7 @@ TEST(ConfidenceSequence, MissesNoMoreOftenThanItsDoubtHoweverOftenOneLooks) {
   EXPECT_LE(probability_that_a_sequence_misses(0.5, 687.0, 0.05 / 7.0), 0.05 / 7.0);
 }
 
-// The naive rule, the sabotaged twin: an interval that is right for one n, looked at after every trial.
+// The naive rule, the sabotaged twin: an interval for a fixed n, used after every trial.
 TEST(PeekingAtWilson, MissesTheTruthInTwoRunsOfFive) {
   const auto misses = [](const Proportion& counts) {
     const Interval interval = wilson(counts, 0.95);
@@ -65,31 +65,31 @@ TEST(PeekingAtWilson, MissesTheTruthInTwoRunsOfFive) {
   EXPECT_LT(probability_of_ever_missing(0.5, 2000, 2000, misses), 0.06) << "once, it keeps its promise";
 }
 
-/// Three categories that are foreseen, the last of which never occurs, and twelve that are not.
-const std::vector<double> foreseen{0.55, 0.02, 0.0};
-const std::vector<double> unforeseen = [] {
+/// Three prespecified categories, the last of which never occurs, and twelve others.
+const std::vector<double> prespecified{0.55, 0.02, 0.0};
+const std::vector<double> others = [] {
   std::vector<double> probabilities(12, 0.02);
   probabilities[0] = 0.21;
   return probabilities;
 }();
 
-constexpr StoppingGoal goal{.half_width = 0.1, .at_most = 1000, .family = {.foreseen = 3, .confidence = 0.95}};
+constexpr StoppingGoal goal{.half_width = 0.1, .at_most = 1000, .family = {.prespecified = 3, .confidence = 0.95}};
 
 struct Draws {
   CategoryCounts counts{
-      .trials = 0, .foreseen = std::vector<std::uint64_t>(3), .unforeseen = std::vector<std::uint64_t>(12)};
+      .trials = 0, .prespecified = std::vector<std::uint64_t>(3), .others = std::vector<std::uint64_t>(12)};
   support::SplitMix random;
 
   void draw_up_to(std::uint64_t trials) {
     for (; counts.trials < trials; ++counts.trials) {
       double left = random.uniform();
       const auto falls_in = [&left](double probability) { return (left -= probability) < 0.0; };
-      const auto known = std::find_if(foreseen.begin(), foreseen.end(), falls_in);
-      if (known != foreseen.end()) {
-        ++counts.foreseen[static_cast<std::size_t>(known - foreseen.begin())];
+      const auto known = std::find_if(prespecified.begin(), prespecified.end(), falls_in);
+      if (known != prespecified.end()) {
+        ++counts.prespecified[static_cast<std::size_t>(known - prespecified.begin())];
       } else {
-        const auto other = std::find_if(unforeseen.begin(), unforeseen.end() - 1, falls_in);
-        ++counts.unforeseen[static_cast<std::size_t>(other - unforeseen.begin())];
+        const auto other = std::find_if(others.begin(), others.end() - 1, falls_in);
+        ++counts.others[static_cast<std::size_t>(other - others.begin())];
       }
     }
   }
@@ -106,14 +106,14 @@ bool all_cover(const std::vector<std::uint64_t>& counts, std::uint64_t n, const 
   return true;
 }
 
-/// Whether any interval misses its truth at any look of a run that stops by the rule.
+/// Whether any interval misses its true value at any look of a run that stops by the rule.
 bool run_misses(std::uint64_t seed, const StoppingRule& rule, const IntervalOf& known, const IntervalOf& other) {
   Draws draws{.random = support::SplitMix(seed)};
   bool stopped = false;
   while (!stopped) {
     draws.draw_up_to(rule.next_look(draws.counts.trials));
     const auto& [n, known_counts, other_counts] = draws.counts;
-    if (!all_cover(known_counts, n, foreseen, known) || !all_cover(other_counts, n, unforeseen, other)) return true;
+    if (!all_cover(known_counts, n, prespecified, known) || !all_cover(other_counts, n, others, other)) return true;
     stopped = n == goal.at_most || rule.narrow_enough(draws.counts);
   }
   return false;
@@ -128,7 +128,7 @@ std::uint64_t runs_that_miss(const IntervalOf& known, const IntervalOf& other) {
   return missed;
 }
 
-/// Probability of so many runs that miss or more, if each misses with the probability that the confidence leaves.
+/// Probability of at least this number of missing runs, if each misses with probability 1 - confidence.
 double p_value(std::uint64_t missed) {
   const boost::math::binomial_distribution<double> law(runs, 1.0 - goal.family.confidence);
   return missed == 0 ? 1.0 : cdf(complement(law, static_cast<double>(missed - 1)));
@@ -137,8 +137,8 @@ double p_value(std::uint64_t missed) {
 TEST(StoppingRule, LeavesAllIntervalsAtAllLooksAsGoodAsItPromises) {
   support::FalseAlarms alarms;
   const StoppingRule rule(goal);
-  const auto missed = runs_that_miss([&](const Proportion& counts) { return rule.interval_of_foreseen(counts); },
-                                     [&](const Proportion& counts) { return rule.interval_of_unforeseen(counts); });
+  const auto missed = runs_that_miss([&](const Proportion& counts) { return rule.interval_of_prespecified(counts); },
+                                     [&](const Proportion& counts) { return rule.interval_of_others(counts); });
   EXPECT_GT(p_value(missed), alarms.level()) << missed;
 }
 

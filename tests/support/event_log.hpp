@@ -8,14 +8,14 @@
 
 namespace rocking::support {
 
-/// Something that happened to a block, with the state after it.
+/// An event of a block, with the state after it.
 struct LoggedEvent {
   dynamics::EventKind kind;
   double tau;
   dynamics::State state;
 };
 
-/// Keeps everything that a realisation does.
+/// Keeps all events and strobe points of a realisation.
 class EventLog final : public dynamics::Observer {
  public:
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
@@ -23,7 +23,7 @@ class EventLog final : public dynamics::Observer {
   }
   void strobe(const dynamics::State& state) override { strobes.push_back(state); }
 
-  /// The kinds in their order, as users read them: `lift impact_stick`.
+  /// The kinds of the events in order, by their names: `lift impact_stick`.
   [[nodiscard]] std::string story() const {
     std::string text;
     for (const LoggedEvent& happened : events) {

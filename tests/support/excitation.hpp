@@ -4,31 +4,31 @@
 #include <utility>
 #include <variant>
 
-#include "rocking/experiment/experiment.hpp"
+#include "rocking/scene/experiment.hpp"
 
-/// The kind of excitation that a test's scene is known to have.
+/// Access to the kind of excitation that the scene of a test has.
 namespace rocking::support {
 
-inline experiment::Harmonic& harmonic(experiment::Scene& scene) {
-  return std::get<experiment::Harmonic>(scene.excitation);
+inline Harmonic& harmonic(Scene& scene) {
+  return std::get<Harmonic>(scene.excitation);
 }
-inline const experiment::Harmonic& harmonic(const experiment::Scene& scene) {
-  return std::get<experiment::Harmonic>(scene.excitation);
+inline const Harmonic& harmonic(const Scene& scene) {
+  return std::get<Harmonic>(scene.excitation);
 }
-inline experiment::Recorded& recorded(experiment::Scene& scene) {
-  return std::get<experiment::Recorded>(scene.excitation);
+inline Recorded& recorded(Scene& scene) {
+  return std::get<Recorded>(scene.excitation);
 }
-inline const experiment::Recorded& recorded(const experiment::Scene& scene) {
-  return std::get<experiment::Recorded>(scene.excitation);
+inline const Recorded& recorded(const Scene& scene) {
+  return std::get<Recorded>(scene.excitation);
 }
 
-inline experiment::Harmonic harmonic(experiment::Scene&& scene) {
-  return std::get<experiment::Harmonic>(scene.excitation);
+inline Harmonic harmonic(Scene&& scene) {
+  return std::get<Harmonic>(scene.excitation);
 }
 
 /// A scene's excitation by a ground motion.
-inline experiment::Recorded recorded_by(experiment::GroundMotion motion, double frequency_ratio, double scale = 1.0) {
-  return {.ground_motion = std::make_shared<const experiment::GroundMotion>(std::move(motion)),
+inline Recorded recorded_by(GroundMotion motion, double frequency_ratio, double scale = 1.0) {
+  return {.ground_motion = std::make_shared<const GroundMotion>(std::move(motion)),
           .scale = scale,
           .frequency_ratio = frequency_ratio};
 }

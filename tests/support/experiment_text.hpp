@@ -2,13 +2,13 @@
 
 #include <string>
 
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::support {
 
-/// The experiment file that the contract with users gives as its example.
-inline report::Json example_experiment() {
-  return report::Json::parse(R"({
+/// The experiment file that the documents give as an example.
+inline Json example_experiment() {
+  return Json::parse(R"({
     "format": "rocking.experiment/1",
     "title": "Does the same shaking give the same rocking?",
     "block": { "width_m": 1.0, "height_m": 4.0, "gravity_m_s2": 9.81 },
@@ -25,22 +25,22 @@ inline report::Json example_experiment() {
     "seed": "0x2012" })");
 }
 
-/// The least that an experiment file must say.
-inline report::Json least_experiment() {
-  return report::Json::parse(R"({
+/// The smallest valid experiment file.
+inline Json least_experiment() {
+  return Json::parse(R"({
     "format": "rocking.experiment/1",
     "block": { "width_m": 1.0, "height_m": 4.0 },
     "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 } })");
 }
 
-/// `document` with `value`, JSON text, at `pointer`.
-inline report::Json with(report::Json document, const std::string& pointer, const std::string& value) {
-  document[report::Json::json_pointer(pointer)] = report::Json::parse(value);
+/// `document` with the JSON text `value` at `pointer`.
+inline Json with(Json document, const std::string& pointer, const std::string& value) {
+  document[Json::json_pointer(pointer)] = Json::parse(value);
   return document;
 }
 
-/// `document` without what stands at `key`.
-inline report::Json without(report::Json document, const std::string& key) {
+/// `document` without the key `key`.
+inline Json without(Json document, const std::string& key) {
   document.erase(key);
   return document;
 }

@@ -11,7 +11,7 @@
 
 namespace rocking::support {
 
-/// A guard's polynomial over a step, known zeros at the start divided out, and how well it is known.
+/// The polynomial of a guard over a step, divided by known zeros at the start, with its accuracy.
 class GuardPolynomial {
  public:
   GuardPolynomial(std::span<const double> coefficients, double length) : count_(coefficients.size()) {
@@ -26,15 +26,15 @@ class GuardPolynomial {
     }
   }
 
-  /// What one rounding for each coefficient makes, over the step.
+  /// Effect of one rounding of each coefficient, over the step.
   [[nodiscard]] double rounding() const { return static_cast<double>(count_) * 0x1p-53 * size_; }
-  /// The last two terms at the step's end: what a series leaves out is of their size.
+  /// The last two terms at the end of the step: the neglected part of a series is of this size.
   [[nodiscard]] double last_terms() const { return last_but_one_ + last_; }
 
   [[nodiscard]] double at(double x) const { return integrate::evaluate(coefficients(), x); }
   [[nodiscard]] double slope_at(double x) const { return integrate::jet_at(coefficients(), x).first; }
 
-  /// As far as a close look tells, from the step's start on.
+  /// Lowest value found by dense evaluation, from the start of the step on.
   [[nodiscard]] double lowest_until(double time) const {
     std::array<double, integrate::max_coefficients> storage;
     return lowest_value(integrate::scale_to_unit(coefficients(), time, storage));
@@ -47,7 +47,7 @@ class GuardPolynomial {
 
   std::array<double, integrate::max_coefficients> c_;
   std::size_t count_;
-  double size_ = 0.0;  ///< of all terms at the step's end
+  double size_ = 0.0;  ///< sum of the sizes of all terms at the end of the step
   double last_but_one_ = 0.0;
   double last_ = 0.0;
 };

@@ -16,22 +16,22 @@
 
 namespace rocking::support {
 
-/// Steps in which something was seen of a guard.
+/// Steps of a guard, by what was observed.
 struct GuardSteps {
   std::uint64_t armed = 0;
-  std::uint64_t spared = 0;  ///< the model wants it looked at, but it was known to be out of reach
+  std::uint64_t spared = 0;  ///< required by the model, but known to be out of reach
   std::uint64_t fired = 0;
-  // Offences:
-  std::uint64_t missed = 0;   ///< armed, and below zero before the step's end
+  // Faults:
+  std::uint64_t missed = 0;   ///< armed, and below zero before the end of the step
   std::uint64_t unarmed = 0;  ///< not armed, and below zero
-  std::uint64_t unlike = 0;   ///< armed, and not what the model says
-  std::uint64_t made_up = 0;  ///< fired, and not zero there
+  std::uint64_t unlike = 0;   ///< armed, and different from the model
+  std::uint64_t made_up = 0;  ///< fired, and not zero at that instant
 
   [[nodiscard]] std::uint64_t offences() const { return missed + unarmed + unlike + made_up; }
 };
 
 struct GuardTally {
-  std::uint64_t steps = 0;  ///< in which time went on
+  std::uint64_t steps = 0;  ///< steps in which time advanced
   std::uint64_t ended_by_event = 0;
   std::array<GuardSteps, dynamics::guard_count> guards;
 
@@ -42,18 +42,18 @@ struct GuardTally {
   }
 };
 
-/// Looks closely at every guard in every step of a motion, over the time that the integrator accepted.
+/// Observes every guard in every step of a motion, over the time that the integrator accepted.
 ///
-/// The polynomial of an armed guard must not be below zero before the step's end: seen at hundreds of points, closer where it
-/// is low. And it must be what the model's equations say of the state; a guard that is not armed must be above zero by them:
-/// seen at some points.
+/// The polynomial of an armed guard must not be below zero before the end of the step; this is tested at hundreds of
+/// points, more densely where it is low. It must also agree with the equations of the model. A guard that is not armed must
+/// be above zero by these equations; this is tested at some points.
 template <class Motion>
 class GuardWatch {
  public:
   GuardWatch(const dynamics::Setting& setting, bool vertical, GuardTally& tally)
       : setting_(setting), vertical_(vertical), tally_(tally) {}
 
-  /// The integrator has accepted the `time` of a step of `length`. `sticks_anyway`: friction is not tested.
+  /// The integrator has accepted the part `time` of a step of `length`. `sticks_anyway`: friction is not tested.
   void before_move(const Motion& motion, double length, double time, bool sticks_anyway) {
     time_ = time;
     resolution_ = motion.time_resolution();
@@ -83,16 +83,17 @@ class GuardWatch {
   static constexpr std::size_t model_points = 12;
   using Values = std::array<double, model_points>;
 
-  /// Passes over the coefficients that round each once. The integrator scales them, changes their basis, halves (often only near
-  /// a root, where what is rounded shrinks with the interval: two passes in all), evaluates, and knows the root's instant to
-  /// three roundings of it; the look scales, multiplies, adds. Of all that a fifth of one pass has been seen.
+  /// Number of passes over the coefficients that round each once. The integrator scales them, changes their basis, bisects
+  /// (often only near a root, where the rounded values shrink with the interval: two passes in all), evaluates, and knows
+  /// the time of the root to three roundings. The observer scales, multiplies and adds. A fifth of one pass has been
+  /// observed.
   static constexpr double passes = 1 + 1 + 2 + 1 + 3 + 1 + 2;
 
-  /// What a series leaves out, over its last two terms and the tolerance: as if each term were a thirtieth smaller than the last.
-  /// Nine have been seen.
+  /// Neglected part of a series, in units of its last two terms and the tolerance: as if each further term were about
+  /// 3 % smaller than the one before. A factor of nine has been observed.
   static constexpr double left_out = 32.0;
 
-  /// Next to D = 0, a tenth of its value without friction, forces grow without bound, and their series are worth nothing.
+  /// Near D = 0, at a tenth of its value without friction, forces grow without bound and their series are useless.
   static constexpr double near_painleve = 1.0 / 30.0;
 
   void look_for_dips() {
@@ -103,8 +104,8 @@ class GuardWatch {
     }
   }
 
-  /// Those that fire together are zero within the time resolution. Without time going on a guard may start below zero: the forces
-  /// have jumped.
+  /// Guards that fire together are zero to within the time resolution. In a step of zero length a guard may start below
+  /// zero, since the forces have jumped.
   [[nodiscard]] bool is_zero_at_end(std::size_t guard) const {
     if (!armed_[guard]) return false;
     const double value = armed_[guard]->at(time_);
@@ -143,14 +144,14 @@ class GuardWatch {
       });
     }
     const double truncation = left_out * setting_.tolerance * setting_.block.shape_angle / length;
-    const double rounding = 0x1p-48 * largest_term;  // some thirty of the equations' terms
+    const double rounding = 0x1p-48 * largest_term;  // about thirty terms of the equations
     for (std::size_t guard = 0; guard < guards; ++guard) {
       const bool has_no_series = is_near_painleve && guard == static_cast<std::size_t>(dynamics::Guard::normal);
       if (!has_no_series) compare(guard, wanted[guard], truncation + rounding);
     }
   }
 
-  /// A guard with its values by the model, if that wants it looked at.
+  /// Compares a guard with its values by the model, if the model requires the guard.
   void compare(std::size_t guard, const std::optional<Values>& wanted, double allowance) {
     GuardSteps& seen = tally_.guards[guard];
     if (armed_[guard]) {
@@ -163,7 +164,7 @@ class GuardWatch {
 
   [[nodiscard]] double instant(std::size_t i) const { return time_ * static_cast<double>(i + 1) / model_points; }
 
-  /// Whether a polynomial, times a power of time that was divided out, takes these values.
+  /// Whether a polynomial, times the power of time that was divided out, has these values.
   [[nodiscard]] bool is_like(const GuardPolynomial& polynomial, const Values& values, double allowance) const {
     constexpr int most_zeros = 3;
     allowance += passes * polynomial.rounding() + left_out * polynomial.last_terms();

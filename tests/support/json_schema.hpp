@@ -5,7 +5,7 @@
 
 namespace rocking::support {
 
-/// What one of our schemas says against a document: a line for each objection, empty where there is none.
+/// Violations of one of the project's schemas by a document: one line each, empty if there is none.
 [[nodiscard]] std::string objections(std::string_view schema_name, std::string_view text);
 
 }  // namespace rocking::support

@@ -6,9 +6,9 @@
 
 namespace rocking::support {
 
-/// A block rocking over its left edge on a harmonic base, in long double: theta'' = -sin(phi) + alpha cos(phi), with
-/// phi = psi - theta and alpha = peak sin(frequency tau + phase), by Taylor steps of fixed length. The truncation is below
-/// 1e-25, the rounding 2000 times smaller than a double's. No events: theta may fall below 0.
+/// A block rocking about its left edge on a harmonic base, in long double: theta'' = -sin(phi) + alpha cos(phi) with phi =
+/// psi - theta and alpha = peak sin(frequency tau + phase), by Taylor steps of fixed length. The truncation error is below
+/// 1e-25, the rounding 2000 times smaller than that of a double. There are no events: theta may fall below 0.
 struct LongDoubleRock {
   using Real = long double;
   static constexpr std::size_t order = 24;
@@ -20,11 +20,11 @@ struct LongDoubleRock {
   Real frequency;
   Real phase;
 
-  /// The lowest point of the first fall from (tilt, rate), rate < 0, and where it goes through theta = 0 before.
+  /// The lowest point of the first fall from (tilt, rate), rate < 0, and the time at which it passes theta = 0 before.
   struct Dip {
     Real time;
     Real tilt;
-    Real ground_time;  ///< of use where tilt < 0
+    Real ground_time;  ///< meaningful if tilt < 0
     Real ground_rate;
   };
 
@@ -86,7 +86,7 @@ struct LongDoubleRock {
     return sum;
   }
 
-  /// Where the series changes its sign between 0 and x, by halving.
+  /// The sign change of the series between 0 and x, by bisection.
   [[nodiscard]] static Real zero(const Series& series, Real x) {
     const bool rises = value(series, x) > 0.0L;
     Real low = 0.0L;

@@ -10,10 +10,10 @@
 
 namespace rocking::support {
 
-/// Points of a look at a polynomial, both ends among them.
+/// Number of points at which a polynomial is evaluated, both ends included.
 inline constexpr std::size_t points_of_look = 256;
 
-/// Its values at those points of [low, low + width]; by Horner's rule, 32 points side by side.
+/// Values at these points of [low, low + width], by Horner's rule for 32 points at once.
 inline std::array<double, points_of_look> values_over(std::span<const double> c, double low, double width) {
   using Four [[gnu::vector_size(32)]] = double;
   constexpr std::size_t in_turns = 8;
@@ -37,10 +37,10 @@ inline std::array<double, points_of_look> values_over(std::span<const double> c,
   return values;
 }
 
-/// Lowest value of sum c[k] t^k on [0, 1] that looking finds: at evenly spaced points, then between the neighbours of each low
-/// that is small beside its distance to them, and of the lowest there, down to the rounding of t.
+/// Lowest value of sum c[k] t^k on [0, 1] that dense evaluation finds: at evenly spaced points, then around each minimum
+/// that is small compared with the distance to its neighbours, and around the lowest of these, down to the rounding of t.
 ///
-/// It knows nothing of Bernstein coefficients or derivatives: what it finds below zero is below zero.
+/// Uses no Bernstein coefficients and no derivatives: a value below zero that it finds is certain.
 inline double lowest_value(std::span<const double> c) {
   constexpr double step = 1.0 / static_cast<double>(points_of_look - 1);
   double lowest = std::numeric_limits<double>::infinity();

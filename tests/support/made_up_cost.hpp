@@ -4,18 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "rocking/experiment/cost.hpp"
+#include "rocking/studies/cost/cost.hpp"
 #include "support/excitation.hpp"
 
-/// What a measurement of cost could have found, made up.
+/// Invented results of a measurement of cost.
 namespace rocking::support {
 
-using experiment::Condition;
-using experiment::Departure;
-using experiment::Experiment;
-using experiment::Horizon;
-using experiment::MeasuredRealisation;
-using experiment::ToleranceCost;
 using section::ResponseMode;
 
 inline constexpr ResponseMode one = section::periodic(1, 1);
@@ -25,11 +19,11 @@ inline Condition condition_of(bool random) {
   Condition condition;
   condition.tolerance = 1e-10;
   condition.realisations = 200;
-  if (random) condition.scene.initial.tilt = experiment::Normal{.mean = 0.0, .sigma = 1.0};
+  if (random) condition.scene.initial.tilt = Normal{.mean = 0.0, .sigma = 1.0};
   return condition;
 }
 
-/// As many conditions, random where `random` says so.
+/// An experiment with one condition for each entry of `random`, which says whether the condition is random.
 inline Experiment experiment_of(const std::vector<bool>& random) {
   Experiment experiment;
   experiment.canonical_text = "{}";
@@ -37,7 +31,7 @@ inline Experiment experiment_of(const std::vector<bool>& random) {
   return experiment;
 }
 
-/// Three blocks that rock from a random tilt, for so many periods and as many realisations of each.
+/// Three blocks that rock from a random tilt, with this horizon and number of realisations each.
 inline Experiment shaken_experiment(Horizon horizon, std::uint64_t realisations) {
   Experiment experiment = experiment_of({true, true, true});
   experiment.seed = 0x2012;
@@ -45,25 +39,26 @@ inline Experiment shaken_experiment(Horizon horizon, std::uint64_t realisations)
   for (Condition& condition : experiment.conditions) {
     support::harmonic(condition.scene).amplitude = amplitude += 0.7;
     support::harmonic(condition.scene).frequency_ratio = 10.0;
-    condition.scene.initial.tilt = experiment::Uniform{.low = -0.4, .high = 0.4};
+    condition.scene.initial.tilt = Uniform{.low = -0.4, .high = 0.4};
     condition.horizon = horizon;
     condition.realisations = realisations;
   }
   return experiment;
 }
 
-/// One realisation whose modes at the tolerances are these, and whose errors.
+/// A realisation with these response modes at the tolerances, and these errors.
 inline MeasuredRealisation realisation(const std::vector<ResponseMode>& modes, double error = 0.0,
                                        std::uint64_t condition = 0) {
   MeasuredRealisation measured{.key = {.condition = condition, .realisation = 0}, .runs = {}};
   for (const ResponseMode& mode : modes) {
-    measured.runs.push_back({.mode = mode, .periods = 20, .steps = 100, .error = error, .parted = false});
+    measured.runs.push_back({.mode = mode, .periods = 20, .steps = 100, .error = error, .diverged = false});
   }
   measured.runs.back().error.reset();
   return measured;
 }
 
-/// A curve made by hand: flips of `trials` and steps, by falling tolerance; the floor's flips are among those of all others.
+/// An invented curve: flips of `trials` and steps, by decreasing tolerance; the flips of the floor are among those of all
+/// others.
 inline std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& flips, std::uint64_t trials,
                                            const std::vector<std::uint64_t>& steps = {}) {
   std::vector<ToleranceCost> curve(flips.size() + 1);
@@ -78,16 +73,16 @@ inline std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& fli
     departure.flips_interval = stats::clopper_pearson(departure.flips, 0.95);
     if (i + 1 == flips.size()) continue;
     const std::uint64_t floor = std::min(flips[i], flips.back());
-    departure.beside_floor = stats::PairedCounts{
+    departure.beside_tolerance_sensitivity = stats::PairedCounts{
         .both = floor, .first_only = flips[i] - floor, .second_only = 0, .neither = trials - flips[i]};
-    departure.beyond_floor = stats::paired_difference_exact(*departure.beside_floor, 0.95);
+    departure.beyond_floor = stats::paired_difference_exact(*departure.beside_tolerance_sensitivity, 0.95);
   }
   return curve;
 }
 
-/// Times that go with the steps.
-inline experiment::CostTiming timing_of(const std::vector<ToleranceCost>& curve) {
-  experiment::CostTiming timing{.seconds_per_period = {}, .realisations = 384, .periods = 64};
+/// Times in proportion to the steps.
+inline CostTiming timing_of(const std::vector<ToleranceCost>& curve) {
+  CostTiming timing{.seconds_per_period = {}, .realisations = 384, .periods = 64};
   for (const ToleranceCost& cost : curve) {
     timing.seconds_per_period.push_back(1e-6 * static_cast<double>(cost.steps) / static_cast<double>(cost.periods));
   }

@@ -10,7 +10,7 @@
 
 namespace rocking::support {
 
-/// What the guards of a smooth piece of motion depend on besides where it is.
+/// Quantities besides the state on which the guards of a smooth piece of motion depend.
 struct Circumstances {
   dynamics::Geometry block;
   double inertia;          ///< J
@@ -22,8 +22,8 @@ struct Circumstances {
   bool vertical;  ///< the base moves vertically
 };
 
-/// Calls visit(guard, value) for each guard that lib/docs/model.md wants looked at, worked out from its equations at a state: no
-/// series, no known zeros, nothing left out because it is far away.
+/// Calls visit(guard, value) for each guard that lib/docs/model.md requires, computed from its equations at a state:
+/// without series, without known zeros, without omission of distant guards.
 template <class Visit>
 void for_each_model_guard(const Circumstances& now, const dynamics::State& state, const dynamics::BaseMotion& base,
                           Visit&& visit) {

@@ -1,7 +1,7 @@
 #pragma once
 
-// Samples to be tested, and how far the tests' p-values can be trusted: shared by the tests that good draws must pass
-// and bad ones must not.
+// Samples to be tested, and the accuracy of the p-values of the tests. Used by the tests that good draws must pass and by
+// those that bad draws must fail.
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@ using Sample = std::vector<double>;
 
 inline constexpr std::size_t large = 1000000;
 
-/// No less than the probability that n uniform numbers have an empirical law so far from theirs: 2 exp(-2 n D^2), for
+/// Upper bound of the probability that n uniform numbers have an empirical law this far from theirs: 2 exp(-2 n D^2), for
 /// every n (Massart 1990, Ann. Probab. 18, 1269-1283).
 inline double uniformity(std::vector<double> p_values) {
   std::sort(p_values.begin(), p_values.end());
@@ -33,7 +33,7 @@ inline double uniformity(std::vector<double> p_values) {
   return std::min(1.0, 2.0 * std::exp(-2.0 * n * distance * distance));
 }
 
-/// What `rocking check-normal` looks at: the sample of a sampler, its next realisation and the source next to it.
+/// The check of `rocking check-normal`: a sample of a sampler, its next realisation and the next source.
 inline stats::NormalCheck check_of(random::SamplerKind kind, std::uint64_t seed, std::size_t n) {
   const Sample sample = random::standard_sample(kind, random::Draws(seed, 0), random::Source::check_normal, n);
   const Sample of_next_realisation =
@@ -42,14 +42,14 @@ inline stats::NormalCheck check_of(random::SamplerKind kind, std::uint64_t seed,
   return stats::check_normal({sample, of_next_realisation, of_next_source}, {}).value();
 }
 
-/// The same of a sample that is not to be trusted, with good neighbours.
+/// The check of a given sample, with good neighbours.
 inline stats::NormalCheck check_of(const Sample& sample) {
   const Sample a = random::sample_normal(random::SamplerKind::box_muller, 1, sample.size(), 0.0, 1.0);
   const Sample b = random::sample_normal(random::SamplerKind::box_muller, 2, sample.size(), 0.0, 1.0);
   return stats::check_normal({sample, a, b}, {}).value();
 }
 
-/// How uniform each p-value is over many seeds; the tails' are left out, being those of counts.
+/// Uniformity of each p-value over many seeds; those of the tails are omitted, because they are discrete.
 inline std::vector<double> uniformities(std::uint64_t seeds,
                                         const std::function<stats::NormalCheck(std::uint64_t)>& check_of_seed) {
   std::vector<std::vector<double>> p_values;

@@ -9,7 +9,7 @@
 
 namespace rocking::support {
 
-/// Coefficients, that of power 0 first.
+/// Coefficients in order of increasing power.
 using Polynomial = std::vector<double>;
 
 inline Polynomial product(const Polynomial& a, const Polynomial& b) {
@@ -27,8 +27,8 @@ inline Polynomial from_roots(double factor, const std::vector<double>& roots) {
   return p;
 }
 
-/// Polynomials of many characters: random coefficients that decay or grow, random and clustered roots, offsets that turn
-/// touches into near misses and near roots.
+/// Polynomials of different kinds: random coefficients that decrease or grow, random and clustered roots, offsets that turn
+/// double roots into near misses and close roots.
 inline Polynomial random_polynomial(SplitMix& draw) {
   const int degree = 5 + draw.below(11);
   Polynomial p;

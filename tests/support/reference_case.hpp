@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "rocking/experiment/experiment.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "support/excitation.hpp"
 
 /// The reference trajectories of tests/reference as conditions.
@@ -21,25 +21,25 @@ inline nlohmann::json load_reference(const std::string& name) {
   return nlohmann::json::parse(stream);
 }
 
-/// Numbers are written as exact decimals in strings.
+/// Numbers are given as exact decimals in strings.
 inline double reference_number(const nlohmann::json& text) {
   const auto value = text.get<std::string>();
   return value == "pi/2" ? 0x1.921fb54442d18p+0 : std::stod(value);
 }
 
-inline experiment::Condition condition_of_reference(const nlohmann::json& reference) {
+inline Condition condition_of_reference(const nlohmann::json& reference) {
   const auto number = reference_number;
   const nlohmann::json& params = reference["params"];
   const nlohmann::json& initial = reference["initial"];
-  experiment::Condition condition;
-  experiment::Scene& scene = condition.scene;
+  Condition condition;
+  Scene& scene = condition.scene;
   scene.block = {.width = number(params["B"]), .height = number(params["H"]), .gravity = number(params["g"])};
   support::harmonic(scene).amplitude = number(params["A_h"]);
   support::harmonic(scene).frequency_ratio = number(params["Omega"]);
   support::harmonic(scene).phase = number(params["Phi"]);
   scene.restitution = number(params["e"]);
   if (params["sliding"].get<bool>()) {
-    scene.friction = experiment::Friction{.static_coefficient = number(params["mu_s"]),
+    scene.friction = Friction{.static_coefficient = number(params["mu_s"]),
                                           .kinetic_coefficient = number(params["mu_k"])};
   }
   if (params["inertia"] != "centroidal_gamma_3") scene.slide_inertia = dynamics::SlideInertia::edge;

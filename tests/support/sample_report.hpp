@@ -6,14 +6,14 @@
 #include <vector>
 
 #include "rocking/base/digest.hpp"
-#include "rocking/report/json.hpp"
-#include "rocking/report/read_experiment.hpp"
-#include "rocking/report/write_report.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/write_report.hpp"
+#include "rocking/text/json.hpp"
 
 namespace rocking::support {
 
-/// A made-up probability, as different from its neighbours as can be.
-inline experiment::Estimate sample_estimate(std::uint64_t count, std::uint64_t n) {
+/// An invented estimate whose numbers all differ.
+inline Estimate sample_estimate(std::uint64_t count, std::uint64_t n) {
   const double p = static_cast<double>(count) / static_cast<double>(n);
   const stats::Interval interval{.low = 0.9 * p, .high = 0.1 + 0.9 * p};
   return {.counts = {count, n},
@@ -26,9 +26,10 @@ inline experiment::Estimate sample_estimate(std::uint64_t count, std::uint64_t n
           .sison_glaz = interval};
 }
 
-/// A made-up report of a grid of two frictions and three amplitudes: (1,1) gives way to (1,3), some overturn.
-inline report::Json sample_report() {
-  const auto experiment = report::read_experiment(R"({
+/// An invented report of a grid of two frictions and three amplitudes: (1,1) is replaced by (1,3), some realisations
+/// overturn.
+inline Json sample_report() {
+  const auto experiment = read_experiment(R"({
     "format": "rocking.experiment/1", "title": "made up", "block": { "width_m": 1.0, "height_m": 4.0 },
     "excitation": { "amplitude": 4.2, "frequency_ratio": 10.0 },
     "friction": { "static": 0.35, "kinetic": 0.30 }, "fluctuation": { "friction": { "sigma": 0.03 } },
@@ -36,9 +37,9 @@ inline report::Json sample_report() {
                  "values": [ { "static": 0.35, "kinetic": 0.30 }, { "static": 0.40, "kinetic": 0.35 } ] },
                { "parameter": "/excitation/amplitude", "values": [3.0, 4.0, 5.5] } ],
     "realisations": 30 })");
-  experiment::ExperimentResult result{.conditions = {}, .digest = base::sha256("made up")};
+  ExperimentResult result{.conditions = {}, .digest = base::sha256("made up")};
   for (std::uint64_t i = 0; i < experiment.conditions.size(); ++i) {
-    experiment::ConditionResult condition;
+    ConditionResult condition;
     condition.realisations = 30;
     const std::map<section::ResponseMode, std::uint64_t> counts{{section::periodic(1, 1), 30 - 5 * i},
                                                                 {section::periodic(1, 3), 4 * i},
@@ -50,12 +51,12 @@ inline report::Json sample_report() {
     difference.differ_interval = {.low = 0.05 * static_cast<double>(i), .high = 0.2 + 0.1 * static_cast<double>(i)};
     difference.entropy = 0.2 * static_cast<double>(i);
     difference.arithmetic_tolerance = 1e-15;
-    difference.friction = {.pairs = 15, .parted = 2 * i, .lower_quartile = 12.5, .median = 80.0, .upper_quartile = {}};
+    difference.friction = {.pairs = 15, .diverged = 2 * i, .lower_quartile = 12.5, .median = 80.0, .upper_quartile = {}};
     result.conditions.push_back(std::move(condition));
   }
-  report::SystemFacts facts;
+  SystemFacts facts;
   facts.start = "2012-02-01T12:00:00Z";
-  return report::Json::parse(report::report_text(experiment, result, facts));
+  return Json::parse(report_text(experiment, result, facts));
 }
 
 }  // namespace rocking::support

@@ -11,13 +11,13 @@
 
 namespace rocking::support {
 
-/// A source of coefficients that plays lists of chosen values and counts what it is asked. The last value of a list stays.
+/// A source of coefficients that returns chosen values in order and counts the calls. The last value of a list is repeated.
 struct ScriptedCoefficients {
   double amplitude_value = 0.0;
   std::vector<double> statics{};                 ///< mu_s at the start, after the first stop, ...; none: no friction
-  std::optional<double> static_after_chatter{};  ///< mu_s from a chatter's end on
+  std::optional<double> static_after_chatter{};  ///< mu_s after the end of a chatter
   std::vector<double> kinetics{0.0};             ///< mu_k at the start, after the first change, ...
-  bool hold_kinetic = true;                      ///< hold mu_k at mu_s, as every source should
+  bool hold_kinetic = true;                      ///< limit mu_k to mu_s, as every source should
   std::vector<dynamics::Instant> changes{};      ///< of kinetic friction, in order
   std::vector<double> restitutions{0.0};         ///< e of the first impact, the second, ...
 

@@ -1,15 +1,15 @@
-# shellcheck shell=bash disable=SC2034  # the lists are for those who source this
-# What experiments/demo and tests/all share: the packages, the build, and plain words about each step.
-# Sourced, never run; defines names only. Every step's output goes to build/log; a step that fails shows the end of its
-# log, says where the rest is, and ends the script.
+# shellcheck shell=bash disable=SC2034  # the lists are for scripts that source this
+# Functions shared by experiments/demo and tests/all: packages, build, and a message for each step. To be sourced, not run;
+# it only defines names. The output of every step is written to build/log. A step that fails shows the end of its log, says
+# where the rest is, and ends the script.
 
 top=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/../.." && pwd -P)
 logs=$top/build/log
 
-# The systems that all of this is tested on. README.md and `rocking doctor` name the same.
+# The systems on which all of this is tested. README.md and `rocking doctor` name the same.
 supported_systems=("Debian 12" "Debian 13" "Ubuntu 24.04")
 
-# Everything that comes from the system, by names that are the same on all of these. Boost differs: see boost_packages.
+# Packages of the system whose names are the same on all of these systems. Boost differs: see boost_packages.
 build_packages=(
   g++ cmake make pkg-config git
   nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev
@@ -18,20 +18,20 @@ build_packages=(
   python3  # writes reports/jeong_yang_2012 from its results
   libjs-dygraphs  # charts of report.html
 )
-# The packages of Boost by preference; the first that the system offers in a version that will do is installed. Debian 12
-# has 1.74 as libboost-dev, and 1.81 beside it, which the published intervals were computed with. Later systems have 1.83 or
-# newer as libboost-dev.
+# The packages of Boost in order of preference; the first one that the system offers in a sufficient version is installed.
+# Debian 12 has 1.74 as libboost-dev and 1.81 beside it, with which the published intervals were computed. Later systems
+# have 1.83 or newer as libboost-dev.
 boost_packages=(libboost1.81-dev libboost-dev)
 oldest_boost=107400  # 1.74, as BOOST_VERSION writes it
-# For `tests/all --full`. What needs one that the system does not offer is skipped by name.
+# For `tests/all --full`. Tests that need a package which the system does not offer are skipped with a message.
 full_packages=(
   clang libbenchmark-dev
   valgrind  # for a profile
-  libsundials-dev  # for one test and a benchmark; brings MPI, PETSc and a Fortran compiler
-  python3-pandas r-base-core octave  # to load results as lib/docs/loading.md says
-  libopenmpi-dev openmpi-bin iproute2  # for rocking-mpi, and its test between two hosts
+  libsundials-dev  # for one test and a benchmark; installs MPI, PETSc and a Fortran compiler too
+  python3-pandas r-base-core octave  # to load results as in lib/docs/loading.md
+  libopenmpi-dev openmpi-bin iproute2  # for rocking-mpi and its test between two hosts
   slurm-wlm munge  # for a cluster of one machine
-  g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with another processor's
+  g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with those of another processor
 )
 
 say() { printf '%s\n' "$*"; }
@@ -41,8 +41,8 @@ fail() {
   exit 1
 }
 
-# start_in_clone: goes to the clone's root and finds out as whom to work there. Root (or sudo) works as the clone's owner
-# where it can, so that no file of root's is left in a user's clone.
+# start_in_clone: changes to the root of the clone and determines the user for the work there. Root (or sudo) works as the
+# owner of the clone if possible, so that no file of root is left in a user's clone.
 start_in_clone() {
   cd -- "$top" || exit
   drop_root=()
@@ -64,7 +64,7 @@ start_in_clone() {
 # as_owner COMMAND...
 as_owner() { ${drop_root[@]+"${drop_root[@]}"} "$@"; }
 
-# step NAME WORDS COMMAND...: the command's output goes to build/log/NAME.log.
+# step NAME WORDS COMMAND...: writes the output of the command to build/log/NAME.log.
 step() {
   local name=$1 words=$2 began=$SECONDS
   shift 2
@@ -79,7 +79,7 @@ step() {
   fail "step '$words' failed; its whole output is in $logs/$name.log"
 }
 
-# boost_version_below FOLDER: prints BOOST_VERSION of the headers there, if they will do (1.74 or later, with Boost.Math).
+# boost_version_below FOLDER: prints BOOST_VERSION of the headers there, if they suffice (1.74 or later, with Boost.Math).
 boost_version_below() {
   local version
   [[ -r $1/boost/version.hpp && -r $1/boost/math/distributions/beta.hpp ]] || return 1
@@ -87,8 +87,8 @@ boost_version_below() {
   [[ -n $version ]] && ((version >= oldest_boost)) && printf '%s\n' "$version"
 }
 
-# has_boost FOLDER...: whether one of the folders holds a Boost that will do. Debian's Boost packages exclude each other, so
-# none is ever installed beside one that is there.
+# has_boost FOLDER...: whether one of the folders has a sufficient Boost. The Boost packages of Debian conflict with each
+# other; therefore none is installed if there is one.
 has_boost() {
   local folder
   for folder in "$@"; do
@@ -97,14 +97,14 @@ has_boost() {
   return 1
 }
 
-# candidate_of PACKAGE: prints the version that apt-get would install; fails where the system does not offer the package.
+# candidate_of PACKAGE: prints the version that apt-get would install; fails if the system does not offer the package.
 candidate_of() {
   local version
   version=$(LC_ALL=C apt-cache policy "$1" 2>/dev/null | sed -n 's/^  Candidate: //p')
   [[ -n $version && $version != '(none)' ]] && printf '%s\n' "$version"
 }
 
-# boost_package: prints the package to install for Boost; fails where the system offers none that will do.
+# boost_package: prints the package to install for Boost; fails if the system offers no sufficient one.
 boost_package() {
   local package version
   for package in "${boost_packages[@]}"; do
@@ -118,7 +118,7 @@ boost_package() {
   return 1
 }
 
-# offered PACKAGE...: prints those that the system offers.
+# offered PACKAGE...: prints the packages that the system offers.
 offered() {
   local package
   for package in "$@"; do
@@ -126,7 +126,7 @@ offered() {
   done
 }
 
-# missing_of PACKAGE...: prints those that are not installed.
+# missing_of PACKAGE...: prints the packages that are not installed.
 missing_of() {
   local package
   for package in "$@"; do
@@ -134,15 +134,15 @@ missing_of() {
   done
 }
 
-# missing_browser: prints what the tests of report.html in a browser lack. Looks for the programs, since node and npm often
-# come from elsewhere, and Debian's exclude those.
+# missing_browser: prints the packages that the browser tests of report.html lack. It looks for the programs, since node and
+# npm are often installed from other sources, with which those of Debian conflict.
 missing_browser() {
   if ! command -v node >/dev/null || ! command -v npm >/dev/null; then printf '%s\n' nodejs npm; fi
   command -v chromium >/dev/null || printf '%s\n' chromium
 }
 
-# choose_packages: writes to the array `missing` what is to be installed of `required`, `optional` and, if `boost` is not
-# empty, of Boost's packages; says which optional ones the system does not offer.
+# choose_packages: writes to the array `missing` the packages to be installed of `required`, `optional` and, if `boost` is
+# not empty, of Boost. Prints which optional ones the system does not offer.
 choose_packages() {
   local package
   mapfile -t missing < <(missing_of "${optional[@]}")
@@ -159,15 +159,15 @@ choose_packages() {
   fi
 }
 
-# list_of_systems: prints the supported systems as a sentence has them.
+# list_of_systems: prints the supported systems as part of a sentence.
 list_of_systems() {
   local list
   list=$(printf '%s, ' "${supported_systems[@]}")
   printf '%s\n' "${list%, }"
 }
 
-# install_missing REQUIRED... [-- OPTIONAL...]: installs what is not there of these packages and of Boost. Optional packages
-# that the system does not offer are left out. Touches nothing where all is there.
+# install_missing REQUIRED... [-- OPTIONAL...]: installs those of these packages and of Boost that are missing. Optional
+# packages that the system does not offer are omitted. Does nothing if nothing is missing.
 install_missing() {
   local required=() optional=() missing=() boost=
   while (($#)) && [[ $1 != -- ]]; do required+=("$1"); shift; done
@@ -197,16 +197,16 @@ install_missing() {
   step package-lists "reading the package lists" "${apt[@]}" update
   choose_packages
   if ((${#missing[@]} == 0)); then return; fi
-  # --no-remove: rather fail than take something away from the machine.
+  # --no-remove: fail rather than remove a package from the machine.
   step packages "installing ${missing[*]}" "${apt[@]}" install -y --no-install-recommends --no-remove "${missing[@]}"
 }
 
-# architecture: the instruction set to build for. An older processor gets the same results, slower.
+# architecture: the instruction set to build for. An older processor gives the same results, more slowly.
 architecture() {
   if [[ $(uname -m) == x86_64 ]] && ! grep -qw avx2 /proc/cpuinfo; then say x86-64; else say x86-64-v3; fi
 }
 
-# compiler_launcher: ccache, where it is there and can write its cache.
+# compiler_launcher: ccache, if it is installed and can write its cache.
 compiler_launcher() {
   local cache
   if cache=$(as_owner ccache --get-config cache_dir 2>/dev/null) && as_owner mkdir -p "$cache" 2>/dev/null &&
@@ -215,8 +215,8 @@ compiler_launcher() {
   fi
 }
 
-# build FOLDER PRESET TARGET [CMAKE OPTION...]: configures and builds in build/FOLDER. Warnings are errors. The compiler of a
-# folder that is configured already stays: to name another makes CMake forget the preset, optimisation and all.
+# build FOLDER PRESET TARGET [CMAKE OPTION...]: configures and builds in build/FOLDER. Warnings are errors. If the folder is
+# already configured, its compiler is kept: naming another one makes CMake forget the preset, including the optimisation.
 build() {
   local folder=$1 preset=$2 target=$3
   shift 3

@@ -10,14 +10,14 @@
 
 namespace rocking::support {
 
-/// Steps as long as the tolerance allows.
+/// The longest steps that the tolerance allows.
 struct TaylorSteps {
   double operator()(double last_but_one, double last, int order, double largest) const {
     return integrate::step_length(last_but_one, last, order, largest);
   }
 };
 
-/// A block, a base and a start, without anything of experiments. Angles in radians.
+/// A block, a base and an initial state, without an experiment. Angles in radians.
 struct Stage {
   dynamics::Block block{};
   double frequency = 10.0;
@@ -36,15 +36,15 @@ struct Stage {
     return amplitude * geometry().shape_angle * base::sin_cos(frequency * tau + phase).sine;
   }
 
-  /// A_h with which the base acceleration's peak is `peak` (in g).
+  /// A_h for which the peak of the base acceleration is `peak` [g].
   [[nodiscard]] double amplitude_for(double peak) const { return peak / geometry().shape_angle; }
 };
 
-inline const double psi = Stage{}.geometry().shape_angle;  ///< of a stage's own block
-inline constexpr double quarter = 0.5 * std::numbers::pi;  ///< phase at which the base pushes hardest to the right
-inline constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< likewise to the left
+inline const double psi = Stage{}.geometry().shape_angle;  ///< of the default block
+inline constexpr double quarter = 0.5 * std::numbers::pi;  ///< phase with the largest push to the right
+inline constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< phase with the largest push to the left
 
-/// A block on its stage, with the log of what it does. Strobe points a whole number of periods after tau = 0.
+/// A simulation of a block with a log of its events. Strobe points are a whole number of periods after tau = 0.
 template <dynamics::CoefficientSource Coefficients>
 class Simulation {
  public:
@@ -67,7 +67,7 @@ class Simulation {
     return *this;
   }
 
-  EventLog log;  // before the motion, which tells it what happens from the start
+  EventLog log;  // before the motion, which reports events from the start
   Motion motion;
   integrate::LoopCounts counts;
 };

@@ -8,7 +8,7 @@
 
 namespace rocking::support {
 
-/// A small generator for tests: the same numbers on every machine, from a seed that a failing test can print.
+/// A small random number generator for tests: the same numbers on every machine, from a seed that a failing test can print.
 /// Source: Steele, Lea, Flood (2014), "Fast splittable pseudorandom number generators", OOPSLA.
 class SplitMix {
  public:
@@ -22,11 +22,11 @@ class SplitMix {
     return z ^ (z >> 31);
   }
 
-  /// In (0, 1).
+  /// Uniform in (0, 1).
   [[nodiscard]] double uniform() { return (static_cast<double>(bits() >> 12) + 0.5) * 0x1p-52; }
   [[nodiscard]] double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
-  /// In 0 ... bound - 1.
+  /// Integer in 0 ... bound - 1.
   [[nodiscard]] int below(int bound) { return static_cast<int>(bits() % static_cast<std::uint64_t>(bound)); }
 
   /// N(0, 1), by Box and Muller.

@@ -11,20 +11,20 @@
 
 namespace rocking::support {
 
-/// How near two strobe points count as one, in tests that know no better.
+/// Distance below which two strobe points coincide, for tests that need no other value.
 inline constexpr double resolution = 1e-7;
 
-/// How a made-up response wanders about its orbit: x' = memory R(angle) x + noise, per period, with the stationary
+/// Fluctuation of a synthetic response about its orbit: x' = memory R(angle) x + noise, per period, with the stationary
 /// standard deviation `scatter` in Theta and `stretch` times that in Theta'.
 struct Wander {
   double scatter = 0.0;
   double stretch = 2.0;
   double memory = 0.0;       ///< modulus per period
-  double angle = 0.0;        ///< turn per period [rad]
-  double stray_share = 0.0;  ///< of the points, thrown out by ten scatters
+  double angle = 0.0;        ///< rotation per period [rad]
+  double stray_share = 0.0;  ///< share of the points that are displaced by ten scatters
 };
 
-/// A made-up response: its orbit, how it wanders, and how many impacts fall in each period of a cycle.
+/// A synthetic response: its orbit, its fluctuation, and the number of impacts in each period of a cycle.
 struct Synthetic {
   std::vector<section::StrobePoint> orbit;
   std::vector<std::uint16_t> impacts;
@@ -51,8 +51,8 @@ struct Synthetic {
   }
 };
 
-/// An orbit of n points at random in the part of the plane where blocks rock, every two at least `gap` apart (Theta'
-/// counted half); 2m impacts, dealt out in turn.
+/// An orbit of n random points in the part of the plane where blocks rock, with mutual distances of at least `gap` (Theta'
+/// has half weight); 2m impacts, distributed in turn.
 inline Synthetic random_orbit(int n, int m, double gap, SplitMix& draw) {
   Synthetic made;
   while (made.orbit.size() < static_cast<std::size_t>(n)) {

@@ -6,7 +6,7 @@
 
 namespace rocking::support {
 
-/// A folder of its own, gone with the object.
+/// A temporary folder, removed with the object.
 class TemporaryFolder {
  public:
   TemporaryFolder() {

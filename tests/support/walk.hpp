@@ -21,18 +21,18 @@ inline constexpr std::size_t nodes_per_piece = 10;
 struct WalkPiece {
   std::array<WalkNode, nodes_per_piece> nodes;
   dynamics::State start;
-  dynamics::State end;    ///< before what happens at its end
+  dynamics::State end;    ///< before the event at its end
   dynamics::State after;  ///< after it
   double start_tau;
   double end_tau;
   double kinetic_friction;  ///< mu_k in force; 0 without friction
   double static_friction;
-  std::size_t first_event;  ///< in the log: what happened at its end is from here on
+  std::size_t first_event;  ///< in the log: the events at its end begin here
 };
 
-/// Advances a simulation up to tau = `end` or its own end, and shows every smooth piece, sampled at the nodes of Gauss's
-/// formula of order 20. It makes the steps itself, so the schedule of strobe points must be out of reach. False if it took
-/// more than `most_pieces` to get there: time stands still.
+/// Advances a simulation to tau = `end` or to its own end, and calls the visitor for every smooth piece, sampled at the
+/// nodes of Gauss's formula of order 20. It makes the steps itself; therefore no strobe point may be scheduled in that
+/// time. False if it needed more than `most_pieces` pieces: time does not advance.
 template <class Simulation, class Visit>
 [[nodiscard]] bool walk(Simulation& simulation, double end, int most_pieces, Visit&& visit) {
   constexpr std::array<double, 5> abscissa{0.1488743389816312, 0.4333953941292472, 0.6794095682990244,
@@ -58,7 +58,7 @@ template <class Simulation, class Visit>
     const double reach = motion.time_to_breakpoint();
     const double length = motion.expand(reach);
     if (motion.ended()) break;
-    const auto [time, fired] = integrate::first_loss(motion, length, integrate::guards_in_doubt(motion, length), counts);
+    const auto [time, fired] = integrate::first_crossing(motion, length, integrate::uncleared_guards(motion, length), counts);
     simulation.log.strobes.clear();
     for (std::size_t i = 0; i < nodes_per_piece; ++i) {
       const double sign = i % 2 == 0 ? -1.0 : 1.0;

@@ -6,8 +6,8 @@
 
 namespace rocking::support {
 
-/// A motion as the integrator knows it. Before each move over a time, and before each reset, `watch` may look at what the
-/// integrator has made of the guards. Those in `overlooked` the integrator does not get to see: it takes a faulty one's place.
+/// A motion in the form that the integrator uses. `watch` can inspect the guards computed by the integrator before each
+/// move in time and before each reset. The integrator does not see the guards in `overlooked`: this simulates a faulty one.
 template <class Motion, class Watch>
 class WatchedMotion {
  public:
@@ -39,7 +39,7 @@ class WatchedMotion {
   Motion& motion_;
   Watch& watch_;
   integrate::FiredGuards seen_;
-  bool sticks_anyway_;  ///< though friction does not suffice, until the next event (lib/docs/model.md, section 3)
+  bool sticks_anyway_;  ///< although friction does not suffice, until the next event (lib/docs/model.md, section 3)
   double length_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// The account of false alarms is kept: by whom it should be, in the open, and with consequences.
+// The account of false alarms is complete, documented and enforced.
 
 #include "support/false_alarms.hpp"
 
@@ -37,7 +37,7 @@ TEST(FalseAlarms, AreAllowedToTestsThatExistOnly) {
   }
 }
 
-// Either a file's tests draw from the account, or its first line says that nothing is left to chance.
+// Either the tests of a file use the account, or its first line says that nothing is left to chance.
 TEST(FalseAlarms, AreAccountedForByEveryStatisticalTest) {
   for (const auto& entry : fs::directory_iterator(ROCKING_SOURCE_DIR "/tests/statistical")) {
     const std::string text = text_of(entry.path());

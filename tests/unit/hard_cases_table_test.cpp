@@ -34,7 +34,7 @@ Names defined_tests(const std::string& source) {
   return names;
 }
 
-/// What a document puts between backquotes and looks like `Suite.Name`.
+/// Texts of a document between backquotes of the form `Suite.Name`.
 Names named_tests(const std::string& document) {
   static const std::regex name(R"(`([A-Z]\w*\.[A-Z]\w*)`)");
   Names names;
@@ -44,7 +44,7 @@ Names named_tests(const std::string& document) {
   return names;
 }
 
-/// Rows of tables with an empty cell, or whose last cell names no test. A table's header is the line above its rule.
+/// Rows of tables with an empty cell, or whose last cell names no test. The header of a table is the line above its rule.
 std::vector<std::string> rows_without_evidence(const std::string& document) {
   static const std::regex full(R"(\|( [^|]*[^| ] \|)+ [^|]*`[A-Z]\w*\.[A-Z]\w*`[^|]*\|)");
   std::vector<std::string> found;

@@ -1,6 +1,6 @@
-// The house's rules that a reader of the sources can check: which module may use which, what a library may not do, which
-// functions would tie results to one machine's C library. Each rule is a pure function from a text to its offences, and
-// is shown made-up offences before it is trusted with the tree.
+// Rules of the project that can be checked in the sources: which room may use which, what a library must not do, which
+// functions would make results depend on the C library of a machine. Each rule is a pure function from a text to its
+// offences, and is tested with invented offences before it is applied to the tree.
 
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,8 @@ using ::testing::SizeIs;
 
 using Offences = std::vector<std::string>;
 
-/// Which modules a module may include, besides itself. An arrow that is not here does not exist: none is inherited.
+/// The rooms that a room may include, besides itself. No arrow is inherited. The build gives a room only the headers of the
+/// rooms to which it links, so that an include against the arrows does not compile either.
 const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"base", {}},
     {"random", {"base"}},
@@ -32,12 +33,18 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"integrate", {"base"}},
     {"lanes", {"base", "dynamics", "integrate"}},
     {"section", {"base"}},
-    {"experiment", {"base", "random", "stats", "dynamics", "integrate", "lanes", "section"}},
-    {"report", {"base", "stats", "dynamics", "section", "experiment"}},  // for their value types
+    {"scene", {"base", "dynamics"}},
+    {"realisation", {"base", "random", "dynamics", "integrate", "lanes", "section", "scene"}},
+    {"store", {"base", "random", "dynamics", "section", "scene", "realisation"}},
+    {"ensemble", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store"}},
+    {"studies", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
+    {"text", {"base", "stats"}},  // its intervals
+    {"input", {"base", "dynamics", "section", "text", "scene"}},
+    {"output", {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "store", "ensemble", "studies"}},
 };
 
-/// Modules whose results reach a realisation's record bit for bit.
-const std::set<std::string> portable_modules = {"random", "dynamics", "integrate", "lanes", "section"};
+/// Rooms whose code affects the bits of the result of a realisation.
+const std::set<std::string> portable_rooms = {"random", "dynamics", "integrate", "lanes", "section", "scene", "realisation"};
 
 Offences matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
@@ -48,7 +55,7 @@ Offences matches(const std::string& text, const std::string& pattern) {
   return found;
 }
 
-/// The text without what stands behind `//`. A `//` within a string literal hides the rest of that line too.
+/// The text without comments after `//`. A `//` within a string literal also hides the rest of that line.
 std::string without_comments(const std::string& text) {
   std::istringstream lines(text);
   std::string code;
@@ -56,21 +63,23 @@ std::string without_comments(const std::string& text) {
   return code;
 }
 
-/// Modules that a source of `module` includes and may not.
-Offences forbidden_uses(const std::string& module, const std::string& source) {
+/// Rooms that a source of `room` includes without permission.
+Offences forbidden_uses(const std::string& room, const std::string& source) {
   static const std::regex include(R"(#\s*include\s*["<]rocking/(\w+)/)");
   Offences found;
   for (std::sregex_iterator match(source.begin(), source.end(), include), end; match != end; ++match) {
     const std::string used = match->str(1);
-    if (used != module && !allowed_uses.at(module).contains(used)) found.push_back(module + " -> " + used);
+    if (used != room && !allowed_uses.at(room).contains(used)) found.push_back(room + " -> " + used);
   }
   return found;
 }
 
-/// What a source of analysis/ includes and may not: it sees results, in files and stores, and nothing that makes them.
+/// Includes of a source of analysis/ that are not allowed: it uses results, in files and stores, but nothing that computes
+/// them.
 Offences forbidden_in_analysis(const std::string& source) {
-  static const std::regex include(R"(#\s*include\s*["<](rocking/\w+/\w+\.hpp|nlohmann/[^">]*))");
-  static const std::regex allowed(R"(rocking/(base|stats|section|report)/.*|rocking/experiment/(store|summary|mode_family)\.hpp)");
+  static const std::regex include(R"(#\s*include\s*["<](rocking/[\w/]+\.hpp|nlohmann/[^">]*))");
+  static const std::regex allowed(
+      R"(rocking/(base|stats|section|text|input|output)/.*|rocking/store/(store|summary)\.hpp|rocking/ensemble/mode_family\.hpp)");
   Offences found;
   for (std::sregex_iterator match(source.begin(), source.end(), include), end; match != end; ++match) {
     if (!std::regex_match(match->str(1), allowed)) found.push_back(match->str(1));
@@ -78,9 +87,15 @@ Offences forbidden_in_analysis(const std::string& source) {
   return found;
 }
 
-/// JSON is read and written in one module only.
-Offences stray_json(const std::string& module, const std::string& source) {
-  return module == "report" ? Offences{} : matches(source, R"(#\s*include\s*["<]nlohmann/[^">]*)");
+/// The JSON library is included in one room only.
+Offences stray_json(const std::string& room, const std::string& source) {
+  return room == "text" ? Offences{} : matches(source, R"(#\s*include\s*["<]nlohmann/[^">]*)");
+}
+
+/// Calls of statistical functions. A writer formats fields of a result. The two functions that are allowed summarise a
+/// check of a sampler.
+Offences statistics_in_a_writer(const std::string& source) {
+  return matches(without_comments(source), R"(\bstats::(?!is_refuted\b|smallest_p_value\b)[a-z_]+\s*\()");
 }
 
 /// What no library function may do: print, end the program, read the clock, the environment or an entropy source, draw
@@ -101,10 +116,10 @@ Offences unportable_functions(const std::string& source) {
                  R"(pow|hypot|cbrt|fmod|remainder)[fl]?\s*\()");
 }
 
-/// A user's clone stands alone: no text may send its reader to a folder beside it.
+/// A clone of the project is complete: no text may refer to a folder beside it.
 Offences neighbours(const std::string& text) { return matches(text, R"(\.\./shared\b)"); }
 
-/// Links of a document that lead to no file. Links to the web and within the page are not followed.
+/// Links of a document to files that do not exist. Links to the web and within the page are not checked.
 Offences dead_links(const fs::path& folder, const std::string& document) {
   static const std::regex link(R"(\]\(([^)#:\s]+)\))");
   Offences found;
@@ -116,7 +131,7 @@ Offences dead_links(const fs::path& folder, const std::string& document) {
 
 struct File {
   fs::path path;
-  std::string module;  ///< of the library; empty elsewhere
+  std::string room;  ///< of the library; empty elsewhere
   std::string text;
 };
 
@@ -125,7 +140,7 @@ std::string text_of(const fs::path& path) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-/// The project's own files: not version control's, not what was built or simulated here.
+/// The project's own files, without those of version control and of builds and runs.
 std::vector<File> files_of_tree() {
   const fs::path root = ROCKING_SOURCE_DIR;
   const fs::path library = root / "lib/rocking";
@@ -147,25 +162,25 @@ std::vector<File> sources_of_library() {
   std::vector<File> sources;
   for (File& file : files_of_tree()) {
     const std::string extension = file.path.extension().string();
-    if (!file.module.empty() && (extension == ".hpp" || extension == ".cpp" || extension == ".in")) {
+    if (!file.room.empty() && (extension == ".hpp" || extension == ".cpp" || extension == ".in")) {
       sources.push_back(std::move(file));
     }
   }
   return sources;
 }
 
-TEST(TheHouse, HasOnlyTheModulesOfTheTable) {
-  std::set<std::string> modules;
-  for (const File& file : sources_of_library()) modules.insert(file.module);
+TEST(TheHouse, HasOnlyTheRoomsOfTheTable) {
+  std::set<std::string> rooms;
+  for (const File& file : sources_of_library()) rooms.insert(file.room);
   std::set<std::string> table;
-  for (const auto& [module, uses] : allowed_uses) table.insert(module);
-  EXPECT_EQ(modules, table);
+  for (const auto& [room, uses] : allowed_uses) table.insert(room);
+  EXPECT_EQ(rooms, table);
 }
 
 TEST(TheHouse, HasArrowsOneWayOnly) {
   for (const File& file : sources_of_library()) {
-    ASSERT_TRUE(allowed_uses.contains(file.module)) << file.path;
-    EXPECT_THAT(forbidden_uses(file.module, file.text), IsEmpty()) << file.path;
+    ASSERT_TRUE(allowed_uses.contains(file.room)) << file.path;
+    EXPECT_THAT(forbidden_uses(file.room, file.text), IsEmpty()) << file.path;
   }
 }
 
@@ -180,17 +195,26 @@ TEST(TheHouse, DrawsWithoutSimulating) {
   EXPECT_GT(sources, 10U);
 }
 
-TEST(TheHouse, ReadsAndWritesJsonInOneModule) {
-  for (const File& file : sources_of_library()) EXPECT_THAT(stray_json(file.module, file.text), IsEmpty()) << file.path;
+TEST(TheHouse, ComputesNoStatisticsInAWriter) {
+  for (const File& file : files_of_tree()) {
+    const bool draws = *file.path.lexically_relative(ROCKING_SOURCE_DIR).begin() == "analysis";
+    if (draws || file.room == "output") {
+      EXPECT_THAT(statistics_in_a_writer(file.text), IsEmpty()) << file.path;
+    }
+  }
+}
+
+TEST(TheHouse, IncludesTheJsonLibraryInOneRoom) {
+  for (const File& file : sources_of_library()) EXPECT_THAT(stray_json(file.room, file.text), IsEmpty()) << file.path;
 }
 
 TEST(TheHouse, NeverPrintsExitsNorReadsClockOrEnvironment) {
   for (const File& file : sources_of_library()) EXPECT_THAT(outside_world(file.text), IsEmpty()) << file.path;
 }
 
-TEST(TheHouse, LetsNoMachinesLibraryReachARecord) {
+TEST(TheHouse, LetsNoMachinesLibraryReachARealisationResult) {
   for (const File& file : sources_of_library()) {
-    if (portable_modules.contains(file.module)) {
+    if (portable_rooms.contains(file.room)) {
       EXPECT_THAT(unportable_functions(file.text), IsEmpty()) << file.path;
     }
   }
@@ -213,22 +237,30 @@ TEST(TheHouse, LeadsItsReadersSomewhere) {
 TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
   EXPECT_THAT(forbidden_uses("dynamics", "#include \"rocking/integrate/step.hpp\"\n"),
               ElementsAre("dynamics -> integrate"));
-  EXPECT_THAT(forbidden_uses("base", "# include <rocking/report/json.hpp>\n"), ElementsAre("base -> report"));
-  EXPECT_THAT(forbidden_uses("report", "#include \"rocking/random/normal.hpp\""), ElementsAre("report -> random"));
+  EXPECT_THAT(forbidden_uses("base", "# include <rocking/text/json.hpp>\n"), ElementsAre("base -> text"));
+  EXPECT_THAT(forbidden_uses("output", "#include \"rocking/random/normal.hpp\""), ElementsAre("output -> random"));
   EXPECT_THAT(forbidden_uses("section", "#include \"rocking/base/lane.hpp\"\n#include \"rocking/section/a.hpp\"\n"),
               IsEmpty());
 }
 
 TEST(TheHouseRules, FindASimulatingFigure) {
-  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/experiment/record.hpp\"\n#include <nlohmann/json.hpp>\n"),
+  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/realisation/realisation_result.hpp\"\n#include <nlohmann/json.hpp>\n"),
               SizeIs(2));
-  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/experiment/store.hpp\"\n#include \"analysis/a.hpp\"\n"),
+  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/store/store.hpp\"\n#include \"analysis/a.hpp\"\n"),
               IsEmpty());
 }
 
-TEST(TheHouseRules, FindJsonOutsideTheReport) {
-  EXPECT_THAT(stray_json("experiment", "#include <nlohmann/json.hpp>\n"), SizeIs(1));
-  EXPECT_THAT(stray_json("report", "#include <nlohmann/json.hpp>\n"), IsEmpty());
+TEST(TheHouseRules, FindStatisticsInAWriter) {
+  EXPECT_THAT(statistics_in_a_writer("p = stats::mcnemar(counts).p_value;\nauto i = stats::wilson (counts, 0.95);"),
+              SizeIs(2));
+  EXPECT_THAT(statistics_in_a_writer("void f(const stats::Interval& interval);  // stats::wilson(x)\n"
+                                     "json[\"refuted\"] = stats::is_refuted(found);"),
+              IsEmpty());
+}
+
+TEST(TheHouseRules, FindTheJsonLibraryOutsideItsRoom) {
+  EXPECT_THAT(stray_json("ensemble", "#include <nlohmann/json.hpp>\n"), SizeIs(1));
+  EXPECT_THAT(stray_json("text", "#include <nlohmann/json.hpp>\n"), IsEmpty());
 }
 
 TEST(TheHouseRules, FindWhatALibraryMayNotDo) {

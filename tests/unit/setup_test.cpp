@@ -1,4 +1,4 @@
-// The functions of tests/support/setup.sh, sourced by a shell whose package tools are stand-ins.
+// The functions of tests/support/setup.sh, run in a shell whose package tools are stubs.
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// What a shell prints that has sourced setup.sh and runs `commands`.
+/// Output of a shell that has sourced setup.sh and runs `commands`.
 std::string output_of(const std::string& commands) {
   const std::string line = "bash -c 'source " ROCKING_SOURCE_DIR "/tests/support/setup.sh; " + commands + "' 2>&1";
   std::FILE* shell = popen(line.c_str(), "r");
@@ -28,7 +28,7 @@ std::string output_of(const std::string& commands) {
   return output;
 }
 
-/// A folder of headers as one Boost would leave it.
+/// A folder of headers, as an installed Boost has it.
 fs::path headers(const std::string& name, const std::string& version, bool with_math) {
   const fs::path root = fs::path(testing::TempDir()) / ("rocking_setup_" + name);
   fs::create_directories(root / "boost/math/distributions");
@@ -49,7 +49,7 @@ TEST(Setup, FindsNoBoostWhereItIsTooOldOrIncomplete) {
   EXPECT_EQ(output_of("has_boost " + headers("no_math", "108100", false).string() + " || echo no"), "no\n");
 }
 
-/// The packages of a system whose names or versions differ from one system to another. What is not here every one offers.
+/// The packages of a system whose names or versions differ between systems. Others are available on every system.
 struct PackageSystem {
   std::string name;
   std::string boost;  ///< cases of `case $package in` that set the version that the system offers
@@ -57,7 +57,7 @@ struct PackageSystem {
   std::string left_out;
 };
 
-// What `apt-cache policy` says on each system.
+// Output of `apt-cache policy` on each system.
 const std::vector<PackageSystem> systems = {
     {"Debian 12",
      "libboost-dev) v=1.74.0.3 ;; libboost1.74-dev) v=1.74.0+ds1-21 ;; libboost1.81-dev) v=1.81.0-5+deb12u1 ;;",
@@ -72,8 +72,8 @@ const std::vector<PackageSystem> systems = {
      "libboost-dev", "chromium"},
 };
 
-/// Shell functions that stand in for the package tools of a system on which nothing is installed. `apt-get` prints what it
-/// is to install.
+/// Shell functions that replace the package tools of a system on which nothing is installed. `apt-get` prints the packages
+/// that it is asked to install.
 std::string nothing_installed_on(const std::string& versions) {
   return "apt-cache() { local v=1.0-1; case $2 in " + versions +
          " esac; [[ $v ]] && printf \"%s:\\n  Installed: (none)\\n  Candidate: %s\\n\" $2 \"$v\"; };"

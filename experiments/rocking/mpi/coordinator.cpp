@@ -13,19 +13,15 @@
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
-#include "job.hpp"
-#include "rocking/experiment/pair_workers.hpp"
+#include "assignment.hpp"
+#include "rocking/ensemble/pair_workers.hpp"
 
 namespace rocking::program::mpi {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using experiment::Pair;
-using experiment::PairFlow;
-using experiment::RunOptions;
-using experiment::Summary;
 
-/// How much a helper is given at once, from how long the last block took it.
+/// Size of the next block of a helper, from the duration of its last one.
 struct BlockLength {
   std::size_t pairs = 1;
   Clock::time_point given;
@@ -43,7 +39,7 @@ class Coordinator {
   Coordinator(const Session& session, const RunOptions& options, const PairFlow& flow)
       : session_(&session), options_(&options), flow_(&flow) {}
 
-  void run(const experiment::Experiment& experiment) {
+  void run(const Experiment& experiment) {
     {
       const std::jthread own_work([&] { work_here(experiment); });
       while (!is_done()) {
@@ -58,8 +54,8 @@ class Coordinator {
   }
 
  private:
-  // What helpers bring may open more: whoever finds nothing here waits for it.
-  void work_here(const experiment::Experiment& experiment) {
+  // Results of helpers may make more pairs necessary, so a thread without work waits for them.
+  void work_here(const Experiment& experiment) {
     RunOptions options = *options_;
     options.stop_requested = &stopping_;
     const PairFlow flow{.next = [this] { return next(); },
@@ -92,7 +88,7 @@ class Coordinator {
     changed_.notify_all();
   }
 
-  // The first failure is the one to tell.
+  // The first failure is reported.
   void fail(std::exception_ptr failure) {
     const std::lock_guard lock(mutex_);
     if (!failure_) failure_ = std::move(failure);
@@ -111,7 +107,7 @@ class Coordinator {
   }
 
   void take_outcomes(const Message& message) {
-    const auto outcomes = experiment::outcomes_from(message.bytes);
+    const auto outcomes = outcomes_from(message.bytes);
     if (const auto given = busy_.find(message.rank); given != busy_.end()) {
       if (outcomes.size() < given->second) stopping_ = true;  // the helper was asked to stop
       busy_.erase(given);
@@ -140,11 +136,11 @@ class Coordinator {
       free_.erase(rank);
       busy_[rank] = block.size();
       lengths_[rank].given = Clock::now();
-      session_->send(rank, Tag::block, experiment::to_bytes(std::span<const Pair>(block)));
+      session_->send(rank, Tag::block, to_bytes(std::span<const Pair>(block)));
     }
   }
 
-  // A realisation may take hours: who runs one is told once.
+  // A realisation may take hours, so each helper is told to stop only once.
   void stop_busy_helpers() {
     for (const auto& [rank, pairs] : busy_) {
       if (told_to_stop_.insert(rank).second) session_->send(rank, Tag::stop, {});
@@ -162,7 +158,7 @@ class Coordinator {
     return block;
   }
 
-  // Nobody works, and nothing was brought in since this process found nothing left.
+  // No process works, and no result has arrived since this process found no work.
   bool is_done() {
     const std::lock_guard lock(mutex_);
     over_ = busy_.empty() && idle_here_ && (stopping_ || accepted_ == seen_);
@@ -174,16 +170,16 @@ class Coordinator {
   const RunOptions* options_;
   const PairFlow* flow_;
   std::atomic<bool> stopping_{false};
-  // Of the thread that speaks with the others.
+  // Used by the thread that communicates.
   std::set<int> free_;
-  std::map<int, std::size_t> busy_;  ///< pairs that each is at
+  std::map<int, std::size_t> busy_;  ///< pairs that each helper runs
   std::map<int, BlockLength> lengths_;
   std::set<int> told_to_stop_;
-  // Of both threads, under the lock.
+  // Used by both threads, under the lock.
   std::mutex mutex_;
   std::condition_variable changed_;
   std::uint64_t accepted_ = 0;
-  std::uint64_t seen_ = 0;  ///< `accepted_` when this process last began to look for pairs
+  std::uint64_t seen_ = 0;  ///< `accepted_` when this process last looked for pairs
   bool idle_here_ = false;
   bool over_ = false;
   std::exception_ptr failure_;
@@ -191,16 +187,16 @@ class Coordinator {
 
 }  // namespace
 
-Crew crew_of(const Session& session) {
-  Crew crew{.threads = 1, .processes = static_cast<unsigned>(session.size())};
-  if (session.size() == 1) return crew;
-  crew.hire = [&session](const experiment::Identity& identity, unsigned threads) -> experiment::Workforce {
-    session.send_to_others(Tag::job, to_bytes(Job{.threads = threads, .identity = identity}));
-    return [&session](const experiment::Experiment& experiment, const RunOptions& options, const PairFlow& flow) {
+ProcessPool pool_of(const Session& session) {
+  ProcessPool pool{.threads = 1, .processes = static_cast<unsigned>(session.size())};
+  if (session.size() == 1) return pool;
+  pool.start_workers = [&session](const Identity& identity, unsigned threads) -> PairRunner {
+    session.send_to_others(Tag::assignment, to_bytes(Assignment{.threads = threads, .identity = identity}));
+    return [&session](const Experiment& experiment, const RunOptions& options, const PairFlow& flow) {
       Coordinator(session, options, flow).run(experiment);
     };
   };
-  return crew;
+  return pool;
 }
 
 }  // namespace rocking::program::mpi

@@ -1,12 +1,12 @@
 #pragma once
 
-#include "crew.hpp"
+#include "process_pool.hpp"
 #include "session.hpp"
 
 namespace rocking::program::mpi {
 
-/// The first process and its helpers. It alone has the store; it hands out blocks of pairs, each of about a quarter of a
-/// second, to whoever is free, takes in what came of them, and runs pairs itself beside that.
-[[nodiscard]] Crew crew_of(const Session& session);
+/// Runs pairs as the first process. Only this process has the store. It sends blocks of pairs, each of about a quarter of a
+/// second, to idle helpers, receives the results, and runs pairs itself at the same time.
+[[nodiscard]] ProcessPool pool_of(const Session& session);
 
 }  // namespace rocking::program::mpi

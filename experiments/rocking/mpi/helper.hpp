@@ -4,7 +4,7 @@
 
 namespace rocking::program::mpi {
 
-/// What every process but the first does: runs the blocks that it is given, until it is told to quit.
+/// The loop of every process but the first: runs the blocks that it receives until it is told to quit.
 void help(const Session& session);
 
 }  // namespace rocking::program::mpi

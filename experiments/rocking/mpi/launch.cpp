@@ -11,7 +11,7 @@
 
 namespace rocking::program::mpi {
 
-// Loading MPI's libraries takes longer than most commands do; only who is started by mpirun pays for it.
+// Loading the MPI libraries takes longer than most commands, so only processes started by mpirun load them.
 void become_one_of_several(char** argv) {
   const char* size = std::getenv("OMPI_COMM_WORLD_SIZE");
   if (size == nullptr || std::string(size) == "1") return;

@@ -2,8 +2,8 @@
 
 namespace rocking::program::mpi {
 
-/// Where mpirun started this process as one of several, becomes `rocking-mpi`, which stands beside it; returns where there is
-/// nothing of that kind to do. Throws UsageError where that program is not there.
+/// If mpirun started this process as one of several, replaces it by the program `rocking-mpi` in the same folder; otherwise
+/// returns. Throws UsageError if that program is missing.
 void become_one_of_several(char** argv);
 
 }  // namespace rocking::program::mpi

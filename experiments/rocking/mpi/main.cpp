@@ -1,4 +1,4 @@
-// `rocking` as it runs when mpirun started it: the same commands; `run` and `resume` share their work between the processes.
+// `rocking` as started by mpirun: the same commands; `run` and `resume` distribute the work over the processes.
 
 #include "coordinator.hpp"
 #include "helper.hpp"
@@ -13,7 +13,7 @@ int main(int argc, char** argv) {
     mpi::help(session);
     return 0;
   }
-  const ExitCode code = carry_out_command_line(argc, argv, mpi::crew_of(session));
+  const ExitCode code = carry_out_command_line(argc, argv, mpi::pool_of(session));
   session.send_to_others(mpi::Tag::quit, {});
   return static_cast<int>(code);
 }

@@ -44,7 +44,7 @@ std::optional<Message> Session::receive() const {
   MPI_Get_count(&status, MPI_BYTE, &size);
   Message message{.rank = status.MPI_SOURCE,
                   .tag = static_cast<Tag>(status.MPI_TAG),
-                  .bytes = experiment::Bytes(static_cast<std::size_t>(size))};
+                  .bytes = Bytes(static_cast<std::size_t>(size))};
   MPI_Recv(message.bytes.data(), size, MPI_BYTE, message.rank, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
   return message;
 }

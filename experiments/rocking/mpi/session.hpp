@@ -4,26 +4,26 @@
 #include <optional>
 #include <span>
 
-#include "rocking/experiment/summary_bytes.hpp"
+#include "rocking/ensemble/summary_bytes.hpp"
 
-/// The processes that `mpirun` started, told apart by their ranks. Two-sided messages only, from one thread a process.
+/// Communication between the processes that `mpirun` started. Two-sided messages only, from one thread per process.
 namespace rocking::program::mpi {
 
-/// What a message is about.
+/// Type of a message.
 enum class Tag : int {
-  job,       ///< coordinator to all: what is to be worked on
-  block,     ///< coordinator to one: pairs to run
-  stop,      ///< coordinator to one that runs a block: give it up
-  rest,      ///< coordinator to all: the job is at its end
-  quit,      ///< coordinator to all: the program is
-  outcomes,  ///< to the coordinator: what came of a block, and: ready for more
-  failure,   ///< to the coordinator: no more from here; the text says why
+  assignment,  ///< coordinator to all: the experiment to run
+  block,       ///< coordinator to one: pairs to run
+  stop,        ///< coordinator to one that runs a block: abandon it
+  rest,        ///< coordinator to all: the assignment has ended
+  quit,        ///< coordinator to all: the program ends
+  outcomes,    ///< to the coordinator: results of a block; ready for more
+  failure,     ///< to the coordinator: this process cannot continue; the text gives the reason
 };
 
 struct Message {
   int rank = 0;  ///< of the sender
   Tag tag{};
-  experiment::Bytes bytes;
+  Bytes bytes;
 };
 
 /// From MPI_Init to MPI_Finalize.
@@ -43,7 +43,7 @@ class Session {
   void send_to_others(Tag tag, std::span<const std::byte> bytes) const;
   /// The next message, if one has come.
   [[nodiscard]] std::optional<Message> receive() const;
-  /// The next message. Sleeps between two looks: a core that waits is a core that another process may use.
+  /// Waits for the next message; sleeps between two polls, so that other processes can use the core.
   [[nodiscard]] Message wait() const;
 
  private:

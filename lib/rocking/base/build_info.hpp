@@ -4,12 +4,12 @@
 
 namespace rocking::base {
 
-/// What this library was built from, and how. Fixed at build time; differs between builds, never between runs.
+/// How this library was built: version, source, compiler and flags. Set at build time; the same in every run of one build.
 struct BuildInfo {
   std::string_view version;     ///< of the project, as in CHANGELOG.md
   std::string_view revision;    ///< of the source, as version control describes it; "unknown" outside a checkout
   std::string_view compiler;    ///< name and version
-  std::string_view flags;       ///< those that matter to the numbers
+  std::string_view flags;       ///< compiler flags that affect numerical results
   std::string_view build_type;  ///< Release, RelWithDebInfo, ...
 };
 

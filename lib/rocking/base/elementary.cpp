@@ -3,8 +3,9 @@
 namespace rocking::base {
 
 double arc_tangent(double x) {
-  // The angle of the direction (run, rise), one of them 1 and rise <= run: two halvings, a series, then one Newton step
-  // whose residual rise cos - run sin uses x as it was given.
+  // Angle of the direction (run, rise) [rad]. One of the two is 1, and rise <= run. The angle is halved twice, a series
+  // gives its arc tangent, and one Newton step corrects it. The residual of that step, rise cos - run sin, uses x without
+  // rounding.
   const double size = std::abs(x);
   const bool steep = size > 1.0;
   const double rise = steep ? 1.0 : size;

@@ -15,11 +15,16 @@ std::string message_of(const std::vector<Problem>& problems) {
   return message;
 }
 
-/// Bytes of the letter that begins at `start` in UTF-8 (RFC 3629); 0 where none does.
+/// Length in bytes of the UTF-8 character (RFC 3629) that begins at `start`; 0 if no valid character begins there.
 std::size_t letter_at(std::string_view text, std::size_t start) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(start);
-  const std::size_t length = first < 0x80 ? 1 : first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
+  const std::size_t length = first < 0x80   ? 1
+                             : first < 0xc2 ? 0
+                             : first < 0xe0 ? 2
+                             : first < 0xf0 ? 3
+                             : first < 0xf5 ? 4
+                                            : 0;
   if (length == 0 || start + length > text.size()) return 0;
   for (std::size_t i = start + 1; i < start + length; ++i) {
     if ((byte(i) & 0xc0U) != 0x80U) return 0;

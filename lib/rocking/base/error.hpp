@@ -7,27 +7,27 @@
 
 namespace rocking::base {
 
-/// One thing that is wrong with what a user wrote.
+/// One fault in the user's input.
 struct Problem {
-  std::string place;   ///< JSON pointer, command-line flag or file and line
-  std::string value;   ///< what stands there, as written; empty where nothing does
-  std::string reason;  ///< why it will not do
-  std::string remedy;  ///< what would do; empty where the reason says it
-  std::string where = {};  ///< file and line of the place; empty where the place says it
+  std::string place;       ///< JSON pointer, command-line flag or file and line
+  std::string value;       ///< the value found there, as written; empty if there is none
+  std::string reason;      ///< why it is not accepted
+  std::string remedy;      ///< what would be accepted; empty if the reason says it
+  std::string where = {};  ///< file and line of the place; empty if `place` says it
 };
 
-/// `a.json, line 3: /block/width_m = -0.1: must be positive; give a number of metres`. A long place or value is cut, and a
-/// control character in any part is shown as `\x1b`: the text goes to terminals.
+/// Text of a problem, such as `a.json, line 3: /block/width_m = -0.1: must be positive; give a number of metres`. A long
+/// place or value is cut. A control character is shown as `\x1b`, since the text is written to terminals.
 [[nodiscard]] std::string to_string(const Problem& problem);
 
-/// Text for a terminal or a message: a control character (and DEL, and those of Unicode up to U+009F) becomes `\x1b`, a
-/// byte that is not UTF-8 `\xff`. A new line stays.
+/// Text that is safe for a terminal or a message. Control characters (also DEL and those of Unicode up to U+009F) are shown
+/// as `\x1b`, bytes that are not UTF-8 as `\xff`. A new line is kept.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// At most `most` bytes of a text in UTF-8; where it is longer its end becomes `...`, and no letter is cut in two.
+/// At most `most` bytes of a UTF-8 text. The end of a longer text is replaced by `...`; no character is cut in two.
 [[nodiscard]] std::string cut_to(std::string_view text, std::size_t most);
 
-/// Bad input. Carries every problem found, so that a user mends a file in one go.
+/// Bad input. Contains all problems that were found, so that a user can correct a file at once.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(Problem problem);
@@ -39,7 +39,7 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
-/// A condition that only a fault of ours can break did not hold.
+/// Thrown if a contract does not hold, which only a fault of the library can cause.
 class ContractViolation : public std::logic_error {
  public:
   ContractViolation(const char* condition, const char* file, int line);
@@ -47,7 +47,7 @@ class ContractViolation : public std::logic_error {
 
 }  // namespace rocking::base
 
-/// Checks `condition` in builds with contracts on (preset `dev`); names it in a ContractViolation where it fails.
+/// Checks `condition` in builds with contracts (preset `dev`). If it is false, throws ContractViolation with its text.
 #if defined(ROCKING_CONTRACTS)
 #define ROCKING_EXPECT(condition) \
   ((condition) ? void(0) : throw ::rocking::base::ContractViolation(#condition, __FILE__, __LINE__))

@@ -28,38 +28,38 @@ template <class Real>
   return a < b || a == b;
 }
 
-/// Whether a truth holds in any lane.
+/// Whether the condition is true in any lane.
 [[nodiscard]] inline bool in_any(bool truth) { return truth; }
 
-/// The upper half of the bits of abs(y), as a number below 2^31: exponent and the first 20 bits of the mantissa.
+/// The upper 32 bits of abs(y), as a number below 2^31: exponent and the first 20 bits of the mantissa.
 [[nodiscard]] inline double upper_word(double y) {
   return static_cast<double>(std::bit_cast<std::uint64_t>(y) << 1U >> 33U);
 }
 
-/// The number of which the upper half of the bits is `word`, rounded to an integer, and the lower half 0.
-/// Adding 2^52 rounds, and leaves the integer in the lower half of the sum's bits.
+/// The number whose upper 32 bits are `word`, rounded to an integer, and whose lower 32 bits are 0. Adding 2^52 rounds
+/// `word` and leaves the integer in the lower half of the bits of the sum.
 [[nodiscard]] inline double from_upper_word(double word) {
   return std::bit_cast<double>(std::bit_cast<std::uint64_t>(word + 0x1p52) << 32U);
 }
 
-/// The 64 bits of a number, and the number that has them.
+/// The 64 bits of a number, and the inverse.
 [[nodiscard]] constexpr std::uint64_t bits_of(double y) { return std::bit_cast<std::uint64_t>(y); }
 [[nodiscard]] constexpr double number_of(std::uint64_t bits) { return std::bit_cast<double>(bits); }
 
-/// IEEE arithmetic and a fused multiply-add: all that a polynomial needs.
+/// IEEE arithmetic and a fused multiply-add: sufficient to evaluate a polynomial.
 template <class Real>
 concept Number = requires(Real a, Real b, Real c) {
   { a + b } -> std::convertible_to<Real>;
   { a - b } -> std::convertible_to<Real>;
-  { a * b } -> std::convertible_to<Real>;
+  { a* b } -> std::convertible_to<Real>;
   { a / b } -> std::convertible_to<Real>;
   { -a } -> std::convertible_to<Real>;
   { fused(a, b, c) } -> std::convertible_to<Real>;
 };
 
-/// What a number must offer to be advanced by the stepping kernel: arithmetic and a selection without a branch. `double`
-/// is one lane; a pack of several models the same concept, so that one source serves all widths and every lane gets the
-/// bits that it would get alone.
+/// What the stepping kernel requires of a number: arithmetic and selection without a branch. `double` is one lane; a pack
+/// of several numbers models the same concept. One source therefore serves all widths, and each lane gets the same bits as
+/// it would get alone.
 template <class Real>
 concept Lane = Number<Real> && requires(Real a, Real b) {
   { select(a < b, a, b) } -> std::convertible_to<Real>;

@@ -4,8 +4,8 @@
 
 namespace rocking::base {
 
-/// Throws InputError where there is something of this name that is no regular file: to open a pipe, or to read a terminal or a
-/// device, may wait or go on for ever. A path that leads nowhere is left to whoever opens it.
+/// Throws InputError if `path` names something that is not a regular file: opening a pipe or reading a terminal or a device
+/// may block for ever. A path that does not exist is accepted; opening it fails later.
 void expect_regular_file(const std::filesystem::path& path);
 
 }  // namespace rocking::base

@@ -8,34 +8,19 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/guards.hpp"
+#include "rocking/dynamics/known_at_start.hpp"
 
 namespace rocking::dynamics {
 
-/// What is known of the coming step besides the state, from the event at its start. Replaced as a whole at each event.
-struct KnownAtStart {
-  bool lift_is_flat = false;            ///< w' = 0 exactly
-  bool slip_is_flat = false;            ///< V' = 0 exactly
-  bool normal_is_zero = false;          ///< N = 0 exactly
-  double limit_sign = 0.0;              ///< of S F, if abs(F) = mu_s N exactly; else 0
-  bool sticks_beyond_friction = false;  ///< until the next event; see Automaton::start_slipping
-
-  /// Once time has gone on.
-  [[nodiscard]] KnownAtStart after_a_step() const {
-    KnownAtStart rest;
-    rest.sticks_beyond_friction = sticks_beyond_friction;
-    return rest;
-  }
-  friend bool operator==(const KnownAtStart&, const KnownAtStart&) = default;
-};
-
-/// The guards of one motion that are armed over the coming step, and the numbers in them. All may be.
+/// Which guards of one motion are armed over the coming step, and the numbers that occur in them. The lanes'
+/// counterpart is lanes::OrdinaryGuards.
 struct ArmedGuards {
   const State& state;
   const Geometry& block;
   const KnownAtStart& known;
   int order;             ///< of the series
-  double side;           ///< S of the frame of the series
-  double mu_s;           ///< in force
+  double side;           ///< sign of the frame of the series
+  double mu_s;           ///< static friction in force
   double J;              ///< inertia
   bool is_past_balance;  ///< abs(Theta) has been 1 before
   bool off_ground;       ///< N <= 0
@@ -43,6 +28,14 @@ struct ArmedGuards {
   bool vertical;  ///< the base moves vertically
   bool determinant_can_vanish;
   OutOfReach<bool> out_of_reach;
+
+  /// Whether the coming step of a rocking block needs nothing but the guards of lanes::OrdinaryGuards, and nothing is
+  /// known of it but the state.
+  [[nodiscard]] bool is_ordinary() const {
+    const bool is_flat = state.tilt == 0.0 && state.tilt_rate == 0.0;
+    return is_rocking(state.contact) && known == KnownAtStart{} && !is_flat && !is_past_balance && !off_ground &&
+           !determinant_may_vanish();
+  }
 
   [[nodiscard]] static bool in_reach() { return false; }
   [[nodiscard]] bool past_balance_out_of_reach() const { return out_of_reach.past_balance; }
@@ -73,10 +66,14 @@ struct ArmedGuards {
   [[nodiscard]] double seen_from_ground(double normal) const { return off_ground ? -normal : normal; }
 };
 
-/// As for_each_rocking_guard, for a block in full contact: N = (4/3)(1 + alpha_v).
+/// As for_each_rocking_guard, for a block in full contact, where N = (4/3)(1 + alpha_v).
 template <class Visitor>
 void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuards& armed, std::size_t order,
                                  Visitor&& visit) {
+  const auto row = [order](Guard guard, std::size_t zeros) {
+    return GuardRow<bool, std::size_t, std::size_t>{
+        .guard = guard, .out_of_reach = false, .length = order + 1, .zeros = zeros};
+  };
   if (armed.state.contact == ContactState::rest) {
     const bool slides_first = armed.mu_s <= armed.block.tangent;
     const double threshold = slides_first ? armed.mu_s : armed.block.sine;
@@ -85,36 +82,33 @@ void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuard
       if (armed.vertical) return threshold * m.weight[k];
       return k == 0 ? threshold : 0.0;
     };
-    visit(Guard::leave_right, false, order + 1, armed.no_zeros(),
-          [&](std::size_t k) { return hold(k) - lever * m.base[k]; });
-    visit(Guard::leave_left, false, order + 1, armed.no_zeros(),
-          [&](std::size_t k) { return hold(k) + lever * m.base[k]; });
+    visit(row(Guard::leave_right, 0), [&](std::size_t k) { return hold(k) - lever * m.base[k]; });
+    visit(row(Guard::leave_left, 0), [&](std::size_t k) { return hold(k) + lever * m.base[k]; });
   }
   if (armed.slips()) {
-    visit(Guard::slip, false, order + 1, armed.slip_zeros(),
-          [&](std::size_t k) { return armed.slip_sign() * m.slip_rate[k]; });
+    visit(row(Guard::slip, armed.slip_zeros()), [&](std::size_t k) { return armed.slip_sign() * m.slip_rate[k]; });
   }
   if (armed.vertical) {
-    visit(Guard::normal, false, order + 1, armed.normal_zeros(),
-          [&](std::size_t k) { return armed.seen_from_ground(m.weight[k]); });
+    visit(row(Guard::normal, armed.normal_zeros()), [&](std::size_t k) { return armed.seen_from_ground(m.weight[k]); });
   }
 }
 
-/// Calls visit(number, coefficients) for each guard that is armed and wanted(number), its known zeros at the start divided
-/// out: a tolerance there would find false events or miss true ones. All have as many coefficients, the last of them 0 if need
-/// be, so that unlike guards can be looked at side by side (module lanes).
+/// Calls visit(number, coefficients) for each guard that is armed and wanted(number). The zeros that are known at the
+/// start of the step are divided out: with a tolerance in their place false events would be found, or true ones missed.
+/// All polynomials have the same number of coefficients, the last ones 0 where the guard's degree is lower, as in the
+/// lanes.
 template <class Wanted, class Visitor>
 void visit_guards(const ArmedGuards& armed, const MotionSeries<double>& m, Wanted&& wanted, Visitor&& visit) {
   constexpr std::size_t most_zeros = 3;
   std::array<double, full_order + 2 + most_zeros> guard{};
   const auto order = static_cast<std::size_t>(armed.order);
   const std::size_t length = order + 2;
-  const auto visit_row = [&](Guard name, bool out_of_reach, std::size_t count, std::size_t zeros, auto&& coefficient) {
-    const auto number = static_cast<std::size_t>(name);
-    if (out_of_reach || !wanted(number)) return;
-    for (std::size_t k = zeros; k < count; ++k) guard[k] = coefficient(k);
-    std::fill(guard.begin() + static_cast<std::ptrdiff_t>(count), guard.end(), 0.0);
-    visit(number, std::span<const double>(guard.data() + zeros, length));
+  const auto visit_row = [&](const GuardRow<bool, std::size_t, std::size_t>& row, auto&& coefficient) {
+    const auto number = static_cast<std::size_t>(row.guard);
+    if (row.out_of_reach || !wanted(number)) return;
+    for (std::size_t k = row.zeros; k < row.length; ++k) guard[k] = coefficient(k);
+    std::fill(guard.begin() + static_cast<std::ptrdiff_t>(row.length), guard.end(), 0.0);
+    visit(number, std::span<const double>(guard.data() + row.zeros, length));
   };
   switch (armed.state.contact) {
     case ContactState::rest:

@@ -9,7 +9,7 @@ struct Block {
   double gravity = 9.81;  ///< g [m/s^2]
 };
 
-/// What the equations need to know of a block, worked out once.
+/// The numbers of a block in the equations, computed once.
 struct Geometry {
   double shape_angle;          ///< psi = atan(B/H) [rad]
   double half_diagonal;        ///< R = sqrt(B^2 + H^2)/2, edge to centre of mass [m]

@@ -4,7 +4,7 @@
 
 namespace rocking::dynamics {
 
-/// A moment: a count of excitation periods and the time since the last one began.
+/// A count of excitation periods and the time since the last one began.
 struct Instant {
   std::int64_t period = 0;
   double time = 0.0;
@@ -15,7 +15,8 @@ struct Instant {
 /// Time as a count of excitation periods and the time within the current one.
 ///
 /// A period starts where the argument of the base motion's sine is a multiple of 2 pi, so that the excitation is
-/// sin(Omega_h u) with u < T however long the run: no digit is lost to accumulated time, and the strobe does not drift.
+/// sin(Omega_h u) with u < T in runs of any length: no digit is lost to accumulated time, and the strobe does not
+/// drift.
 class Clock {
  public:
   /// At tau = 0. `frequency` = Omega_h; `phase` = Phi in [0, 2 pi).
@@ -28,7 +29,7 @@ class Clock {
   [[nodiscard]] double start() const { return start_; }                  ///< u at tau = 0
   [[nodiscard]] double tau() const { return static_cast<double>(now_.period) * length_ + (now_.time - start_); }
 
-  /// Instants closer than this are one: a few roundings of a time within a period.
+  /// Instants closer than this are simultaneous: a few roundings of a time within a period.
   [[nodiscard]] double resolution() const { return 0x1p-49 * length_; }
 
   [[nodiscard]] double until(const Instant& instant) const { return between(now_, instant); }
@@ -36,11 +37,11 @@ class Clock {
     return static_cast<double>(to.period - from.period) * length_ + (to.time - from.time);
   }
 
-  /// A duration > 0 that rounding would lose moves the clock to the next double: what comes back at once, again and again,
-  /// must not find the same instant.
+  /// A duration > 0 that is lost to rounding moves the clock to the next double: otherwise an event that recurs at once
+  /// would find the same instant endlessly.
   void advance(double duration);
 
-  /// Puts the clock on an instant that it has reached to rounding.
+  /// Sets the clock to an instant that it has reached up to rounding.
   void set(const Instant& instant) { now_ = wrapped(instant); }
 
   /// The same instant, with a time within its period.

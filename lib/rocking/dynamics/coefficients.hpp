@@ -11,42 +11,48 @@
 
 namespace rocking::dynamics {
 
-/// What is known beforehand of kinetic friction, which changes at the boundaries of a grid.
-struct FrictionForesight {
-  /// Of the present interval and of those to come, before it is held between 0 and mu_s; empty if nothing is known.
+/// Kinetic friction of the present and the coming intervals of its refresh grid, as far as it is drawn already.
+struct KnownIntervals {
+  /// mu_k of each interval before the clamp to [0, mu_s], the present one first; empty if nothing is known.
   std::span<const double> wanted;
   std::int64_t per_period = 1;     ///< intervals of the grid
-  std::int64_t next_boundary = 0;  ///< where the present interval ends: its number within its period
+  std::int64_t next_boundary = 0;  ///< number, within its period, of the boundary at the end of the present interval
 };
 
-/// Boundary number `index` of a period that has `per_period` of them; number 0 is where a run starts.
+inline constexpr std::int64_t most_known_intervals = 32;
+
+/// Boundary number `index` of a period that has `per_period` of them; a run starts at number 0.
 [[nodiscard]] inline Instant grid_boundary(const Clock& clock, std::int64_t period, std::int64_t index,
                                            std::int64_t per_period) {
   const double time = static_cast<double>(index) * clock.period_length() / static_cast<double>(per_period);
   return {.period = period, .time = clock.start() + time};
 }
 
-/// Where the automaton gets what may fluctuate: friction, restitution, amplitude. A source may draw at random, play a list
-/// or always say the same.
+/// Source of the coefficients that may fluctuate: friction, restitution, amplitude. It may draw them at random, read
+/// them from a list, or return constants.
 template <class Source>
 concept CoefficientSource = requires(Source source, const Clock& clock, bool slipping) {
   { source.has_friction() } -> std::same_as<bool>;
   { source.static_friction() } -> std::convertible_to<double>;        // mu_s in force
   { source.kinetic_friction(clock) } -> std::convertible_to<double>;  // mu_k in force, never above mu_s
-  { source.restitution() } -> std::convertible_to<double>;     // e of the coming impact; the next call, of the next
+  // e of the coming impact. Each call returns the value of another impact.
+  { source.restitution() } -> std::convertible_to<double>;
   { source.amplitude(clock) } -> std::convertible_to<double>;  // A_h in force
   source.stop();                                               // V has become 0
   source.chatter_ended();
-  // The next instant at which kinetic friction (looked at only while slipping) or the amplitude changes.
+  // The next instant at which kinetic friction (only while slipping) or the amplitude changes.
   { source.next_change(clock, slipping) } -> std::same_as<std::optional<Instant>>;
 };
 
-/// A source that can tell beforehand what will be in force, so that a motion may go on elsewhere (module lanes).
+/// A source that can also say which coefficients will be in force, so that lanes can compute several steps in a row.
 template <class Source>
-concept ForeseesCoefficients = CoefficientSource<Source> && requires(Source source, const Clock& clock) {
-  { source.constant_restitution() } -> std::same_as<std::optional<double>>;  // absent: every impact asks for its own
-  { source.foresee() } -> std::same_as<FrictionForesight>;                   // until the next change of the source
-  source.pass_intervals(clock, std::size_t{});  // the clock has gone on by as many, the block slipping
+concept KnowsComingCoefficients = CoefficientSource<Source> && requires(Source source, const Clock& clock) {
+  // e of every impact; absent if it fluctuates.
+  { source.constant_restitution() } -> std::same_as<std::optional<double>>;
+  // Until the next change of anything but kinetic friction.
+  { source.known_intervals() } -> std::same_as<KnownIntervals>;
+  // The clock has passed this number of intervals while the block slipped.
+  source.pass_intervals(clock, std::size_t{});
 };
 
 /// Nothing fluctuates.

@@ -17,36 +17,36 @@ enum class ContactState : std::uint8_t { rest, slide, rock, rock_slide, overturn
   return contact == ContactState::slide || contact == ContactState::rock_slide;
 }
 
-/// Everything that can happen to a block at an instant.
+/// Kinds of events.
 enum class EventKind : std::uint8_t {
   lift,          ///< full contact to rocking without slip
   impact_stick,  ///< the other edge lands; no slip afterwards
   impact_slip,   ///< the other edge lands; the block slips afterwards
   slip_start,    ///< rocking: friction is exhausted
   slip_stop,     ///< rocking: slip ends
-  slip_reverse,  ///< V = 0, and it goes on sliding, whichever way
+  slip_reverse,  ///< V = 0, and slip or sliding goes on, in either direction
   slide_start,   ///< full contact: friction is exhausted
   slide_stop,    ///< full contact: sliding ends in rest
   to_rest,       ///< a chatter ends, without slip
   to_slide,      ///< a chatter ends, sliding
-  tip,           ///< a slide tips over its edge: friction grew beyond tan(psi)
+  tip,           ///< a sliding block tips over its edge: mu_k has come to exceed tan(psi)
   past_balance,  ///< abs(Theta) = 1 for the first time
   overturn,      ///< abs(theta) = pi/2
 };
 inline constexpr std::size_t event_kind_count = 13;
 
-/// Spelled as in the files that users read.
+/// Spelled as in reports and tables.
 [[nodiscard]] std::string_view to_string(ContactState state);
 [[nodiscard]] std::string_view to_string(EventKind kind);
 
-/// Where the block is, how fast, and on what it stands. Normalised: time by p, slip by R.
+/// State of the block: positions, rates, contact. Normalised: time by p, slip by R.
 struct State {
   double tilt = 0.0;            ///< theta [rad], counter-clockwise > 0
   double tilt_rate = 0.0;       ///< w = dtheta/dtau [rad]
   double slip = 0.0;            ///< X, of the contact edge relative to the base, over R
   double slip_rate = 0.0;       ///< V = dX/dtau
-  double side = 1.0;            ///< S: +1 about the left edge, -1 about the right; has no meaning in full contact
-  double slip_direction = 1.0;  ///< s: sign of V; has no meaning without slip
+  double side = 1.0;            ///< S: +1 about the left edge, -1 about the right; meaningless in full contact
+  double slip_direction = 1.0;  ///< s: sign of V; meaningless without slip
   ContactState contact = ContactState::rest;
 };
 

@@ -8,6 +8,12 @@
 
 namespace rocking::dynamics {
 
+/// Base accelerations over g.
+struct BaseMotion {
+  double horizontal;  ///< alpha
+  double weight;      ///< 1 + alpha_v
+};
+
 /// Contact forces over m R p^2 and the acceleration that goes with them.
 struct Forces {
   double normal;        ///< N
@@ -24,13 +30,13 @@ struct Forces {
 
 /// Whether a block in full contact stays on both edges: abs(alpha) <= tan(psi) (1 + alpha_v).
 ///
-/// Written like w' of rocking, which must be > 0 after a lift: at the threshold another form would round the other way, and
-/// the block would lift and land without end at one instant.
-[[nodiscard]] inline bool edges_hold(double alpha, double weight, const Geometry& block) {
-  return std::abs(alpha) * block.cosine <= weight * block.sine;
+/// Written as w' of rocking, which must be > 0 after a lift. Another form could round to the opposite sign at the
+/// threshold, and the block would lift and land endlessly at one instant.
+[[nodiscard]] inline bool edges_hold(const BaseMotion& base, const Geometry& block) {
+  return std::abs(base.horizontal) * block.cosine <= base.weight * block.sine;
 }
 
-/// Whether kinetic friction turns a sliding block over its leading edge: mu_k > tan(psi), written like w' of rock-slide.
+/// Whether kinetic friction turns a sliding block over its leading edge: mu_k > tan(psi), written as w' of rock-slide.
 [[nodiscard]] inline bool friction_tips(double kinetic_friction, const Geometry& block) {
   return kinetic_friction * block.cosine > block.sine;
 }
@@ -52,8 +58,8 @@ struct SideForces {
   Real acceleration;  ///< S w'
 };
 
-/// Forces of rocking without slip. To the bit the first coefficients of the series that `expand_rock` makes: what is compared
-/// after an event and the guard of the coming step must agree on a block at the limit.
+/// Forces of rocking without slip: bit for bit the first coefficients of the series that `expand_rock` computes. The
+/// comparison after an event and the guard of the coming step must agree where friction is exactly at its limit.
 template <base::Lane Real>
 [[nodiscard]] inline SideForces<Real> forces_without_slip(const EdgeMotion<Real>& now) {
   using base::fused;
@@ -64,18 +70,18 @@ template <base::Lane Real>
           .acceleration = rate};
 }
 
-/// Whether friction of at most `coefficient` times N, N > 0, is enough for them.
+/// Whether friction of at most `coefficient` times N is enough for these forces; N > 0.
 template <base::Lane Real>
 [[nodiscard]] inline auto friction_is_enough(const SideForces<Real>& forces, const Real& coefficient) {
   return base::at_most(base::magnitude(forces.friction), coefficient * forces.normal);
 }
 
-/// The same of a state under the base acceleration alpha (in g) and the weight 1 + alpha_v.
-[[nodiscard]] inline Forces rocking_forces(const State& state, double alpha, double weight, const Geometry& block) {
+/// Forces of rocking without slip, of a state.
+[[nodiscard]] inline Forces rocking_forces(const State& state, const BaseMotion& base, const Geometry& block) {
   const auto [normal, friction, acceleration] = forces_without_slip<double>({.edge = edge_angle(state, block),
                                                                              .omega = state.side * state.tilt_rate,
-                                                                             .beta = state.side * alpha,
-                                                                             .weight = weight});
+                                                                             .beta = state.side * base.horizontal,
+                                                                             .weight = base.weight});
   return {.normal = normal, .friction = state.side * friction, .acceleration = state.side * acceleration};
 }
 
@@ -86,17 +92,23 @@ struct SlippingRates {
   double normal;             ///< N = J (G - w^2 cos(phi))/D
 };
 
-/// The above, to the bit the first coefficients of the series that `expand_rock_slide` makes.
-[[nodiscard]] inline SlippingRates slipping_rates(const State& state, double alpha, double weight, double inertia,
-                                                  double kinetic_friction, const Geometry& block) {
+/// What the equations with slip depend on besides the block.
+struct SlipLaw {
+  double inertia;           ///< J
+  double kinetic_friction;  ///< mu_k
+};
+
+/// The rates of a state: bit for bit the first coefficients of the series that `expand_rock_slide` computes.
+[[nodiscard]] inline SlippingRates slipping_rates(const State& state, const BaseMotion& base, const SlipLaw& law,
+                                                  const Geometry& block) {
   const auto [s, c] = edge_angle(state, block);
   const double omega = state.side * state.tilt_rate;
-  const double drag = state.side * state.slip_direction * kinetic_friction;
+  const double drag = state.side * state.slip_direction * law.kinetic_friction;
   const double arm = std::fma(drag, c, s);
-  const double load = 4.0 / 3.0 * weight - omega * (omega * c);
-  const double rate = load * arm * (-1.0 / std::fma(s, arm, inertia));
+  const double load = 4.0 / 3.0 * base.weight - omega * (omega * c);
+  const double rate = load * arm * (-1.0 / std::fma(s, arm, law.inertia));
   const double normal = std::fma(rate, s, load);
-  const double force = std::fma(drag, normal, 4.0 / 3.0 * (state.side * alpha));
+  const double force = std::fma(drag, normal, 4.0 / 3.0 * (state.side * base.horizontal));
   return {.tilt_acceleration = state.side * rate,
           .slip_acceleration = state.side * (std::fma(rate, c, omega * (omega * s)) - force),
           .normal = normal};

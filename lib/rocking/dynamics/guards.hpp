@@ -8,8 +8,8 @@
 
 namespace rocking::dynamics {
 
-/// Functions of the motion that stay >= 0 until something happens. In the side frame, so that the two signs of a mirrored
-/// pair have names of their own.
+/// Functions of the motion that stay >= 0 until an event. In the side frame, so that the two signs of a mirrored pair
+/// have different names.
 enum class Guard : std::size_t {
   overturn,          ///< pi/2 - S theta
   determinant,       ///< D, where friction is large enough for it to vanish
@@ -32,21 +32,32 @@ struct OutOfReach {
   Truth normal;
 };
 
-/// Over a step of `length` by a base motion without a vertical one, from a tilt between contact and balance. Until one of the two
-/// is reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, a bound of abs(beta), and
-/// N = 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave room
-/// for the rounding and the tolerance of the series.
+/// What bounds the guards of a block that rocks and sticks over a step.
 template <base::Lane Real>
-[[nodiscard]] auto out_of_reach(Real tilt, Real tilt_rate, Real amplitude, Real length, Real shape_angle, Real sine) {
+struct ReachOfStep {
+  Real tilt;            ///< S theta
+  Real tilt_rate;       ///< S w
+  Real base_amplitude;  ///< a bound of abs(beta) is its magnitude
+  Real length;          ///< of the step
+  Real shape_angle;     ///< psi
+  Real sine;            ///< sin(psi)
+};
+
+/// Over a step without vertical base motion that begins at a tilt between contact and balance. Until one of the two is
+/// reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, a bound of abs(beta), and N =
+/// 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave
+/// room for the rounding and the tolerance of the series.
+template <base::Lane Real>
+[[nodiscard]] auto out_of_reach(const ReachOfStep<Real>& step) {
   using base::fused, base::magnitude;
   const Real zero(0.0);
-  const Real most = magnitude(amplitude);
-  const Real rate = magnitude(tilt_rate);
-  using Truth = decltype(tilt < zero);
-  const Truth below = fused(fused(most, length, rate), length, tilt) < shape_angle;
-  const Real acceleration = most + sine;
-  const Real fastest = fused(acceleration, length, rate);
-  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, sine, Real(1.25)));
+  const Real most = magnitude(step.base_amplitude);
+  const Real rate = magnitude(step.tilt_rate);
+  using Truth = decltype(step.tilt < zero);
+  const Truth below = fused(fused(most, step.length, rate), step.length, step.tilt) < step.shape_angle;
+  const Real acceleration = most + step.sine;
+  const Real fastest = fused(acceleration, step.length, rate);
+  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, step.sine, Real(1.25)));
   return OutOfReach<Truth>{.past_balance = below, .normal = below && presses};
 }
 
@@ -64,30 +75,43 @@ template <std::size_t more>
   return count + more;
 }
 
-/// Calls visit(guard, out of reach, number of coefficients, zeros, coefficient) for each guard of a block that rocks and is armed.
-/// coefficient(k) is that of x^k in the guard's polynomial over the coming step; of those, the first `zeros` are known to be 0.
+/// A guard's polynomial over the coming step, but for its coefficients. What stands for "out of reach" and "zeros"
+/// depends on the number type: truths for a pack of lanes, a bool and a count for one motion.
+template <class OutOfReach, class Length, class Zeros>
+struct GuardRow {
+  Guard guard;
+  OutOfReach out_of_reach;  ///< it cannot fire over the step
+  Length length;            ///< number of coefficients; the rest are 0
+  Zeros zeros;              ///< the first ones that are known to be 0
+};
+
+/// Calls visit(row, coefficient) for each armed guard of a rocking block; coefficient(k) is that of x^k in the guard's
+/// polynomial.
 ///
-/// Written once for one motion and for packs. `Armed` says which guards are armed: as functions that the compiler knows where
-/// all motions of a pack have the same. What stands for "out of reach" and "zeros" is Armed's own: truths of a pack, a count.
-/// `order` is that of the series, as a Count or a number.
+/// Written once for one motion and for packs. `Armed` says which guards are armed; where the answer is the same for all
+/// lanes of a pack, it is a compile-time constant. `order` is that of the series, as a Count or a number.
 template <base::Lane Real, class Armed, class Order, class Visitor>
 inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& armed, Order order, Visitor&& visit) {
   constexpr double half_pi = 0x1.921fb54442d18p+0;
+  const auto row = [](Guard guard, auto out_of_reach, auto length, auto zeros) {
+    return GuardRow<decltype(out_of_reach), decltype(length), decltype(zeros)>{guard, out_of_reach, length, zeros};
+  };
   const auto below = [&m](const Real& limit) {
     return [&m, limit](std::size_t k) { return k == 0 ? limit - m.tilt[k] : -m.tilt[k]; };
   };
-  visit(Guard::tilt, armed.in_reach(), plus<2>(order), armed.tilt_zeros(), [&](std::size_t k) { return m.tilt[k]; });
+  visit(row(Guard::tilt, armed.in_reach(), plus<2>(order), armed.tilt_zeros()),
+        [&](std::size_t k) { return m.tilt[k]; });
   if (armed.was_past_balance()) {
-    visit(Guard::overturn, armed.in_reach(), plus<2>(order), armed.no_zeros(), below(Real(half_pi)));
+    visit(row(Guard::overturn, armed.in_reach(), plus<2>(order), armed.no_zeros()), below(Real(half_pi)));
   } else {
-    visit(Guard::past_balance, armed.past_balance_out_of_reach(), plus<2>(order), armed.no_zeros(),
+    visit(row(Guard::past_balance, armed.past_balance_out_of_reach(), plus<2>(order), armed.no_zeros()),
           below(armed.shape_angle()));
   }
-  visit(Guard::normal, armed.normal_out_of_reach(), order, armed.normal_zeros(),
+  visit(row(Guard::normal, armed.normal_out_of_reach(), order, armed.normal_zeros()),
         [&](std::size_t k) { return armed.seen_from_ground(m.normal[k]); });
   if (armed.slips()) {
     const Real sign = armed.slip_sign();
-    visit(Guard::slip, armed.in_reach(), plus<1>(order), armed.slip_zeros(),
+    visit(row(Guard::slip, armed.in_reach(), plus<1>(order), armed.slip_zeros()),
           [&, sign](std::size_t k) { return sign * m.slip_rate[k]; });
   }
   if (armed.tests_friction()) {
@@ -95,13 +119,13 @@ inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& arm
     const auto friction = [&m](std::size_t k) {
       return Real(4.0 / 3.0) * m.base[k] - Real(static_cast<double>(k + 1)) * m.rate_cosine[k + 1];
     };
-    visit(Guard::friction_inward, armed.in_reach(), order, armed.inward_zeros(),
+    visit(row(Guard::friction_inward, armed.in_reach(), order, armed.inward_zeros()),
           [&, mu_s](std::size_t k) { return mu_s * m.normal[k] - friction(k); });
-    visit(Guard::friction_outward, armed.in_reach(), order, armed.outward_zeros(),
+    visit(row(Guard::friction_outward, armed.in_reach(), order, armed.outward_zeros()),
           [&, mu_s](std::size_t k) { return mu_s * m.normal[k] + friction(k); });
   }
   if (armed.determinant_may_vanish()) {
-    visit(Guard::determinant, armed.in_reach(), plus<1>(order), armed.no_zeros(), [&](std::size_t k) {
+    visit(row(Guard::determinant, armed.in_reach(), plus<1>(order), armed.no_zeros()), [&](std::size_t k) {
       Real sum = k == 0 ? armed.inertia() : Real(0.0);
       for (std::size_t i = 0; i <= k; ++i) sum = sum + m.sine[i] * m.arm[k - i];
       return sum;

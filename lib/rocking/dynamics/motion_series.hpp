@@ -3,17 +3,15 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <type_traits>
-#include <utility>
 
-#include "rocking/base/elementary.hpp"
 #include "rocking/base/lane.hpp"
+#include "rocking/dynamics/series_products.hpp"
 
 /// Taylor series of the block's motion about an instant: the stepping kernel.
 ///
-/// All quantities are seen from the side on which the block stands (the side frame): a block rocking about its right edge
-/// is the mirror image of one rocking about its left edge. With S the side, beta = S alpha, omega = S w, v = S V and
-/// phi = psi - S theta, the sines and cosines s = sin(phi), c = cos(phi) obey
+/// All quantities are seen from the side on which the block stands (the side frame): a block rocking about its right
+/// edge is the mirror image of one rocking about its left edge. With S the side, beta = S alpha, omega = S w, v = S V
+/// and phi = psi - S theta, the sines and cosines s = sin(phi), c = cos(phi) obey
 ///
 ///     s' = -omega c        c' = omega s        (S theta)' = omega
 ///
@@ -24,16 +22,16 @@
 /// rock:        omega' = -g s + beta c
 /// rock-slide:  J omega' = -N r,  r = s + nu c,  nu = S s_slip mu_k;   v' = -(4/3) beta - nu N - s''
 ///
-/// Both need the same three products of series. N holds c'', hence omega'; solving for it leaves one division by
-/// D = J + s r at the start of the step. `vertical` says whether the base moves vertically: if not, g = 1 and its product
-/// with s is not formed.
-/// Source: Shenton & Jones (1991), J. Eng. Mech. 117(10) 2286-2306; Jeong & Yang (2012) Eqs. 4-16, with J as the inertia
-/// about the centre of mass (lib/docs/model.md).
+/// Both need the same three products of series. N contains c'' and hence omega'; solving for omega' needs one division
+/// by D = J + s r, at the start of the step. `vertical` says whether the base moves vertically: if not, g = 1 and its
+/// product with s is not formed.
+/// Source: Shenton & Jones (1991), J. Eng. Mech. 117(10) 2286-2306; Jeong & Yang (2012) Eqs. 4-16, with J as the
+/// inertia about the centre of mass (lib/docs/model.md).
 namespace rocking::dynamics {
 
 inline constexpr int full_order = 14;
 
-/// A step that must end soon anyway needs fewer terms; whether they were enough shows in the last ones.
+/// Order of a step that must end soon; its last terms show whether the order suffices.
 inline constexpr int brief_order = 8;
 inline constexpr double brief_step = 1.0 / 128.0;  ///< of a period
 
@@ -58,7 +56,7 @@ struct MotionSeries {
   Row slip;         ///< S X, to one order more
 };
 
-/// What stays constant over a step with slip.
+/// Constants of a step with slip.
 template <base::Lane Real>
 struct SlipParameters {
   Real inertia;          ///< J
@@ -68,54 +66,7 @@ struct SlipParameters {
 
 namespace kernel {
 
-/// sum_{i < k} a_i b_{k - i}: the product's coefficient k but for its newest term a_k b_0. Summed from the middle outwards, so
-/// that the newest coefficients, on the critical path, come last.
-template <int k, base::Lane Real>
-[[nodiscard]] inline Real product_but_newest(const Real* a, const Real* b) {
-  using base::fused;
-  if constexpr (k == 0) {
-    return Real(0.0);
-  } else if constexpr (k == 1) {
-    return a[0] * b[1];
-  } else {
-    constexpr int middle = k / 2;
-    Real sum = a[middle] * b[k - middle];
-    if constexpr (k % 2 == 1) sum = fused(a[k - middle], b[middle], sum);
-#pragma GCC unroll 16
-    for (int i = middle - 1; i >= 1; --i) {
-      sum = fused(a[i], b[k - i], sum);
-      sum = fused(a[k - i], b[i], sum);
-    }
-    return fused(a[0], b[k], sum);
-  }
-}
-
-/// sum a_i b_{k - i} over low <= i <= high, from the middle outwards; at least one term.
-template <int k, int low, int high, base::Lane Real>
-[[nodiscard]] inline Real part_of_product(const Real* a, const Real* b) {
-  using base::fused;
-  constexpr int middle = (low + high) / 2;
-  Real sum = a[middle] * b[k - middle];
-  if constexpr ((high - low) % 2 == 1) sum = fused(a[middle + 1], b[k - middle - 1], sum);
-#pragma GCC unroll 16
-  for (int i = middle - 1; i >= low; --i) {
-    sum = fused(a[i], b[k - i], sum);
-    sum = fused(a[low + high - i], b[k - low - high + i], sum);
-  }
-  return sum;
-}
-
-/// (a b)_k.
-template <int k, base::Lane Real>
-[[nodiscard]] inline Real product(const Real* a, const Real* b) {
-  using base::fused;
-  return fused(a[k], b[0], product_but_newest<k>(a, b));
-}
-
-template <int k>
-inline constexpr double over = 1.0 / k;
-
-/// (4/3) g_k: what N would be without the block's own acceleration.
+/// (4/3) g_k: N without the acceleration of the block.
 template <int k, bool vertical, base::Lane Real>
 [[nodiscard]] inline Real static_normal(const MotionSeries<Real>& m) {
   if constexpr (vertical) {
@@ -123,13 +74,6 @@ template <int k, bool vertical, base::Lane Real>
   } else {
     return Real(k == 0 ? 4.0 / 3.0 : 0.0);
   }
-}
-
-/// Calls step(0), ..., step(count - 1) with the numbers as compile-time constants.
-template <int count, class Step>
-inline void repeat(Step&& step) {
-  [&]<int... k>(std::integer_sequence<int, k...>) { (step(std::integral_constant<int, k>{}), ...); }
-  (std::make_integer_sequence<int, count>{});
 }
 
 /// From omega_k and the products at k: sine, cosine and tilt at k + 1.
@@ -154,14 +98,14 @@ inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
     constexpr int k = index;
     m.rate_sine[k] = product<k>(m.tilt_rate.data(), m.sine.data());
     Real acceleration = product_but_newest<k>(m.cosine.data(), m.base.data());
-    if constexpr (k == 0) {  // as rocking_forces says it
+    if constexpr (k == 0) {  // the expression of forces_without_slip
       const Real restoring = vertical ? m.weight[0] * m.sine[0] : m.sine[0];
       m.tilt_rate[1] = (m.base[0] * m.cosine[0] - restoring) * first_rate_gate;
     } else {
       if constexpr (vertical) {
         acceleration = acceleration - product<k>(m.weight.data(), m.sine.data());
       } else {
-        acceleration = fused(m.rate_cosine[k - 1], Real(over<k>), acceleration);  // - s_k, not waiting for it
+        acceleration = fused(m.rate_cosine[k - 1], Real(over<k>), acceleration);  // - s_k, from its factors
       }
       m.tilt_rate[k + 1] = fused(m.cosine[k], m.base[0], acceleration) * Real(over<k + 1>);
     }
@@ -171,7 +115,7 @@ inline void expand_rock(MotionSeries<Real>& m, Real first_rate_gate) {
   extend_angle<order>(m);
 }
 
-/// Rock: N, from what expand_rock has found.
+/// Rock: N, after expand_rock.
 template <int order, bool vertical, base::Lane Real>
 inline void expand_normal(MotionSeries<Real>& m) {
   using base::fused;
@@ -182,10 +126,11 @@ inline void expand_normal(MotionSeries<Real>& m) {
   });
 }
 
-/// Rock-slide: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0], slip_rate[0], slip[0] to all series, to `order`.
+/// Rock-slide: from base, weight, tilt[0], tilt_rate[0], sine[0], cosine[0], slip_rate[0], slip[0] to all series, to
+/// `order`.
 ///
-/// N_k = (4/3) g_k + (k + 1) (omega s)_{k+1}, where all is known but the term omega_{k+1} s_0. From omega_k to omega_{k+1} it
-/// takes three operations that wait for each other: what else there is to multiply is multiplied before.
+/// N_k = (4/3) g_k + (k + 1) (omega s)_{k+1}, where all is known but the term omega_{k+1} s_0. From omega_k to
+/// omega_{k+1} there are three dependent operations; all other products are formed before.
 template <int order, bool vertical, base::Lane Real>
 inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>& slip) {
   using base::fused;
@@ -199,7 +144,7 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
     constexpr int k = index;
     extend_angle<k>(m);
     m.arm[k + 1] = fused(slip.drag, m.cosine[k + 1], m.sine[k + 1]);
-    if constexpr (k == 0) {  // as slipping_rates says it
+    if constexpr (k == 0) {  // the expressions of slipping_rates
       const Real known = m.tilt_rate[0] * m.sine[1];
       const Real normal = known + static_normal<0, vertical>(m);
       m.tilt_rate[1] = normal * m.arm[0] * minus_over_d;
@@ -207,11 +152,10 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const SlipParameters<Real>&
       m.normal[0] = fused(m.tilt_rate[1], m.sine[0], normal);
       next_arm_over_d = m.arm[1] * minus_over_d;
     } else {
-      const Real oldest =
-          m.tilt_rate[0] * Real(-over<k + 1>);  // times (omega c)_k: omega_0 s_{k+1}, not waiting for it
+      const Real oldest = m.tilt_rate[0] * Real(-over<k + 1>);  // times (omega c)_k: omega_0 s_{k+1}, from its factors
       const Real known =
           fused(m.rate_cosine[k], oldest, part_of_product<k + 1, 1, k>(m.tilt_rate.data(), m.sine.data()));
-      // The torque but for what is known of N_k; where N_{k-1} is k (omega s)_k alone, it does not wait for it either.
+      // The torque without the known part of N_k. Where N_{k-1} = k (omega s)_k, its term is added from its factors.
       constexpr bool is_split = k > 1 && !vertical;
       Real torque = part_of_product < k, 0, is_split ? k - 2 : k - 1 > (m.normal.data(), m.arm.data());
       if constexpr (vertical) torque = fused(static_normal<k, vertical>(m), m.arm[0], torque);

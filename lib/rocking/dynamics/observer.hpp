@@ -4,10 +4,10 @@
 
 namespace rocking::dynamics {
 
-/// Is told what a realisation does. Called a few times a period, never within a step.
+/// Receives the events and strobe points of a realisation: a few calls a period, none within a step.
 class Observer {
  public:
-  /// Something happened at tau; `state` is the one after it.
+  /// An event at tau; `state` is the state after it.
   virtual void event(EventKind kind, double tau, const State& state) = 0;
 
   /// The state at a strobe instant, after its events.

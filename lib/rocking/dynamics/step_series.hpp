@@ -4,23 +4,21 @@
 #include <cmath>
 #include <cstddef>
 
-#include "rocking/dynamics/automaton.hpp"
+#include "rocking/dynamics/clock.hpp"
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/excitation/excitation.hpp"
+#include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/motion_series.hpp"
+#include "rocking/dynamics/setting.hpp"
 
 namespace rocking::dynamics {
 
-/// Base accelerations over g.
-struct BaseMotion {
-  double horizontal;  ///< alpha
-  double weight;      ///< 1 + alpha_v
-};
-
-/// Of the frame in which a motion is expanded: that of the block's side; in full contact the fixed one.
+/// Sign of the frame in which a motion is expanded: that of the block's side; in full contact that of the fixed frame.
 [[nodiscard]] inline double frame_side(const State& state) {
   return state.contact == ContactState::slide ? 1.0 : state.side;
 }
 
-/// What the series of a step begin with.
+/// What determines the series of a step.
 struct StepStart {
   const Setting& setting;
   const State& state;

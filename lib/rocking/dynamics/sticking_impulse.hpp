@@ -4,7 +4,7 @@
 
 namespace rocking::dynamics {
 
-/// What a sticking impact makes of the rates; over m R p.
+/// Tilt rate after a sticking impact, and its impulses over m R p.
 template <base::Lane Real>
 struct StickingImpulse {
   Real tilt_rate;   ///< w2
@@ -19,19 +19,19 @@ struct LandingRates {
   Real slip_rate;
 };
 
-/// Of the landing edge: e, (3/2)(1 + e) sin^2(psi), and psi's sine and cosine.
+/// What a sticking impact depends on besides the rates.
 template <base::Lane Real>
 struct LandingEdge {
-  Real restitution;
-  Real loss;
-  Real sine;
-  Real cosine;
+  Real restitution;  ///< e at the landing edge
+  Real loss;         ///< (3/2)(1 + e) sin^2(psi)
+  Real sine;         ///< sin(psi)
+  Real cosine;       ///< cos(psi)
 };
 
 /// w2 = w1 - (3/4) V1 cos(psi) - (3/2)(1 + e) sin^2(psi) w1.
 template <base::Lane Real>
-[[nodiscard]] inline Real sticking_rate(const LandingRates<Real>& before, const Real& loss, const Real& cosine) {
-  return (before.tilt_rate - Real(0.75) * cosine * before.slip_rate) - loss * before.tilt_rate;
+[[nodiscard]] inline Real sticking_rate(const LandingRates<Real>& before, const LandingEdge<Real>& edge) {
+  return (before.tilt_rate - Real(0.75) * edge.cosine * before.slip_rate) - edge.loss * before.tilt_rate;
 }
 
 /// L = V1 - w1 cos(psi).
@@ -40,13 +40,14 @@ template <base::Lane Real>
   return before.slip_rate - before.tilt_rate * cosine;
 }
 
-/// With L as above, P_x = -(cos(psi) w2 + L) and P_y = sin(psi) ((1 + 2e) abs(w1) + sign(w1) w2); the same seen from either side.
+/// With L of lambda_term, P_x = -(cos(psi) w2 + L) and P_y = sin(psi) ((1 + 2e) abs(w1) + sign(w1) w2); the same in the
+/// frames of both sides.
 template <base::Lane Real>
 [[nodiscard]] inline StickingImpulse<Real> sticking_impulse(const LandingRates<Real>& before,
                                                             const LandingEdge<Real>& edge) {
   using base::select;
   const Real w1 = before.tilt_rate;
-  const Real w2 = sticking_rate(before, edge.loss, edge.cosine);
+  const Real w2 = sticking_rate(before, edge);
   const Real along = select(w1 < Real(0.0), -w2, w2);
   return {.tilt_rate = w2,
           .horizontal = -(edge.cosine * w2 + lambda_term(before, edge.cosine)),

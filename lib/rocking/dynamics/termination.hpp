@@ -11,7 +11,7 @@ namespace rocking::dynamics {
 enum class Termination : std::uint8_t {
   reached_horizon,
   overturned,  ///< abs(theta) reached pi/2
-  painleve,    ///< D <= 0, or 1 + 3q <= 0 in an impact: the model has no answer
+  painleve,    ///< D <= 0, or 1 + 3q <= 0 in an impact: the model has no solution
   stopped,     ///< more events or steps than a budget allows
 };
 
@@ -20,7 +20,7 @@ inline constexpr std::array terminations{Termination::reached_horizon, Terminati
 
 [[nodiscard]] std::string_view to_string(Termination termination);
 
-/// The one that to_string gives this name; empty where there is none.
+/// The termination with this name; empty if there is none.
 [[nodiscard]] std::optional<Termination> termination_named(std::string_view name);
 
 }  // namespace rocking::dynamics

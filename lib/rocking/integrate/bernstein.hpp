@@ -4,8 +4,8 @@
 
 namespace rocking::integrate {
 
-/// C(i,k)/C(n,k), by k and i: what coefficient k of a polynomial of degree n adds to its Bernstein coefficient i on [0, 1]; 0
-/// where i < k.
+/// C(i,k)/C(n,k), by k and i: the weight of coefficient k of a polynomial of degree n in its Bernstein coefficient i on
+/// [0, 1]; 0 where i < k.
 /// Source: Farouki & Rajan (1987), CAGD 4, 191-216.
 template <std::size_t n>
 struct BernsteinWeights {

@@ -9,7 +9,7 @@
 
 namespace rocking::integrate {
 
-/// More coefficients than any step's polynomial or guard has.
+/// At least the number of coefficients of any step's polynomial or guard.
 inline constexpr std::size_t max_coefficients = 20;
 
 /// sum c[k] x^k by Horner's rule, each step fused.
@@ -30,7 +30,7 @@ struct Jet {
   Real third;
 };
 
-/// Of sum c[k] x^k, k < count, by Horner's rule, the four side by side.
+/// The jet of sum c[k] x^k, k < count, by Horner's rule, all four coefficients in one loop.
 template <base::Lane Real>
 [[nodiscard]] inline Jet<Real> jet_at(const Real* c, std::size_t count, const Real& x) {
   using base::fused;
@@ -48,7 +48,7 @@ template <base::Lane Real>
 /// The same polynomial in t = x/length: coefficients c[k] length^k, so that the step is t in [0, 1].
 inline std::span<const double> scale_to_unit(std::span<const double> c, double length,
                                              std::array<double, max_coefficients>& scaled) {
-  // Two powers at a time, so that each waits for half as many products.
+  // Even and odd powers separately, which halves the chain of dependent products.
   const double square = length * length;
   double even = 1.0;
   double odd = length;

@@ -8,9 +8,10 @@
 
 namespace rocking::integrate {
 
-/// The one downward zero crossing of sum c[k] t^k, k < count, in [low, high], found from `t` on within a shrinking bracket: of one
-/// polynomial, or of a pack of them in the lanes where `active`. A step inverts the first four terms of the Taylor series, so that
-/// the error left is of the fourth order. Returns where it has come to its end within `most_iterations`.
+/// The only downward zero crossing of sum c[k] t^k, k < count, in [low, high], found from the initial value `t` within
+/// a shrinking bracket: of one polynomial, or of a pack of polynomials in the lanes `active`. An iteration inverts the
+/// first four terms of the Taylor series, so that the error is of the fourth order. Returns whether, or in which lanes,
+/// `most_iterations` sufficed.
 /// Source: Householder (1970), The Numerical Treatment of a Single Nonlinear Equation, chapter 4.
 template <base::Lane Real, class Truth>
 [[nodiscard]] inline Truth refine(const Real* c, std::size_t count, Truth active, Real low, Real high, Real& t,
@@ -29,10 +30,11 @@ template <base::Lane Real, class Truth>
     const Real second = p.second * scale * newton;
     const Real third = p.third * scale * newton * newton;
     const Real next = t - newton * (one + second + (Real(2.0) * second * second - third));
-    // At the crossing p falls; where it rises the method would run to a zero at the left end.
+    // p falls at the crossing. Where it rises the method would converge to a zero at the left end.
     const Truth inside = p.first < zero && at_most(low, next) && at_most(next, high);
     const Real chosen = select(inside, next, Real(0.5) * (low + high));
-    // Close to the root, as powers of t go, the term of the fourth order is at most about 4 newton/t times the third's.
+    // Close to the root, where p is like a power of t, the fourth-order term is at most about 4 newton/t times the
+    // third-order one.
     const Real third_order = magnitude(newton) * (second * second + magnitude(third));
     const Truth is_close = inside && at_most(magnitude(newton), Real(0.015625) * t) &&
                            at_most(third_order * Real(4.0) * magnitude(newton), Real(0.25 * epsilon) * t * t);

@@ -10,30 +10,32 @@
 namespace rocking::lanes {
 namespace {
 
-/// The search for roots takes as long for one as for a register of them: a few lanes that ask for it had better wait for each
-/// other. Not in brief steps, of which hardly any asks for it and they would wait long.
+/// Number of lanes with an uncleared guard from which on zero crossings are searched for. The search takes as long for
+/// one lane as for a register of them; therefore a few lanes wait for each other. In brief steps so few guards are
+/// uncleared that they would wait long.
 template <Kind kind>
-constexpr int fewest_in_doubt(int lanes) {
+constexpr int fewest_uncleared(int lanes) {
   return is_brief(kind) ? 1 : (lanes + 1) / 2;
 }
 
 template <Kind kind, class Shaking, class Real>
-void advance_block(Block& block) {
+void advance_block(LaneState& block) {
   Advance<kind, Shaking, Real> lanes(block, 0);
   lanes.begin();
   lanes.expand();
   lanes.look();
   typename Advance<kind, Shaking, Real>::Search search;
-  if (!lanes.has_others() || lanes.doubtful() >= fewest_in_doubt<kind>(Row<Real>::lanes)) {
+  if (!lanes.has_others() || lanes.uncleared_count() >= fewest_uncleared<kind>(Row<Real>::lanes)) {
     lanes.ask(search);
     search.search();
   }
   lanes.finish(search);
 }
 
-/// The lanes of two registers in turns: while one's numbers wait for each other, the other's come forward.
+/// The lanes of two registers in turns, so that the processor has independent operations to execute while others wait
+/// for operands.
 template <Kind kind, class Shaking, class Real>
-void advance_block_in_turns(Block& block) {
+void advance_block_in_turns(LaneState& block) {
   Advance<kind, Shaking, Real> first(block, 0);
   Advance<kind, Shaking, Real> second(block, Row<Real>::lanes);
   first.begin();
@@ -43,8 +45,8 @@ void advance_block_in_turns(Block& block) {
   first.look();
   second.look();
   typename Advance<kind, Shaking, Real>::Search search;
-  const bool all_in_doubt = !first.has_others() && !second.has_others();
-  if (all_in_doubt || first.doubtful() + second.doubtful() >= fewest_in_doubt<kind>(Row<Real>::lanes)) {
+  const bool all_uncleared = !first.has_others() && !second.has_others();
+  if (all_uncleared || first.uncleared_count() + second.uncleared_count() >= fewest_uncleared<kind>(Row<Real>::lanes)) {
     first.ask(search);
     second.ask(search);
     search.search();

@@ -8,12 +8,12 @@
 
 #include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/motion_series.hpp"
-#include "rocking/lanes/block.hpp"
+#include "rocking/lanes/lane_state.hpp"
 
 namespace rocking::lanes {
 
-/// What lanes of one block have in common besides the kind of their base motion: which equations they need. `_briefly`: these
-/// hold for a small part of a period only, and fewer terms do.
+/// Which equations the lanes of one block need. `_briefly`: until a breakpoint that is so near that a lower order
+/// suffices.
 enum class Kind : std::uint8_t {
   rock,                ///< sliding is not possible
   rock_with_friction,  ///< sticking may fail
@@ -33,8 +33,8 @@ inline constexpr std::size_t kind_count = 6;
   return is_brief(kind) ? dynamics::brief_order : dynamics::full_order;
 }
 
-/// The coming step of every lane of a block; see Block for what is known after it.
-using Kernel = void (*)(Block&);
+/// The coming step of every lane of a block; see LaneState for what is known after it.
+using Kernel = void (*)(LaneState&);
 
 /// The kernels of one width, compiled for one instruction set.
 struct Kernels {
@@ -44,7 +44,8 @@ struct Kernels {
   std::array<std::array<Kernel, kind_count>, dynamics::excitation_kinds> advance;
 };
 
-/// Those that this machine can run, the one lane of plain doubles first, the best last. Their results have the same bits.
+/// The kernels that this machine can run: one lane of plain doubles first, the fastest last. Their results have the
+/// same bits.
 [[nodiscard]] std::span<const Kernels> available_kernels();
 
 }  // namespace rocking::lanes

@@ -6,26 +6,27 @@
 #include <cstdint>
 #include <limits>
 
-#include "rocking/lanes/pack.hpp"
-#include "rocking/lanes/sign_losses.hpp"
+#include "rocking/lanes/row.hpp"
+#include "rocking/lanes/zero_crossings.hpp"
 
 namespace rocking::lanes {
 namespace {
 
-/// The polynomials over [0, 1] of which somebody asks when they first fall below 0, of whatever lanes and guards: put side by
-/// side, so that as many are looked at together as a register holds. Each has `count` coefficients; there are at most `most`.
+/// A search for the first zero crossings of polynomials over [0, 1], of any lanes and guards. The polynomials are
+/// stored side by side, so that each register of them is searched together. Each has `count` coefficients; there are at
+/// most `most`.
 template <std::size_t count, std::size_t most, class Real>
 class RootSearch {
  public:
-  /// Not found out here.
+  /// The answer where the search gave no result.
   static constexpr double unclear = std::numeric_limits<double>::quiet_NaN();
-  /// It does not fall below 0.
+  /// The answer where the polynomial does not cross zero.
   static constexpr double never = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Asks for those lanes of the polynomials coefficient(0) + coefficient(1) t + ... over [0, length] that are `wanted`. Returns
-  /// where the answers will be.
+  /// Adds the polynomials coefficient(0) + coefficient(1) x + ... over [0, length] in the lanes `wanted`. Returns the
+  /// place of the answers.
   template <class Coefficient>
   std::size_t ask(std::uint32_t wanted, const Real& length, Coefficient&& coefficient) {
     const std::size_t place = size_;
@@ -37,12 +38,12 @@ class RootSearch {
   }
 
   void search() {
-    for (Places& row : c_) Row<Real>::store(Real(0.0), &row[size_]);  // what the last register has besides
+    for (Places& row : c_) Row<Real>::store(Real(0.0), &row[size_]);  // the unused part of the last register
     Row<Real>::store(Real(0.0), &length_[size_]);
     for (std::size_t place = 0; place < size_; place += lanes) look_at(place);
   }
 
-  /// Where a polynomial first falls below 0, as a share of its length; or `never` or `unclear`.
+  /// The first zero crossing as a share of the length; or `never` or `unclear`.
   [[nodiscard]] Real answer(std::uint32_t wanted, std::size_t place) const {
     return Row<Real>::load_those(wanted, &instant_[place]);
   }
@@ -61,19 +62,19 @@ class RootSearch {
     Real odd = length;
     Real c[count];
 #pragma GCC unroll 20
-    for (std::size_t k = 0; k < count; k += 2) {  // as integrate::scale_to_unit says it
+    for (std::size_t k = 0; k < count; k += 2) {  // as in integrate::scale_to_unit
       c[k] = Row<Real>::load(&c_[k][place]) * even;
       c[k + 1] = Row<Real>::load(&c_[k + 1][place]) * odd;
       even = even * square;
       odd = odd * square;
     }
-    SignLosses<Real> found;
-    first_sign_losses<count>(c, wanted, found);
-    const Real instant = select(found.lost, found.instant, Real(never));
+    ZeroCrossings<Real> found;
+    first_zero_crossings<count>(c, wanted, found);
+    const Real instant = select(found.crosses, found.instant, Real(never));
     Row<Real>::store(select(found.unclear, Real(unclear), instant), &instant_[place]);
   }
 
-  /// Whole registers are stored from any place on.
+  /// Whole registers are stored at any place.
   using Places = std::array<double, most + lanes>;
   alignas(64) std::array<Places, count> c_;
   alignas(64) Places length_;

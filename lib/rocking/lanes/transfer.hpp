@@ -6,28 +6,30 @@
 #include <cstdint>
 #include <span>
 
-#include "rocking/dynamics/smooth_step.hpp"
 #include "rocking/integrate/hybrid.hpp"
-#include "rocking/lanes/block.hpp"
+#include "rocking/lanes/lane_state.hpp"
+#include "rocking/lanes/lane_values.hpp"
 
-/// Between the lanes of a block and the motions that are in them.
+/// Copies between a lane of the lane state and the values that a motion exchanges with it.
 namespace rocking::lanes {
 
-/// Of a base motion that has knots.
-inline void load_piece(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+/// The present piece of the base motion; of a base motion that has knots, also its place among them.
+inline void load_piece(LaneState& block, std::size_t lane, const ComingStep& step) {
   step.excitation->visit([&]<class Shaking>(const Shaking& excitation) {
-    if constexpr (Shaking::has_knots) {
+    if constexpr (Shaking::piece_numbers > 0) {
       const auto piece = excitation.piece(*step.clock);
       for (std::size_t i = 0; i < piece.size(); ++i) block.piece[i][lane] = piece[i];
+    }
+    if constexpr (Shaking::has_knots) {
       block.knot[lane] = excitation.knot(*step.clock);
+      block.other_break_period[lane] = static_cast<double>(step.coefficients_change.period);
+      block.other_break_time[lane] = step.coefficients_change.time;
     }
   });
-  block.other_break_period[lane] = static_cast<double>(step.coefficients_change.period);
-  block.other_break_time[lane] = step.coefficients_change.time;
 }
 
-/// Goes on in a lane after an event or a breakpoint.
-inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+/// The motion continues in the same lane after an event or a breakpoint.
+inline void load_step(LaneState& block, std::size_t lane, const ComingStep& step) {
   const dynamics::Instant& now = step.clock->now();
   block.tilt[lane] = step.state.tilt;
   block.tilt_rate[lane] = step.state.tilt_rate;
@@ -44,7 +46,7 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.break_time[lane] = step.breakpoint.time;
   block.breakpoints[lane] = 0.0;
   block.fresh[lane] = 0.0;
-  if (step.excitation->has_knots()) load_piece(block, lane, step);
+  load_piece(block, lane, step);
   block.amplitude[lane] = step.amplitude;
   block.static_friction[lane] = step.static_friction;
   block.kinetic_friction[lane] = step.kinetic_friction;
@@ -54,8 +56,8 @@ inline void load_step(Block& block, std::size_t lane, const dynamics::SmoothStep
   block.least_rebound[lane] = step.least_rebound;
 }
 
-/// What is known of the intervals of the friction grid.
-inline void load_intervals(Block& block, std::size_t lane, const dynamics::FrictionForesight& coming,
+/// The known intervals of the friction grid; if there are none, the present one only.
+inline void load_intervals(LaneState& block, std::size_t lane, const dynamics::KnownIntervals& coming,
                            double grid_start) {
   auto& intervals = block.intervals;
   const auto known = coming.wanted.empty() ? std::span(&block.kinetic_friction[lane], 1) : coming.wanted;
@@ -67,8 +69,8 @@ inline void load_intervals(Block& block, std::size_t lane, const dynamics::Frict
   intervals.grid_start[lane] = grid_start;
 }
 
-/// Puts the coming step of a motion into a lane in which another was.
-inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& step) {
+/// Puts a motion into a lane.
+inline void load(LaneState& block, std::size_t lane, const ComingStep& step) {
   load_step(block, lane, step);
   const dynamics::Clock& clock = *step.clock;
   const dynamics::Geometry& geometry = step.setting->block;
@@ -84,21 +86,21 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
   block.inertia[lane] = step.setting->inertia;
 }
 
-/// The state at the strobe instant that was passed in a lane.
-[[nodiscard]] inline dynamics::SmoothState strobe_point(const Block& block, std::size_t lane) {
+/// The state at the strobe instant that a lane has passed.
+[[nodiscard]] inline SideState strobe_point(const LaneState& block, std::size_t lane) {
   return {.tilt = block.strobe_tilt[lane],
           .tilt_rate = block.strobe_tilt_rate[lane],
           .slip = block.strobe_slip[lane],
           .slip_rate = block.strobe_slip_rate[lane]};
 }
 
-/// A whole number; by way of a signed one, which a processor converts in one instruction.
+/// A whole number as an integer. The conversion to a signed integer is a single instruction.
 [[nodiscard]] inline std::uint64_t count(double number) {
   return static_cast<std::uint64_t>(static_cast<std::int64_t>(number));
 }
 
-/// How far the steps done in a lane have come.
-[[nodiscard]] inline dynamics::SmoothProgress progress(const Block& block, std::size_t lane) {
+/// Where the steps that a lane has computed have come to.
+[[nodiscard]] inline LaneProgress progress(const LaneState& block, std::size_t lane) {
   return {.state = {.tilt = block.tilt[lane],
                     .tilt_rate = block.tilt_rate[lane],
                     .slip = block.slip[lane],
@@ -108,20 +110,20 @@ inline void load(Block& block, std::size_t lane, const dynamics::SmoothStep& ste
           .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane])};
 }
 
-/// How the step ends that has been looked at in a lane.
-[[nodiscard]] inline dynamics::SmoothEnd end_of_step(const Block& block, std::size_t lane) {
-  dynamics::SmoothEnd end{.duration = block.duration[lane],
-                          .state = {.tilt = block.end_tilt[lane],
-                                    .tilt_rate = block.end_tilt_rate[lane],
-                                    .slip = block.end_slip[lane],
-                                    .slip_rate = block.end_slip_rate[lane]},
-                          .strobe = {}};
+/// End of the step that a lane has computed and not moved on.
+[[nodiscard]] inline StepEnd end_of_step(const LaneState& block, std::size_t lane) {
+  StepEnd end{.duration = block.duration[lane],
+              .state = {.tilt = block.end_tilt[lane],
+                        .tilt_rate = block.end_tilt_rate[lane],
+                        .slip = block.end_slip[lane],
+                        .slip_rate = block.end_slip_rate[lane]},
+              .strobe = {}};
   if ((block.strobed >> lane & 1U) != 0) end.strobe = strobe_point(block, lane);
   return end;
 }
 
-/// The guards that fire then.
-[[nodiscard]] inline integrate::FiredGuards fired(const Block& block, std::size_t lane) {
+/// The guards that fire at that end.
+[[nodiscard]] inline integrate::FiredGuards fired(const LaneState& block, std::size_t lane) {
   std::uint32_t guards = 0;
   for (std::size_t guard = 0; guard < dynamics::guard_count; ++guard) {
     guards |= (block.fired[guard] >> lane & 1U) << guard;

@@ -4,7 +4,7 @@
 
 #include "rocking/lanes/kernels.hpp"
 
-/// The units that are compiled for an instruction set each; empty where the compiler had no such flags.
+/// Kernels of one instruction set each: X_kernels is defined in kernels_X.cpp, empty if the compiler does not support X.
 namespace rocking::lanes {
 
 [[nodiscard]] std::span<const Kernels> one_lane_kernels();

@@ -10,7 +10,8 @@
 namespace rocking::random {
 namespace {
 
-/// How many blocks to make next where `numbers` are wanted: all if a batch holds them, and few in vain.
+/// Number of blocks to compute next if `numbers` draws are wanted: enough for all of them, at most one batch, with few
+/// unused.
 std::size_t blocks_for(std::size_t numbers) {
   constexpr std::size_t step = 2 * BlockBatch::step;
   return std::min(BlockBatch::largest, (numbers + step - 1) / step * BlockBatch::step);
@@ -39,7 +40,7 @@ void Draws::standard_normals(Source source, std::uint64_t first_index, std::span
 
 void Draws::standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers,
                              const NormalKernels& kernels) const {
-  // The last counter's neighbours are made with it and may wrap round; they are never given away.
+  // The neighbours of the last counter are computed in the same batch and may wrap round; they are never returned.
   ROCKING_EXPECT(numbers.empty() || numbers.size() - 1 <= std::numeric_limits<std::uint64_t>::max() - first_index);
   std::uint64_t block = first_index / 2;
   std::size_t skipped = first_index % 2;

@@ -13,26 +13,27 @@ namespace rocking::random {
 
 struct NormalKernels;
 
-/// The layout of keys and counters, lib/docs/draws.md. Another layout gives other numbers for the same seed.
+/// Name of the layout of keys and counters, lib/docs/draws.md. Another layout gives other numbers for the same seed.
 inline constexpr std::string_view draws_format = "rocking.draws/1";
 
-/// One past the largest realisation number: its counter has 56 bits for it.
+/// One more than the largest realisation number: the counter has 56 bits for it.
 inline constexpr std::uint64_t realisation_limit = std::uint64_t{1} << 56U;
 
-/// The index of a draw that is counted in two steps: `minor` since the `major`-th mark.
+/// Index of a draw that is counted in two steps: number `minor` after event number `major`. Both below 2^32.
 ///
-/// What is drawn between two marks then leaves every later draw as it is, however many there were. Both below 2^32.
+/// The number of draws between two events does not change the index of any later draw.
 [[nodiscard]] constexpr std::uint64_t paired_index(std::uint64_t major, std::uint64_t minor) {
-  ROCKING_EXPECT(major >> 32U == 0);  // beyond it another pair's draw would be repeated
+  ROCKING_EXPECT(major >> 32U == 0);  // a larger one would have the index of another pair
   ROCKING_EXPECT(minor >> 32U == 0);
   return (major << 32U) | minor;
 }
 
 /// Every random number of one realisation.
 ///
-/// A draw is a pure function of (seed, realisation, source, index): it depends on no other draw, on no order, on no
-/// thread. Nothing is stored but the two numbers, so a copy is as good as the original. Layout: lib/docs/draws.md,
-/// `rocking.draws/1`. A source is used for one kind of draw; a uniform and a normal of one index share their bits.
+/// A draw is a pure function of (seed, realisation, source, index). It does not depend on other draws, on their order or on
+/// threads. Only the seed and the realisation number are stored, so that copies are equivalent. Layout: lib/docs/draws.md,
+/// `rocking.draws/1`. Use a source for one kind of draw only: a uniform and a normal draw with the same index share their
+/// bits.
 class Draws {
  public:
   constexpr Draws(std::uint64_t seed, std::uint64_t realisation) : seed_(seed), realisation_(realisation) {
@@ -45,20 +46,20 @@ class Draws {
   /// A number in [0, 1), a multiple of 2^-53.
   [[nodiscard]] double uniform(Source source, std::uint64_t index) const;
 
-  /// A number from N(0, 1), no larger than `normal_tail_limit`.
+  /// A number from N(0, 1); its absolute value is at most `normal_tail_limit`.
   [[nodiscard]] double standard_normal(Source source, std::uint64_t index) const;
 
-  /// Draws 2 block and 2 block + 1 at the price of one: who walks along the indices keeps the pair of index / 2 and
-  /// asks it for `pair[index]`.
+  /// Draws 2 block and 2 block + 1 at the cost of one. To read successive indices, keep the pair of index / 2 and use
+  /// `pair[index]`.
   [[nodiscard]] NormalPair standard_normal_pair(Source source, std::uint64_t block) const;
 
   /// Draws first_index, first_index + 1, ... into `numbers`: the same bits as one by one, several at a time.
   ///
-  /// None may have an index of 2^64 or more. Numbers are made 16 at a time, from an even index on; what is not asked for is
-  /// made in vain. Cost: 2.2 ns a number with AVX-512, 3.6 with AVX2; 3.4 and 4.4 where 16 are asked for.
+  /// No index may reach 2^64. Numbers are computed 16 at a time, from an even index on; unrequested ones are discarded.
+  /// Cost: 2.2 ns per number with AVX-512, 3.6 ns with AVX2; 3.4 and 4.4 ns if 16 are requested.
   void standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers) const;
 
-  /// The same bits, by kernels other than the best.
+  /// The same bits, computed by the given kernels.
   void standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers,
                         const NormalKernels& kernels) const;
 

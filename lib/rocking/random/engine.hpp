@@ -7,8 +7,8 @@
 
 namespace rocking::random {
 
-/// The bits of one source in the order of their indices, as a uniform random bit generator: for algorithms, such as
-/// Boost.Random's, that cannot say beforehand how many they need.
+/// The bits of one source in the order of their indices, as a uniform random bit generator. It serves algorithms, such as
+/// those of Boost.Random, that do not know in advance how many draws they need.
 class PhiloxEngine {
  public:
   using result_type = std::uint64_t;
@@ -20,7 +20,7 @@ class PhiloxEngine {
 
   result_type operator()() { return draws_.bits(source_, index_++); }
 
-  /// The next number will be that of `index`.
+  /// Sets the index of the next number.
   constexpr void seek(std::uint64_t index) { index_ = index; }
   [[nodiscard]] constexpr std::uint64_t index() const { return index_; }
 

@@ -1,7 +1,7 @@
 #include "rocking/random/normal_kernels.hpp"
 
-// All that is compiled here for a newer processor is in an unnamed namespace or inlined, so that nothing of it can be linked
-// into code that runs on an older one.
+// All code here is in an unnamed namespace or inlined. Otherwise the linker could use a function compiled here, for a newer
+// processor, in code that runs on an older one.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 
 #include <immintrin.h>
@@ -14,13 +14,13 @@ namespace {
 constexpr std::size_t lanes = 8;
 static_assert(BlockBatch::step == lanes);
 
-/// Eight doubles. Models base::Number, with the bits that a double would get.
+/// Eight doubles. Models base::Number; each lane gets the bits that a double would get.
 struct Numbers {
   typedef double Register __attribute__((vector_size(64)));
   Register lanes;
 
   explicit Numbers(Register value) : lanes(value) {}
-  explicit Numbers(double value) : lanes(value - Register{}) {}  // not a sum: it would make 0 of -0
+  explicit Numbers(double value) : lanes(value - Register{}) {}  // not a sum: it would turn -0 into 0
 
   friend Numbers operator+(Numbers a, Numbers b) { return Numbers(a.lanes + b.lanes); }
   friend Numbers operator-(Numbers a, Numbers b) { return Numbers(a.lanes - b.lanes); }
@@ -29,7 +29,7 @@ struct Numbers {
   friend Numbers operator-(Numbers a) { return Numbers(-a.lanes); }
 };
 
-/// The bits of eight doubles, or of a half of eight blocks.
+/// The bits of eight doubles, or one half of each of eight blocks.
 struct Bits {
   typedef std::uint64_t Register __attribute__((vector_size(64)));
   Register lanes;
@@ -50,14 +50,14 @@ struct Bits {
 Bits bits_of(Numbers a) { return Bits((Bits::Register)a.lanes); }
 Numbers number_of(Bits a) { return Numbers((Numbers::Register)a.lanes); }
 Numbers fused(Numbers a, Numbers b, Numbers c) { return Numbers(_mm512_fmadd_pd(a.lanes, b.lanes, c.lanes)); }
-// With all lanes asked for by name g++ 12 does not warn of what its header leaves undefined in the others.
+// The masked form with all lanes selected avoids a g++ 12 warning about undefined values in its own header.
 Numbers sqrt(Numbers a) { return Numbers(_mm512_maskz_sqrt_pd(0xff, a.lanes)); }
 
-/// As of one number; AVX-512 does convert integers.
+/// As for one number; AVX-512 has a conversion of integers.
 Numbers exact_number(Bits k) { return Numbers(_mm512_cvtepu64_pd((__m512i)k.lanes)); }
 Numbers uniform_to_one(Bits bits) { return exact_number((bits >> 11U) + 1) * Numbers(0x1p-53); }
 
-/// One word of eight blocks: the lower half of each lane. What the upper half holds has no influence.
+/// One word of eight blocks, in the lower half of each lane. The upper half is ignored.
 struct WordLanes {
   Bits word[4];
 };

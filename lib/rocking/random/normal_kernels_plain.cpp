@@ -15,15 +15,15 @@ constexpr std::size_t lanes = 4;
 /// `number` in each lane.
 __m256i in_all_lanes(std::uint64_t number) { return _mm256_set1_epi64x(static_cast<std::int64_t>(number)); }
 
-/// One word of four blocks: the lower half of each lane. What the upper half holds has no influence.
+/// One word of four blocks, in the lower half of each lane. The upper half is ignored.
 struct WordLanes {
   __m256i word[4];
 };
 
 /// One round, with the multipliers of Salmon et al. (2011), section 3.3.
 ///
-/// Written out because g++ does not find it: the one instruction that multiplies four words of 32 bits to products of
-/// 64 ignores the upper halves of its operands, so that nothing has to be masked between rounds.
+/// Written with an intrinsic because g++ does not generate it: the instruction that multiplies four 32-bit words to 64-bit
+/// products ignores the upper halves of its operands. Nothing has to be masked between rounds.
 void advance(WordLanes& block, __m256i key_0, __m256i key_1) {
   auto& [word_0, word_1, word_2, word_3] = block.word;
   const __m256i product_0 = _mm256_mul_epu32(word_0, in_all_lanes(0xD2511F53U));
@@ -34,7 +34,7 @@ void advance(WordLanes& block, __m256i key_0, __m256i key_1) {
   word_3 = product_0;
 }
 
-/// Ten rounds on eight blocks: while one four's products are on their way, the other's are begun.
+/// Ten rounds on eight blocks, as two independent groups of four, so that the latencies of their multiplications overlap.
 void ten_rounds(WordLanes& left, WordLanes& right, std::uint64_t key) {
   __m256i key_0 = in_all_lanes(key & 0xffffffffU);
   __m256i key_1 = in_all_lanes(key >> 32U);
@@ -46,7 +46,7 @@ void ten_rounds(WordLanes& left, WordLanes& right, std::uint64_t key) {
   }
 }
 
-/// Stores the halves of four blocks from number i on.
+/// Stores the halves of four blocks, beginning at block i.
 void store(const WordLanes& block, std::size_t i, BlockBatch& batch) {
   const auto joined = [](__m256i low, __m256i high) {
     return _mm256_blend_epi32(low, _mm256_slli_epi64(high, 32), 0b10101010);
@@ -83,7 +83,7 @@ void make_blocks(const Words& first, std::uint64_t key, BlockBatch& batch) {
 }
 
 void make_normals(const BlockBatch& batch, std::span<double> normals) {
-  // Two loops: in one the numbers at work would not fit into the registers.
+  // Two loops, because one loop would need more values than there are registers.
   std::array<double, BlockBatch::largest> radius;
   for (std::size_t i = 0; i < batch.size; ++i) radius[i] = radius_of(batch.half_0[i]);
   for (std::size_t i = 0; i < batch.size; ++i) {

@@ -10,21 +10,21 @@
 
 namespace rocking::random {
 
-/// How uniform numbers become normal ones. Realisations use `box_muller`; the others are there to compare with.
+/// Method that converts uniform numbers to normal ones. Realisations use `box_muller`; the others serve comparisons.
 enum class SamplerKind : std::uint8_t {
   box_muller,   ///< `box-muller`: Jeong & Yang (2012) Eq. 31, 32; the same bits on every machine
-  ziggurat,     ///< `ziggurat`: Marsaglia & Tsang (2000), J. Stat. Softw. 5(8), as Boost.Random has it
+  ziggurat,     ///< `ziggurat`: Marsaglia & Tsang (2000), J. Stat. Softw. 5(8), as implemented in Boost.Random
   inverse_cdf,  ///< `inverse-cdf`: quantiles of uniform numbers, by Boost.Math; symmetric, within 8.21 sigma
 };
 
 [[nodiscard]] std::string_view to_string(SamplerKind kind);
 
-/// The sampler that is spelled so; absent where none is.
+/// The sampler with this name; absent if there is none.
 [[nodiscard]] std::optional<SamplerKind> sampler_from_string(std::string_view text);
 
 /// `n` numbers from N(0, 1), from the first draws of `source`.
 ///
-/// A longer sample begins with the shorter one. Cost: 2 to 4 ns a number; 20 with `ziggurat`, 100 with `inverse_cdf`.
+/// The first numbers do not depend on `n`. Cost: 2 to 4 ns per number; 20 ns with `ziggurat`, 100 ns with `inverse_cdf`.
 [[nodiscard]] std::vector<double> standard_sample(SamplerKind kind, const Draws& draws, Source source, std::size_t n);
 
 /// `n` numbers from N(mean, sigma^2), sigma >= 0, from the source `check_normal` of realisation 0.

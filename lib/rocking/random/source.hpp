@@ -5,9 +5,9 @@
 
 namespace rocking::random {
 
-/// What a draw is for. Part of the counter, so that no two purposes ever share a draw.
+/// Purpose of a draw. It is part of the counter, so that two purposes never share a draw.
 ///
-/// The numbers are part of the format `rocking.draws/1`: a new purpose takes the next one, none is ever given again.
+/// The values are part of the format `rocking.draws/1`. A new purpose takes the next value; a value is never reused.
 enum class Source : std::uint8_t {
   static_friction = 1,
   kinetic_friction = 2,
@@ -20,6 +20,19 @@ enum class Source : std::uint8_t {
   check_normal = 9,
 };
 
-[[nodiscard]] std::string_view to_string(Source source);
+[[nodiscard]] constexpr std::string_view to_string(Source source) {
+  switch (source) {
+    case Source::static_friction: return "static_friction";
+    case Source::kinetic_friction: return "kinetic_friction";
+    case Source::restitution: return "restitution";
+    case Source::amplitude: return "amplitude";
+    case Source::phase: return "phase";
+    case Source::tilt: return "tilt";
+    case Source::tilt_rate: return "tilt_rate";
+    case Source::slip_rate: return "slip_rate";
+    case Source::check_normal: return "check_normal";
+  }
+  return {};
+}
 
 }  // namespace rocking::random

@@ -16,14 +16,14 @@ constexpr std::size_t fewest_random = 4 * static_cast<std::size_t>(longest_perio
 
 enum class Sign : std::uint8_t { negative, unclear, positive };
 
-struct ExponentVerdict {
+struct ExponentFinding {
   Sign sign = Sign::unclear;
   double margin = 0.0;
 };
 
-/// An exponent is clear of zero beyond some standard errors, and if it grows or shrinks a distance by more than a factor
-/// over the window: below that the window itself could not have shown it.
-ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, double periods, const Thresholds& thresholds) {
+/// The exponent differs clearly from zero if it exceeds a number of standard errors and if it changes a distance by more
+/// than a factor over the window. A smaller change could not be seen in the window itself.
+ExponentFinding judge(const std::optional<ExponentEstimate>& estimate, double periods, const Thresholds& thresholds) {
   if (!estimate) return {};
   const double needed =
       std::max(thresholds.clear_standard_errors * estimate->standard_error, thresholds.clear_growth / periods);
@@ -33,27 +33,30 @@ ExponentVerdict judge(const std::optional<ExponentEstimate>& estimate, double pe
   return {};
 }
 
-/// decide(judged) gives the name.
+/// decide(judged) returns the classification.
 template <class Decide>
-Classification by_exponent(const ClassifierInput& input, Decide decide) {
+PendingClassification by_exponent(const ClassifierInput& input, Decide decide) {
   const auto periods = static_cast<double>(input.periods.size());
-  return {.verdict = std::nullopt,
+  return {.classification = std::nullopt,
           .with_exponent = [periods, thresholds = input.thresholds,
-                            decide](const std::optional<ExponentEstimate>& estimate) -> Verdict {
+                            decide](const std::optional<ExponentEstimate>& estimate) -> Classification {
             return decide(judge(estimate, periods, thresholds));
           }};
 }
 
-Classification named(const Verdict& verdict) { return {.verdict = verdict, .with_exponent = {}}; }
+PendingClassification named(const Classification& classification) {
+  return {.classification = classification, .with_exponent = {}};
+}
 
-Verdict chaotic(const ExponentVerdict& exponent) {
+Classification chaotic(const ExponentFinding& exponent) {
   return {{ResponseKind::chaotic, 0, 0}, Reason::positive_exponent, false, exponent.margin};
 }
 
-Classification classify_noise_free(const ClassifierInput& input) {
+PendingClassification classify_noise_free(const ClassifierInput& input) {
   if (input.periods.size() < fewest_noise_free) return named(unresolved(Reason::too_few_points));
-  if (const auto verdict = find_recurrence(input.periods, input.resolution, input.thresholds)) return named(*verdict);
-  return by_exponent(input, [](const ExponentVerdict& judged) {
+  if (const auto classification = find_recurrence(input.periods, input.resolution, input.thresholds))
+    return named(*classification);
+  return by_exponent(input, [](const ExponentFinding& judged) {
     switch (judged.sign) {
       case Sign::positive: return chaotic(judged);
       case Sign::negative: return unresolved(Reason::not_periodic);
@@ -63,33 +66,33 @@ Classification classify_noise_free(const ClassifierInput& input) {
   });
 }
 
-/// The verdict on a response that is not one of n clouds all through the window.
-Classification classify_unsteady(const ClassifierInput& input, const Finding& finding) {
-  // Where the clouds are there all the time and only the impacts are irregular, no part tells more than the whole.
-  const bool clouds_stay = finding.verdict.reason == Reason::impacts_irregular;
+/// Classifies a response that is not described by n clouds over the whole window.
+PendingClassification classify_unsteady(const ClassifierInput& input, const Finding& finding) {
+  // If the clouds persist and only the impacts are irregular, no part shows more than the whole window.
+  const bool clouds_stay = finding.classification.reason == Reason::impacts_irregular;
   const ChangeOfMind change =
       clouds_stay ? ChangeOfMind{} : find_regimes(input.periods, input.resolution, input.thresholds);
-  Verdict doubt = finding.verdict;
-  if (change.reason) doubt = unresolved(*change.reason, *change.reason == Reason::changed_regime);
-  if (!change.last_regime && finding.need == ExponentNeed::none) return named(doubt);
-  return by_exponent(input, [doubt, need = finding.need, last = change.last_regime](const ExponentVerdict& judged) {
+  Classification fallback = finding.classification;
+  if (change.reason) fallback = unresolved(*change.reason, *change.reason == Reason::changed_regime);
+  if (!change.last_regime && finding.need == ExponentNeed::none) return named(fallback);
+  return by_exponent(input, [fallback, need = finding.need, last = change.last_regime](const ExponentFinding& judged) {
     if (judged.sign == Sign::positive && need == ExponentNeed::to_find_chaos) return chaotic(judged);
-    if (judged.sign != Sign::negative || !last) return doubt;
-    Verdict settled = *last;
+    if (judged.sign != Sign::negative || !last) return fallback;
+    Classification settled = *last;
     settled.margin = std::min(settled.margin, judged.margin);
     return settled;
   });
 }
 
-Classification classify_random(const ClassifierInput& input) {
+PendingClassification classify_random(const ClassifierInput& input) {
   if (input.periods.size() < fewest_random) return named(unresolved(Reason::too_few_points));
   const Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
-  if (finding.verdict.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding);
-  if (finding.need == ExponentNeed::none) return named(finding.verdict);
-  return by_exponent(input, [verdict = finding.verdict](const ExponentVerdict& judged) {
+  if (finding.classification.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding);
+  if (finding.need == ExponentNeed::none) return named(finding.classification);
+  return by_exponent(input, [classification = finding.classification](const ExponentFinding& judged) {
     if (judged.sign == Sign::positive) return chaotic(judged);
-    if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, verdict.in_transient);
-    Verdict settled = verdict;
+    if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, classification.in_transient);
+    Classification settled = classification;
     settled.margin = std::min(settled.margin, judged.margin);
     return settled;
   });
@@ -123,7 +126,13 @@ std::string_view to_string(Reason reason) {
   return "";
 }
 
-Classification classify(const ClassifierInput& input) {
+std::optional<Reason> reason_named(std::string_view name) {
+  const auto has_name = [name](Reason reason) { return to_string(reason) == name; };
+  const auto found = std::ranges::find_if(reasons, has_name);
+  return found == reasons.end() ? std::nullopt : std::optional(*found);
+}
+
+PendingClassification classify(const ClassifierInput& input) {
   ROCKING_EXPECT(input.resolution > 0.0);
   const bool moved = std::ranges::any_of(input.periods, [](const Period& p) { return p.moved || p.impacts != 0; });
   if (!moved && !input.periods.empty()) {
@@ -132,9 +141,9 @@ Classification classify(const ClassifierInput& input) {
   return input.random ? classify_random(input) : classify_noise_free(input);
 }
 
-Verdict classify(const ClassifierInput& input, const ExponentSource& exponent) {
-  const Classification found = classify(input);
-  return found.verdict ? *found.verdict : found.with_exponent(exponent());
+Classification classify(const ClassifierInput& input, const ExponentSource& exponent) {
+  const PendingClassification found = classify(input);
+  return found.classification ? *found.classification : found.with_exponent(exponent());
 }
 
 }  // namespace rocking::section

@@ -4,45 +4,46 @@
 #include <optional>
 #include <span>
 
+#include "rocking/section/classification.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/section/thresholds.hpp"
-#include "rocking/section/verdict.hpp"
 
 namespace rocking::section {
 
-/// Largest Lyapunov exponent per excitation period, of two copies of a realisation under the same draws.
+/// Largest Lyapunov exponent per excitation period, from a reference and a perturbed trajectory with common random numbers.
 struct ExponentEstimate {
   double exponent = 0.0;        ///< [1/period]
   double standard_error = 0.0;  ///< [1/period]
 };
 
-/// Gives the exponent of the response in question, or nothing where the run could not be made. Expensive.
+/// Returns the exponent of the response, or nothing if it could not be computed. Expensive.
 using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 
-/// A name, or one that depends on the exponent.
-struct Classification {
-  std::optional<Verdict> verdict;  ///< absent: `with_exponent` gives it
-  std::function<Verdict(const std::optional<ExponentEstimate>&)> with_exponent;
+/// A classification, or a function that completes it once the exponent is known.
+struct PendingClassification {
+  std::optional<Classification> classification;  ///< absent if `with_exponent` must be called
+  std::function<Classification(const std::optional<ExponentEstimate>&)> with_exponent;
 };
 
 struct ClassifierInput {
-  std::span<const Period> periods;  ///< the sampled ones, in order, without a gap
-  bool random = false;              ///< whether anything in the scene is drawn at random
-  double resolution = 1e-7;         ///< about how accurate a strobe point is, in units of Theta; > 0
+  std::span<const Period> periods;  ///< the sampled periods, in order and without gaps
+  bool random = false;              ///< whether any quantity of the scene is random
+  double resolution = 1e-7;         ///< accuracy of a strobe point, in units of Theta; > 0
   Thresholds thresholds = {};
 };
 
-/// The response mode of a realisation that did not overturn.
+/// Classifies a realisation that did not overturn.
 ///
-/// Noise-free: the smallest n <= 12 at which strobe points repeat. Random: the number of clouds that are visited in
-/// cyclic order, from spectral lines that stand out of their neighbourhood. m from the impacts. Where that leaves doubt the
-/// exponent decides. A random response that settles within the window is named by the part since then.
-/// Conservative: what is not clear is unresolved.
+/// Noise-free: n is the smallest number of periods <= 12 after which strobe points repeat. Random: n is the number of
+/// clouds that are visited in cyclic order; it is found from spectral lines that exceed their neighbourhood. m follows from
+/// the impacts. If these do not decide, the exponent does. A random response that settles within the window is classified
+/// by the part after that. What is not clear is unresolved.
+///
 /// The thresholds are derived in lib/docs/methods-classification.md. The same input gives the same bits everywhere.
-/// Cost: linear memory; time O(N) with about 200 passes if random, a few times that if it changes its mind.
-[[nodiscard]] Classification classify(const ClassifierInput& input);
+/// Cost: linear memory and O(N) time; about 200 passes if random, a few times as many if the response settles late.
+[[nodiscard]] PendingClassification classify(const ClassifierInput& input);
 
-/// The same with the exponent, which is asked for once at most.
-[[nodiscard]] Verdict classify(const ClassifierInput& input, const ExponentSource& exponent);
+/// As above. `exponent` is called at most once, and only if it is needed.
+[[nodiscard]] Classification classify(const ClassifierInput& input, const ExponentSource& exponent);
 
 }  // namespace rocking::section

@@ -10,14 +10,14 @@
 namespace rocking::section {
 namespace {
 
-// Strays: up to a tenth of the points are left out of a scatter.
+// Allows for strays: up to a tenth of the points are excluded from the scatter.
 constexpr double kept_share = 0.9;
 
-// For a normal law in the plane the squared distance is exponential with mean 2. Below its 90 % point, 2 ln 10, its mean
-// is 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this is the factor that undoes the trimming.
+// For a normal law in the plane the squared distance is exponential with mean 2. The mean below its 90 % point, 2 ln 10, is
+// 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this factor corrects the trimming.
 constexpr double trimming_correction = 1.0 / 0.74415721411178;
 
-// Of the squared distance from the centre, in units of the scatter, for a normal law in the plane: 2 ln 2.
+// Median of the squared distance from the centre, in units of the scatter, for a normal law in the plane: 2 ln 2.
 constexpr double median_of_squares = 2.0 * std::numbers::ln2;
 
 double median(std::vector<double>& values) {
@@ -28,7 +28,7 @@ double median(std::vector<double>& values) {
   return 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
-/// Squares of the median absolute deviations of the coordinates, not below the floor: a first idea of the scatter.
+/// Squares of the median absolute deviations of the coordinates, at least `floor`: the initial value of the scatter.
 Covariance typical_size(std::span<const PlanePoint> deviations, double floor) {
   std::vector<double> xs;
   std::vector<double> ys;
@@ -41,7 +41,7 @@ Covariance typical_size(std::span<const PlanePoint> deviations, double floor) {
   return {x * x + floor, 0.0, y * y + floor};
 }
 
-/// Covariance about 0 of the deviations without their strays: those that are farthest in the metric given.
+/// Covariance about 0 of the deviations without the ones that are largest in the given metric.
 Covariance trimmed_covariance(std::span<const PlanePoint> deviations, const Covariance& metric) {
   std::vector<double> distances;
   distances.reserve(deviations.size());
@@ -60,8 +60,9 @@ Covariance trimmed_covariance(std::span<const PlanePoint> deviations, const Cova
   return sum.scaled(trimming_correction / static_cast<double>(kept));
 }
 
-/// The scatter that is its own metric for trimming, from the sizes along the axes. A round leaves less than half of the
-/// error in the direction, so that four leave a twentieth: far less than the sampling error of 600 points.
+/// The scatter that is its own metric for trimming, iterated from the sizes along the axes. An iteration leaves less than
+/// half of the error in the direction, so that four leave less than a twentieth. This is far below the sampling error of
+/// 600 points.
 Covariance robust_scatter(std::span<const PlanePoint> deviations, double floor) {
   Covariance scatter = typical_size(deviations, floor);
   for (int round = 0; round < 4; ++round) {
@@ -72,7 +73,7 @@ Covariance robust_scatter(std::span<const PlanePoint> deviations, double floor) 
   return scatter;
 }
 
-/// Least of the variances of `a` in units of that of `b`, over all directions: the lesser root of det(A - z B) = 0.
+/// Smallest variance of `a` in units of that of `b` over all directions: the smaller root of det(A - z B) = 0.
 double least_ratio(const Covariance& a, const Covariance& b) {
   const double half_trace = 0.5 * (a.xx * b.yy - 2.0 * a.xy * b.xy + a.yy * b.xx) / b.determinant();
   const double product = a.determinant() / b.determinant();
@@ -158,7 +159,7 @@ std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& cloud
 }
 
 double longest_memory(const Clouds& clouds, double resolution) {
-  const double unknown = 2.0 * resolution * resolution;  // in a difference of two points
+  const double unknown = 2.0 * resolution * resolution;  // resolution of the difference of two points
   double longest = 0.0;
   for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
     std::vector<PlanePoint> steps;

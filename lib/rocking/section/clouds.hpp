@@ -9,62 +9,62 @@
 
 namespace rocking::section {
 
-/// Points split into classes, with the centre of each and the scatter that all share.
+/// Points divided into classes, with the centre of each class and the scatter common to all.
 struct Clouds {
-  std::vector<PlanePoint> centres;      ///< by class: medians, so that a few strays do not move them
-  std::vector<PlanePoint> deviations;   ///< by point, in the order of the points: from the centre of its class
-  Covariance scatter;                   ///< within the classes, corrected for the centres taken away
+  std::vector<PlanePoint> centres;     ///< by class: medians, which a few strays do not move
+  std::vector<PlanePoint> deviations;  ///< by point, in the order of the points: from the centre of its class
+  Covariance scatter;                  ///< covariance within the classes, corrected for the estimated centres
 };
 
-/// Which class each point is in: `of[k]` < `count`.
+/// Class of each point: `of[k]` < `count`.
 struct Classes {
   std::vector<std::uint32_t> of;
   std::size_t count = 1;
 };
 
-/// Classes by turn: point k is in class k mod n.
+/// Classes in cyclic order: point k is in class k mod n.
 [[nodiscard]] Classes classes_by_phase(std::size_t points, std::size_t n);
 
-/// Classes by turn, each cut into `parts` equal stretches of time.
+/// Classes in cyclic order, each divided into `parts` intervals of equal length in time.
 [[nodiscard]] Classes classes_by_phase_and_time(std::size_t points, std::size_t n, std::size_t parts);
 
-/// By class: the medians of its points.
+/// Medians of the points of each class.
 [[nodiscard]] std::vector<PlanePoint> centres_of(std::span<const PlanePoint> points, const Classes& classes);
 
-/// By point: from the centre of its class.
+/// Deviation of each point from the centre of its class.
 [[nodiscard]] std::vector<PlanePoint> deviations_of(std::span<const PlanePoint> points, const Classes& classes,
                                                     std::span<const PlanePoint> centres);
 
-/// The clouds of the given classes.
+/// Computes the clouds of the given classes.
 ///
-/// The scatter is the covariance of the 90 % of deviations that are smallest in its own metric, scaled to be right for a
-/// normal law in the plane, plus `resolution`^2 in each coordinate, below which nothing is known.
+/// The scatter is the covariance of the 90 % of deviations that are smallest in its own metric. It is scaled to be unbiased
+/// for a normal law in the plane. `resolution`^2 is added in each coordinate, since smaller deviations are not resolved.
 [[nodiscard]] Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution);
 
-/// What tells n clouds from a divisor of n.
+/// Distance that distinguishes n clouds from a divisor of n.
 struct Separation {
-  std::size_t divisor = 1;  ///< d, a largest proper divisor of n
-  double distance = 0.0;    ///< the greatest Mahalanobis distance between centres d turns apart
+  std::size_t divisor = 1;  ///< d = n/p, p prime
+  double distance = 0.0;    ///< greatest Mahalanobis distance between centres d periods apart
 };
 
-/// For each largest proper divisor n/p, p prime; none for n = 1. Clouds may coincide, as long as they do not all
-/// coincide with the one d turns later.
+/// Separations for each largest proper divisor n/p, p prime; none for n = 1. Some clouds may coincide with the one d
+/// periods later, but not all.
 [[nodiscard]] std::vector<Separation> separations(const Clouds& clouds);
 
-/// By point: whether it lies further than `scatters` from the centre of its class and further than `least`, and nearer to
-/// the centre of another class, if there is another.
+/// For each point, whether it is a stray: farther than `scatters` from the centre of its class, farther than `least`, and,
+/// if there are other classes, nearer to the centre of another one.
 [[nodiscard]] std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& clouds, double scatters,
                                        double least);
 
-/// Largest correlation of deviations `lag` apart, over lags 1 ... 12 and directions in the plane: 1 - D/2, with D the
-/// covariance of the differences in units of the scatter. Also taken with the median of the squared differences, which
-/// shows a return that a few jumps interrupt.
+/// Largest correlation of deviations `lag` apart, over lags 1 ... 12 and all directions in the plane: 1 - D/2, where D is
+/// the covariance of the differences in units of the scatter. It is also computed from the median of the squared
+/// differences, which shows a memory that a few jumps interrupt.
 [[nodiscard]] double longest_memory(const Clouds& clouds, double resolution);
 
-/// Distance of the farthest centre from the origin, where the block stands upright: how far the motion goes.
+/// Distance of the farthest centre from the origin (the upright block): the extent of the motion.
 [[nodiscard]] double extent_of(const Clouds& clouds);
 
-/// Largest standard deviation in any direction.
+/// Largest standard deviation over all directions.
 [[nodiscard]] double largest_deviation(const Covariance& scatter);
 
 }  // namespace rocking::section

@@ -19,11 +19,11 @@ namespace {
 
 struct Phases {
   int n = 1;
-  double chance_left = 1.0;  ///< of the strongest line not taken up
+  double chance_left = 1.0;  ///< of the strongest line that was not accepted
 };
 
-/// The least common period of all lines, found one by one: each is taken away with the class means before the next is
-/// looked for, so that a strong line does not hide a weak one.
+/// Least common period of all lines, found one by one. Each line is removed with the class means before the next is sought,
+/// so that a strong line does not hide a weak one.
 std::optional<Phases> find_phases(std::span<const PlanePoint> points, double resolution, double line_chance) {
   Phases phases;
   while (true) {
@@ -41,14 +41,14 @@ std::optional<Phases> find_phases(std::span<const PlanePoint> points, double res
   }
 }
 
-/// The least of the separations that tell n from its divisors; unlimited for n = 1.
+/// The smallest of the separations that distinguish n from its divisors; infinite for n = 1.
 double least_distance(const Clouds& clouds) {
   double least = std::numeric_limits<double>::infinity();
   for (const Separation& s : separations(clouds)) least = std::min(least, s.distance);
   return least;
 }
 
-/// Whether cutting the window into parts explains more of the scatter than chance does.
+/// Whether dividing the window into parts explains more of the scatter than chance does.
 bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, double resolution,
                      double chance_per_cut) {
   const std::size_t n = clouds.centres.size();
@@ -59,8 +59,9 @@ bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, d
   return ratio > 1.0 + chance_per_cut * static_cast<double>(parts - 1) / static_cast<double>(cycles);
 }
 
-/// How many times the separation that n clouds need they have; the least over the largest proper divisors d of n, of
-/// which the window holds N/d cycles. Noise remembered from cycle to cycle can pass for a split if there are few.
+/// Factor by which the separation of the clouds exceeds the required one; the smallest over the largest proper divisors d
+/// of n, of which the window holds N/d cycles. If there are few cycles, noise with memory from cycle to cycle can look like
+/// separate clouds.
 double separation_margin(const Clouds& clouds, const Thresholds& thresholds) {
   double margin = largest_margin;
   for (const Separation& s : separations(clouds)) {
@@ -81,7 +82,7 @@ bool are_tiny(const Clouds& clouds, double resolution, double tiny_share) {
 
 struct Strays {
   double share = 0.0;
-  bool at_the_end = false;  ///< most of the last two cycles: the response has become another one
+  bool at_the_end = false;  ///< most of the last two cycles: the response has changed
 };
 
 Strays find_strays(std::span<const PlanePoint> points, const Clouds& clouds, const Thresholds& thresholds) {
@@ -93,11 +94,11 @@ Strays find_strays(std::span<const PlanePoint> points, const Clouds& clouds, con
   return {count / static_cast<double>(points.size()), 2 * at_end > last};
 }
 
-Finding doubtful(Reason reason, bool in_transient = false) {
+Finding uncleared_count(Reason reason, bool in_transient = false) {
   return {unresolved(reason, in_transient), ExponentNeed::to_find_chaos};
 }
 
-Finding final_doubt(Reason reason, bool in_transient = false) {
+Finding final_significance(Reason reason, bool in_transient = false) {
   return {unresolved(reason, in_transient), ExponentNeed::none};
 }
 
@@ -119,25 +120,25 @@ Finding find_clouds(std::span<const Period> periods, double resolution, const Th
   const std::vector<PlanePoint> points = plane_points(periods);
   const double line_chance = thresholds.line_chance / line_count;
   const std::optional<Phases> phases = find_phases(points, resolution, line_chance);
-  if (!phases) return doubtful(Reason::period_too_long);
+  if (!phases) return uncleared_count(Reason::period_too_long);
 
   const auto n = static_cast<std::size_t>(phases->n);
   const Clouds clouds = gather(points, classes_by_phase(points.size(), n), resolution);
   const double apart = separation_margin(clouds, thresholds);
   const bool moving = moves_with_time(points, clouds, resolution, thresholds.chance_per_cut);
   const bool tiny = are_tiny(clouds, resolution, thresholds.tiny_share);
-  if (apart < 1.0) return doubtful(Reason::clouds_overlap, moving);
+  if (apart < 1.0) return uncleared_count(Reason::clouds_overlap, moving);
   const Strays astray = find_strays(points, clouds, thresholds);
-  if (astray.at_the_end) return final_doubt(Reason::not_stationary, true);
-  if (astray.share > thresholds.largest_stray_share) return doubtful(Reason::out_of_order, moving);
-  if (moving && !tiny) return final_doubt(Reason::not_stationary, true);
+  if (astray.at_the_end) return final_significance(Reason::not_stationary, true);
+  if (astray.share > thresholds.largest_stray_share) return uncleared_count(Reason::out_of_order, moving);
+  if (moving && !tiny) return final_significance(Reason::not_stationary, true);
   if (!tiny && longest_memory(clouds, resolution) > thresholds.longest_memory) {
-    return doubtful(Reason::slow_memory, true);
+    return uncleared_count(Reason::slow_memory, true);
   }
 
   const Rocks rocks = count_rocks(periods, phases->n);
   if (rocks.regular_share < thresholds.least_regular_share) {
-    return tiny ? final_doubt(Reason::impacts_irregular) : doubtful(Reason::impacts_irregular);
+    return tiny ? final_significance(Reason::impacts_irregular) : uncleared_count(Reason::impacts_irregular);
   }
   const double margin = std::clamp(std::min(apart, phases->chance_left / line_chance), 1.0, largest_margin);
   const Reason reason = tiny ? Reason::tight_clouds : Reason::contracting_clouds;

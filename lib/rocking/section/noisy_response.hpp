@@ -4,32 +4,32 @@
 #include <span>
 #include <vector>
 
+#include "rocking/section/classification.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/section/plane.hpp"
 #include "rocking/section/thresholds.hpp"
-#include "rocking/section/verdict.hpp"
 
 namespace rocking::section {
 
-/// Whether the exponent is needed to make a verdict of what the strobe points of a noisy response say.
+/// Whether the exponent is needed to classify a noisy response.
 enum class ExponentNeed : std::uint8_t {
-  none,           ///< the verdict stands
-  to_confirm,     ///< the verdict stands if the exponent is negative
-  to_find_chaos,  ///< the verdict, unresolved, stands unless the exponent is positive
+  none,           ///< the classification is final
+  to_confirm,     ///< the classification holds if the exponent is negative
+  to_find_chaos,  ///< the classification, unresolved, holds unless the exponent is positive
 };
 
 struct Finding {
-  Verdict verdict;
+  Classification classification;
   ExponentNeed need = ExponentNeed::none;
 };
 
-/// The points in the plane in which they are compared: (Theta, Theta'), or (V, 0) of a block that never rocked.
+/// The points in the plane in which they are compared: (Theta, Theta'), or (V, 0) for a block that never rocked.
 [[nodiscard]] std::vector<PlanePoint> plane_points(std::span<const Period> periods);
 
-/// What strobe points and impacts of a response with random draws say by themselves.
+/// Classifies a response with random numbers by its strobe points and impacts.
 ///
-/// n is the least common period of the spectral lines in the strobe points; the n clouds must then be apart, visited in
-/// order, stationary over the window and not remembered too long. Expects at least 48 periods.
+/// n is the least common period of the spectral lines of the strobe points. The n clouds must be separate, visited in order
+/// and stationary over the window, and deviations must decay fast enough. Needs at least 48 periods.
 [[nodiscard]] Finding find_clouds(std::span<const Period> periods, double resolution,
                                   const Thresholds& thresholds = {});
 

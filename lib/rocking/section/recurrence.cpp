@@ -16,7 +16,7 @@ double distance(const StrobePoint& a, const StrobePoint& b) {
       {std::abs(a.tilt - b.tilt), std::abs(a.tilt_rate - b.tilt_rate), std::abs(a.slip_rate - b.slip_rate)});
 }
 
-/// Largest distance between points n apart, in the first, middle and last third of the window.
+/// Largest distances between points n apart in the first, middle and last third of the window.
 struct Returns {
   std::array<double, 3> thirds{};
   double last_half = 0.0;
@@ -34,16 +34,16 @@ Returns returns_after(std::span<const Period> periods, std::size_t n) {
   return returns;
 }
 
-/// How far the points still have to go if their distances keep shrinking as they did; nothing if they do not shrink.
-/// A third holds N/(3n) returns, each at most D3 r^j in the j-th third to come: (N/3n) D3 (r + r^2 + ...).
+/// Remaining drift if the distances continue to shrink at the same ratio r; nothing if they do not shrink. A third has
+/// N/(3n) returns. In the j-th third to come each is at most D3 r^j. The sum is (N/3n) D3 (r + r^2 + ...).
 std::optional<double> remaining_drift(const Returns& returns, double returns_per_third, double slowest_ratio) {
   const auto& [first, middle, last] = returns.thirds;
   const double ratio = std::max(middle / first, last / middle);
-  if (!(ratio < slowest_ratio)) return std::nullopt;  // also where a distance is 0
+  if (!(ratio < slowest_ratio)) return std::nullopt;  // also if a distance is 0
   return returns_per_third * last * ratio / (1.0 - ratio);
 }
 
-/// The margin of a coincidence: how far below the threshold these points are, and how far above it those of the divisors.
+/// Margin of a coincidence: the factor by which these distances are below the threshold and those of the divisors above it.
 double margin_of(std::span<const Period> periods, int n, double separation, double threshold) {
   double margin = separation > 0.0 ? threshold / separation : largest_margin;
   for (int divisor = 1; divisor < n; ++divisor) {
@@ -53,8 +53,8 @@ double margin_of(std::span<const Period> periods, int n, double separation, doub
   return std::clamp(margin, 1.0, largest_margin);
 }
 
-Verdict periodic_verdict(std::span<const Period> periods, int n, Reason reason, double margin) {
-  // Early impacts may belong to the transient; those of the last half, at least one cycle, are the response's.
+Classification periodic_classification(std::span<const Period> periods, int n, Reason reason, double margin) {
+  // Impacts of the first half may belong to the transient; only the last half, at least one cycle, is counted.
   const std::size_t half = std::max(periods.size() / 2, static_cast<std::size_t>(n));
   const Rocks rocks = count_rocks(periods.last(half), n);
   if (rocks.regular_share < 1.0) return unresolved(Reason::impacts_irregular);
@@ -63,8 +63,8 @@ Verdict periodic_verdict(std::span<const Period> periods, int n, Reason reason, 
 
 }  // namespace
 
-std::optional<Verdict> find_recurrence(std::span<const Period> periods, double resolution,
-                                       const Thresholds& thresholds) {
+std::optional<Classification> find_recurrence(std::span<const Period> periods, double resolution,
+                                              const Thresholds& thresholds) {
   ROCKING_EXPECT(periods.size() >= 2 * static_cast<std::size_t>(longest_period));
   const double threshold = thresholds.coincidence * resolution;
   bool converging = false;
@@ -72,13 +72,13 @@ std::optional<Verdict> find_recurrence(std::span<const Period> periods, double r
     const Returns returns = returns_after(periods, static_cast<std::size_t>(n));
     if (returns.last_half <= threshold) {
       const double margin = margin_of(periods, n, returns.last_half, threshold);
-      return periodic_verdict(periods, n, Reason::points_coincide, margin);
+      return periodic_classification(periods, n, Reason::points_coincide, margin);
     }
     const double returns_per_third = static_cast<double>(periods.size()) / (3.0 * n);
     const std::optional<double> drift = remaining_drift(returns, returns_per_third, thresholds.slowest_ratio);
     if (drift && *drift <= thresholds.small_drift) {
-      return periodic_verdict(periods, n, Reason::points_converge,
-                              std::min(thresholds.small_drift / *drift, largest_margin));
+      return periodic_classification(periods, n, Reason::points_converge,
+                                     std::min(thresholds.small_drift / *drift, largest_margin));
     }
     converging = converging || drift.has_value();
   }

@@ -13,18 +13,19 @@ namespace {
 constexpr std::size_t parts = 8;
 constexpr std::size_t fewest = 4 * static_cast<std::size_t>(longest_period);  // periods, for find_clouds
 
-// Of the spread of all points, root mean square: a response that mostly comes back does so to within a tenth, and where it
-// misses it misses by more than half.
+// In units of the root-mean-square spread of all points. In an interrupted response most returns are within a tenth of the
+// spread; the failed ones differ by more than half of it.
 constexpr double near_return = 0.1;
 constexpr double missed_return = 0.5;
 
 struct Regime {
-  Verdict verdict;
+  Classification classification;
   std::size_t first = 0;  ///< its first period in the window
   std::size_t count = 0;
 };
 
-/// How many points outside a regime are away from the cloud whose turn it was, and of them, on another cloud.
+/// Number of points outside a regime that are away from the cloud that should come next, and how many of these are on
+/// another cloud.
 struct Outside {
   std::size_t away = 0;
   std::size_t on_another = 0;
@@ -32,7 +33,7 @@ struct Outside {
 
 Outside look_outside(std::span<const PlanePoint> points, const Regime& regime, double resolution,
                      const Thresholds& thresholds) {
-  const auto n = static_cast<std::size_t>(regime.verdict.mode.periods);
+  const auto n = static_cast<std::size_t>(regime.classification.mode.periods);
   const auto inside = points.subspan(regime.first, regime.count);
   const Clouds clouds = gather(inside, classes_by_phase(regime.count, n), resolution);
   const double least = thresholds.tiny_share * extent_of(clouds);
@@ -55,7 +56,7 @@ Outside look_outside(std::span<const PlanePoint> points, const Regime& regime, d
 
 enum class End : std::uint8_t { first, last };
 
-/// The longest part at one end of the window that is one response by itself; at the last end, one of tiny clouds.
+/// The longest part at one end of the window that is one periodic response by itself; at the last end, with tight clouds.
 std::optional<Regime> longest_regime(std::span<const Period> periods, End end, double resolution,
                                      const Thresholds& thresholds) {
   for (std::size_t part = parts - 1; part > 0; --part) {
@@ -63,16 +64,16 @@ std::optional<Regime> longest_regime(std::span<const Period> periods, End end, d
     const double share = static_cast<double>(count) / static_cast<double>(periods.size());
     if (count < fewest || share < thresholds.least_held) return std::nullopt;
     const std::size_t first = end == End::first ? 0 : periods.size() - count;
-    auto [verdict, need] = find_clouds(periods.subspan(first, count), resolution, thresholds);
-    if (verdict.mode.kind != ResponseKind::periodic) continue;
+    auto [classification, need] = find_clouds(periods.subspan(first, count), resolution, thresholds);
+    if (classification.mode.kind != ResponseKind::periodic) continue;
     if (end == End::last && need != ExponentNeed::none) continue;
-    verdict.held = share;
-    return Regime{verdict, first, count};
+    classification.held = share;
+    return Regime{classification, first, count};
   }
   return std::nullopt;
 }
 
-/// Whether for some lag most points come back and, in both halves of the window, some do not.
+/// Whether for some lag most points return, while in each half of the window at least one does not.
 bool is_interrupted(std::span<const PlanePoint> points, double resolution) {
   Covariance all;
   for (const PlanePoint& d : gather(points, classes_by_phase(points.size(), 1), resolution).deviations) all.add(d);
@@ -97,15 +98,15 @@ bool is_interrupted(std::span<const PlanePoint> points, double resolution) {
 
 ChangeOfMind find_regimes(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
   const std::vector<PlanePoint> points = plane_points(periods);
-  // There was a change if more points are away from a regime than a window may have strays: else the regime is a part of
-  // something slower, or of something that the whole window shows better.
+  // The response has changed if more points are away from a regime than a window may have strays. Otherwise the regime is
+  // part of a slower motion, or of one that the whole window shows better.
   const double enough = thresholds.largest_stray_share * static_cast<double>(points.size());
   for (const End end : {End::last, End::first}) {
     const auto regime = longest_regime(periods, end, resolution, thresholds);
     if (!regime) continue;
     const Outside outside = look_outside(points, *regime, resolution, thresholds);
     if (static_cast<double>(outside.away) <= enough) continue;
-    if (end == End::last) return {regime->verdict, {}};
+    if (end == End::last) return {regime->classification, {}};
     return {{}, 2 * outside.on_another > outside.away ? Reason::phase_jump : Reason::changed_regime};
   }
   if (is_interrupted(points, resolution)) return {{}, Reason::interrupted};

@@ -4,23 +4,23 @@
 #include <optional>
 #include <span>
 
+#include "rocking/section/classification.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/section/thresholds.hpp"
-#include "rocking/section/verdict.hpp"
 
 namespace rocking::section {
 
-/// What the parts of a window say that is not one response as a whole.
+/// Classification of a response that changes within the window, from parts of the window.
 struct ChangeOfMind {
-  /// The response of tiny clouds that the window ends with, if it held for at least `least_held` of it and began within it.
-  /// Stands if the exponent is negative.
-  std::optional<Verdict> last_regime;
-  /// Where there is none: `changed_regime`, `phase_jump` or `interrupted`; absent if the parts say no more than the whole.
+  /// The periodic response with tight clouds in the last part of the window, if it began within the window and lasted for
+  /// at least `least_held` of it. It holds if the exponent is negative.
+  std::optional<Classification> last_regime;
+  /// Otherwise `changed_regime`, `phase_jump` or `interrupted`; absent if the parts show no more than the whole window.
   std::optional<Reason> reason;
 };
 
-/// Tries the last seven, six, five and four eighths of the window, and then the first.
-/// Expects a noisy response that find_clouds could not name, of at least 48 periods.
+/// Tests the last seven, six, five and four eighths of the window, then the first ones. Needs a noisy response that
+/// find_clouds left unresolved, with at least 48 periods.
 [[nodiscard]] ChangeOfMind find_regimes(std::span<const Period> periods, double resolution,
                                         const Thresholds& thresholds = {});
 

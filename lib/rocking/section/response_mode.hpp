@@ -8,16 +8,16 @@
 
 namespace rocking::section {
 
-/// What a response does in the long run.
+/// Kind of the long-time motion of a realisation.
 enum class ResponseKind : std::uint8_t { periodic, chaotic, overturned, rest, unresolved };
 
-/// The long-time class of a response; (m, n) where it is periodic.
+/// Class of a response; (m, n) if it is periodic.
 struct ResponseMode {
   ResponseKind kind = ResponseKind::unresolved;
   int rocks = 0;    ///< m: pairs of impacts in n periods; 0 unless periodic
-  int periods = 0;  ///< n: excitation periods until it repeats; 0 unless periodic
+  int periods = 0;  ///< n: excitation periods until the response repeats; 0 unless periodic
 
-  /// Order of tables: periodic by n, then m; then chaotic, overturned, rest, unresolved.
+  /// Order in tables: periodic by n, then by m; then chaotic, overturned, rest, unresolved.
   friend std::strong_ordering operator<=>(const ResponseMode& a, const ResponseMode& b) {
     if (const auto by_kind = a.kind <=> b.kind; by_kind != 0) return by_kind;
     if (const auto by_periods = a.periods <=> b.periods; by_periods != 0) return by_periods;
@@ -33,7 +33,7 @@ struct ResponseMode {
 /// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
 [[nodiscard]] std::string to_string(const ResponseMode& mode);
 
-/// The mode that is spelled so; absent if none is.
+/// The mode with this name; absent if there is none.
 [[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 
 }  // namespace rocking::section

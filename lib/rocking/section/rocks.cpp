@@ -41,7 +41,7 @@ Rocks count_rocks(std::span<const Period> periods, int length) {
   const int typical = median_impacts(cycles);
 
   std::size_t irregular = 0;
-  int ahead = 0;  // running total less the typical pace, since the last irregular cycle
+  int ahead = 0;  // running total minus the typical number, since the last irregular cycle
   int lowest = 0;
   int highest = 0;
   for (const Cycle& cycle : cycles) {

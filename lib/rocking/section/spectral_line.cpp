@@ -14,7 +14,7 @@
 namespace rocking::section {
 namespace {
 
-/// Real and imaginary part of the Fourier sum of the points at a frequency.
+/// Real and imaginary parts of the Fourier sum of the points at a frequency.
 struct Amplitude {
   PlanePoint real;
   PlanePoint imaginary;
@@ -25,11 +25,11 @@ struct Amplitude {
   }
 };
 
-/// Four numbers in a register, where the machine has such: of the same bits as one by one.
+/// Four numbers in a register, if the machine has such registers; the bits are those of single numbers.
 using Four = double __attribute__((vector_size(4 * sizeof(double))));
 constexpr std::size_t lanes = 4;
 
-/// Fourier sums at up to `lanes` frequencies, side by side.
+/// Fourier sums at up to `lanes` frequencies at once.
 std::array<Amplitude, lanes> amplitudes_at(std::span<const double> frequencies, std::span<const PlanePoint> points) {
   Four turn_cosine{};
   Four turn_sine{};
@@ -69,16 +69,16 @@ std::vector<Amplitude> all_amplitudes_at(std::span<const double> frequencies, st
   return all;
 }
 
-/// Frequencies of the neighbourhood: a twentieth of the bins there are, but enough for a usable matrix.
+/// Number of frequencies in the neighbourhood: a twentieth of the frequency bins, between 6 and 12.
 int neighbours_for(std::size_t points) { return std::clamp(static_cast<int>(points / 20), 6, 12); }
 
-/// Whether the class centres took this frequency away: it is within a bin of a multiple of 1/n.
+/// Whether removing the class centres removed this frequency: it is within one bin of a multiple of 1/n.
 bool is_taken(double frequency, int n, double bin) {
   const double turns = frequency * n;
   return std::abs(turns - std::round(turns)) < 0.75 * bin * n;
 }
 
-/// The M nearest frequencies on both sides, inside (0, 1/2), that nothing was taken from.
+/// The M nearest frequencies on both sides, inside (0, 1/2), that were not removed.
 std::vector<double> neighbours_of(double frequency, int n, std::size_t points) {
   const double bin = 1.0 / static_cast<double>(points);
   const auto wanted = static_cast<std::size_t>(neighbours_for(points));
@@ -100,7 +100,8 @@ double power(double base, int exponent) {
 }
 
 double chance_of(int numerator, int denominator, int n, std::span<const PlanePoint> deviations, double resolution) {
-  // Whole turns of the line only, so that a line at any other multiple of 1/denominator does not leak into this one.
+  // Only a whole number of cycles of the line is used, so that lines at other multiples of 1/denominator do not leak into
+  // it.
   const std::size_t length = deviations.size() - deviations.size() % static_cast<std::size_t>(denominator);
   const auto points = deviations.last(length);
   const double frequency = static_cast<double>(numerator) / denominator;
@@ -117,7 +118,7 @@ double chance_of(int numerator, int denominator, int n, std::span<const PlanePoi
   noise.yy += floor;
   Covariance both = noise;
   if (denominator == 2) {
-    both.add(line.real.scaled(std::numbers::sqrt2 / 2.0));  // all of the power is in the real part, else half of it
+    both.add(line.real.scaled(std::numbers::sqrt2 / 2.0));  // all of the power; at other frequencies half
   } else {
     line.add_to(both);
   }

@@ -10,7 +10,7 @@
 namespace rocking::stats {
 namespace {
 
-/// The first count from `low` on for which `holds`, which goes on holding once it does; `high` where none before it is.
+/// The first count from `low` on for which `holds` is true; `high` if there is none before it. `holds` must be monotone.
 template <class Predicate>
 std::uint64_t first_where(std::uint64_t low, std::uint64_t high, Predicate holds) {
   while (low < high) {
@@ -39,7 +39,7 @@ double two_sided_binomial_p_value(const Proportion& observed, double probability
   };
   const double bound = density(k) * (1.0 + 1e-7);
   const auto mode = std::min(n, static_cast<std::uint64_t>(std::floor(static_cast<double>(n + 1) * probability)));
-  // The density rises up to the mode and falls after it, so each tail is what lies beyond one count.
+  // The density rises up to the mode and falls after it, so that each tail is a range of counts.
   if (density(mode) <= bound) return 1.0;
   if (k < mode) {
     const std::uint64_t upper = first_where(mode, n + 1, [&](std::uint64_t count) { return density(count) <= bound; });

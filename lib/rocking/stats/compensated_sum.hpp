@@ -4,7 +4,8 @@
 
 namespace rocking::stats {
 
-/// A sum that carries its rounding errors along: good to 1 ulp plus n^2 eps^2 of the sum of sizes.
+/// A sum with compensation of its rounding errors. Its error is at most 1 ulp plus n^2 eps^2 times the sum of absolute
+/// values.
 ///
 /// Source: Neumaier (1974), Z. Angew. Math. Mech. 54, 39-51.
 class CompensatedSum {

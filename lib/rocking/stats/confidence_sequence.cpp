@@ -12,8 +12,8 @@ namespace {
 
 using base::natural_logarithm;
 
-/// ln Gamma(x) for x > 0, error below 2e-14 and a few roundings: Stirling's series from 16 on, whose first term left
-/// out, 1/(1188 x^9), is 1.2e-14 there.
+/// ln Gamma(x) for x > 0, with an error below 2e-14 plus a few roundings: Stirling's series for arguments from 16 on. Its
+/// first omitted term, 1/(1188 x^9), is 1.2e-14 at 16.
 double log_gamma(double x) {
   double product = 1.0;
   for (; x < 16.0; x += 1.0) product *= x;
@@ -26,8 +26,8 @@ double log_gamma(double x) {
 /// ln (Gamma(x + count)/Gamma(x)).
 double log_rising_factorial(double x, double count) { return count > 0.0 ? log_gamma(x + count) - log_gamma(x) : 0.0; }
 
-/// exp(x) for x <= 0, error about 1e-13 of itself: ten squarings of exp(x/1024), whose series errs by 1e-17 at x = -40;
-/// what is smaller does not count beside 1.
+/// exp(x) for x <= 0, relative error about 1e-13: ten squarings of exp(x/1024), whose series has an error of 1e-17 at x =
+/// -40. Smaller results are negligible beside 1.
 double exponential(double x) {
   if (x < -40.0) return 0.0;
   const double y = x / 1024.0;
@@ -44,14 +44,14 @@ double log_averaged_likelihood(const Proportion& counts, double p, double c) {
   return log_rising_factorial(c * p, k) + log_rising_factorial(c * (1.0 - p), n - k) - log_rising_factorial(c, n);
 }
 
-/// 2 ln(1/doubt), and the r of the header.
+/// 2 ln(1/significance), and the r of the header.
 struct Boundary {
   double twice_log;
   double ratio;
 };
 
-Boundary boundary_of(double doubt) {
-  const double twice_log = -2.0 * natural_logarithm(doubt);
+Boundary boundary_of(double significance) {
+  const double twice_log = -2.0 * natural_logarithm(significance);
   return {twice_log, twice_log + natural_logarithm(1.0 + twice_log)};
 }
 
@@ -75,11 +75,13 @@ double ConfidenceSequence::log_martingale(const Proportion& counts, double p) co
   return largest + natural_logarithm(average) - k * natural_logarithm(p) - failures * natural_logarithm(1.0 - p);
 }
 
-Interval ConfidenceSequence::interval(const Proportion& counts, const Doubt& doubt) const {
-  ROCKING_EXPECT(doubt.fixed >= 0.0 && doubt.proportional >= 0.0 && 0.0 < doubt.at(1.0) && doubt.at(1.0) < 1.0);
+Interval ConfidenceSequence::interval(const Proportion& counts, const Significance& significance) const {
+  ROCKING_EXPECT(significance.fixed >= 0.0 && significance.proportional >= 0.0 && 0.0 < significance.at(1.0) &&
+                 significance.at(1.0) < 1.0);
   if (counts.trials == 0) return {0.0, 1.0};
-  const auto contains = [&](double p) { return log_martingale(counts, p) < -natural_logarithm(doubt.at(p)); };
-  // At the estimate M is an average of likelihoods over the largest of them: the estimate is always in.
+  const auto contains = [&](double p) { return log_martingale(counts, p) < -natural_logarithm(significance.at(p)); };
+  // At the estimate M is an average of likelihoods over the largest of them, hence at most 1: the interval contains the
+  // estimate.
   const double estimate = static_cast<double>(counts.successes) / static_cast<double>(counts.trials);
   Interval interval{0.0, 1.0};
   if (counts.successes > 0 && !contains(nearly_zero)) interval.low = outer_end(estimate, nearly_zero, contains);
@@ -88,14 +90,14 @@ Interval ConfidenceSequence::interval(const Proportion& counts, const Doubt& dou
   return interval;
 }
 
-double concentration_for(double trials, double doubt) {
-  ROCKING_EXPECT(trials > 0.0 && 0.0 < doubt && doubt < 1.0);
-  return std::max(1.0, trials / boundary_of(doubt).ratio);
+double concentration_for(double trials, double significance) {
+  ROCKING_EXPECT(trials > 0.0 && 0.0 < significance && significance < 1.0);
+  return std::max(1.0, trials / boundary_of(significance).ratio);
 }
 
-double trials_for(double half_width, double doubt) {
-  ROCKING_EXPECT(half_width > 0.0 && 0.0 < doubt && doubt < 1.0);
-  const auto [twice_log, ratio] = boundary_of(doubt);
+double trials_for(double half_width, double significance) {
+  ROCKING_EXPECT(half_width > 0.0 && 0.0 < significance && significance < 1.0);
+  const auto [twice_log, ratio] = boundary_of(significance);
   const double squared_boundary = (1.0 + 1.0 / ratio) * (twice_log + natural_logarithm(1.0 + ratio));
   return squared_boundary / (4.0 * half_width * half_width);
 }

@@ -8,7 +8,7 @@
 namespace rocking::stats {
 namespace {
 
-/// Mean of `products` products, `product(k)` the one of number k; each of mean 0 and variance 1 under the law.
+/// Mean of `products` products; product(k) is number k. Each has mean 0 and variance 1 under the law.
 template <class Product>
 Moment mean_product(std::size_t products, Product product) {
   ROCKING_EXPECT(products >= 1);

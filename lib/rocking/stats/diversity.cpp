@@ -9,7 +9,7 @@ namespace rocking::stats {
 
 double probability_of_difference(std::span<const std::uint64_t> counts) {
   const std::uint64_t n = std::accumulate(counts.begin(), counts.end(), std::uint64_t{0});
-  ROCKING_EXPECT(n >= 2 && n >> 32U == 0);  // products of two counts must fit
+  ROCKING_EXPECT(n >= 2 && n >> 32U == 0);  // the product of two counts must fit into 64 bits
   std::uint64_t unlike = n * (n - 1);       // ordered pairs
   const auto all = static_cast<double>(unlike);
   for (const std::uint64_t k : counts) {

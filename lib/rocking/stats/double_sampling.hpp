@@ -6,22 +6,23 @@
 
 namespace rocking::stats {
 
-/// Trials that a fallible method named, and of which some, chosen without regard to the outcome, were named by one that is
-/// taken for the truth as well.
+/// Counts of trials that were all classified by a fallible method. Some of them, chosen independently of the outcome, were
+/// also classified by a second method, whose result is taken as true.
 struct CheckedCounts {
-  Proportion named;           ///< had the name by the fallible method, of all trials
-  std::uint64_t checked = 0;  ///< trials named by both
-  std::uint64_t gained = 0;   ///< of them, had the name by the truth alone
-  std::uint64_t lost = 0;     ///< of them, had the name by the fallible method alone
+  Proportion classified;      ///< trials with the class by the fallible method, out of all trials
+  std::uint64_t checked = 0;  ///< trials classified by both
+  std::uint64_t gained = 0;   ///< checked trials with the class by the true method only
+  std::uint64_t lost = 0;     ///< checked trials with the class by the fallible method only
 };
 
-/// Probability of the name by the truth: P(named) + P(gained) - P(lost), each by its fraction, cut to [0, 1]. Without bias
-/// but for the cut. Needs a trial, and one that was checked.
+/// Estimate of the true probability of the class: P(classified) + P(gained) - P(lost), each replaced by its fraction,
+/// limited to [0, 1]. Unbiased except for that limit. Needs at least one trial and one checked trial.
 [[nodiscard]] double corrected_estimate(const CheckedCounts& counts);
 
-/// An interval for it that covers at least as often as promised: exact intervals (Clopper & Pearson) for the three terms
-/// at once, the first with half of the doubt, the others with a quarter each (Bonferroni). [0, 1] where nothing was checked.
-/// The plan is Tenenbein's (1970), J. Am. Stat. Assoc. 65, 1350-1361; his interval holds in large samples only.
+/// Interval for this probability that covers at least as often as promised. It adds exact intervals (Clopper & Pearson) for
+/// the three terms that hold at once (Bonferroni): the first has half of the significance level, the others have a quarter
+/// each. [0, 1] if nothing was checked; `confidence` in (0, 1).
+/// Source: the plan of Tenenbein (1970), J. Am. Stat. Assoc. 65, 1350-1361; his own interval holds for large samples only.
 [[nodiscard]] Interval corrected_interval(const CheckedCounts& counts, double confidence);
 
 }  // namespace rocking::stats

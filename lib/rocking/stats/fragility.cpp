@@ -15,18 +15,19 @@ namespace {
 
 constexpr int most_steps = 100;
 
-// A law whose slope may well be 0, or that takes powers of ten to go from never to always, is none: its median can be anything.
+// A slope that is not significantly positive, or a dispersion of powers of ten, is reported as no law: its median would be
+// arbitrary.
 constexpr double least_standard_errors = 2.0;
 constexpr double largest_dispersion = 10.0;
 
-/// A trial's share of the likelihood, seen as a function of eta = a + b u.
+/// Contribution of one trial to the log-likelihood, as a function of eta = a + b u.
 struct Term {
   double value = 0.0;
   double slope = 0.0;      ///< first derivative
-  double curvature = 0.0;  ///< less the second derivative: not negative
+  double curvature = 0.0;  ///< minus the second derivative: >= 0
 };
 
-/// ln Phi(eta) and its derivatives; of what did not happen the same at -eta, with the slope turned.
+/// ln Phi(eta) and its derivatives; for a trial without the event those at -eta, with the opposite slope.
 Term term_of(bool happened, double eta) {
   const double side = happened ? 1.0 : -1.0;
   const double z = side * eta;
@@ -53,8 +54,8 @@ struct Matrix {
 
 struct Likelihood {
   double value = 0.0;
-  double a = 0.0, b = 0.0;  ///< derivatives
-  Matrix information;       ///< less the second ones
+  double a = 0.0, b = 0.0;  ///< first derivatives
+  Matrix information;       ///< minus the second derivatives
 };
 
 struct Level {
@@ -79,8 +80,8 @@ Likelihood likelihood_at(const std::vector<Level>& levels, double a, double b) {
   return sum;
 }
 
-/// The (a, b) of the largest likelihood, which there is. Steps are halved until they gain; where there is less to gain than
-/// rounding would hide, the method is quick to the end by itself.
+/// The (a, b) of the maximum likelihood, which must exist. A Newton step is halved until the likelihood increases. Near the
+/// maximum, where rounding would hide the increase, full steps are taken; the method converges there without halving.
 std::array<double, 2> largest_likelihood(const std::vector<Level>& levels) {
   double a = 0.0;
   double b = 0.0;
@@ -90,7 +91,7 @@ std::array<double, 2> largest_likelihood(const std::vector<Level>& levels) {
     const bool is_near = here.a * da + here.b * db < 1e-6;
     double length = 1.0;
     Likelihood there = likelihood_at(levels, a + da, b + db);
-    while (!is_near && !(there.value > here.value) && length > 1e-9) {  // also where it is no number
+    while (!is_near && !(there.value > here.value) && length > 1e-9) {  // also true for NaN
       length *= 0.5;
       there = likelihood_at(levels, a + length * da, b + length * db);
     }
@@ -117,9 +118,9 @@ bool are_one_intensity(const std::vector<Level>& levels) {
   return std::all_of(levels.begin(), levels.end(), [&](const Level& level) { return level.u == levels.front().u; });
 }
 
-/// Whether the likelihood has a maximum, and why not. The slope at the maximum may still fall.
+/// Whether the likelihood has a maximum, and if not, why. The slope at the maximum may still be negative.
 FragilityOutcome outcome_of(const std::vector<Level>& levels) {
-  // Where it first and last happened, and where it first and last did not.
+  // The lowest and highest level with an event, and the lowest and highest level without one.
   double first = INFINITY, last = -INFINITY, first_not = INFINITY, last_not = -INFINITY;
   for (const Level& level : levels) {
     if (level.happened > 0.0) {
@@ -144,7 +145,7 @@ std::size_t trial_numbers(const std::vector<IntensityLevel>& levels) {
   return numbers;
 }
 
-/// The derivatives of a trial number's likelihood by (a, b), added up over the levels.
+/// Derivatives of the log-likelihood of a trial number by (a, b), summed over the levels.
 struct Score {
   double a = 0.0, b = 0.0;
 };
@@ -162,8 +163,8 @@ std::vector<Score> scores_of(const std::vector<IntensityLevel>& levels, const Lo
   return scores;
 }
 
-/// Whether the scores lie on one line: all equal, or of two kinds as where trials differ at one level only. Their covariance
-/// is then singular, and some interval of the law would have no width. Equal trials have equal scores to the bit.
+/// Whether the scores lie on one line: all equal, or two different values, as if trials differ at one level only. Their
+/// covariance is then singular, and some interval of the law would have width 0. Equal trials have bitwise equal scores.
 bool are_on_a_line(const std::vector<Score>& scores) {
   const auto from_first = [&scores](const Score& score) {
     return Score{.a = score.a - scores.front().a, .b = score.b - scores.front().b};
@@ -173,7 +174,8 @@ bool are_on_a_line(const std::vector<Score>& scores) {
   for (const Score& score : scores) {
     if (length(from_first(score)) > length(longest)) longest = from_first(score);
   }
-  // Rounding turns a difference of scores by some 1e-16 times their size; levels a millionth apart turn it by more than this.
+  // Rounding changes the direction of a difference of scores by about 1e-16 times their size; levels that differ by a
+  // millionth change it by more than this.
   constexpr double least_sine = 1e-9;
   return std::all_of(scores.begin(), scores.end(), [&](const Score& score) {
     const Score other = from_first(score);
@@ -181,7 +183,7 @@ bool are_on_a_line(const std::vector<Score>& scores) {
   });
 }
 
-/// The squares of the scores, added up, with the correction for few numbers.
+/// Sum of the squares of the scores, with the correction for a small number of them.
 Matrix evidence(const std::vector<Score>& scores) {
   Matrix sum;
   for (const Score& score : scores) sum.add_square(score.a, score.b, 1.0);
@@ -190,7 +192,7 @@ Matrix evidence(const std::vector<Score>& scores) {
   return {.aa = correction * sum.aa, .ab = correction * sum.ab, .bb = correction * sum.bb};
 }
 
-/// bread filling bread.
+/// The product bread filling bread.
 Matrix sandwich(const Matrix& bread, const Matrix& filling) {
   const auto [pa, pb] = filling.times(bread.aa, bread.ab);
   const auto [qa, qb] = filling.times(bread.ab, bread.bb);
@@ -202,7 +204,7 @@ double normal_quantile(double confidence) {
   return quantile(complement(boost::math::normal_distribution<double>(), 0.5 * (1.0 - confidence)));
 }
 
-/// exp(logarithm) with the interval that the variance of the logarithm gives.
+/// exp(logarithm), with the interval given by the variance of the logarithm.
 Bounded by_logarithm(double logarithm, double variance, double confidence) {
   const double reach = normal_quantile(confidence) * std::sqrt(std::max(0.0, variance));
   return {.value = std::exp(logarithm),

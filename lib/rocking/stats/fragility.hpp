@@ -9,63 +9,64 @@
 
 namespace rocking::stats {
 
-/// What happened at one intensity of shaking: happened[j] is trial j's. Trials of one number at several intensities share
-/// their draws, so they are no independent trials; those of different numbers are.
+/// Outcomes of the trials at one intensity: happened[j] is the outcome of trial j. Trials with the same number at several
+/// intensities use common random numbers and are therefore dependent; trials with different numbers are independent.
 struct IntensityLevel {
-  double intensity = 0.0;      ///< positive
-  std::vector<bool> happened;  ///< may be shorter at one intensity than at another
+  double intensity = 0.0;      ///< > 0
+  std::vector<bool> happened;  ///< may have different lengths at different intensities
 };
 
-/// How often it happened there.
+/// Count of the trials at this level whose event happened.
 [[nodiscard]] Proportion proportion_at(const IntensityLevel& level);
 
-/// Why there is a fit, or none.
+/// Whether a fragility function could be fitted, and why not.
 enum class FragilityOutcome : std::uint8_t {
   fitted,
-  never_happened,   ///< at no intensity: nothing but that the median lies higher
-  always_happened,  ///< at every intensity: it lies lower
-  separated,      ///< never below some intensity, always above: the dispersion may be 0, the likelihood has no maximum
-  does_not_rise,  ///< more frequent with the intensity by less than two standard errors, or at a dispersion above 10
-  no_scatter,  ///< trials of different numbers differ in one way at most: nothing to estimate the covariance of two numbers from
-  too_little,  ///< fewer than two intensities, or no more than one trial at each
+  never_happened,   ///< at no intensity: only a lower bound of the median is known
+  always_happened,  ///< at every intensity: only an upper bound of the median is known
+  separated,  ///< never below some intensity, always above: the dispersion may be 0 and the likelihood has no maximum
+  does_not_rise,  ///< the frequency rises with the intensity by less than two standard errors, or the dispersion exceeds 10
+  no_scatter,  ///< outcomes of different trial numbers vary in one way at most: the covariance would be singular
+  too_little,  ///< fewer than two intensities, or at most one trial at each
 };
 
-/// A number with an interval for it.
+/// A value with its confidence interval.
 struct Bounded {
   double value = 0.0;
   Interval interval;
 };
 
-/// P(happens at intensity x) = Phi((ln x - ln median)/dispersion): the capacity of what is shaken is lognormal.
+/// P(event at intensity x) = Phi((ln x - ln median)/dispersion): the capacity is lognormal.
 ///
-/// Fitted by the largest likelihood of all trials, as a probit regression a + b u on u = ln x - `centre`. `covariance` of
-/// (a, b) is the sandwich estimate over trial numbers: it counts trials that share their draws as the one piece of evidence
-/// that they are, and does not rely on the law being true.
+/// Maximum-likelihood fit to all trials, as a probit regression a + b u on u = ln x - `centre`. `covariance` of (a, b) is
+/// the sandwich estimate over trial numbers. It treats trials with common random numbers as one cluster, and it remains
+/// valid if the law is not exactly true.
 /// Source: Baker (2015), Earthquake Spectra 31, 579-599, for the likelihood; Liang & Zeger (1986), Biometrika 73, 13-22.
 struct LognormalFragility {
   double centre = 0.0;
-  double intercept = 0.0;  ///< a
-  double slope = 0.0;      ///< b, positive
+  double intercept = 0.0;  ///< a [-]
+  double slope = 0.0;      ///< b [-], > 0
   struct {
     double aa = 0.0, ab = 0.0, bb = 0.0;
   } covariance;
 
-  /// Probability at a positive intensity.
+  /// Probability at an intensity > 0.
   [[nodiscard]] double probability(double intensity) const;
-  /// Its interval at that intensity alone: Phi of a + b u -+ z standard errors (delta method).
+  /// Confidence interval of the probability at this intensity alone: Phi of a + b u -+ z standard errors (delta method).
   [[nodiscard]] Interval band(double intensity, double confidence) const;
-  /// exp(centre - a/b), with the interval of its logarithm by the delta method.
+  /// exp(centre - a/b); its interval is that of its logarithm by the delta method.
   [[nodiscard]] Bounded median(double confidence) const;
-  /// 1/b, the standard deviation of the capacity's logarithm; interval likewise.
+  /// 1/b, the standard deviation of the logarithm of the capacity; interval as for the median.
   [[nodiscard]] Bounded dispersion(double confidence) const;
 };
 
 struct FragilityFit {
   FragilityOutcome outcome = FragilityOutcome::fitted;
-  std::optional<LognormalFragility> law;  ///< where the outcome is `fitted`
+  std::optional<LognormalFragility> law;  ///< present if and only if the outcome is `fitted`
 };
 
-/// Needs a level, and a trial at each. Newton's method on a concave likelihood; the maximum is to rounding.
+/// Fits the law. Needs at least one level, and at least one trial at each. Newton's method on a concave likelihood;
+/// converges to rounding accuracy.
 [[nodiscard]] FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels);
 
 }  // namespace rocking::stats

@@ -7,7 +7,7 @@
 namespace rocking::stats {
 namespace {
 
-/// Probability between two scores, from the side on which it is not a difference of numbers near 1.
+/// Probability between two scores, computed in the tail where it is not a difference of numbers near 1.
 double probability_between(double low, double high) {
   return low > 0.0 ? normal_cdf(-low) - normal_cdf(-high) : normal_cdf(high) - normal_cdf(low);
 }
@@ -17,7 +17,7 @@ double probability_between(double low, double high) {
 Histogram normal_histogram(std::span<const double> sample, const NormalLaw& law, std::size_t bins, double reach) {
   ROCKING_EXPECT(bins >= 1 && reach > 0.0 && law.sigma > 0.0);
   const auto n = static_cast<double>(sample.size());
-  // Integers first, so that edges k and bins - k lie at exactly opposite scores, the middle one at the mean.
+  // Integers first, so that edges k and bins - k have exactly opposite scores and the middle edge is the mean.
   const auto score_of_edge = [&](std::size_t k) {
     return reach * ((2.0 * static_cast<double>(k) - static_cast<double>(bins)) / static_cast<double>(bins));
   };
@@ -29,7 +29,7 @@ Histogram normal_histogram(std::span<const double> sample, const NormalLaw& law,
   histogram.expected_below = histogram.expected_above = n * normal_cdf(-reach);
   histogram.counts.resize(bins);
   for (const double x : sample) {
-    // Compared with the edges as reported, so that a reader who counts again finds the same.
+    // Compared with the edges as reported, so that a reader who counts again obtains the same counts.
     const auto upper = std::upper_bound(histogram.edges.begin(), histogram.edges.end(), x);
     if (upper == histogram.edges.begin()) {
       ++histogram.below;

@@ -9,14 +9,14 @@
 
 namespace rocking::stats {
 
-/// Counts of a sample in equal bins, beside what a normal law leads to expect. Nothing is dropped: what no bin holds is
-/// below or above. Bin k is [edges[k], edges[k + 1]).
+/// Counts of a sample in equal bins, with the counts expected under a normal law. Numbers outside the bins are counted in
+/// `below` and `above`. Bin k is [edges[k], edges[k + 1]).
 struct Histogram {
-  std::vector<double> edges;         ///< bins + 1 of them, rising
+  std::vector<double> edges;  ///< bins + 1 of them, ascending
   std::vector<std::uint64_t> counts;
-  std::vector<double> expected;      ///< n (F(upper edge) - F(lower edge))
+  std::vector<double> expected;  ///< n (F(upper edge) - F(lower edge))
   std::uint64_t below = 0;
-  std::uint64_t above = 0;           ///< at the last edge or beyond
+  std::uint64_t above = 0;  ///< numbers >= the last edge
   double expected_below = 0.0;
   double expected_above = 0.0;
 };

@@ -13,52 +13,51 @@ struct Interval {
   double high = 0.0;
 };
 
-/// Successes out of trials.
+/// Number of successes out of a number of trials.
 struct Proportion {
   std::uint64_t successes = 0;
   std::uint64_t trials = 0;
 };
 
-/// Confidence intervals for the probability behind a proportion. All lie in [0, 1] and contain successes/trials;
-/// without trials nothing is known and they are [0, 1]. `confidence` in (0, 1), two-sided.
+/// Two-sided confidence intervals for a probability; `confidence` in (0, 1). All lie in [0, 1] and contain
+/// successes/trials. Without trials they are [0, 1].
 
-/// The score interval: those p whose distance from the proportion is at most z sqrt(p (1 - p)/n).
+/// Score interval: those p whose distance from the proportion is at most z sqrt(p (1 - p)/n).
 ///
-/// Covers the truth with the promised probability on the average over p, for some p less often: the one to plot.
+/// Its coverage equals the confidence on average over p; for some p it is lower. Recommended for figures.
 /// Source: Wilson (1927), J. Am. Stat. Assoc. 22, 209-212.
 [[nodiscard]] Interval wilson(const Proportion& proportion, double confidence);
 
-/// The equal-tailed posterior interval under Jeffreys's prior: quantiles of Beta(k + 1/2, n - k + 1/2); from 0 for k =
-/// 0 and to 1 for k = n, without which it would never cover a p near 0 or 1.
+/// Equal-tailed posterior interval under Jeffreys's prior: quantiles of Beta(k + 1/2, n - k + 1/2). The lower end is 0 for
+/// k = 0 and the upper end is 1 for k = n; otherwise the interval would never cover p near 0 or 1.
 ///
-/// Covers on the average over p, as `wilson` does, and lies less to the middle.
+/// Its coverage is right on average over p, as for `wilson`; its centre is nearer to the proportion.
 /// Source: Brown, Cai, DasGupta (2001), Stat. Sci. 16, 101-133.
 [[nodiscard]] Interval jeffreys(const Proportion& proportion, double confidence);
 
-/// The exact interval: those p under which neither tail from the count onward has less than (1 - confidence)/2.
+/// Exact interval: those p for which neither tail from the count outwards has a probability below (1 - confidence)/2.
 ///
 ///     P(K >= k | low) = (1 - confidence)/2 (low = 0 for k = 0),   P(K <= k | high) = the same (high = 1 for k = n)
 ///
-/// Covers the truth at least as often as it promises, for every p and n: the one to claim.
+/// Covers the true value at least as often as promised, for every p and n. Recommended for statements.
 /// Source: Clopper & Pearson (1934), Biometrika 26, 404-413.
 [[nodiscard]] Interval clopper_pearson(const Proportion& proportion, double confidence);
 
-/// Clopper and Pearson's with a doubt: those p under which neither tail has less than doubt(p)/2. Misses each p with
-/// probability doubt(p) at most. doubt(1) < 1.
+/// As clopper_pearson, with a significance level that may depend on p: those p for which neither tail has a probability
+/// below significance(p)/2. Each p is missed with probability at most significance(p). Requires significance(1) < 1.
 ///
-/// One crossing on each side: the upper tail is convex, then concave in p, and ends above the straight line of the
-/// doubt. Where the doubt is proportional to p, one success out of any number of trials leaves low = 0: among ever so
-/// many rare categories some occur.
-[[nodiscard]] Interval exact_interval(const Proportion& proportion, const Doubt& doubt);
+/// There is one crossing on each side: the upper tail is convex, then concave in p, and ends above the straight line of the
+/// significance level. If that level is proportional to p, one success out of any number of trials gives low = 0: among
+/// many rare categories some are expected to occur.
+[[nodiscard]] Interval exact_interval(const Proportion& proportion, const Significance& significance);
 
-/// Of several categories, `wilson` at level 1 - (1 - confidence)/categories for each. Good for large counts; covers all
-/// of them at once about as often as promised, not always.
+/// Interval for one of several categories: `wilson` at level 1 - (1 - confidence)/categories. For large counts only; it
+/// covers all categories at once with about, not at least, the promised probability.
 /// Source: Goodman (1965), Technometrics 7, 247-254.
 [[nodiscard]] Interval goodman(const Proportion& proportion, double confidence, std::size_t categories);
 
-/// The exact interval at level 1 - (1 - confidence)/categories: one of `categories` intervals, at least 1, settled
-/// before there were data, that cover all their truths at once with probability `confidence` or more (Bonferroni's
-/// inequality).
+/// The exact interval at level 1 - (1 - confidence)/categories, for one of `categories` >= 1 categories fixed before there
+/// were data. All of these intervals cover at once with probability at least `confidence` (Bonferroni's inequality).
 [[nodiscard]] Interval bonferroni_clopper_pearson(const Proportion& proportion, double confidence,
                                                   std::size_t categories);
 

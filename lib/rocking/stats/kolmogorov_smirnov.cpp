@@ -1,16 +1,17 @@
+#include "rocking/stats/kolmogorov_smirnov.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
 
 #include "rocking/base/error.hpp"
-#include "rocking/stats/normality.hpp"
 
 namespace rocking::stats {
 namespace {
 
-/// P(sqrt(n) D >= x) for n = infinity, by whichever of Kolmogorov's two series converges at once. Both stop before a
-/// term that no longer counts: 1e-20 at the crossing.
+/// P(sqrt(n) D >= x) for n = infinity, by the one of Kolmogorov's two series that converges quickly. Both stop before a
+/// negligible term: 1e-20 where the series change.
 double limiting_tail(double x) {
   if (x <= 0.0) return 1.0;
   double sum = 0.0;

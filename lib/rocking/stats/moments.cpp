@@ -15,13 +15,14 @@ Moment compared(double value, double expected, double standard_error) {
   return {value, standard_error, (value - expected) / standard_error};
 }
 
-/// Asked of the numbers themselves: a rounded mean can leave equal numbers a second moment above 0.
+/// Compares the numbers themselves: because the mean is rounded, equal numbers can have a second moment above 0.
 bool all_alike(std::span<const double> sample) {
   const auto [smallest, largest] = std::minmax_element(sample.begin(), sample.end());
   return *smallest == *largest;
 }
 
-/// E(s)/sigma of n normal draws. 1 - c4^2 is about 1/(2n), so that it loses digits as n grows: 1e-9 of it at n = 1e6.
+/// E(s)/sigma of n normal draws. 1 - c4^2 is about 1/(2n) and loses digits as n grows: its relative error is 1e-9 at n =
+/// 1e6.
 double mean_ratio_of_standard_deviation(double n) {
   const double x = 0.5 * (n - 1.0);
   return 1.0 / (std::sqrt(x) * boost::math::tgamma_delta_ratio(x, 0.5));
@@ -56,8 +57,7 @@ std::optional<SampleMoments> sample_moments(std::span<const double> sample, cons
   const auto n = static_cast<double>(sample.size());
   const double c4 = mean_ratio_of_standard_deviation(n);
   const double skewness_variance = 6.0 * (n - 2.0) / ((n + 1.0) * (n + 3.0));
-  const double kurtosis_variance =
-      24.0 * n * (n - 2.0) * (n - 3.0) / ((n + 1.0) * (n + 1.0) * (n + 3.0) * (n + 5.0));
+  const double kurtosis_variance = 24.0 * n * (n - 2.0) * (n - 3.0) / ((n + 1.0) * (n + 1.0) * (n + 3.0) * (n + 5.0));
   return SampleMoments{
       .n = central.n,
       .mean = compared(central.mean, law.mean, law.sigma / std::sqrt(n)),

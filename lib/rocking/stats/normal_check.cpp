@@ -6,14 +6,17 @@
 #include <boost/math/special_functions/gamma.hpp>
 
 #include "rocking/base/error.hpp"
+#include "rocking/stats/anderson_darling.hpp"
 #include "rocking/stats/correlation.hpp"
+#include "rocking/stats/kolmogorov_smirnov.hpp"
+#include "rocking/stats/normality.hpp"
 
 namespace rocking::stats {
 namespace {
 
 MomentTest tested_by_score(const Moment& moment, double score) { return {moment, two_sided_normal_p_value(score)}; }
 
-/// (n - 1) s^2/sigma^2 is a chi-squared of n - 1 degrees, exactly.
+/// (n - 1) s^2/sigma^2 follows a chi-squared law of n - 1 degrees, exactly.
 MomentTest tested_by_chi_squared(const Moment& standard_deviation, const NormalLaw& law, std::size_t n) {
   const double half_degrees = 0.5 * static_cast<double>(n - 1);
   const double ratio = standard_deviation.value / law.sigma;
@@ -82,6 +85,14 @@ std::vector<double> p_values_of(const NormalCheck& check) {
   }
   for (const TailCount& tail : check.tails) p_values.push_back(tail.p_value);
   return p_values;
+}
+
+SmallestPValue smallest_p_value(const NormalCheck& check) {
+  const std::vector<double> p_values = p_values_of(check);
+  const double smallest = *std::ranges::min_element(p_values);
+  return {.value = smallest,
+          .tests = p_values.size(),
+          .probability = -std::expm1(static_cast<double>(p_values.size()) * std::log1p(-smallest))};
 }
 
 bool is_refuted(const NormalCheck& check) {

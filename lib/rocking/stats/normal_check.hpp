@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -10,34 +11,34 @@
 #include "rocking/stats/moments.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/normal_tails.hpp"
-#include "rocking/stats/normality.hpp"
+#include "rocking/stats/test_of_fit.hpp"
 
 namespace rocking::stats {
 
-/// What is examined: a sample, and two of equal length that must have nothing to do with it.
+/// The samples to be checked: one sample, and two samples of equal length that should be independent of each other.
 struct NormalSamples {
   std::span<const double> sample;
   std::span<const double> of_next_realisation;
   std::span<const double> of_next_source;
 };
 
-/// A moment and the probability of one at least as far out, on either side, under the law.
+/// A moment and its two-sided p-value under the law.
 struct MomentTest {
   Moment moment;
   double p_value = 1.0;
 };
 
-/// How often a true normal sample has a moment this near to the law's value.
+/// Probability that the moment of a normal sample is this near to the value of the law.
 struct Nearness {
-  double distance = 0.0;     ///< abs(moment - value of the law) at most so large
-  double probability = 0.0;  ///< has this probability
+  double distance = 0.0;     ///< largest abs(moment - value of the law)
+  double probability = 0.0;  ///< probability of at most this distance
 };
 
 /// A shape parameter: skewness (0 for a normal law) or kurtosis (3).
 struct ShapeTest {
   MomentTest test;
-  Nearness near;      ///< of 0.01, Jeong & Yang's (2012) "no more than 0.01"
-  Nearness observed;  ///< of what was found
+  Nearness near;      ///< for the distance 0.01, "no more than 0.01" in Jeong & Yang (2012)
+  Nearness observed;  ///< for the observed distance
 };
 
 struct CorrelationTest {
@@ -45,7 +46,7 @@ struct CorrelationTest {
   MomentTest test;
 };
 
-/// Everything that is looked at in a sample that should come from N(mean, sigma^2), independently.
+/// All checks of a sample that should consist of independent draws from N(mean, sigma^2).
 struct NormalCheck {
   NormalLaw law;
   std::uint64_t n = 0;
@@ -53,7 +54,7 @@ struct NormalCheck {
   MomentTest standard_deviation;  ///< exact
   ShapeTest skewness;
   ShapeTest kurtosis;
-  std::vector<CorrelationTest> correlations;  ///< p-values of large samples
+  std::vector<CorrelationTest> correlations;  ///< with p-values that hold for large samples
   TestOfFit jarque_bera;
   TestOfFit dagostino_pearson;
   TestOfFit anderson_darling;
@@ -62,18 +63,30 @@ struct NormalCheck {
   Histogram histogram;
 };
 
-/// Absent where the numbers are all alike. Needs 20 of them or more.
+/// Absent if all numbers are equal. Needs at least 20 numbers.
 [[nodiscard]] std::optional<NormalCheck> check_normal(const NormalSamples& samples, const NormalLaw& law);
 
 /// All p-values, in the order of the members.
 [[nodiscard]] std::vector<double> p_values_of(const NormalCheck& check);
 
-/// Whether the sample is so far from the law that no chance explains it: a p-value below 1e-6 among those that are good
-/// so far out (mean, standard deviation, Anderson-Darling, Kolmogorov-Smirnov, tails; from a thousand numbers on also
-/// the correlations, but not of squares).
+/// The smallest of several p-values.
+struct SmallestPValue {
+  double value = 1.0;
+  std::size_t tests = 0;     ///< number of p-values
+  double probability = 1.0;  ///< that the smallest of as many independent uniform p-values is at most `value`
+};
+
+/// The smallest of p_values_of. Its probability is an approximation: the tests are not independent.
 ///
-/// True of a true normal sample with probability below 2e-5: 14 p-values, those of correlations 1.2 times too small at
-/// n = 1000.
+///     P(min <= p) = 1 - (1 - p)^tests
+[[nodiscard]] SmallestPValue smallest_p_value(const NormalCheck& check);
+
+/// Whether the sample is incompatible with the law: a p-value below 1e-6 among those that are accurate so far out. These
+/// are mean, standard deviation, Anderson-Darling, Kolmogorov-Smirnov and tails; from 1000 numbers on also the
+/// correlations, except those of squares.
+///
+/// For a sample from the law the probability is below 2e-5: 14 p-values, where those of correlations are 1.2 times too
+/// small at n = 1000.
 [[nodiscard]] bool is_refuted(const NormalCheck& check);
 
 }  // namespace rocking::stats

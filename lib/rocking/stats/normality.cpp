@@ -13,7 +13,7 @@ TestOfFit against_chi_squared_of_two(double statistic) { return {statistic, std:
 
 }  // namespace
 
-// D'Agostino's transform is Johnson's S_U curve of the same first four moments.
+// D'Agostino's transformation is Johnson's S_U curve with the same first four moments.
 double skewness_score(double skewness, std::size_t size) {
   ROCKING_EXPECT(size >= 8);
   const auto n = static_cast<double>(size);
@@ -26,7 +26,7 @@ double skewness_score(double skewness, std::size_t size) {
   return delta * std::asinh(y / alpha);
 }
 
-// Anscombe & Glynn's transform is the cube root of a chi-squared of A degrees.
+// Anscombe & Glynn's transformation is the cube root of a chi-squared number of A degrees.
 double kurtosis_score(double kurtosis, std::size_t size) {
   ROCKING_EXPECT(size >= 8);
   const auto n = static_cast<double>(size);
@@ -35,7 +35,7 @@ double kurtosis_score(double kurtosis, std::size_t size) {
   const double beta = 6.0 * (n * n - 5.0 * n + 2.0) / ((n + 7.0) * (n + 9.0)) *
                       std::sqrt(6.0 * (n + 3.0) * (n + 5.0) / (n * (n - 2.0) * (n - 3.0)));
   const double a = 6.0 + 8.0 / beta * (2.0 / beta + std::sqrt(1.0 + 4.0 / (beta * beta)));
-  const double ratio = (1.0 - 2.0 / a) / (1.0 + x * std::sqrt(2.0 / (a - 4.0)));  // < 0 only for absurdly small b2
+  const double ratio = (1.0 - 2.0 / a) / (1.0 + x * std::sqrt(2.0 / (a - 4.0)));  // < 0 only for extremely small b2
   return (1.0 - 2.0 / (9.0 * a) - std::cbrt(ratio)) / std::sqrt(2.0 / (9.0 * a));
 }
 

@@ -3,62 +3,32 @@
 #include <cstddef>
 #include <span>
 
-#include "rocking/stats/normal_law.hpp"
+#include "rocking/stats/test_of_fit.hpp"
 
 namespace rocking::stats {
-
-/// A test of fit: how far the sample is from the law, and how probable that or more is under the law.
-struct TestOfFit {
-  double statistic = 0.0;
-  double p_value = 1.0;
-};
 
 /// The skewness g1 of n normal numbers, transformed to a standard normal number. Odd; needs n >= 8.
 ///
 /// Source: D'Agostino (1970), Biometrika 57, 679-681.
 [[nodiscard]] double skewness_score(double skewness, std::size_t n);
 
-/// The kurtosis b2 of n normal numbers, transformed to a standard normal number. Needs n >= 20.
+/// Kurtosis b2 of n normal numbers, transformed to a standard normal number. Needs n >= 20.
 ///
 /// Source: Anscombe & Glynn (1983), Biometrika 70, 227-234.
 [[nodiscard]] double kurtosis_score(double kurtosis, std::size_t n);
 
-/// Normal with any mean and sigma? n/6 (g1^2 + (b2 - 3)^2/4), compared with chi-squared of 2 degrees.
+/// Test for a normal law with any mean and sigma: n/6 (g1^2 + (b2 - 3)^2/4), compared with chi-squared of 2 degrees.
 ///
-/// Needs n >= 4, not all alike. The p-value is that of n = infinity, approached slowly: off by 0.003 at n = 20000, by
-/// 0.016 at 1000, and far out by factors (table in lib/docs/methods.md, section 4).
+/// Needs n >= 4, not all equal. The p-value is that of the limit n = infinity, which is approached slowly: the error is
+/// 0.003 at n = 20000 and 0.016 at 1000, and small p-values are wrong by factors (table in lib/docs/methods.md, section 4).
 /// Source: Jarque & Bera (1987), Int. Stat. Rev. 55, 163-172.
 [[nodiscard]] TestOfFit jarque_bera(std::span<const double> sample);
 
-/// Normal with any mean and sigma? K^2 = Z(g1)^2 + Z(b2)^2, compared with chi-squared of 2 degrees; the two are
-/// transformed to be normal already at small n.
+/// Test for a normal law with any mean and sigma: K^2 = Z(g1)^2 + Z(b2)^2, compared with chi-squared of 2 degrees. The
+/// transformed moments are close to normal also for small n.
 ///
-/// Needs n >= 20 (8 at least), not all alike.
+/// Needs n >= 20 (recommended; at least 8), not all equal.
 /// Source: D'Agostino & Pearson (1973), Biometrika 60, 613-622.
 [[nodiscard]] TestOfFit dagostino_pearson(std::span<const double> sample);
-
-/// This very law? Anderson & Darling's A^2, which weighs both tails up. Needs n >= 1.
-///
-/// Source: Anderson & Darling (1954), J. Am. Stat. Assoc. 49, 765-769; Marsaglia & Marsaglia (2004), J. Stat. Softw.
-/// 9(2); Smirnov (1937), Mat. Sbornik 2, 973-993, for the far tail.
-[[nodiscard]] TestOfFit anderson_darling(std::span<const double> sample, const NormalLaw& law);
-
-/// Probability that the A^2 of n independent numbers, from whatever continuous law they are compared with, is at
-/// least `statistic`.
-///
-/// Absolute error about 1e-3/n for n of ten or more, and 2e-6 where the statistic is below 2. No smaller than 6e-4/n
-/// for statistics however large.
-[[nodiscard]] double anderson_darling_p_value(double statistic, std::size_t n);
-
-/// This very law? The largest distance D between the empirical and the law's distribution function. Needs n >= 1.
-[[nodiscard]] TestOfFit kolmogorov_smirnov(std::span<const double> sample, const NormalLaw& law);
-
-/// Probability that the D of n independent numbers, from whatever continuous law they are compared with, is at least
-/// `distance`.
-///
-/// Kolmogorov's limit law at x + 1/(6 sqrt n) + (x - 1)/(4n), x = sqrt(n) D. Absolute error below 0.03/n for n >= 20
-/// (1.1e-6 at n = 20000), as found by comparison with the exact law.
-/// Source: Vrbik (2018), Pioneer J. Theor. Appl. Stat. 15, 15-23.
-[[nodiscard]] double kolmogorov_p_value(double distance, std::size_t n);
 
 }  // namespace rocking::stats

@@ -4,8 +4,8 @@
 
 namespace rocking::stats {
 
-/// Halves the way between a number `in` an interval and one that is `out`, both in [0, 1], until 2^-40 of the larger is
-/// left of it; the outer end, so that the interval is never too small.
+/// Bisection between a number `in` an interval and a number `out` of it, both in [0, 1], until their distance is 2^-40 of
+/// the larger one. Returns the outer number, so that the interval is never too small.
 template <class Predicate>
 [[nodiscard]] double outer_end(double in, double out, Predicate contains) {
   while (std::max(in, out) - std::min(in, out) > 0x1p-40 * std::max(in, out)) {
@@ -15,7 +15,7 @@ template <class Predicate>
   return out;
 }
 
-/// In place of 0 and 1 where a function has to be finite.
+/// Used instead of 0 and 1 where a function must be finite.
 inline constexpr double nearly_zero = 0x1p-100;
 inline constexpr double nearly_one = 1.0 - 0x1p-53;
 

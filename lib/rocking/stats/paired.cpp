@@ -12,8 +12,8 @@
 namespace rocking::stats {
 namespace {
 
-/// Tango's statistic. q, the likeliest probability of falling on the second side only, is the larger root of
-/// 2n q^2 + 2h q - c d (1 - d) = 0 with 2h = (2n - b + c) d - b - c, without cancellation.
+/// Tango's statistic. q, the maximum-likelihood probability of the event under the second setting only, is the larger root
+/// of 2n q^2 + 2h q - c d (1 - d) = 0 with 2h = (2n - b + c) d - b - c, computed without cancellation.
 double score(const PairedCounts& counts, double d) {
   const auto b = static_cast<double>(counts.first_only);
   const auto c = static_cast<double>(counts.second_only);
@@ -27,7 +27,7 @@ double score(const PairedCounts& counts, double d) {
   return distance / std::sqrt(std::max(variance, 1e-300));
 }
 
-/// Product of a probability in `factor` and a number, least or largest.
+/// Smallest or largest product of a number and a probability in `factor`.
 double least_product(const Interval& factor, double number) {
   return number * (number < 0.0 ? factor.high : factor.low);
 }
@@ -65,11 +65,11 @@ Interval paired_difference_score(const PairedCounts& counts, double confidence) 
 
 Interval paired_difference_exact(const PairedCounts& counts, double confidence) {
   ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
-  const double doubt = 1.0 - confidence;
+  const double significance = 1.0 - confidence;
   const Proportion discordant{.successes = counts.discordant(), .trials = counts.trials()};
   const Proportion first{.successes = counts.first_only, .trials = counts.discordant()};
-  const Interval r = exact_interval(discordant, {.fixed = 0.1 * doubt, .proportional = 0.0});
-  const Interval q = exact_interval(first, {.fixed = 0.9 * doubt, .proportional = 0.0});
+  const Interval r = exact_interval(discordant, {.fixed = 0.1 * significance, .proportional = 0.0});
+  const Interval q = exact_interval(first, {.fixed = 0.9 * significance, .proportional = 0.0});
   return {least_product(r, 2.0 * q.low - 1.0), largest_product(r, 2.0 * q.high - 1.0)};
 }
 

@@ -16,7 +16,7 @@ namespace {
 /// P(Z = k) where Z ~ Poisson(k).
 double poisson_at_its_mean(double k) { return k > 0.0 ? boost::math::gamma_p_derivative(k + 1.0, k) : 1.0; }
 
-/// A Poisson law cut to an interval: what it keeps of its probability, its mean, and its central moments.
+/// A Poisson law truncated to an interval: the probability of the interval, the mean and the central moments.
 struct TruncatedPoisson {
   double kept = 0.0;
   double mean = 0.0;
@@ -25,11 +25,12 @@ struct TruncatedPoisson {
   double fourth = 0.0;
 };
 
-/// Of Poisson(k), cut to `first` ... `last` about k, by adding up: moments of the distance from k, which is small where
-/// factorial moments, as the authors use them, would cancel to nothing.
+/// Poisson(k) truncated to `first` ... `last` around k, by summation. The moments are those of the distance from k, which
+/// is small; the factorial moments used by the authors would suffer from cancellation.
 TruncatedPoisson truncated_poisson(double k, double first, double last) {
   std::array<double, 5> sum{};
-  // Whether it made a difference. Beyond the hump of the fourth moment, what makes none is followed by what makes none.
+  // Returns whether the term changed a sum. Beyond the maximum of the fourth moment, all terms after an ineffective one are
+  // ineffective.
   const auto add = [&](double j, double probability) {
     const std::array<double, 5> before = sum;
     for (double& moment : sum) {
@@ -69,8 +70,8 @@ double edgeworth_density(const TruncatedPoisson& sum, double fourth_cumulant, do
   return std::exp(-0.5 * y) / std::sqrt(2.0 * std::numbers::pi) * series / deviation;
 }
 
-/// nu(c) for c >= 1: the sum of independent truncated Poisson laws, given that it is n, is the multinomial law given
-/// that all its counts lie within c of the observed ones.
+/// nu(c) for c >= 1: a sum of independent truncated Poisson laws, conditioned on being n, has the multinomial law
+/// conditioned on all counts lying within c of the observed ones.
 double probability_within(std::span<const std::uint64_t> counts, double n, double c) {
   TruncatedPoisson sum{.kept = 1.0};
   double fourth_cumulant = 0.0;
@@ -99,7 +100,8 @@ std::optional<std::vector<Interval>> sison_glaz(std::span<const std::uint64_t> c
   ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
   const auto n = static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
   if (n == 0.0) return std::vector<Interval>(counts.size(), {0.0, 1.0});
-  const double far = 2.0 * std::sqrt(n) + 50.0;  // beyond every hump: a probability that stands still stays
+  const double far =
+      2.0 * std::sqrt(n) + 50.0;  // beyond every maximum: from here on a constant probability stays constant
   double within = probability_of_the_same(counts, n);
   for (double c = 0.0; c <= n; c += 1.0) {
     const double within_next = probability_within(counts, n, c + 1.0);

@@ -9,11 +9,12 @@ namespace {
 
 constexpr std::uint64_t first_look = 50;
 
-/// The tightest where the run is expected to end, as far as that is known before it: with one category at p = 1/2.
+/// The concentration that is narrowest at the expected end of the run. Before the data, the end expected for one category
+/// at p = 1/2 is used.
 double concentration_of(const StoppingGoal& goal) {
-  const double doubt = goal.family.share();
-  const double expected = std::min(trials_for(goal.half_width, doubt), static_cast<double>(goal.at_most));
-  return concentration_for(expected, doubt);
+  const double significance = goal.family.share();
+  const double expected = std::min(trials_for(goal.half_width, significance), static_cast<double>(goal.at_most));
+  return concentration_for(expected, significance);
 }
 
 }  // namespace
@@ -31,22 +32,22 @@ std::uint64_t StoppingRule::next_look(std::uint64_t trials) const {
 }
 
 bool StoppingRule::narrow_enough(const CategoryCounts& counts) const {
-  ROCKING_EXPECT(counts.foreseen.size() == goal_.family.foreseen);
+  ROCKING_EXPECT(counts.prespecified.size() == goal_.family.prespecified);
   const auto narrow = [this](const Interval& interval) {
     return 0.5 * (interval.high - interval.low) <= goal_.half_width;
   };
-  const auto foreseen = [&](std::uint64_t k) { return narrow(interval_of_foreseen({k, counts.trials})); };
-  const auto unforeseen = [&](std::uint64_t k) { return narrow(interval_of_unforeseen({k, counts.trials})); };
-  return std::all_of(counts.foreseen.begin(), counts.foreseen.end(), foreseen) &&
-         std::all_of(counts.unforeseen.begin(), counts.unforeseen.end(), unforeseen) && unforeseen(0);
+  const auto prespecified = [&](std::uint64_t k) { return narrow(interval_of_prespecified({k, counts.trials})); };
+  const auto others = [&](std::uint64_t k) { return narrow(interval_of_others({k, counts.trials})); };
+  return std::all_of(counts.prespecified.begin(), counts.prespecified.end(), prespecified) &&
+         std::all_of(counts.others.begin(), counts.others.end(), others) && others(0);
 }
 
-Interval StoppingRule::interval_of_foreseen(const Proportion& counts) const {
-  return sequence_.interval(counts, goal_.family.of_foreseen());
+Interval StoppingRule::interval_of_prespecified(const Proportion& counts) const {
+  return sequence_.interval(counts, goal_.family.of_prespecified());
 }
 
-Interval StoppingRule::interval_of_unforeseen(const Proportion& counts) const {
-  return sequence_.interval(counts, goal_.family.of_unforeseen());
+Interval StoppingRule::interval_of_others(const Proportion& counts) const {
+  return sequence_.interval(counts, goal_.family.of_others());
 }
 
 }  // namespace rocking::stats

@@ -21,7 +21,7 @@ enum Watch : std::size_t { overturn, ground, standstill, grip_left, grip_right, 
 
 double sign_of(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
-/// A block, told event by event.
+/// A block, simulated event by event.
 class Block final : private Equations {
  public:
   Block(const Scene& scene, std::int64_t periods, double shortest_hop, Flow& flow)
@@ -43,13 +43,13 @@ class Block final : private Equations {
   [[nodiscard]] double alpha_at(double time) const { return amplitude_ * body_.psi * timetable_.sine(tau_ + time); }
   [[nodiscard]] double alpha() const { return alpha_at(0.0); }
 
-  /// Takes the coefficients in force now.
+  /// Looks up the coefficients in force.
   void look_up() {
     amplitude_ = coefficients_.amplitude(timetable_.excitation_period(tau_));
     if (scene_.friction) friction_ = coefficients_.friction(timetable_.interval(tau_));
   }
 
-  // The mechanics of the state of contact that holds.
+  // Mechanics in the present contact state.
 
   [[nodiscard]] Stance stance(const Vector& y) const { return {side_, y[0], y[1]}; }
   [[nodiscard]] Balance balance_at(double time, const Vector& y) const {
@@ -88,7 +88,8 @@ class Block final : private Equations {
     return g;
   }
 
-  /// `now`: of sticking. Where that would need N <= 0, the block slips if slip presses it on the base and is driven on.
+  /// `now`: forces of sticking. If sticking would need N <= 0, the block slips, provided that slip presses it on the base
+  /// and is accelerated.
   [[nodiscard]] bool grips(const Balance& now) const {
     if (!scene_.friction) return true;
     if (now.normal > 0.0) return std::abs(now.friction) <= friction_.at_rest * now.normal;
@@ -102,7 +103,7 @@ class Block final : private Equations {
   }
   [[nodiscard]] bool tips_when_sliding() const { return friction_.sliding > 1.0 / body_.slenderness; }
 
-  // What is told.
+  // Output.
 
   [[nodiscard]] Posture posture() const { return {y_[0] / body_.psi, y_[1] / body_.psi, y_[2], y_[3]}; }
   void tell_of(std::string_view kind) { story_.events.push_back({tau_, kind, posture()}); }
@@ -138,7 +139,7 @@ class Block final : private Equations {
       look_up();
       return leave_full_contact(sign_of(alpha()), true);
     }
-    // A hop from the ground is followed to the same relative accuracy however low it is.
+    // A hop from the ground is integrated to the same relative accuracy, however low it is.
     const double smallness = y_[0] == 0.0 && y_[1] != 0.0 ? std::min(1.0, 1e8 * y_[1] * y_[1]) : 1.0;
     const Stretch stretch = flow_.follow(y_, end - tau_, smallness, *this);
     y_ = stretch.state;
@@ -169,7 +170,7 @@ class Block final : private Equations {
     story_.ending = ending;
   }
 
-  /// An instant at which something is looked up anew, or looked at.
+  /// Handles an instant at which a coefficient changes or a sample is taken.
   void arrive(double instant) {
     const std::int64_t strobes = timetable_.strobes(tau_);
     const std::int64_t period = timetable_.excitation_period(tau_);
@@ -204,7 +205,7 @@ class Block final : private Equations {
     tell_of(was_sliding ? "slip_reverse" : "slide_start");
   }
 
-  /// Whether slip in `direction` would not be turned back at once. (With mu_s = mu_k its acceleration may start at 0.)
+  /// Whether slip in `direction` would not be reversed at once. (With mu_s = mu_k its acceleration may start at 0.)
   [[nodiscard]] bool slip_would_last(double direction) const {
     constexpr double rounding = 1e-9;  // of accelerations at an onset that was found as a root
     return direction * sliding(body_, stance(y_), alpha(), direction, friction_.sliding).v_dot >= -rounding;
@@ -287,7 +288,7 @@ class Block final : private Equations {
     return -side * now.w_dot;
   }
 
-  /// Whether hops under this pull, up at rate w, are too short to follow.
+  /// Whether hops under this pull, starting at rate w, are too short to be simulated.
   [[nodiscard]] bool hops_are_short(double pull) const {
     return pull > 0.0 && 2.0 * std::abs(y_[1]) < shortest_hop_ * pull;
   }

@@ -19,7 +19,7 @@ struct Posture {
 
 struct Event {
   double tau;
-  std::string_view kind;  ///< spelled as in lib/docs/model.md, section 3
+  std::string_view kind;  ///< name as in lib/docs/model.md, section 3
   Posture after;
 };
 
@@ -34,13 +34,13 @@ struct Story {
   std::string_view ending;      ///< reached_horizon, overturned, painleve
 };
 
-/// How finely the peer looks.
+/// Resolution of the peer.
 struct Care {
   double steps_per_period = 64.0;  ///< at least
   double shortest_hop = 1e-11;     ///< a chatter ends with the impact after which every hop would last less [tau]
 };
 
-/// What happens in `scene` over `periods` excitation periods, by CVODE.
+/// Simulates `scene` over `periods` excitation periods, by CVODE.
 [[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, const Care& care = {});
 /// The same by another integrator.
 [[nodiscard]] Story story_of(const Scene& scene, std::int64_t periods, Flow& flow);

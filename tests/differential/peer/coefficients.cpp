@@ -41,7 +41,7 @@ void Coefficients::stopped() {
 }
 
 void Coefficients::chatter_ended() {
-  // What the stops before it drew must not be seen after it; where there were none, what is in force stays in force.
+  // The draws of earlier stops must have no effect after it. If there were no stops, the friction in force remains.
   const bool redraw = stops_ > 0;
   ++chatters_;
   stops_ = impacts_ = 0;

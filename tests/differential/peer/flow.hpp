@@ -8,11 +8,11 @@ namespace rocking::peer {
 /// theta, w, X, V.
 using Vector = std::array<double, 4>;
 
-/// Functions whose fall through 0 ends a stretch.
+/// Number of functions whose fall through 0 ends a smooth piece of motion.
 inline constexpr std::size_t guard_count = 8;
 using Guards = std::array<double, guard_count>;
 
-/// A smooth piece of motion. Times are since the start of the stretch.
+/// Equations of a smooth piece of motion. Times are measured from its start.
 class Equations {
  public:
   virtual ~Equations() = default;
@@ -30,17 +30,18 @@ struct Stretch {
 struct FlowAccuracy {
   double relative;
   double absolute;
-  double longest_step;  ///< guards are looked at once a step: a dip below 0 that is shorter is missed
+  double longest_step;  ///< guards are tested once a step: a shorter dip below 0 is missed
 };
 
-/// An integrator with its root finding.
+/// An integrator with root finding.
 ///
-/// A guard that starts at 0 counts from when it has left 0; only a fall is reported.
+/// A guard that starts at 0 is tested after it has left 0; only a fall is reported.
 class Flow {
  public:
   virtual ~Flow() = default;
 
-  /// From `start` for `duration` or until the first guard falls through 0. The absolute tolerance is times `smallness`.
+  /// Integrates from `start` for `duration`, or until the first guard falls through 0. The absolute tolerance is multiplied
+  /// by `smallness`.
   [[nodiscard]] virtual Stretch follow(const Vector& start, double duration, double smallness,
                                        const Equations& equations) = 0;
 };

@@ -6,7 +6,7 @@
 
 namespace rocking::peer {
 
-/// What is known before the landing.
+/// State and coefficients before the landing.
 struct Landing {
   double w;
   double v;
@@ -19,10 +19,10 @@ struct Rebound {
   double w;
   double v;
   bool slipped;
-  bool determined = true;  ///< false: 1 + 3q <= 0, the laws have no answer
+  bool determined = true;  ///< false: 1 + 3q <= 0, the laws have no solution
 };
 
-/// lib/docs/model.md, section 4, by the ratios lambda and delta.
+/// Impact of lib/docs/model.md, section 4, with the ratios lambda and delta.
 [[nodiscard]] Rebound land(const Body& body, const Landing& before);
 
 }  // namespace rocking::peer

@@ -5,7 +5,7 @@
 namespace rocking::peer {
 namespace {
 
-/// Newton's law across and along the base, Euler's about the centre of mass, for a trial value of w'.
+/// Newton's laws normal to and along the base, and Euler's law about the centre of mass, for a trial value of w'.
 struct Trial {
   double normal;
   double friction;
@@ -13,14 +13,14 @@ struct Trial {
   double moment_left_over;
 };
 
-/// Where the centre of mass is, seen from the edge, and how the block moves.
+/// Position of the centre of mass relative to the edge, and motion of the block.
 struct Pose {
   double across;
   double up;
   double square;  ///< w^2
 };
 
-/// All four are affine in w'. `law(normal, force_of_sticking)` says what friction is.
+/// All four are affine in w'. `law(normal, force_of_sticking)` is the law of friction.
 template <class FrictionLaw>
 Trial attempt(double w_dot, double inertia, const Pose& pose, double alpha, FrictionLaw law) {
   const auto [across, up, square] = pose;

@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <optional>
 
-/// A second implementation of lib/docs/model.md, to compare ours with: plain differential equations in theta, w, X, V,
-/// integrated by SUNDIALS' CVODE with its own root finding. Of the library it knows the draws only, which are an input.
+/// A second implementation of lib/docs/model.md for comparison with ours: ordinary differential equations in theta, w, X,
+/// V, integrated by CVODE of SUNDIALS with its root finding. From the library it uses only the draws, which are an input.
 namespace rocking::peer {
 
 /// Means of mu_s and mu_k.
@@ -21,7 +21,7 @@ struct Sigmas {
   double amplitude = 0.0;
 };
 
-/// A block, its base and its start. Symbols as in lib/docs/model.md.
+/// A block, its base and its initial state. Symbols as in lib/docs/model.md.
 struct Scene {
   double slenderness;  ///< H/B
   double amplitude;    ///< A_h

@@ -6,8 +6,8 @@
 
 namespace rocking::peer {
 
-/// What depends on time alone: the base's sine, the grid of friction, the excitation's periods, the strobe. Instants
-/// are tau; one that is nearer to a boundary than a rounding counts as after it.
+/// Quantities that depend on time only: the sine of the base, the grid of friction, the excitation periods, the strobe.
+/// Instants are in tau; an instant within a rounding of a boundary counts as after it.
 class Timetable {
  public:
   explicit Timetable(const Scene& scene);
@@ -15,15 +15,15 @@ class Timetable {
   [[nodiscard]] double period() const { return period_; }
   [[nodiscard]] double sine(double tau) const;
 
-  /// How many strobes, intervals of friction and excitation periods (between zeros of the sine) have gone by.
+  /// Number of strobes, intervals of friction and excitation periods (between zeros of the sine) up to tau.
   [[nodiscard]] std::int64_t strobes(double tau) const;
   [[nodiscard]] std::int64_t interval(double tau) const;
   [[nodiscard]] std::int64_t excitation_period(double tau) const;
 
-  /// The next instant at which something is sampled or drawn anew.
+  /// The next instant at which something is sampled or redrawn.
   [[nodiscard]] double next_break(double tau, bool slips) const;
 
-  /// The next instant at which the sine reaches `level` > 0 or -`level`; infinite if it never does.
+  /// The next instant at which the sine reaches `level` > 0 or -`level`; infinite if there is none.
   [[nodiscard]] double next_reach(double tau, double level) const;
 
  private:

@@ -42,7 +42,7 @@ std::string file_text(const fs::path& path) {
 }  // namespace
 
 std::string lasting_text(const std::string& report) {
-  auto document = report::Json::parse(report, nullptr, false);
+  auto document = Json::parse(report, nullptr, false);
   if (!document.is_object()) return {};
   document.erase("system");
   return document.dump();

@@ -6,25 +6,25 @@
 #include <vector>
 
 #include "fuzz/attack/run_limited.hpp"
-#include "rocking/report/json.hpp"
+#include "rocking/text/json.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::fuzz {
 
-/// What all cases start from, made once: a finished run, and its experiment.
+/// Starting point of all cases, made once: a finished run and its experiment.
 struct Sound {
   std::filesystem::path program;
   std::filesystem::path folder;  ///< holds `quick.json`, `pulse.txt` and the run `out`
-  std::string report;            ///< what must not differ of that run's report: see lasting_text
+  std::string report;            ///< the part of the report of this run that must not change: see lasting_text
 };
 
-/// A report without what may differ between equal runs; empty where it is no JSON.
+/// A report without the parts that may differ between equal runs; empty if it is not JSON.
 [[nodiscard]] std::string lasting_text(const std::string& report);
 
-/// Makes `sound.folder` with the program. Throws std::runtime_error where it does not work.
+/// Creates the contents of `sound.folder` with the program. Throws std::runtime_error if that fails.
 [[nodiscard]] Sound make_sound(const std::filesystem::path& program, const std::filesystem::path& folder);
 
-/// One case: a folder of its own, random numbers of its own, and what was found. Whoever fills it is a generator.
+/// One case: its own folder and random numbers, and its findings. A generator fills it.
 class Attack {
  public:
   Attack(const Sound& sound, std::filesystem::path folder, std::uint64_t seed)
@@ -36,7 +36,7 @@ class Attack {
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] const std::vector<std::string>& findings() const { return findings_; }
 
-  /// One of these, at random.
+  /// A random element of the list.
   template <class List>
   [[nodiscard]] auto one_of(const List& list) {
     return *(std::begin(list) + random.below(static_cast<int>(std::size(list))));
@@ -46,14 +46,14 @@ class Attack {
   [[nodiscard]] std::string read(const std::filesystem::path& name) const;
   [[nodiscard]] bool exists(const std::filesystem::path& name) const { return std::filesystem::exists(folder_ / name); }
 
-  /// A copy of the sound run with this name.
+  /// Copies the undamaged run to this name.
   void copy_sound_run(const std::string& name) const;
 
-  /// Runs `rocking`. Anything but these exit codes is a finding; so are a signal, a hang, signs that a terminal obeys, and
-  /// messages that no reader can survey.
+  /// Runs `rocking`. Any other exit code is a finding; so are a signal, a hang, control characters for the terminal, and
+  /// messages too long to read.
   Ending run(const std::vector<std::string>& arguments, const std::set<int>& allowed);
 
-  /// Looks at a page that the program wrote, if it is there.
+  /// Checks a page that the program wrote, if there is one.
   void look_at_page(const std::filesystem::path& name);
 
   void find(const std::string& what) { findings_.push_back(what); }

@@ -1,4 +1,4 @@
-// What the attack's own checks see, before they are trusted with the program.
+// Tests of the checks that the attack uses.
 
 #include <filesystem>
 #include <string>

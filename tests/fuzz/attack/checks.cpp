@@ -9,7 +9,7 @@
 namespace rocking::fuzz {
 namespace {
 
-/// How many bytes the sign at `place` has in UTF-8; 0 where there is none.
+/// Length in bytes of the UTF-8 character at `place`; 0 if there is none.
 std::size_t length_of_sign(std::string_view text, std::size_t place) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned char first = byte(place);
@@ -35,14 +35,14 @@ bool is_control(std::string_view sign) {
 constexpr std::array<std::string_view, 9> without_end{"meta", "br",  "link", "input", "img",
                                                       "hr",   "col", "wbr",  "source"};
 
-/// Elements whose text is not read as HTML.
+/// Elements whose text is not parsed as HTML.
 bool is_raw(std::string_view name) { return name == "script" || name == "style"; }
 
 std::string around(std::string_view page, std::size_t place) {
   return " at byte " + std::to_string(place) + ": " + std::string(page.substr(place, 60));
 }
 
-/// Where the tag that begins at `place` ends, quoted attributes skipped; npos where it does not.
+/// End of the tag that begins at `place`, quoted attributes skipped; npos if there is none.
 std::size_t end_of_tag(std::string_view page, std::size_t place) {
   char quote = 0;
   for (; place < page.size(); ++place) {
@@ -66,7 +66,7 @@ std::string_view name_at(std::string_view page, std::size_t place) {
   return page.substr(place, end - place);
 }
 
-/// An `&` begins a reference such as `&amp;`.
+/// Whether the `&` begins a reference such as `&amp;`.
 bool is_reference(std::string_view page, std::size_t place) {
   const std::size_t end = page.find(';', place);
   if (end == std::string_view::npos || end - place > 10 || end == place + 1) return false;

@@ -1,4 +1,4 @@
-// Experiment files that are damaged, or sound and strange.
+// Experiment files that are damaged, or valid but unusual.
 
 #include <string>
 
@@ -21,7 +21,6 @@ constexpr const char* features[] = {
 }  // namespace
 
 void attack_experiments(Attack& attack) {
-  using report::Json;
   Json experiment = Json::parse(attack.read(attack.sound().folder / "quick.json"));
   if (attack.random.below(3) > 0) experiment.merge_patch(Json::parse(attack.one_of(features)));
   JsonMutator mutator(attack.random.bits());

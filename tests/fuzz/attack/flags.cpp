@@ -1,4 +1,4 @@
-// Command lines that nobody would write.
+// Unusual command lines.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-// attack ROCKING [SEED [COUNT [FIRST [GENERATOR]]]]: runs the program on damaged and odd input and looks at what it does. How to
-// use it: lib/docs/fuzzing.md. The same numbers make the same cases on every machine.
+// attack ROCKING [SEED [COUNT [FIRST [GENERATOR]]]]: runs the program on damaged and unusual input and checks its
+// behaviour. Usage: lib/docs/fuzzing.md. The same numbers give the same cases on every machine.
 
 #include <array>
 #include <cstdint>
@@ -38,7 +38,7 @@ struct Request {
   std::string_view generator;  ///< empty: all in turn
 };
 
-/// Plays the case of this number; returns whether something was found, and prints it.
+/// Runs the case with this number. Prints the findings and returns whether there are any.
 bool play(const Request& request, const rocking::fuzz::Sound& sound, const Generator& generator, std::uint64_t number) {
   const fs::path folder = sound.folder.parent_path() / "case";
   fs::remove_all(folder);
@@ -78,7 +78,7 @@ int attack(const Request& request) {
     std::printf("%-12s %8llu cases, %llu with a finding\n", std::string(generator).c_str(),
                 static_cast<unsigned long long>(counts[0]), static_cast<unsigned long long>(counts[1]));
   }
-  // The last case stays where one alone was asked for, to be looked at.
+  // If a single case was requested, its folder is kept for inspection.
   if (request.count == 1) {
     std::printf("its files: %s\n", (work / "case").c_str());
   } else {

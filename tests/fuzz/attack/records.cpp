@@ -1,4 +1,4 @@
-// Ground motions: files of numbers that are none.
+// Ground motion files that are not valid.
 
 #include <filesystem>
 #include <string>
@@ -32,9 +32,9 @@ std::string table(Attack& attack) {
 }  // namespace
 
 void attack_records(Attack& attack) {
-  report::Json excitation{{"kind", "recorded"}, {"file", "record.txt"}};
+  Json excitation{{"kind", "recorded"}, {"file", "record.txt"}};
   if (attack.random.below(3) == 0) excitation["time_step_s"] = attack.random.uniform(0.001, 0.1);
-  const report::Json experiment{
+  const Json experiment{
       {"format", "rocking.experiment/1"}, {"block", {{"width_m", 1.0}, {"height_m", 8.0}}}, {"excitation", excitation}};
   attack.write("recorded.json", experiment.dump(1));
   JsonMutator mutator(attack.random.bits());

@@ -1,4 +1,4 @@
-// Reports and printed results that somebody edited.
+// Reports and outputs that were edited.
 
 #include <filesystem>
 #include <string>
@@ -10,7 +10,6 @@
 namespace rocking::fuzz {
 
 void attack_reports(Attack& attack) {
-  using report::Json;
   attack.copy_sound_run("out");
   std::filesystem::remove(attack.folder() / "out/report.html");
   const std::string text = attack.read("out/report.json");

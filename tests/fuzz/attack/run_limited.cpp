@@ -42,7 +42,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   if (setrlimit(what, &bound) != 0) _exit(127);
 }
 
-/// In the new process: never returns. Only functions that are allowed between fork and exec.
+/// In the new process; does not return. Uses only functions that are allowed between fork and exec.
 [[noreturn]] void become(const char* program, char* const* arguments, const char* folder, const Limits& limits,
                          int output, int errors) {
   static const std::array<char*, 5> environment{const_cast<char*>("PATH=/usr/local/bin:/usr/bin:/bin"),
@@ -60,7 +60,7 @@ void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
   _exit(127);
 }
 
-/// Reads both pipes to their ends, or until the time is up. Returns whether they ended.
+/// Reads both pipes to their ends, or until the time is up. Returns whether both ended.
 bool read_all(Pipe& output, Pipe& errors, Ending& ending, Clock::time_point until) {
   std::array<pollfd, 2> ready{pollfd{output.ends[0], POLLIN, 0}, pollfd{errors.ends[0], POLLIN, 0}};
   std::array<std::string*, 2> texts{&ending.output, &ending.errors};
@@ -101,12 +101,12 @@ Ending run_limited(const std::filesystem::path& program, const std::vector<std::
   const auto until = Clock::now() + std::chrono::seconds(limits.wall_seconds);
   bool ended = read_all(output, errors, ending, until);
   int status = 0;
-  while (ended && waitpid(child, &status, WNOHANG) == 0) {  // its streams are closed, and it should end
+  while (ended && waitpid(child, &status, WNOHANG) == 0) {  // its streams are closed, so that it should end
     if (Clock::now() >= until) ended = false;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   if (!ended) {
-    kill(-child, SIGKILL);  // with what it has started
+    kill(-child, SIGKILL);  // and the processes that it has started
     waitpid(child, &status, 0);
   }
   if (WIFEXITED(status)) ending.exit_code = WEXITSTATUS(status);

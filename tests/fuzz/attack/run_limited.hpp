@@ -7,7 +7,7 @@
 
 namespace rocking::fuzz {
 
-/// What a process may use. Beyond a limit the kernel ends it, or a request of it fails.
+/// Limits of a process. Beyond a limit the kernel ends the process or refuses its request.
 struct Limits {
   unsigned processor_seconds = 30;
   unsigned wall_seconds = 120;
@@ -17,14 +17,14 @@ struct Limits {
 
 /// How a process ended.
 struct Ending {
-  std::optional<int> exit_code;  ///< none where a signal ended it
+  std::optional<int> exit_code;  ///< absent if a signal ended it
   int signal = 0;
-  bool out_of_time = false;  ///< ended by us after `wall_seconds`, or by the kernel after `processor_seconds`
+  bool out_of_time = false;  ///< killed by us after `wall_seconds`, or by the kernel after `processor_seconds`
   std::string output;        ///< standard output
   std::string errors;        ///< standard error
 };
 
-/// Runs a program in `folder` with these arguments, an empty standard input and next to no environment.
+/// Runs a program in `folder` with these arguments, an empty standard input and a minimal environment.
 [[nodiscard]] Ending run_limited(const std::filesystem::path& program, const std::vector<std::string>& arguments,
                                  const std::filesystem::path& folder, const Limits& limits);
 

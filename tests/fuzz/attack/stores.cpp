@@ -1,4 +1,4 @@
-// Stores that are damaged: by a disk, or by somebody with a tool for SQLite.
+// Stores that are damaged, by a disk or by editing with SQLite.
 
 #include <cstdint>
 #include <filesystem>
@@ -56,7 +56,7 @@ constexpr const char* columns[] = {"part", "parts", "experiment", "experiment_sh
 constexpr const char* odd_values[] = {
     "0", "-1", "NULL", "''", "'x'", "9223372036854775807", "x'00ff'", "3", "1e300", "'<b>bold'", "char(27) || '[31m'"};
 
-/// A statement that changes a store. What the table does not allow fails, and the store stays sound.
+/// A statement that changes a store. If the table does not allow it, it fails and the store remains undamaged.
 std::string edit(Attack& attack) {
   const std::string row = std::to_string(attack.random.below(40));
   const std::string other = std::to_string(attack.random.below(40));
@@ -69,7 +69,7 @@ std::string edit(Attack& attack) {
     case 5: return "CREATE TRIGGER t AFTER INSERT ON realisations BEGIN DELETE FROM identity; END";
     case 6: return "DROP TABLE realisations";
     case 7: return "CREATE TABLE extra (x); CREATE VIEW v AS SELECT * FROM extra";
-    default:  // two rows change their places
+    default:  // two rows exchange their places
       return "UPDATE realisations SET realisation = -7 WHERE condition = 0 AND realisation = " + row +
              "; UPDATE realisations SET realisation = " + row + " WHERE condition = 0 AND realisation = " + other +
              "; UPDATE realisations SET realisation = " + other + " WHERE condition = 0 AND realisation = -7";

@@ -1,4 +1,4 @@
-// Titles, swept texts and names of folders that some program could take for its own language.
+// Titles, swept texts and names of folders that a program could interpret as its own language.
 
 #include <algorithm>
 #include <filesystem>
@@ -69,7 +69,6 @@ std::size_t pictures_in(const fs::path& folder) {
 }  // namespace
 
 void attack_texts(Attack& attack) {
-  using report::Json;
   Json experiment = Json::parse(attack.read(attack.sound().folder / "quick.json"));
   experiment["realisations"] = 4;
   experiment["title"] = odd_text(attack);
@@ -93,7 +92,7 @@ void attack_texts(Attack& attack) {
 
   const Ending ran = attack.run({"run", "odd.json", "-j", "1", "-q", "-o", folder}, {0, 64, 65});
   if (ran.exit_code == 64 && ran.errors.find("too long for SQLite") == std::string::npos) attack.find(ran.errors);
-  if (ran.exit_code != 0) return;  // what it refuses it may refuse
+  if (ran.exit_code != 0) return;  // a refusal is allowed
   attack.look_at_page(fs::path(folder) / "report.html");
   attack.run({"status", folder}, {0});
   const Ending told = attack.run({"report", folder, "--format", "csv,latex,html", "--json"}, {0});

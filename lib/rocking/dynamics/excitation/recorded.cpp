@@ -16,13 +16,13 @@ Knot at_rest(const Instant& instant) { return {.instant = instant, .horizontal =
 
 }  // namespace
 
-RecordedMotion::RecordedMotion(const std::vector<RecordSample>& samples, double frequency_parameter,
+NormalisedGroundMotion::NormalisedGroundMotion(const std::vector<GroundMotionSample>& samples, double frequency_parameter,
                                const Clock& clock) {
   constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
   knots_.reserve(samples.size() + 4);
   knots_.push_back(at_rest({.period = -2, .time = 0.0}));
   knots_.push_back(at_rest(samples.empty() ? never : instant_of(samples.front().time * frequency_parameter, clock)));
-  for (const RecordSample& sample : samples) {
+  for (const GroundMotionSample& sample : samples) {
     knots_.push_back({.instant = instant_of(sample.time * frequency_parameter, clock),
                       .horizontal = sample.horizontal,
                       .vertical = sample.vertical});
@@ -31,7 +31,7 @@ RecordedMotion::RecordedMotion(const std::vector<RecordSample>& samples, double 
   knots_.push_back(at_rest(never));
 }
 
-const Knot* RecordedMotion::last_reached(const Clock& clock) const {
+const Knot* NormalisedGroundMotion::last_reached(const Clock& clock) const {
   const auto is_reached = [&clock](const Knot& knot) { return clock.until(knot.instant) <= clock.resolution(); };
   return &*std::partition_point(knots_.begin() + 1, knots_.end() - 1, is_reached) - 1;
 }

@@ -15,7 +15,7 @@
 namespace rocking::dynamics {
 
 /// A sample of a recorded base acceleration.
-struct RecordSample {
+struct GroundMotionSample {
   double time;        ///< [s], from the start of the run; never falls, two equal times are a jump
   double horizontal;  ///< over g
   double vertical;    ///< over g
@@ -30,10 +30,10 @@ struct Knot {
 
 /// A recorded base motion on a run's clock: linear between samples, at rest before the first and after the last. Samples
 /// need not be evenly spaced. Every sample is a breakpoint, so that a step never crosses a kink.
-class RecordedMotion {
+class NormalisedGroundMotion {
  public:
   /// `frequency_parameter`: p, which turns seconds into normalised time.
-  RecordedMotion(const std::vector<RecordSample>& samples, double frequency_parameter, const Clock& clock);
+  NormalisedGroundMotion(const std::vector<GroundMotionSample>& samples, double frequency_parameter, const Clock& clock);
 
   /// The last knot that is reached; the piece goes from it to the knot behind it, which never is the last of all.
   [[nodiscard]] const Knot* last_reached(const Clock& clock) const;
@@ -54,7 +54,7 @@ class RecordedExcitation {
   static constexpr std::size_t piece_numbers = 9;
 
   /// `scale` of the vertical motion; the horizontal one's is the amplitude.
-  RecordedExcitation(std::shared_ptr<const RecordedMotion> motion, double scale)
+  RecordedExcitation(std::shared_ptr<const NormalisedGroundMotion> motion, double scale)
       : motion_(std::move(motion)), scale_(scale) {}
 
   [[nodiscard]] static double unit(const Geometry&) { return 1.0; }
@@ -136,7 +136,7 @@ class RecordedExcitation {
             .upwards_slope = upwards_slope};
   }
 
-  std::shared_ptr<const RecordedMotion> motion_;
+  std::shared_ptr<const NormalisedGroundMotion> motion_;
   double scale_;
 };
 

@@ -1,0 +1,24 @@
+#include "analysis/quantity.hpp"
+
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+
+double mean_of(const Json& quantity) {
+  if (quantity.is_number()) return quantity.get<double>();
+  if (quantity.contains("normal")) return quantity.at("normal").at("mean").get<double>();
+  const Json& ends = quantity.at("uniform");
+  return 0.5 * (ends.at(0).get<double>() + ends.at(1).get<double>());
+}
+
+std::string spoken_quantity(const Json& quantity) {
+  const auto spoken = [](const Json& number) { return significant(number.get<double>(), 6); };
+  if (quantity.is_number()) return spoken(quantity);
+  if (quantity.contains("uniform")) {
+    return spoken(quantity.at("uniform").at(0)) + " to " + spoken(quantity.at("uniform").at(1)) + " (drawn)";
+  }
+  const Json& normal = quantity.at("normal");
+  return spoken(normal.at("mean")) + " (drawn, standard deviation " + spoken(normal.at("sigma")) + ")";
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "rocking/section/response_mode.hpp"
+#include "rocking/stats/family.hpp"
+#include "rocking/stats/interval.hpp"
+
+namespace rocking {
+
+/// Number of realisations of a condition, by response mode.
+using ModeTally = std::map<section::ResponseMode, std::uint64_t>;
+
+/// The modes with the largest counts, `most` at most, in the order of the modes. Of equal counts the first modes.
+[[nodiscard]] std::vector<section::ResponseMode> most_frequent(const ModeTally& tally, std::size_t most);
+
+/// Whether statements are made about a response mode in every condition, whatever its data: (1,1), (1,3), chaotic,
+/// overturned, rest, unresolved. Statements about another (m,n) are made only where it occurs.
+[[nodiscard]] bool is_prespecified(const section::ResponseMode& mode);
+
+/// The family of all response modes; statements about them hold at once with probability `confidence`.
+[[nodiscard]] stats::Family mode_family(double confidence);
+
+/// The share of 1 - confidence that a statement about this mode takes in the family of all modes.
+[[nodiscard]] stats::Significance significance_of(const section::ResponseMode& mode, double confidence);
+
+/// The exact interval for the probability of a mode; the intervals of all modes hold at once with probability `confidence`.
+[[nodiscard]] stats::Interval simultaneous_interval(const section::ResponseMode& mode, const stats::Proportion& counts,
+                                                    double confidence);
+
+/// A tally as counts of that family.
+[[nodiscard]] stats::CategoryCounts category_counts(const ModeTally& tally);
+
+}  // namespace rocking

@@ -1,0 +1,99 @@
+#include "rocking/ensemble/pair_workers.hpp"
+
+#include <condition_variable>
+#include <memory>
+#include <mutex>
+
+#include "rocking/base/on_threads.hpp"
+#include "rocking/ensemble/group_scheduler.hpp"
+#include "rocking/ensemble/pair_in_progress.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+namespace {
+
+class PairWorkers {
+ public:
+  PairWorkers(const Experiment& experiment, const RunOptions& options, const PairFlow& flow)
+      : experiment_(&experiment), options_(&options), flow_(&flow) {}
+
+  void run() {
+    base::on_threads(
+        options_->threads, [this](unsigned) { work(); }, [this] { fail(); });
+  }
+
+ private:
+  void work() {
+    GroupScheduler<PairInProgress> scheduler(experiment_->seed, options_->lanes, options_->stop_requested);
+    try {
+      work_with(scheduler);
+    } catch (const base::Stopped&) {
+      // Realisations in progress are abandoned, as when the request is seen between two steps.
+    }
+    give_up(scheduler.size());
+  }
+
+  void work_with(GroupScheduler<PairInProgress>& scheduler) {
+    while (true) {
+      while (scheduler.wants_more()) {
+        const auto pair = next(scheduler.is_idle());
+        if (!pair) break;
+        const std::uint64_t count = effective_realisations(experiment_->conditions[pair->condition]);
+        scheduler.start(std::make_unique<PairInProgress>(*experiment_, *pair, count));
+      }
+      if (scheduler.is_idle() || options_->stop_requested.is_made()) return;
+      for (const auto& group : scheduler.work()) accept(*group);
+    }
+  }
+
+  void fail() {
+    const std::lock_guard lock(mutex_);
+    has_failed_ = true;
+    changed_.notify_all();
+  }
+
+  void accept(const PairInProgress& group) {
+    const auto summaries = group.summaries();
+    const std::lock_guard lock(mutex_);
+    flow_->accept(group.pair(), summaries);
+    --under_way_;
+    changed_.notify_all();
+  }
+
+  /// Pairs that a stopping thread has not finished are left to a later run.
+  void give_up(std::size_t pairs) {
+    const std::lock_guard lock(mutex_);
+    under_way_ -= pairs;
+    changed_.notify_all();
+  }
+
+  // A pair in progress may lead to more pairs: an idle thread waits for that.
+  [[nodiscard]] std::optional<Pair> next(bool may_wait) {
+    std::unique_lock lock(mutex_);
+    while (true) {
+      if (options_->stop_requested.is_made() || has_failed_) return std::nullopt;
+      if (const auto pair = flow_->next()) {
+        ++under_way_;
+        return pair;
+      }
+      if (under_way_ == 0 || !may_wait) return std::nullopt;
+      changed_.wait(lock);
+    }
+  }
+
+  const Experiment* experiment_;
+  const RunOptions* options_;
+  const PairFlow* flow_;
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  std::size_t under_way_ = 0;
+  bool has_failed_ = false;
+};
+
+}  // namespace
+
+void run_pairs(const Experiment& experiment, const RunOptions& options, const PairFlow& flow) {
+  PairWorkers(experiment, options, flow).run();
+}
+
+}  // namespace rocking

@@ -1,0 +1,137 @@
+#include "rocking/ensemble/reduction.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "rocking/ensemble/estimate_modes.hpp"
+#include "rocking/ensemble/work_list.hpp"
+#include "rocking/stats/diversity.hpp"
+#include "rocking/stats/quantile.hpp"
+
+namespace rocking {
+
+using section::ResponseKind;
+
+void DivergenceTally::add(const std::optional<std::int64_t>& diverged) {
+  ++pairs_;
+  if (diverged) ++times_[*diverged];
+}
+
+DivergenceTimes DivergenceTally::times() const {
+  DivergenceTimes result{.pairs = pairs_, .diverged = 0, .lower_quartile = {}, .median = {}, .upper_quartile = {}};
+  for (const auto& [time, count] : times_) result.diverged += count;
+  const std::uint64_t later = pairs_ - result.diverged;
+  result.lower_quartile = stats::censored_quantile(times_, later, 0.25);
+  result.median = stats::censored_quantile(times_, later, 0.5);
+  result.upper_quartile = stats::censored_quantile(times_, later, 0.75);
+  return result;
+}
+
+void Reduction::add(const Summary& summary) {
+  if (is_complete()) return;
+  ++modes_[summary.mode];
+  add_to_validity(summary);
+  add_to_pairs(summary);
+  if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
+  operations_ += summary.operations;
+  validity_.clamps += summary.clamps;
+  digest_.add(summary.digest);
+  ++realisations_;
+  if (!target_.is_final && realisations_ == target_.realisations) target_ = next_target(*condition_, target_, modes_);
+}
+
+void Reduction::add_to_validity(const Summary& summary) {
+  const std::uint64_t number = realisations_;
+  if (summary.left_ground) validity_.left_ground.add(number);
+  if (summary.termination == dynamics::Termination::painleve) validity_.painleve.add(number);
+  if (summary.termination == dynamics::Termination::stopped) validity_.stopped.add(number);
+  if (summary.in_transient) validity_.in_transient.add(number);
+  if (summary.was_past_balance) validity_.past_balance.add(number);
+  if (summary.met_contradiction) validity_.contradictions.add(number);
+  if (summary.was_clamped()) validity_.clamped.add(number);
+  const bool named = summary.mode.kind != ResponseKind::unresolved;
+  if (named && summary.held < 1.0) validity_.settled_late.add(number);
+  if (named) validity_.least_held = std::min(validity_.least_held, summary.held);
+  if (!named && summary.reason) validity_.unresolved[*summary.reason].add(number);
+}
+
+void Reduction::add_to_pairs(const Summary& summary) {
+  if (realisations_ % 2 == 0) {
+    first_of_pair_ = summary;
+  } else {
+    ++differing_pairs_.trials;
+    differing_pairs_.successes += summary.mode == first_of_pair_.mode ? 0 : 1;
+    by_friction_.add(first_of_pair_.diverged_from_next);
+  }
+  if (summary.rerun_mode) {
+    ++flips_.trials;
+    flips_.successes += *summary.rerun_mode == summary.mode ? 0 : 1;
+    by_arithmetic_.add(summary.rerun_diverged);
+  }
+}
+
+void Reduction::add_corrected(std::vector<ModeEstimate>& modes) const {
+  if (checked_.empty()) return;
+  for (auto& [mode, probability] : modes) {
+    stats::CheckedCounts counts{.classified = probability.counts};
+    for (const auto& [names, count] : checked_) {
+      counts.checked += count;
+      if (names.first != mode && names.second == mode) counts.gained += count;
+      if (names.first == mode && names.second != mode) counts.lost += count;
+    }
+    probability.corrected = Corrected{.counts = counts,
+                                      .estimate = stats::corrected_estimate(counts),
+                                      .interval = stats::corrected_interval(counts, condition_->confidence)};
+  }
+}
+
+ModeTally Reduction::listed_modes() const {
+  ModeTally listed = modes_;
+  listed.insert({{section::periodic(1, 1), 0},
+                 {section::periodic(1, 3), 0},
+                 {{.kind = ResponseKind::chaotic}, 0},
+                 {{.kind = ResponseKind::overturned}, 0}});
+  for (const auto& [names, count] : checked_) listed.insert({names.second, 0});
+  return listed;
+}
+
+NonRecurrence Reduction::non_recurrence() const {
+  std::vector<std::uint64_t> counts;
+  for (const auto& [mode, count] : modes_) counts.push_back(count);
+  NonRecurrence result{.differ = stats::probability_of_difference(counts),
+                       .differ_interval = stats::clopper_pearson(differing_pairs_, condition_->confidence),
+                       .entropy = stats::entropy(counts),
+                       .friction = by_friction_.times(),
+                       .arithmetic = by_arithmetic_.times(),
+                       .arithmetic_tolerance = rerun_tolerance(condition_->tolerance),
+                       .arithmetic_flips = flips_,
+                       .arithmetic_flips_interval = stats::clopper_pearson(flips_, condition_->confidence)};
+  // The estimate uses all pairs; the interval uses disjoint pairs only, which are independent. If the estimate lies outside
+  // the interval, the interval is extended, which can only increase its coverage.
+  result.differ_interval.low = std::min(result.differ_interval.low, result.differ);
+  result.differ_interval.high = std::max(result.differ_interval.high, result.differ);
+  return result;
+}
+
+void Reduction::add_anytime_intervals(std::vector<ModeEstimate>& modes) const {
+  const stats::StoppingRule rule = stopping_rule(*condition_);
+  for (auto& [mode, probability] : modes) {
+    probability.anytime = is_prespecified(mode) ? rule.interval_of_prespecified(probability.counts)
+                                                : rule.interval_of_others(probability.counts);
+  }
+}
+
+ConditionResult Reduction::result() const {
+  ConditionResult result;
+  result.realisations = realisations_;
+  result.modes = estimate_modes(listed_modes(), condition_->confidence);
+  if (realisations_ >= 2) result.non_recurrence = non_recurrence();
+  result.validity = validity_;
+  result.operations = operations_;
+  add_corrected(result.modes);
+  if (condition_->until) add_anytime_intervals(result.modes);
+  result.stopped_because = target_.cause;
+  return result;
+}
+
+}  // namespace rocking

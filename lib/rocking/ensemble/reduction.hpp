@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/ensemble/result.hpp"
+#include "rocking/ensemble/stopping.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/interval.hpp"
+#include "rocking/store/summary.hpp"
+
+namespace rocking {
+
+/// Counts in which period pairs of runs diverged.
+class DivergenceTally {
+ public:
+  void add(const std::optional<std::int64_t>& diverged);
+  [[nodiscard]] DivergenceTimes times() const;
+
+ private:
+  std::uint64_t pairs_ = 0;
+  std::map<std::int64_t, std::uint64_t> times_;  ///< number of pairs that diverged, by period
+};
+
+/// Counts, probabilities, non-recurrence and validity of one condition, from its realisations in order. Memory is
+/// proportional to the horizon, not to the number of realisations.
+class Reduction {
+ public:
+  explicit Reduction(const Condition& condition) : condition_(&condition), target_(first_target(condition)) {}
+
+  /// Takes the next realisation. If the condition is complete, it is ignored.
+  void add(const Summary& summary);
+  [[nodiscard]] std::uint64_t realisations() const { return realisations_; }
+  /// Whether all realisations of the condition have been added.
+  [[nodiscard]] bool is_complete() const { return target_.is_final && realisations_ == target_.realisations; }
+
+  [[nodiscard]] ConditionResult result() const;
+  /// Digest over the digests of the results in order. To be called once.
+  [[nodiscard]] base::Sha256 digest() { return digest_.finish(); }
+
+ private:
+  void add_to_validity(const Summary& summary);
+  void add_to_pairs(const Summary& summary);
+  [[nodiscard]] ModeTally listed_modes() const;
+  [[nodiscard]] NonRecurrence non_recurrence() const;
+  void add_corrected(std::vector<ModeEstimate>& modes) const;
+  void add_anytime_intervals(std::vector<ModeEstimate>& modes) const;
+
+  const Condition* condition_;
+  Target target_;
+  std::uint64_t realisations_ = 0;
+  ModeTally modes_;
+  Validity validity_;
+  OperationCounts operations_;
+  base::Sha256Builder digest_;
+  Summary first_of_pair_;
+  stats::Proportion differing_pairs_;
+  DivergenceTally by_friction_;
+  stats::Proportion flips_;
+  DivergenceTally by_arithmetic_;
+  std::map<std::pair<section::ResponseMode, section::ResponseMode>, std::uint64_t>
+      checked_;  ///< by mode and mode of the longer run
+};
+
+}  // namespace rocking

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/stopping_rule.hpp"
+
+namespace rocking {
+
+/// Why a condition has this number of realisations. Reports use the names of the enumerators.
+enum class StoppedBecause : std::uint8_t {
+  deterministic,          ///< nothing is random: one realisation suffices
+  all_realisations_done,  ///< the requested number
+  half_width_reached,     ///< all intervals are as narrow as requested
+  at_most_reached,        ///< they are not, but the largest allowed number was reached
+};
+
+[[nodiscard]] std::string_view to_string(StoppedBecause cause);
+
+/// Number of realisations that a condition needs, as far as known at present.
+struct Target {
+  std::uint64_t realisations = 0;
+  bool is_final = false;                                         ///< if not: look again at this number
+  StoppedBecause cause = StoppedBecause::all_realisations_done;  ///< if final
+};
+
+/// The target before any realisation is known.
+[[nodiscard]] Target first_target(const Condition& condition);
+
+/// The target after a look at the modes of the first `target.realisations`; `target` must not be final. Depends only on the
+/// condition and these modes, not on threads or interruptions.
+[[nodiscard]] Target next_target(const Condition& condition, const Target& target, const ModeTally& modes);
+
+/// The stopping rule of a condition with `until`.
+[[nodiscard]] stats::StoppingRule stopping_rule(const Condition& condition);
+
+}  // namespace rocking

@@ -1,0 +1,48 @@
+#include "rocking/input/ground_motion_files.hpp"
+
+#include "rocking/base/digest.hpp"
+#include "rocking/scene/rules.hpp"
+
+namespace rocking {
+namespace {
+constexpr std::size_t most_samples_held = 20 * rules::most_samples;  // half a gigabyte
+}
+
+const GroundMotionFiles::File& GroundMotionFiles::file(const std::string& name) {
+  const auto known = files_.find(name);
+  if (known != files_.end()) return known->second;
+  std::string text = source_(name, most_ground_motion_bytes);
+  std::string digest = base::to_hex(base::sha256(text));
+  return files_.emplace(name, File{std::move(text), std::move(digest)}).first->second;
+}
+
+std::shared_ptr<const GroundMotion> GroundMotionFiles::motion(const GroundMotionReading& how, Problems& problems) {
+  const Key key{how.name, how.time_step, how.gravity};
+  auto found = readings_.find(key);
+  if (found == readings_.end()) found = readings_.emplace(key, read(how)).first;
+  const Reading& reading = found->second;
+  problems.insert(problems.end(), reading.problems.begin(), reading.problems.end());
+  return reading.motion;
+}
+
+GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& how) {
+  Reading reading;
+  const std::string& text = file(how.name).text;
+  if (text.size() > most_ground_motion_bytes) {
+    reading.problems.push_back({how.name, "", "is longer than 64 MB", "give a shorter or coarser ground motion"});
+    return reading;
+  }
+  auto motion = read_ground_motion(text, how, reading.problems);
+  if (!motion) return reading;
+  samples_ += motion->samples.size();
+  if (samples_ > most_samples_held) {
+    reading.problems.push_back({how.name, "",
+                                "is needed with so many settings that these have more than 20 million samples together",
+                                "sweep fewer values of gravity, time step or file in one experiment"});
+    return reading;
+  }
+  reading.motion = std::make_shared<const GroundMotion>(std::move(*motion));
+  return reading;
+}
+
+}  // namespace rocking

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "rocking/input/read_ground_motion.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+
+/// The recorded motions that an experiment names. A file is opened when it is first asked for, and read once for all
+/// conditions that share it.
+class GroundMotionFiles {
+ public:
+  explicit GroundMotionFiles(FileSource source) : source_(std::move(source)) {}
+
+  /// The motion, or null where the file holds none; what is wrong with it is then told, each time.
+  /// Throws std::system_error where the file cannot be read.
+  [[nodiscard]] std::shared_ptr<const GroundMotion> motion(const GroundMotionReading& how, Problems& problems);
+
+  /// SHA-256 of the file's bytes, in lower-case hexadecimal. Throws as above.
+  [[nodiscard]] std::string digest(const std::string& name) { return file(name).digest; }
+
+ private:
+  struct File {
+    std::string text;
+    std::string digest;
+  };
+  struct Reading {
+    std::shared_ptr<const GroundMotion> motion;
+    Problems problems;
+  };
+  using Key = std::tuple<std::string, std::optional<double>, double>;
+
+  [[nodiscard]] const File& file(const std::string& name);
+  [[nodiscard]] Reading read(const GroundMotionReading& how);
+
+  FileSource source_;
+  std::map<std::string, File> files_;
+  std::map<Key, Reading> readings_;
+  std::size_t samples_ = 0;  ///< held by all readings
+};
+
+}  // namespace rocking

@@ -1,0 +1,102 @@
+#include "rocking/input/read_excitation.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "rocking/input/read_quantity.hpp"
+#include "rocking/scene/defaults.hpp"
+#include "rocking/scene/rules.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::array<std::string_view, 2> kinds{"harmonic", "recorded"};
+
+Harmonic read_harmonic(ObjectReader& keys) {
+  Harmonic excitation;
+  excitation.amplitude = keys.number("amplitude", rules::amplitude);
+  excitation.frequency_ratio = keys.number("frequency_ratio", rules::frequency_ratio);
+  excitation.phase = read_quantity(keys, "phase_rad", rules::phase.with_default(mean_of(excitation.phase)));
+  return excitation;
+}
+
+std::string read_file_name(ObjectReader& keys) {
+  const Json* found = keys.value("file");
+  if (found == nullptr) {
+    keys.reject("file", "is missing",
+                "add \"file\": \"record.txt\", its path relative to the folder of the experiment file");
+    return {};
+  }
+  const std::string name = keys.text("file", "");
+  if (!found->is_string()) return {};
+  if (!name.empty() && name.find('\0') == std::string::npos) return name;
+  keys.reject("file", "is not the name of a file", "give its path relative to the folder of the experiment file");
+  return {};
+}
+
+void check_digest(ObjectReader& keys, const std::string& digest) {
+  const Json* found = keys.value("sha256");
+  if (found == nullptr) return;
+  std::string written = found->is_string() ? found->get<std::string>() : std::string();
+  std::transform(written.begin(), written.end(), written.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (written == digest) return;
+  keys.reject("sha256", "is not the digest of the file, which is " + digest,
+              "restore the intended file, or omit \"sha256\" to accept the present one");
+}
+
+void refuse(ObjectReader& keys, std::string_view key, std::string reason, std::string remedy) {
+  if (keys.has(key)) keys.reject(key, std::move(reason), std::move(remedy));
+}
+
+/// Its ground motion is null where anything is wrong with it; the problems are reported.
+Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading) {
+  Recorded excitation;
+  refuse(keys, "amplitude", "is for harmonic excitation; a ground motion has a scale", "write \"scale\" instead");
+  refuse(keys, "phase_rad", "is for harmonic excitation; a ground motion has no phase",
+         "shift the times of the ground motion");
+  const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
+  GroundMotionReading how{.name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
+  if (!how.name.empty()) {
+    const std::string digest = reading.files.digest(how.name);
+    check_digest(keys, digest);
+    keys.write("sha256", digest);
+  } else {
+    static_cast<void>(keys.has("sha256"));
+  }
+  excitation.scale = keys.number("scale", rules::scale.with_default(excitation.scale));
+  if (keys.has("time_step_s")) {
+    const std::size_t problems_before = keys.problems().size();
+    how.time_step = keys.number("time_step_s", rules::time_step);
+    if (keys.problems().size() != problems_before) how.name.clear();
+  }
+  const double strobe = block_is_sound ? strobe_once_a_second(block) : 1.0;
+  excitation.frequency_ratio =
+      keys.derived_number("frequency_ratio", rules::frequency_ratio, strobe, reading.of_recorded);
+  if (how.name.empty()) return excitation;
+  auto motion = reading.files.motion(how, keys.problems());  // what is wrong with it is told whatever the block
+  if (block_is_sound) excitation.ground_motion = std::move(motion);
+  return excitation;
+}
+
+}  // namespace
+
+Excitation read_excitation(ObjectReader& in, const dynamics::Block& block, const SceneReading& reading) {
+  Excitation excitation;
+  in.object("excitation", [&](ObjectReader& keys) {
+    const std::size_t problems_before = keys.problems().size();
+    const std::size_t kind = keys.choice("kind", kinds, 0);
+    if (keys.problems().size() != problems_before) return keys.ignore_others();
+    switch (kind) {
+      case 0: excitation = read_harmonic(keys); break;
+      default: excitation = read_recorded(keys, block, reading);
+    }
+  });
+  return excitation;
+}
+
+}  // namespace rocking

@@ -1,0 +1,217 @@
+#include "rocking/input/read_experiment.hpp"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rocking/input/read_question.hpp"
+#include "rocking/input/sweep.hpp"
+#include "rocking/scene/relations.hpp"
+#include "rocking/text/locate.hpp"
+#include "rocking/text/parse_json.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::size_t most_bytes = 64'000'000;
+constexpr std::size_t enough_problems = 10;  // of a file without its sweep: the sweep is then left aside
+constexpr std::size_t most_problems = 20;  // a bad sweep must not bury its first message
+
+// Replaces values of the file by those of the command line.
+void apply(const Overrides& overrides, Json& document) {
+  if (!document.is_object()) return;
+  if (overrides.seed) document["seed"] = *overrides.seed;
+  if (overrides.realisations) {
+    const Json number = Json::parse(*overrides.realisations, nullptr, false);
+    document["realisations"] = number.is_number() ? number : Json(*overrides.realisations);
+  }
+}
+
+// Tells a user of the flag that is wrong, not of the key that it replaced.
+void name_flags(const Overrides& overrides, Problems& problems) {
+  for (base::Problem& problem : problems) {
+    if (overrides.seed && problem.place == "/seed") problem.place = "--seed";
+    if (overrides.realisations && problem.place == "/realisations") problem.place = "--realisations";
+  }
+}
+
+bool is_same(const base::Problem& a, const base::Problem& b) {
+  return a.place == b.place && a.value == b.value && a.reason == b.reason;
+}
+
+// Tells values as they are written.
+void check_relations_of(const Condition& condition, const Json& document, Problems& problems) {
+  const std::size_t problems_before = problems.size();
+  check_relations(condition, problems);
+  for (std::size_t i = problems_before; i < problems.size(); ++i) {
+    const Json::json_pointer place(problems[i].place);
+    problems[i].value = document.contains(place) ? brief(document.at(place)) : "";
+  }
+}
+
+class ExperimentBuilder {
+ public:
+  ExperimentBuilder(Json document, const Surroundings& surroundings, Problems problems)
+      : document_(std::move(document)),
+        files_(surroundings.files),
+        most_conditions_(surroundings.most_conditions),
+        problems_(std::move(problems)) {}
+
+  Experiment build(const Overrides& overrides) {
+    apply(overrides, document_);
+    Problems found;
+    Question base = read_question(document_, files_, found);
+    // Merging and sweeping compare keys with each other, which takes hours where there are 10^5 of them.
+    const bool is_hopeless = found.size() > enough_problems;
+    const bool swept = !is_hopeless && document_.is_object() && document_.contains("sweep");
+    if (swept) read_axes(base.canonical, overrides, found);
+    merge(found, "");
+    if (!is_hopeless && document_.is_object() && problems_.size() < most_problems) build_conditions();
+    name_flags(overrides, problems_);
+    if (problems_.size() > most_problems) problems_.resize(most_problems);
+    if (!problems_.empty()) throw base::InputError(std::move(problems_));
+    if (swept) base.canonical["sweep"] = canonical_sweep();
+    return {.title = base.title,
+            .seed = base.seed,
+            .conditions = std::move(conditions_),
+            .canonical_text = base.canonical.dump(),
+            .sweep_sizes = sweep_sizes()};
+  }
+
+ private:
+  void read_axes(const Json& canonical, const Overrides& overrides, Problems& found) {
+    Json known = canonical;
+    known.merge_patch(document_);  // a place whose value is refused is a place nonetheless
+    Problems of_sweep;
+    axes_ = read_sweep(document_["sweep"], known, most_conditions_, of_sweep);
+    refuse_swept_flag(overrides, of_sweep);
+    if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
+    found.insert(found.end(), of_sweep.begin(), of_sweep.end());
+  }
+
+  void refuse_swept_flag(const Overrides& overrides, Problems& problems) const {
+    if (!overrides.realisations) return;
+    for (const SweepAxis& axis : axes_) {
+      if (axis.pointer != "/realisations") continue;
+      problems.push_back({"--realisations", *overrides.realisations, "the sweep of the file sets the realisations",
+                          "omit the flag"});
+    }
+  }
+
+  void merge(const Problems& found, const std::string& where) {
+    for (const base::Problem& problem : found) {
+      const auto known = [&problem](const base::Problem& other) { return is_same(problem, other); };
+      if (std::any_of(seen_.begin(), seen_.end(), known)) continue;
+      seen_.push_back(problem);
+      problems_.push_back(problem);
+      problems_.back().reason += where;
+    }
+  }
+
+  // Every condition is read as a file of its own, in which the swept values stand in their places.
+  void build_conditions() {
+    const std::size_t size = grid_size(axes_);
+    Json document = document_;
+    if (!axes_.empty()) document["sweep"] = swept_places();
+    for (std::size_t index = 0; index < size && problems_.size() < most_problems; ++index) {
+      const auto values = grid_point(axes_, index);
+      std::string where;
+      for (std::size_t i = 0; i < axes_.size(); ++i) {
+        if (!put(document, axes_[i].pointer, *values[i])) return;
+        where += (i == 0 ? " (where the sweep sets " : ", ") + axes_[i].pointer + " = " + brief(*values[i]);
+      }
+      if (!where.empty()) where += ')';
+      Problems found;
+      Question question = read_question(document, files_, found);
+      check_relations_of(question.condition, document, found);
+      merge(found, where);
+      if (problems_.empty()) keep(std::move(question), index);
+    }
+  }
+
+  // The sweep without its values, which no condition needs.
+  Json swept_places() const {
+    Json places = Json::array();
+    for (const SweepAxis& axis : axes_) places.push_back({{"parameter", axis.pointer}});
+    return places;
+  }
+
+  // A place that cannot be reached belongs to a part of the file that was already refused.
+  static bool put(Json& document, const std::string& pointer, const Json& value) {
+    try {
+      document[Json::json_pointer(pointer)] = value;
+      return true;
+    } catch (const Json::exception&) {
+      return false;
+    }
+  }
+
+  void keep(Question question, std::size_t index) {
+    std::size_t stride = grid_size(axes_);
+    for (SweepAxis& axis : axes_) {
+      stride /= axis.values.size();
+      const Json& canonical = question.canonical.at(Json::json_pointer(axis.pointer));
+      question.condition.parameters.push_back({axis.pointer, canonical.dump()});
+      // The first condition with this value, at the first values of the others, gives its canonical form.
+      const std::size_t place = (index / stride) % axis.values.size();
+      if (index == place * stride) axis.canonical_values.push_back(canonical);
+    }
+    conditions_.push_back(std::move(question.condition));
+  }
+
+  std::vector<std::size_t> sweep_sizes() const {
+    std::vector<std::size_t> sizes;
+    for (const SweepAxis& axis : axes_) sizes.push_back(axis.values.size());
+    return sizes;
+  }
+
+  Json canonical_sweep() const {
+    Json sweep = Json::array();
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      Json entry = Json::object();
+      entry["parameter"] = axes_[i].pointer;
+      if (axes_[i].evenly_spaced) {
+        for (const char* key : {"from", "to", "step"}) entry[key] = document_["sweep"][i][key].get<double>();
+      } else {
+        entry["values"] = axes_[i].canonical_values;
+      }
+      sweep.push_back(std::move(entry));
+    }
+    return sweep;
+  }
+
+  Json document_;
+  GroundMotionFiles files_;
+  std::size_t most_conditions_;
+  Problems problems_;
+  Problems seen_;
+  std::vector<SweepAxis> axes_;
+  std::vector<Condition> conditions_;
+};
+
+}  // namespace
+
+Experiment read_experiment(std::string_view text, const Overrides& overrides,
+                                       const Surroundings& surroundings) {
+  Problems problems;
+  Json document = parse_json(text, problems);
+  return ExperimentBuilder(std::move(document), surroundings, std::move(problems)).build(overrides);
+}
+
+Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides) {
+  const std::string text = read_file(path, most_bytes);
+  if (text.size() > most_bytes) {
+    throw base::InputError({.place = path.string(),
+                            .value = "",
+                            .reason = "is longer than 64 MB",
+                            .remedy = "give a range instead of a list of values"});
+  }
+  try {
+    return read_experiment(text, overrides, {.files = files_seen_from(path.parent_path())});
+  } catch (const base::InputError& error) {
+    throw located(error, text, path.string());
+  }
+}
+
+}  // namespace rocking

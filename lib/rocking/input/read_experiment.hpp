@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/sweep.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+
+/// Values from the command line that replace those of the file. Checked as if they stood there.
+struct Overrides {
+  std::optional<std::string> seed;          ///< `--seed`
+  std::optional<std::string> realisations;  ///< `--realisations`
+};
+
+/// What an experiment file may draw on beside its own text, and how far it may go.
+struct Surroundings {
+  FileSource files = files_seen_from(".");  ///< for the recorded motions that it names
+  std::size_t most_conditions = rocking::most_conditions;
+};
+
+/// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every condition.
+/// Throws InputError with all problems found, and std::system_error where a file that it names cannot be read.
+[[nodiscard]] Experiment read_experiment(std::string_view text, const Overrides& overrides = {},
+                                                     const Surroundings& surroundings = {});
+
+/// The same from a file, from whose folder the files that it names are seen. Throws std::system_error with the path where
+/// it cannot be read.
+[[nodiscard]] Experiment read_experiment_file(const std::filesystem::path& path,
+                                                          const Overrides& overrides = {});
+
+}  // namespace rocking

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace rocking {
+
+/// What a report says of itself.
+struct ReportClaims {
+  std::string experiment;  ///< text of `input.experiment`, canonical if nobody changed it
+  std::string sha256;      ///< `input.sha256`
+  std::string code;        ///< `system.version` and `system.revision`
+};
+
+/// Throws InputError where the text is no report.
+[[nodiscard]] ReportClaims read_report(std::string_view text);
+
+}  // namespace rocking

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "rocking/integrate/hybrid.hpp"
+#include "rocking/lanes/kernels.hpp"
+#include "rocking/lanes/lane_state.hpp"
+#include "rocking/lanes/motion_adapter.hpp"
+#include "rocking/lanes/transfer.hpp"
+
+namespace rocking::lanes {
+
+/// What the steps in the lanes of one group have in common.
+struct StepKind {
+  std::size_t excitation = 0;  ///< dynamics::Excitation::index
+  Kind kind = Kind::rock;
+
+  [[nodiscard]] std::size_t index() const { return excitation * kind_count + static_cast<std::size_t>(kind); }
+  friend bool operator==(const StepKind&, const StepKind&) = default;
+};
+inline constexpr std::size_t step_kind_count = dynamics::excitation_kinds * kind_count;
+
+/// The kind with this index().
+[[nodiscard]] constexpr StepKind step_kind(std::size_t index) {
+  return {.excitation = index / kind_count, .kind = static_cast<Kind>(index % kind_count)};
+}
+
+/// The kind of the coming step; empty if no lane can compute it.
+template <class Motion>
+[[nodiscard]] std::optional<StepKind> kind_of(Motion& motion) {
+  if (!adapt(motion).has_ordinary_step()) return std::nullopt;
+  const bool is_brief = motion.is_brief();
+  const Kind kind = motion.slips() ? (is_brief ? Kind::rock_slide_briefly : Kind::rock_slide)
+                    : motion.coefficients().has_friction()
+                        ? (is_brief ? Kind::rock_with_friction_briefly : Kind::rock_with_friction)
+                        : (is_brief ? Kind::rock_briefly : Kind::rock);
+  return StepKind{motion.excitation().index(), kind};
+}
+
+/// Runs of a kind: those in lanes, and those that wait for a lane. It transfers data between a lane and its run.
+template <class Run>
+class LaneGroup {
+ public:
+  [[nodiscard]] LaneState& block() { return *block_; }
+  [[nodiscard]] std::uint32_t occupied() const { return occupied_; }
+  [[nodiscard]] Run& run(std::size_t lane) const { return *runs_[lane]; }
+
+  void wait(Run& run) { waiting_.push_back(&run); }
+  [[nodiscard]] bool has_waiting() const { return !waiting_.empty(); }
+
+  /// Puts the run that waited for the shortest time into a free lane.
+  void fill(std::size_t lane) {
+    runs_[lane] = waiting_.back();
+    waiting_.pop_back();
+    occupied_ |= 1U << lane;
+    const ComingStep step = adapt(run(lane).motion()).coming_step();
+    load(*block_, lane, step);
+    load_known_intervals(lane, step);
+  }
+
+  /// The run continues in its lane after an event or a breakpoint.
+  void stay(std::size_t lane) {
+    const ComingStep step = adapt(run(lane).motion()).coming_step();
+    load_step(*block_, lane, step);
+    load_known_intervals(lane, step);
+  }
+
+  void vacate(std::size_t lane) {
+    occupied_ &= ~(1U << lane);
+    block_->occupied[lane] = 0.0;
+  }
+
+  void pass_strobe(std::size_t lane) { adapt(run(lane).motion()).pass_strobe(strobe_point(*block_, lane)); }
+
+  void pass_impact(std::size_t lane) {
+    const LaneProgress here = progress(*block_, lane);
+    run(lane).counts().steps += here.steps;
+    block_->steps[lane] = 0.0;
+    adapt(run(lane).motion()).pass_impact(here);
+  }
+
+  /// The run takes over the steps that its lane has computed. Steps on the friction grid pass a breakpoint each.
+  /// `at_breakpoint`: the lane is at a breakpoint at which its motion must continue.
+  void catch_up(std::size_t lane, const StepKind& kind, bool at_breakpoint) {
+    auto& motion = run(lane).motion();
+    LaneProgress here = progress(*block_, lane);
+    run(lane).counts().steps += here.steps;
+    run(lane).counts().root_isolations += count(block_->root_isolations[lane]);
+    if (motion.excitation().has_knots()) {
+      here.breakpoints = count(block_->breakpoints[lane]);
+    } else if (kind.kind == Kind::rock_slide_briefly) {
+      here.breakpoints = here.steps;
+      here.intervals = here.steps - (at_breakpoint ? 1 : 0);
+    }
+    here.at_breakpoint = at_breakpoint;
+    adapt(motion).catch_up(here);
+  }
+
+  /// After catch_up: the run completes the step that its lane has computed, or does it alone.
+  void finish_step(std::size_t lane) {
+    auto& motion = run(lane).motion();
+    if ((block_->alone >> lane & 1U) != 0) return integrate::step(motion, run(lane).counts());
+    ++run(lane).counts().steps;
+    if ((block_->at_last_strobe >> lane & 1U) != 0) return adapt(motion).finish_at_strobe(strobe_point(*block_, lane));
+    adapt(motion).finish_step(end_of_step(*block_, lane), fired(*block_, lane));
+  }
+
+ private:
+  void load_known_intervals(std::size_t lane, const ComingStep& step) {
+    auto& motion = run(lane).motion();
+    if (!motion.slips() || !motion.is_brief() || motion.excitation().has_knots()) return;
+    load_intervals(*block_, lane, adapt(motion).known_intervals(), step.clock->start());
+  }
+
+  std::unique_ptr<LaneState> block_ = std::make_unique<LaneState>();
+  std::array<Run*, most_lanes> runs_{};
+  std::uint32_t occupied_ = 0;
+  std::vector<Run*> waiting_;
+};
+
+}  // namespace rocking::lanes

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <type_traits>
+#include <utility>
+
+#include "rocking/dynamics/coefficients.hpp"
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/dynamics/motion_progress.hpp"
+#include "rocking/lanes/lane_values.hpp"
+
+namespace rocking::lanes {
+
+/// What the lanes need of a motion (dynamics::BlockMotion): the numbers of its coming step, and the consequences of
+/// steps that a lane has computed. The motion itself does not know lanes.
+template <class Motion>
+class MotionAdapter {
+ public:
+  explicit MotionAdapter(Motion& motion) : motion_(motion) {}
+
+  /// Whether a lane can compute the coming step.
+  [[nodiscard]] bool has_ordinary_step() const { return !motion_.ended() && motion_.armed_guards().is_ordinary(); }
+
+  [[nodiscard]] ComingStep coming_step() {
+    const dynamics::State& state = motion_.state();
+    const dynamics::Setting& setting = motion_.setting();
+    const double side = state.side;
+    const double restitution = constant_restitution();
+    return {.setting = &setting,
+            .clock = &motion_.clock(),
+            .state = {.tilt = side * state.tilt,
+                      .tilt_rate = side * state.tilt_rate,
+                      .slip = side * state.slip,
+                      .slip_rate = side * state.slip_rate},
+            .amplitude = side * motion_.base_amplitude(),
+            .static_friction = motion_.coefficients().static_friction(),
+            .kinetic_friction = motion_.kinetic_friction(),
+            .restitution = restitution,
+            .impact_loss = dynamics::impact_loss(restitution, setting.block),
+            .least_rebound = motion_.fastest_small_hop(),
+            .slip_sign = side * state.slip_direction,
+            .next_strobe = motion_.strobes().next(),
+            .strobes_left = motion_.strobes().left(),
+            .steps_since_strobe = motion_.strobes().steps_since_last(),
+            .breakpoint = motion_.breakpoint().value_or(never),
+            .coefficients_change = coefficients_change(),
+            .excitation = &motion_.excitation()};
+  }
+
+  /// The coming intervals of the friction grid, if the steps of a rock-slide stay ordinary and brief in them; else
+  /// none. Each interval ends at a boundary of the grid (dynamics::grid_boundary), so there are none while the base
+  /// motion has a breakpoint to come.
+  [[nodiscard]] dynamics::KnownIntervals known_intervals() const {
+    if constexpr (knows_coming_coefficients) {
+      if (motion_.excitation().has_knots() || motion_.excitation().next_change(motion_.clock())) return {};
+      if (motion_.determinant_may_vanish(motion_.coefficients().static_friction())) return {};  // mu_k <= mu_s
+      const dynamics::KnownIntervals known = motion_.coefficients().known_intervals();
+      if (static_cast<double>(known.per_period) * dynamics::brief_step > 1.0) return known;
+    }
+    return {};
+  }
+
+  /// A strobe instant has been passed in a lane.
+  void pass_strobe(const SideState& sample) { motion_.pass_strobe(from_frame(sample)); }
+
+  /// An impact at the end of a lane's steps, which sticks and ends no chatter. `progress` is in the frame of the new
+  /// side.
+  void pass_impact(const LaneProgress& progress) {
+    const double rate_after = -motion_.state().side * progress.state.tilt_rate;
+    motion_.take_over({.state = motion_.state(),
+                       .now = progress.now,
+                       .count = progress.steps,
+                       .since_strobe = progress.steps_since_strobe});
+    motion_.rebound(rate_after);
+  }
+
+  /// The motion continues where its lane has come to.
+  void catch_up(const LaneProgress& progress) {
+    motion_.take_over({.state = from_frame(progress.state),
+                       .now = progress.now,
+                       .count = progress.steps,
+                       .since_strobe = progress.steps_since_strobe});
+    if constexpr (knows_coming_coefficients) {
+      if (progress.intervals > 0) motion_.pass_intervals(progress.intervals);
+    }
+    if (progress.breakpoints == 0) return;
+    motion_.pass_breakpoints(progress.at_breakpoint ? dynamics::Contact::to_be_checked : dynamics::Contact::stays);
+  }
+
+  /// A step of a lane in which an event may occur. `fired` is indexed by dynamics::Guard.
+  template <class Fired>
+  void finish_step(const StepEnd& end, const Fired& fired) {
+    motion_.begin_step();
+    const bool at_breakpoint = end.duration >= motion_.time_to_breakpoint() - motion_.time_resolution();
+    if (end.strobe) pass_strobe(*end.strobe);
+    motion_.end_step(end.duration, from_frame(end.state));
+    motion_.reset(fired, at_breakpoint);
+  }
+
+  /// A step of a lane in which the last strobe instant comes before any event. The motion ends where the step began.
+  void finish_at_strobe(const SideState& sample) {
+    motion_.begin_step();
+    pass_strobe(sample);
+  }
+
+ private:
+  static constexpr bool knows_coming_coefficients =
+      dynamics::KnowsComingCoefficients<std::remove_cvref_t<decltype(std::declval<Motion&>().coefficients())>>;
+
+  [[nodiscard]] double constant_restitution() const {
+    if constexpr (knows_coming_coefficients) {
+      if (const std::optional<double> restitution = motion_.coefficients().constant_restitution()) return *restitution;
+    }
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  /// The next breakpoint that is not the base motion's; needed only where the base motion has breakpoints.
+  [[nodiscard]] dynamics::Instant coefficients_change() const {
+    if (!motion_.excitation().has_knots()) return never;
+    return motion_.coefficients().next_change(motion_.clock(), motion_.slips()).value_or(never);
+  }
+
+  [[nodiscard]] dynamics::State from_frame(const SideState& lane) const {
+    dynamics::State state = motion_.state();
+    state.tilt = state.side * lane.tilt;
+    state.tilt_rate = state.side * lane.tilt_rate;
+    if (motion_.slips()) {
+      state.slip = state.side * lane.slip;
+      state.slip_rate = state.side * lane.slip_rate;
+    }
+    return state;
+  }
+
+  Motion& motion_;
+};
+
+template <class Motion>
+[[nodiscard]] MotionAdapter<Motion> adapt(Motion& motion) {
+  return MotionAdapter<Motion>(motion);
+}
+
+}  // namespace rocking::lanes

@@ -1,0 +1,168 @@
+#include "rocking/output/mode_table.hpp"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+using section::ResponseMode;
+
+constexpr std::size_t gap = 2;
+constexpr std::size_t cell_width = std::string_view("100.0 [100.0, 100.0]").size() + gap;
+constexpr std::size_t rest_width = std::string_view("others").size() + gap;
+constexpr std::size_t mark_width = 2;
+constexpr std::size_t shortest_bar = 12;
+constexpr std::size_t longest_bar = 24;
+constexpr std::size_t modes_beside_a_bar = 3;
+
+// The modes that occur anywhere, in their order, with their counts.
+ModeTally occurring_modes(std::span<const TableRow> conditions) {
+  ModeTally modes;
+  for (const TableRow& condition : conditions) {
+    for (const TableEntry& entry : condition.modes) {
+      if (entry.count > 0) modes[entry.mode] += entry.count;
+    }
+  }
+  return modes;
+}
+
+std::string cell(const TableRow& condition, const ResponseMode& mode) {
+  const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
+  if (found == condition.modes.end() || found->count == 0) return ".";
+  return per_cent(found->estimate) + ' ' + per_cent(found->interval);
+}
+
+std::uint64_t count_of(const TableRow& condition, const ResponseMode& mode) {
+  const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
+  return found == condition.modes.end() ? 0 : found->count;
+}
+
+std::uint64_t others_in(const TableRow& condition, const std::vector<ResponseMode>& shown) {
+  std::uint64_t others = condition.realisations;
+  for (const ResponseMode& mode : shown) others -= count_of(condition, mode);
+  return others;
+}
+
+std::string rest_of(const TableRow& condition, const std::vector<ResponseMode>& shown) {
+  const std::uint64_t count = others_in(condition, shown);
+  if (count == 0) return ".";
+  return per_cent(static_cast<double>(count) / static_cast<double>(condition.realisations));
+}
+
+std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& shown, const BarLook& look) {
+  std::vector<std::uint64_t> counts;
+  for (const ResponseMode& mode : shown) counts.push_back(count_of(condition, mode));
+  counts.resize(most_marks, 0);
+  counts.back() = others_in(condition, shown);
+  return share_bar(counts, look);
+}
+
+TextRow leading_cells(const TableRow& condition) {
+  TextRow row;
+  for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
+  row.push_back(std::to_string(condition.realisations));
+  return row;
+}
+
+std::vector<TextRow> leading_columns(std::span<const TableRow> conditions) {
+  TextRow header;
+  for (const Parameter& parameter : conditions.front().parameters) header.push_back(last_key(parameter.pointer));
+  header.emplace_back("n");
+  std::vector<TextRow> rows{header};
+  for (const TableRow& condition : conditions) rows.push_back(leading_cells(condition));
+  return rows;
+}
+
+std::size_t width_of(const std::vector<TextRow>& rows) {
+  const std::string text = aligned(rows);
+  return letters_in(text.substr(0, text.find('\n')));
+}
+
+// Number of columns of modes, and length of a bar in letters, 0 for no bar.
+struct Layout {
+  std::size_t modes = 1;
+  std::size_t bar = 0;
+};
+
+Layout layout_of(std::size_t used, std::size_t occurring, const TableLook& look) {
+  const auto room_beside = [&](std::size_t taken) {
+    return taken < look.width ? std::max<std::size_t>(1, (look.width - taken) / cell_width) : 1;
+  };
+  const std::size_t with_bar = used + mark_width + gap + shortest_bar;
+  const std::size_t modes = std::min({room_beside(with_bar), occurring, most_marks - 1});
+  const bool drawn = look.bars && occurring > 1 && modes >= std::min(occurring, modes_beside_a_bar);
+  if (!drawn) return {.modes = room_beside(used), .bar = 0};
+  const std::size_t left = look.width - std::min(look.width, with_bar + modes * cell_width);
+  return {.modes = modes, .bar = std::min(longest_bar, shortest_bar + left)};
+}
+
+/// In six digits; for a number just below 1 in as many as distinguish it from 1.
+std::string digits_of(double number) {
+  constexpr int most_digits = 17;
+  std::string text;
+  for (int digits = 6; digits <= most_digits; ++digits) {
+    text = significant(number, digits);
+    if (text != "1" || number >= 1.0) break;
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string short_value(const Parameter& parameter) {
+  const Json value = Json::parse(parameter.value);
+  if (value.is_number_float()) return digits_of(value.get<double>());
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_object()) return brief(value);
+  std::string text;
+  for (const auto& [key, part] : value.items()) {
+    if (!text.empty()) text += '/';
+    text += part.is_number() ? significant(part.get<double>(), 6) : brief(part);
+  }
+  return text;
+}
+
+std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result) {
+  std::vector<TableRow> rows;
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    const ConditionResult& condition = result.conditions[i];
+    TableRow row{.parameters = experiment.conditions[i].parameters, .realisations = condition.realisations, .modes = {}};
+    for (const auto& [mode, probability] : condition.modes) {
+      row.modes.push_back({.mode = mode,
+                           .count = probability.counts.successes,
+                           .estimate = probability.estimate,
+                           .interval = probability.anytime.value_or(probability.simultaneous)});
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
+  if (conditions.empty()) return {};
+  std::vector<TextRow> rows = leading_columns(conditions);
+  const auto occurring = occurring_modes(conditions);
+  const Layout layout = layout_of(width_of(rows) + rest_width, occurring.size(), look);
+  const std::vector<ResponseMode> shown = most_frequent(occurring, layout.modes);
+  const bool with_others = shown.size() < occurring.size();
+  const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
+  for (std::size_t i = 0; i < shown.size(); ++i) rows[0].push_back(mark(i) + to_string(shown[i]));
+  if (with_others) rows[0].push_back(mark(most_marks - 1) + "others");
+  if (layout.bar > 0) rows[0].emplace_back("shares");
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const TableRow& condition = conditions[i];
+    for (const ResponseMode& mode : shown) rows[i + 1].push_back(cell(condition, mode));
+    if (with_others) rows[i + 1].push_back(rest_of(condition, shown));
+    if (layout.bar > 0) rows[i + 1].push_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
+  }
+  return aligned(rows);
+}
+
+}  // namespace rocking

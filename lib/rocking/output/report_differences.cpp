@@ -1,0 +1,44 @@
+#include "rocking/output/report_differences.hpp"
+
+#include "rocking/text/json.hpp"
+#include "rocking/text/parse_json.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::size_t most_listed = 10;
+
+void list_differences(const Json& claimed, const Json& right, std::vector<std::string>& list) {
+  for (const Json& step : Json::diff(claimed, right)) {
+    if (list.size() == most_listed) return;
+    const auto place = step["path"].get<std::string>();
+    const std::string operation = step["op"];
+    if (operation == "remove") {
+      list.push_back(place + " should not be there");
+    } else if (operation == "add") {
+      list.push_back(place + " is missing; it is " + brief(step["value"]));
+    } else {
+      list.push_back(place + " is " + brief(claimed.at(Json::json_pointer(place))) + ", not " + brief(step["value"]));
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> report_differences(std::string_view claimed, std::string_view right) {
+  Json a = parse_json(claimed);
+  Json b = parse_json(right);
+  a.erase("system");
+  b.erase("system");
+  std::vector<std::string> list;
+  list_differences(a, b, list);
+  return list;
+}
+
+std::vector<std::string> experiment_differences(std::string_view claimed, std::string_view right) {
+  std::vector<std::string> list;
+  list_differences(parse_json(claimed), parse_json(right), list);
+  return list;
+}
+
+}  // namespace rocking

@@ -1,0 +1,125 @@
+#include "rocking/output/write_bifurcation.hpp"
+
+#include <algorithm>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/output/mode_table.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+
+namespace rocking {
+namespace {
+
+
+const std::vector<Parameter>& parameters_of(const DrawnDiagrams& drawn, std::size_t condition) {
+  return drawn.experiment->conditions[condition].parameters;
+}
+
+/// Calls visit(step, branch) for each branch, by increasing parameter.
+template <class Visit>
+void for_each_step(const Diagram& diagram, Visit&& visit) {
+  for (const Branch branch : all_branches) {
+    for (const DiagramStep& step : diagram.branches[static_cast<std::size_t>(branch)]) visit(step, branch);
+  }
+}
+
+Json others_json(const DrawnDiagrams& drawn, const Diagram& diagram) {
+  Json json = Json::object();
+  const auto& parameters = parameters_of(drawn, diagram.conditions.front());
+  for (std::size_t i = 1; i < parameters.size(); ++i) json[parameters[i].pointer] = Json::parse(parameters[i].value);
+  return json;
+}
+
+Json step_json(const DrawnDiagrams& drawn, const DiagramStep& step, Branch branch) {
+  Json json = Json::object();
+  json["value"] = Json::parse(parameters_of(drawn, step.condition).front().value);
+  json["branch"] = to_string(branch);
+  json["start"] = step.continued ? "continued" : "initial";
+  json["condition"] = step.condition;
+  json["termination"] = to_string(step.termination);
+  json["mode"] = to_string(step.classification.mode);
+  json["reason"] = step.classification.reason ? Json(to_string(*step.classification.reason)) : Json();
+  Json& points = json["points"] = Json::array();
+  for (const auto& point : step.points) points.push_back(Json::array({point.tilt, point.tilt_rate}));
+  return json;
+}
+
+std::string diagram_json(const DrawnDiagrams& drawn, const Diagram& diagram) {
+  std::string text = "\n    { \"others\": " + others_json(drawn, diagram).dump() + ",\n      \"steps\": [";
+  bool is_first = true;
+  for_each_step(diagram, [&](const DiagramStep& step, Branch branch) {
+    text += (is_first ? "\n        " : ",\n        ") + step_json(drawn, step, branch).dump();
+    is_first = false;
+  });
+  return text + "\n      ] }";
+}
+
+/// With an asterisk if the previous step of the continuation did not reach its horizon.
+std::string cell(const Diagram& diagram, Branch branch, std::size_t place) {
+  const auto& steps = diagram.branches[static_cast<std::size_t>(branch)];
+  const bool is_first = place == (branch == Branch::downwards ? steps.size() - 1 : 0);
+  const bool restarts = branch != Branch::initial && !is_first && !steps[place].continued;
+  return to_string(steps[place].classification.mode) + (restarts ? " *" : "");
+}
+
+std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram) {
+  const std::string& pointer = parameters_of(drawn, diagram.conditions.front()).front().pointer;
+  std::vector<TextRow> rows{{last_key(pointer)}};
+  for (const Branch branch : all_branches) rows.front().emplace_back(to_string(branch));
+  for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
+    TextRow row{short_value(parameters_of(drawn, diagram.conditions[i]).front())};
+    for (const Branch branch : all_branches) row.push_back(cell(diagram, branch, i));
+    rows.push_back(std::move(row));
+  }
+  return aligned(rows);
+}
+
+}  // namespace
+
+std::string bifurcation_text(const DrawnDiagrams& drawn) {
+  const std::string& canonical = drawn.experiment->canonical_text;
+  std::string text = "{\n  \"format\": " + Json(bifurcation_format).dump();
+  text += ",\n  \"input\": { \"experiment\": " + canonical;
+  text += ",\n    \"sha256\": " + Json(base::to_hex(base::sha256(canonical))).dump() + " }";
+  text += ",\n  \"realisation\": " + std::to_string(drawn.realisation);
+  text += ",\n  \"parameter\": " + Json(parameters_of(drawn, 0).front().pointer).dump() + ",\n  \"diagrams\": [";
+  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
+    text += (i == 0 ? "" : ",") + diagram_json(drawn, drawn.diagrams[i]);
+  }
+  return text + "\n  ]\n}\n";
+}
+
+std::string bifurcation_csv(const DrawnDiagrams& drawn) {
+  std::string text = "parameter,branch,tilt,tilt_rate,diagram\n";
+  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
+    for_each_step(drawn.diagrams[i], [&](const DiagramStep& step, Branch branch) {
+      const std::string start =
+          parameters_of(drawn, step.condition).front().value + ',' + std::string(to_string(branch));
+      for (const auto& point : step.points) {
+        text +=
+            start + ',' + Json(point.tilt).dump() + ',' + Json(point.tilt_rate).dump() + ',' + std::to_string(i) + '\n';
+      }
+    });
+  }
+  return text;
+}
+
+std::string bifurcation_table(const DrawnDiagrams& drawn) {
+  std::string text;
+  for (const Diagram& diagram : drawn.diagrams) {
+    const auto& parameters = parameters_of(drawn, diagram.conditions.front());
+    std::string name;
+    for (std::size_t i = 1; i < parameters.size(); ++i) {
+      name += (name.empty() ? "" : ", ") + parameters[i].pointer + " = " + parameters[i].value;
+    }
+    text += (name.empty() ? "" : name + '\n') + table_of(drawn, diagram) + '\n';
+  }
+  text +=
+      "initial: each step from the initial state of the file; upwards, downwards: from the end of the previous step\n";
+  if (text.find(" *\n") != std::string::npos || text.find(" * ") != std::string::npos) {
+    text += "*: from the initial state of the file, because the previous step did not reach its horizon\n";
+  }
+  return text;
+}
+
+}  // namespace rocking

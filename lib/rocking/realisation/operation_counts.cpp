@@ -1,0 +1,25 @@
+#include "rocking/realisation/operation_counts.hpp"
+
+namespace rocking {
+
+OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
+  steps += other.steps;
+  slip_steps += other.slip_steps;
+  root_isolations += other.root_isolations;
+  ground_motion_segments += other.ground_motion_segments;
+  perturbed_pair_periods += other.perturbed_pair_periods;
+  static_friction_draws += other.static_friction_draws;
+  kinetic_friction_draws += other.kinetic_friction_draws;
+  restitution_draws += other.restitution_draws;
+  amplitude_draws += other.amplitude_draws;
+  initial_draws += other.initial_draws;
+  for (std::size_t kind = 0; kind < events.size(); ++kind) events[kind] += other.events[kind];
+  return *this;
+}
+
+Clamps& Clamps::operator+=(const Clamps& other) {
+  for (const ClampKind& kind : clamp_kinds) this->*kind.count += other.*kind.count;
+  return *this;
+}
+
+}  // namespace rocking

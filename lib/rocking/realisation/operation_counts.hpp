@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "rocking/dynamics/contact.hpp"
+
+namespace rocking {
+
+/// What was computed for a realisation, a condition or a run, by effect. If a scene does not use an effect, its counters
+/// are 0.
+struct OperationCounts {
+  std::uint64_t steps = 0;            ///< Taylor steps
+  std::uint64_t slip_steps = 0;       ///< of these, steps of the equations with slip (slide, rock_slide)
+  std::uint64_t root_isolations = 0;  ///< searches for a zero crossing that the inexpensive bound did not exclude
+  std::uint64_t ground_motion_segments = 0;  ///< segments of a ground motion that were looked up
+  std::uint64_t perturbed_pair_periods = 0;  ///< periods of the reference and the perturbed trajectory
+  std::uint64_t static_friction_draws = 0;
+  std::uint64_t kinetic_friction_draws = 0;
+  std::uint64_t restitution_draws = 0;
+  std::uint64_t amplitude_draws = 0;
+  std::uint64_t initial_draws = 0;                                 ///< draws of phase and initial state
+  std::array<std::uint64_t, dynamics::event_kind_count> events{};  ///< by EventKind
+
+  OperationCounts& operator+=(const OperationCounts& other);
+};
+
+/// How often a draw was clamped when its value was used.
+struct Clamps {
+  std::uint64_t kinetic_at_zero = 0;
+  std::uint64_t kinetic_at_static = 0;  ///< mu_k limited to the mu_s in force
+  std::uint64_t static_at_zero = 0;
+  std::uint64_t restitution = 0;
+  std::uint64_t amplitude_at_zero = 0;
+
+  Clamps& operator+=(const Clamps& other);
+};
+
+/// A member of Clamps, with its names.
+struct ClampKind {
+  std::string_view column;  ///< of a store
+  std::string_view key;     ///< of a report
+  std::uint64_t Clamps::*count;
+  bool in_every_report = true;  ///< otherwise where it is not 0, so that other reports keep their bytes
+};
+
+inline constexpr std::array clamp_kinds{
+    ClampKind{"clamped_kinetic_at_zero", "kinetic_friction_at_zero", &Clamps::kinetic_at_zero},
+    ClampKind{"clamped_kinetic_at_static", "kinetic_friction_at_static", &Clamps::kinetic_at_static},
+    ClampKind{"clamped_static_at_zero", "static_friction_at_zero", &Clamps::static_at_zero},
+    ClampKind{"clamped_restitution", "restitution", &Clamps::restitution},
+    ClampKind{"clamped_amplitude_at_zero", "amplitude_at_zero", &Clamps::amplitude_at_zero},
+};
+
+}  // namespace rocking

@@ -1,0 +1,136 @@
+#include "rocking/realisation/realisation_scheduler.hpp"
+
+#include <array>
+#include <optional>
+#include <utility>
+
+#include "rocking/lanes/lane_scheduler.hpp"
+#include "rocking/realisation/horizon_run.hpp"
+#include "rocking/realisation/start.hpp"
+
+namespace rocking {
+namespace {
+
+struct RealisationInProgress;
+
+/// A motion in the scheduler: that of a realisation, or one of its reference and perturbed trajectories.
+struct MotionInProgress {
+  [[nodiscard]] Motion& motion() const { return *its_motion; }
+  [[nodiscard]] integrate::LoopCounts& counts() { return *its_counts; }
+  [[nodiscard]] bool go_on() const;
+
+  RealisationInProgress* run;
+  Motion* its_motion;
+  integrate::LoopCounts* its_counts;
+};
+
+/// A realisation in the scheduler, with the caller's id.
+struct RealisationInProgress : HorizonRun {
+  template <class MakeMotion>
+  RealisationInProgress(const Condition& condition, const Beginning& beginning, std::size_t its_id,
+                        MakeMotion&& make_motion)
+      : HorizonRun(condition, beginning, make_motion), id(its_id) {}
+
+  std::size_t id;
+  MotionInProgress itself{.run = this, .its_motion = &motion(), .its_counts = &counts()};
+  PerturbedPair* perturbed_pair = nullptr;  ///< absent before the exponent is computed
+  std::array<MotionInProgress, 2> pair{};
+  integrate::LoopCounts perturbed_counts;  ///< not reported
+  int under_way = 0;                       ///< trajectories of the pair that have not ended
+};
+
+bool MotionInProgress::go_on() const { return this == &run->itself && run->go_on(); }
+
+}  // namespace
+
+class RealisationScheduler::Implementation {
+ public:
+  Implementation(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop)
+      : seed_(seed), stop_(stop), scheduler_(kernels, stop) {}
+  ~Implementation() = default;
+
+  [[nodiscard]] bool wants_more() const { return scheduler_.size() < scheduler_.wanted_size(); }
+  [[nodiscard]] bool is_idle() const { return runs_.empty() && finished_.empty(); }
+
+  void start(const RequestedRun& run, std::size_t id) {
+    const Condition& condition = *run.condition;
+    const random::Draws draws(seed_, run.realisation);
+    const Start start = start_of(condition.scene, draws);
+    const Beginning beginning =
+        begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
+    runs_.push_back(std::make_unique<RealisationInProgress>(condition, beginning, id, [&](dynamics::Observer& observer) {
+      return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
+    }));
+    scheduler_.add(runs_.back()->itself);
+  }
+
+  [[nodiscard]] std::vector<Finished> work() {
+    constexpr int most_steps = 4096;
+    for (int i = 0; i < most_steps && is_under_way(); ++i) scheduler_.step();
+    return std::exchange(finished_, {});
+  }
+
+ private:
+  /// The last computed excitation. Realisations with equal blocks share the knots of a ground motion.
+  struct LastExcitation {
+    Excitation asked;
+    double frequency_parameter;  ///< p
+    double frequency;            ///< of the clock [-]
+    double start;                ///< of the clock, tau
+    dynamics::Excitation excitation;
+  };
+
+  const dynamics::Excitation& shared_excitation(const Scene& scene, const Beginning& beginning) {
+    const double p = beginning.setting.block.frequency_parameter;
+    const double frequency = beginning.clock.frequency();
+    const double start = beginning.clock.start();
+    const bool is_known = last_ && last_->asked == scene.excitation && last_->frequency_parameter == p &&
+                          last_->frequency == frequency && last_->start == start;
+    if (!is_known) last_ = LastExcitation{scene.excitation, p, frequency, start, excitation_of(scene, beginning)};
+    return last_->excitation;
+  }
+
+  /// Whether a step must be made before a realisation is finished.
+  [[nodiscard]] bool is_under_way() {
+    while (const MotionInProgress* motion = scheduler_.take_finished()) go_on(*motion);
+    return finished_.empty() && scheduler_.size() > 0;
+  }
+
+  /// Continues after a motion that has ended.
+  void go_on(const MotionInProgress& motion) {
+    RealisationInProgress& run = *motion.run;
+    if (&motion == &run.itself) {
+      run.perturbed_pair = run.name();
+      if (run.perturbed_pair == nullptr) return finish(run);
+      run.pair = {MotionInProgress{&run, &run.perturbed_pair->reference(), &run.perturbed_counts},
+                  MotionInProgress{&run, &run.perturbed_pair->perturbed(), &run.perturbed_counts}};
+    } else {
+      if (--run.under_way > 0) return;
+      if (!run.perturbed_pair->go_on()) return finish(run);
+    }
+    run.under_way = 2;
+    for (MotionInProgress& trajectory : run.pair) scheduler_.add(trajectory);
+  }
+
+  void finish(RealisationInProgress& run) {
+    finished_.push_back({run.id, run.finish()});
+    std::erase_if(runs_, [&run](const auto& owned) { return owned.get() == &run; });
+  }
+
+  std::uint64_t seed_;
+  base::StopRequest stop_;
+  std::optional<LastExcitation> last_;
+  lanes::LaneScheduler<MotionInProgress> scheduler_;
+  std::vector<std::unique_ptr<RealisationInProgress>> runs_;
+  std::vector<Finished> finished_;
+};
+
+RealisationScheduler::RealisationScheduler(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop)
+    : implementation_(std::make_unique<Implementation>(seed, kernels, stop)) {}
+RealisationScheduler::~RealisationScheduler() = default;
+bool RealisationScheduler::wants_more() const { return implementation_->wants_more(); }
+bool RealisationScheduler::is_idle() const { return implementation_->is_idle(); }
+void RealisationScheduler::start(const RequestedRun& run, std::size_t id) { implementation_->start(run, id); }
+std::vector<RealisationScheduler::Finished> RealisationScheduler::work() { return implementation_->work(); }
+
+}  // namespace rocking

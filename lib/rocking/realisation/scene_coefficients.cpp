@@ -1,0 +1,236 @@
+#include "rocking/realisation/scene_coefficients.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking {
+
+using dynamics::Clock;
+using dynamics::Instant;
+using random::Source;
+
+namespace {
+
+bool redraws_amplitude(const Scene& scene) {
+  return scene.fluctuation.amplitude > 0.0 && amplitude_draws(scene.excitation) != AmplitudeDraws::once;
+}
+
+}  // namespace
+
+SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& draws, double restitution_mean)
+    : friction_(scene.friction),
+      fluctuation_(scene.fluctuation),
+      restitution_mean_(restitution_mean),
+      amplitude_mean_(size_of(scene.excitation)),
+      redraws_amplitude_(redraws_amplitude(scene)),
+      draws_(draws),
+      static_friction_(std::numeric_limits<double>::infinity()) {
+  if (friction_) draw_static_friction();
+}
+
+void SceneCoefficients::draw_static_friction() {
+  static_count_ = stops_;
+  look_up_static_friction();
+}
+
+void SceneCoefficients::look_up_static_friction() {
+  static_friction_ = friction_->static_coefficient;
+  if (fluctuation_.static_friction > 0.0) {
+    ++static_draws_;
+    const auto index = random::paired_index(static_count_.chatters, static_count_.since);
+    static_friction_ += fluctuation_.static_friction * draws_.standard_normal(Source::static_friction, index);
+    if (static_friction_ < 0.0) {
+      static_friction_ = 0.0;
+      ++clamps_.static_at_zero;
+    }
+    if (fluctuation_.kinetic_friction == 0.0) held_at_static_ = false;
+  }
+}
+
+void SceneCoefficients::stop() {
+  ++stops_.since;
+  if (friction_) draw_static_friction();
+}
+
+void SceneCoefficients::chatter_ended() {
+  const bool had_stops = stops_.since > 0;
+  stops_ = {.chatters = stops_.chatters + 1, .since = 0};
+  impacts_ = {.chatters = impacts_.chatters + 1, .since = 0};
+  if (friction_ && had_stops) draw_static_friction();
+}
+
+SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) const {
+  ROCKING_EXPECT(others.friction_.has_value() == friction_.has_value());
+  SceneCoefficients other = *this;
+  other.friction_ = others.friction_;
+  other.fluctuation_ = others.fluctuation_;
+  other.restitution_mean_ = others.restitution_mean_;
+  other.amplitude_mean_ = others.amplitude_mean_;
+  other.redraws_amplitude_ = others.redraws_amplitude_;
+  other.interval_ = -1;
+  other.drawn_from_ = none_drawn;
+  other.amplitude_period_ = -1;
+  if (other.friction_) other.look_up_static_friction();
+  return other;
+}
+
+double SceneCoefficients::kinetic_friction(const Clock& clock) {
+  return held_kinetic_friction(fluctuation_.kinetic_friction > 0.0 ? drawn_kinetic_friction(clock)
+                                                                   : friction_->kinetic_coefficient);
+}
+
+/// `wanted`, limited to the static friction in force.
+double SceneCoefficients::held_kinetic_friction(double wanted) {
+  if (wanted <= static_friction_) return wanted;
+  if (!held_at_static_) ++clamps_.kinetic_at_static;
+  held_at_static_ = true;
+  return static_friction_;
+}
+
+double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
+  const std::int64_t interval = grid_index(clock);
+  if (interval != interval_) {
+    if (interval - drawn_from_ >= intervals_at_once) {
+      drawn_from_ = interval - interval % 2;  // draws are made in pairs
+      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(drawn_from_), drawn_);
+      for (double& value : drawn_) value = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * value;
+    }
+    move_to_interval(clock, interval);
+    draw_kinetic_friction(interval);
+  }
+  return kinetic_friction_;
+}
+
+void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
+  held_at_static_ = false;
+  ++kinetic_draws_;
+  kinetic_friction_ = drawn_[static_cast<std::size_t>(interval - drawn_from_)];
+  if (kinetic_friction_ < 0.0) {
+    kinetic_friction_ = 0.0;
+    ++clamps_.kinetic_at_zero;
+  }
+}
+
+/// Kinetic friction as far as it has been drawn. Only valid if no other coefficient changes with time.
+dynamics::KnownIntervals SceneCoefficients::known_intervals() const {
+  if (fluctuation_.kinetic_friction == 0.0 || redraws_amplitude_ || interval_ < 0) return {};
+  const auto present = static_cast<std::size_t>(interval_ - drawn_from_);
+  return {.wanted = std::span(drawn_).subspan(present),
+          .per_period = fluctuation_.refreshes_per_period,
+          .next_boundary = end_number_};
+}
+
+void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
+  const auto next = static_cast<std::size_t>(interval_ - drawn_from_) + 1;
+  double wanted = 0.0;
+  for (std::size_t i = next; i < next + count; ++i) {  // without a branch, so that it can be vectorised
+    wanted = drawn_[i];
+    clamps_.kinetic_at_zero += wanted < 0.0 ? 1 : 0;
+    clamps_.kinetic_at_static += wanted > static_friction_ ? 1 : 0;
+  }
+  kinetic_draws_ += count;
+  kinetic_friction_ = std::max(wanted, 0.0);
+  held_at_static_ = wanted > static_friction_;
+  move_to_interval(clock, interval_ + static_cast<std::int64_t>(count));
+}
+
+double SceneCoefficients::restitution() {
+  if (fluctuation_.restitution == 0.0) return restitution_mean_;
+  ++restitution_draws_;
+  const auto index = random::paired_index(impacts_.chatters, impacts_.since++);
+  const double value =
+      restitution_mean_ + fluctuation_.restitution * draws_.standard_normal(Source::restitution, index);
+  const double clamped = std::clamp(value, -0.999, 1.0);
+  if (clamped != value) ++clamps_.restitution;
+  return clamped;
+}
+
+double SceneCoefficients::amplitude(const Clock& clock) {
+  if (fluctuation_.amplitude == 0.0) return amplitude_mean_;
+  const std::int64_t period = redraws_amplitude_ ? clock.now().period : 0;
+  if (period != amplitude_period_) {
+    amplitude_period_ = period;
+    ++amplitude_draws_;
+    const auto index = static_cast<std::uint64_t>(period);
+    amplitude_ = amplitude_mean_ + fluctuation_.amplitude * draws_.standard_normal(Source::amplitude, index);
+    if (amplitude_ < 0.0) {
+      amplitude_ = 0.0;
+      ++clamps_.amplitude_at_zero;
+    }
+  }
+  return amplitude_;
+}
+
+void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interval) {
+  const std::int64_t ahead = interval - interval_;
+  if (interval_ >= 0 && 0 < ahead && ahead < fluctuation_.refreshes_per_period) {
+    begin_ = ahead == 1 ? end_ : boundary_after_end(clock, ahead - 1);
+    end_ = boundary_after_end(clock, ahead);
+    end_number_ += ahead;
+    if (end_number_ >= fluctuation_.refreshes_per_period) end_number_ -= fluctuation_.refreshes_per_period;
+  } else {
+    begin_ = boundary(clock, interval);
+    end_ = boundary(clock, interval + 1);
+    end_number_ = (interval + 1) % fluctuation_.refreshes_per_period;
+  }
+  interval_ = interval;
+}
+
+/// The boundary `count` intervals after the end of the current interval; `count` is at most the number per period.
+Instant SceneCoefficients::boundary_after_end(const Clock& clock, std::int64_t count) const {
+  const std::int64_t per_period = fluctuation_.refreshes_per_period;
+  const std::int64_t number = end_number_ + count;
+  return number < per_period ? dynamics::grid_boundary(clock, end_.period, number, per_period)
+                             : dynamics::grid_boundary(clock, end_.period + 1, number - per_period, per_period);
+}
+
+/// Instant at which an interval begins.
+Instant SceneCoefficients::boundary(const Clock& clock, std::int64_t interval) const {
+  const std::int64_t per_period = fluctuation_.refreshes_per_period;
+  return dynamics::grid_boundary(clock, interval / per_period, interval % per_period, per_period);
+}
+
+/// The interval that contains the present instant. A boundary within the clock's resolution counts as reached. Usually this
+/// is the interval of the last call or the next one.
+std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
+  const auto is_reached = [&](const Instant& instant) { return clock.until(instant) <= clock.resolution(); };
+  if (interval_ >= 0 && is_reached(begin_)) {
+    if (!is_reached(end_)) return interval_;
+    if (!is_reached(boundary_after_end(clock, 1))) return interval_ + 1;
+  }
+  return searched_grid_index(clock);
+}
+
+std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
+  const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
+  const double local = (clock.now().time - clock.start()) / clock.period_length() * count;
+  std::int64_t index =
+      clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
+  index = std::max<std::int64_t>(index - 1, 0);  // rounding may make floor one too large
+  while (clock.until(boundary(clock, index + 1)) <= clock.resolution()) ++index;
+  return index;
+}
+
+std::optional<Instant> SceneCoefficients::next_change(const Clock& clock, bool slipping) const {
+  std::optional<Instant> next;
+  if (redraws_amplitude_) next = Instant{.period = clock.now().period + 1, .time = 0.0};
+  if (slipping && fluctuation_.kinetic_friction > 0.0) {
+    const std::int64_t index = grid_index(clock);
+    const Instant refresh = index == interval_ ? end_ : boundary(clock, index + 1);
+    if (!next || clock.until(refresh) < clock.until(*next)) next = refresh;
+  }
+  return next;
+}
+
+void SceneCoefficients::add_to(OperationCounts& operations) const {
+  operations.static_friction_draws += static_draws_;
+  operations.kinetic_friction_draws += kinetic_draws_;
+  operations.restitution_draws += restitution_draws_;
+  operations.amplitude_draws += amplitude_draws_;
+}
+
+}  // namespace rocking

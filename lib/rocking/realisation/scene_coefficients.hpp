@@ -1,0 +1,103 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "rocking/dynamics/clock.hpp"
+#include "rocking/dynamics/coefficients.hpp"
+#include "rocking/random/draws.hpp"
+#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+
+/// Friction, restitution and amplitude of one realisation: means from the scene, deviations from its random numbers. If the
+/// sigma of a source is 0, nothing is drawn. Models dynamics::CoefficientSource; the rules are in lib/docs/model.md,
+/// section 5.
+///
+/// Kinetic friction depends on time only (one draw for each interval of a grid); it is limited to the static friction in
+/// force. The draws of static friction and restitution are counted from the end of the last chatter. The number of draws
+/// within a chatter depends on the tolerance; later draws do not depend on it. If a chatter contained stops, the static
+/// friction after it is the first draw of the new count.
+class SceneCoefficients {
+ public:
+  SceneCoefficients(const Scene& scene, const random::Draws& draws, double restitution_mean);
+  SceneCoefficients(const Scene& scene, const random::Draws& draws)
+      : SceneCoefficients(scene, draws, scene.restitution) {}
+
+  [[nodiscard]] bool has_friction() const { return friction_.has_value(); }
+  [[nodiscard]] double static_friction() const { return static_friction_; }
+  [[nodiscard]] double kinetic_friction(const dynamics::Clock& clock);
+  [[nodiscard]] double restitution();
+  [[nodiscard]] double amplitude(const dynamics::Clock& clock);
+  void stop();
+  void chatter_ended();
+  [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
+  [[nodiscard]] std::optional<double> constant_restitution() const {
+    return fluctuation_.restitution == 0.0 ? std::optional(restitution_mean_) : std::nullopt;
+  }
+  [[nodiscard]] dynamics::KnownIntervals known_intervals() const;
+  void pass_intervals(const dynamics::Clock& clock, std::size_t count);
+
+  /// The same random numbers with continued counts, for the means and standard deviations of others.
+  [[nodiscard]] SceneCoefficients under(const SceneCoefficients& others) const;
+
+  /// Adds the number of draws made so far, and of those clamped when used.
+  void add_to(OperationCounts& operations) const;
+  [[nodiscard]] const Clamps& clamps() const { return clamps_; }
+
+ private:
+  /// Counts of events, from which the indices of draws are computed.
+  struct Count {
+    std::uint64_t chatters = 0;
+    std::uint64_t since = 0;  ///< impacts or stops since the end of the last chatter
+  };
+
+  void move_to_interval(const dynamics::Clock& clock, std::int64_t interval);
+  [[nodiscard]] dynamics::Instant boundary_after_end(const dynamics::Clock& clock, std::int64_t count) const;
+  [[nodiscard]] dynamics::Instant boundary(const dynamics::Clock& clock, std::int64_t interval) const;
+  [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
+  [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
+  void draw_kinetic_friction(std::int64_t interval);
+  [[nodiscard]] double held_kinetic_friction(double wanted);
+  void draw_static_friction();
+  void look_up_static_friction();
+  [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
+
+  std::optional<Friction> friction_;
+  Fluctuation fluctuation_;
+  double restitution_mean_;
+  double amplitude_mean_;
+  bool redraws_amplitude_;  ///< at each excitation period
+  random::Draws draws_;
+
+  double static_friction_;
+  Count stops_;
+  Count static_count_;  ///< of stops, at the time when the static friction in force was drawn
+  Count impacts_;
+  /// Kinetic friction is drawn for this many successive intervals at once.
+  static constexpr std::int64_t intervals_at_once = dynamics::most_known_intervals;
+  static constexpr std::int64_t none_drawn = -intervals_at_once;
+
+  std::int64_t interval_ = -1;  ///< of the kinetic friction below
+  dynamics::Instant begin_;
+  dynamics::Instant end_;
+  std::int64_t end_number_ = 0;                    ///< number of the boundary at its end, within its period
+  std::int64_t drawn_from_ = none_drawn;           ///< interval of the first of `drawn_`
+  std::array<double, intervals_at_once> drawn_{};  ///< kinetic friction before it is limited to 0 ... static friction
+  double kinetic_friction_ = 0.0;
+  bool held_at_static_ =
+      false;  ///< the clamp of this interval (for a constant mean: of this static draw) has been counted
+  std::int64_t amplitude_period_ = -1;
+  double amplitude_ = 0.0;
+
+  Clamps clamps_;
+  std::uint64_t static_draws_ = 0;
+  std::uint64_t kinetic_draws_ = 0;
+  std::uint64_t restitution_draws_ = 0;
+  std::uint64_t amplitude_draws_ = 0;
+};
+
+}  // namespace rocking

@@ -1,0 +1,84 @@
+#include "rocking/realisation/start.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace rocking {
+namespace {
+
+using random::Source;
+
+class QuantityReader {
+ public:
+  explicit QuantityReader(const random::Draws& draws) : draws_(&draws) {}
+
+  [[nodiscard]] double value(const Quantity& quantity, Source source) {
+    if (const auto* number = std::get_if<double>(&quantity)) return *number;
+    ++count_;
+    if (const auto* law = std::get_if<Uniform>(&quantity)) {
+      return law->low + (law->high - law->low) * draws_->uniform(source, 0);
+    }
+    const auto& law = std::get<Normal>(quantity);
+    return law.mean + law.sigma * draws_->standard_normal(source, 0);
+  }
+
+  [[nodiscard]] std::uint64_t count() const { return count_; }
+
+ private:
+  const random::Draws* draws_;
+  std::uint64_t count_ = 0;
+};
+
+/// The equivalent angle in [0, 2 pi) [rad].
+double wrapped(double angle) {
+  constexpr double two_pi = 0x1.921fb54442d18p+2;
+  const double turns = std::floor(angle / two_pi);
+  const double rest = std::fma(-turns, two_pi, angle);
+  return rest < two_pi && rest >= 0.0 ? rest : 0.0;
+}
+
+/// Omega_h in units of p of the realisation's own block. A ground motion does not change with the block, and neither do its
+/// strobe instants in seconds: their ratio is in units of p of the mean block.
+double own_frequency_ratio(const Scene& scene, const dynamics::Geometry& own) {
+  const double ratio = frequency_ratio(scene.excitation);
+  if (!std::holds_alternative<Recorded>(scene.excitation)) return ratio;
+  return ratio * (dynamics::geometry_of(mean_block(scene)).frequency_parameter / own.frequency_parameter);
+}
+
+}  // namespace
+
+Start start_of(const Scene& scene, const random::Draws& draws) {
+  QuantityReader reader(draws);
+  Start start{};
+  start.block = {.width = scene.block.width,
+                 .height = scene.block.height,
+                 .gravity = scene.block.gravity};
+  start.geometry = dynamics::geometry_of(start.block);
+  const double psi = start.geometry.shape_angle;
+  start.phase = wrapped(reader.value(start_phase(scene.excitation), Source::phase));
+  start.state.tilt = psi * reader.value(scene.initial.tilt, Source::tilt);
+  start.state.tilt_rate = psi * reader.value(scene.initial.tilt_rate, Source::tilt_rate);
+  start.state.slip_rate = reader.value(scene.initial.slip_rate, Source::slip_rate);
+  start.draws = reader.count();
+  return start;
+}
+
+Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start, Strobe strobe,
+                            std::int64_t periods) {
+  const Scene& scene = condition.scene;
+  const dynamics::Clock clock(own_frequency_ratio(scene, start.geometry), start.phase);
+  const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
+  return {.setting = {.block = start.geometry,
+                      .inertia = dynamics::inertia_ratio(scene.slide_inertia),
+                      .impact_slip_rule = scene.impact_slip_rule,
+                      .tolerance = condition.tolerance},
+          .clock = clock,
+          .coefficients = SceneCoefficients(scene, draws, restitution_of(scene, start.geometry)),
+          .state = start.state,
+          .schedule = {.first_strobe = {.period = 1, .time = first}, .strobes = periods},
+          .draws = start.draws,
+          .clamps = start.clamps};
+}
+
+}  // namespace rocking

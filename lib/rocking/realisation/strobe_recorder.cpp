@@ -1,0 +1,55 @@
+#include "rocking/realisation/strobe_recorder.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace rocking {
+
+using dynamics::ContactState;
+using dynamics::EventKind;
+
+StrobeRecorder::StrobeRecorder(double shape_angle, std::int64_t periods) : shape_angle_(shape_angle) {
+  periods_.reserve(static_cast<std::size_t>(periods));
+}
+
+void StrobeRecorder::event(EventKind kind, double, const dynamics::State& state) {
+  ++events_[static_cast<std::size_t>(kind)];
+  current_.moved = true;
+  switch (kind) {
+    case EventKind::impact_stick:
+    case EventKind::impact_slip: count_impact(state); break;
+    case EventKind::to_rest:
+    case EventKind::to_slide: merge_chatter(); break;
+    default: break;
+  }
+  side_ = state.side;
+}
+
+void StrobeRecorder::strobe(const dynamics::State& state) {
+  current_.point = {
+      .tilt = state.tilt / shape_angle_, .tilt_rate = state.tilt_rate / shape_angle_, .slip_rate = state.slip_rate};
+  periods_.push_back(current_);
+  current_ = {.point = {}, .impacts = 0, .moved = state.contact != ContactState::rest};
+  side_ = state.side;
+}
+
+void StrobeRecorder::count_impact(const dynamics::State& after) {
+  const double rate = std::abs(after.tilt_rate);
+  if (rate >= last_rates_[1]) run_.clear();
+  last_rates_ = {rate, last_rates_[0]};
+  if (after.side == side_) return;
+  if (current_.impacts < std::numeric_limits<std::uint16_t>::max()) ++current_.impacts;
+  run_.push_back(periods_.size());
+}
+
+void StrobeRecorder::merge_chatter() {
+  for (std::size_t i = 1; i < run_.size(); ++i) {
+    const std::size_t period = run_[i];
+    auto& impacts = period < periods_.size() ? periods_[period].impacts : current_.impacts;
+    --impacts;
+  }
+  run_.clear();
+  last_rates_ = no_rates;
+}
+
+}  // namespace rocking

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "rocking/dynamics/observer.hpp"
+#include "rocking/section/period.hpp"
+
+namespace rocking {
+
+/// Observer of a realisation that keeps what determines its response mode: a strobe point and the number of impacts for
+/// each excitation period.
+///
+/// Impacts after which the block turns about the same edge are not counted. A chatter counts once. It is the sequence of
+/// impacts that leads to full contact, in which each impact is weaker than the one before on the same edge (the edges may
+/// alternate, one being weaker than the other).
+class StrobeRecorder final : public dynamics::Observer {
+ public:
+  StrobeRecorder(double shape_angle, std::int64_t periods);
+
+  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override;
+  void strobe(const dynamics::State& state) override;
+
+  [[nodiscard]] const std::vector<section::Period>& periods() const { return periods_; }
+  [[nodiscard]] const std::array<std::uint64_t, dynamics::event_kind_count>& events() const { return events_; }
+
+ private:
+  static constexpr std::array<double, 2> no_rates{std::numeric_limits<double>::infinity(),
+                                                  std::numeric_limits<double>::infinity()};
+
+  void count_impact(const dynamics::State& after);
+  void merge_chatter();
+
+  double shape_angle_;
+  std::vector<section::Period> periods_;  ///< complete ones
+  section::Period current_;
+  std::array<std::uint64_t, dynamics::event_kind_count> events_{};
+  double side_ = 0.0;  ///< edge about which the block turned before the next impact; 0: not known yet
+  /// Absolute tilt rates after the last impact and the one before it; infinite if there was none.
+  std::array<double, 2> last_rates_ = no_rates;
+  std::vector<std::size_t> run_;  ///< periods of the counted impacts that may turn out to be a chatter
+};
+
+}  // namespace rocking

@@ -1,0 +1,99 @@
+#include "rocking/realisation/trajectory.hpp"
+
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/realisation/accounted_motion.hpp"
+#include "rocking/realisation/sampled_motion.hpp"
+#include "rocking/realisation/start.hpp"
+#include "rocking/scene/check_condition.hpp"
+
+namespace rocking {
+namespace {
+
+/// Records strobe points and events, in the units of files.
+class Recorder final : public dynamics::Observer {
+ public:
+  explicit Recorder(double shape_angle) : shape_angle_(shape_angle) {}
+
+  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
+    trajectory.events.push_back({.tau = tau,
+                                 .kind = kind,
+                                 .tilt = state.tilt / shape_angle_,
+                                 .tilt_rate = state.tilt_rate / shape_angle_,
+                                 .slip = state.slip,
+                                 .slip_rate = state.slip_rate});
+  }
+
+  void strobe(const dynamics::State& state) override {
+    trajectory.strobe.push_back({.period = static_cast<std::int64_t>(trajectory.strobe.size()) + 1,
+                                 .tilt = state.tilt / shape_angle_,
+                                 .tilt_rate = state.tilt_rate / shape_angle_,
+                                 .slip = state.slip,
+                                 .slip_rate = state.slip_rate,
+                                 .contact = state.contact});
+  }
+
+  Trajectory trajectory;
+
+ private:
+  double shape_angle_;
+};
+
+/// Runs the motion to its end and samples it.
+template <class Motion>
+void run(Motion& motion, const Beginning& beginning, int samples, std::vector<HistoryPoint>& history) {
+  if (samples == 0) {
+    integrate::advance(motion);
+    return;
+  }
+  SampledMotion<Motion> sampled(motion, samples, beginning.clock.period_length(), history);
+  integrate::advance(sampled);
+}
+
+std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& points, double shape_angle) {
+  std::vector<HistorySample> history;
+  history.reserve(points.size());
+  for (const auto& [tau, state] : points) {
+    history.push_back({.tau = tau,
+                       .tilt = state.tilt / shape_angle,
+                       .tilt_rate = state.tilt_rate / shape_angle,
+                       .slip = state.slip,
+                       .slip_rate = state.slip_rate,
+                       .contact = state.contact});
+  }
+  return history;
+}
+
+}  // namespace
+
+Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                         const TrajectoryExtent& extent) {
+  check_condition(condition);
+  return trajectory_of_unchecked(condition, seed, realisation, extent);
+}
+
+Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                                   const TrajectoryExtent& extent) {
+  ROCKING_EXPECT(extent.periods > 0);
+  const random::Draws draws(seed, realisation);
+  const Start start = start_of(condition.scene, draws);
+  const double shape_angle = start.geometry.shape_angle;
+  Recorder recorder(shape_angle);
+  std::vector<HistoryPoint> history;
+  const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, extent.periods);
+  AccountedMotion motion(motion_of(condition.scene, beginning, recorder), beginning.setting);
+  run(motion, beginning, extent.samples_per_period, history);
+  Trajectory& trajectory = recorder.trajectory;
+  trajectory.block = start.block;
+  trajectory.termination = motion.termination().value_or(Termination::stopped);
+  trajectory.losses_of_contact = motion.losses_of_contact();
+  if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
+  trajectory.contradictions = motion.contradictions();
+  trajectory.energy = motion.account();
+  trajectory.samples_per_period = extent.samples_per_period;
+  trajectory.history = in_units_of_files(history, shape_angle);
+  return std::move(recorder.trajectory);
+}
+
+}  // namespace rocking

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/termination.hpp"
+#include "rocking/realisation/energy_account.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+
+using dynamics::Termination;
+
+/// State at tau = 2 pi period/Omega_h, after the events of that instant.
+struct TrajectorySample {
+  std::int64_t period;
+  double tilt;       ///< Theta [-]
+  double tilt_rate;  ///< Theta' [-]
+  double slip;       ///< X [-]
+  double slip_rate;  ///< V [-]
+  dynamics::ContactState contact;
+};
+
+/// An event, with the state after it.
+struct TrajectoryEvent {
+  double tau;
+  dynamics::EventKind kind;
+  double tilt;       ///< Theta [-]
+  double tilt_rate;  ///< Theta' [-]
+  double slip;       ///< X [-]
+  double slip_rate;  ///< V [-]
+};
+
+/// State at an instant between strobes, after the events of that instant.
+struct HistorySample {
+  double tau;
+  double tilt;       ///< Theta [-]
+  double tilt_rate;  ///< Theta' [-]
+  double slip;       ///< X [-]
+  double slip_rate;  ///< V [-]
+  dynamics::ContactState contact;
+};
+
+struct Trajectory {
+  dynamics::Block block;  ///< of this realisation
+  std::vector<TrajectorySample> strobe;
+  std::vector<TrajectoryEvent> events;
+  std::vector<HistorySample> history;           ///< from tau = 0 on; empty if none was requested
+  int samples_per_period = 0;                   ///< of the history
+  std::uint64_t losses_of_contact = 0;          ///< downward crossings of N = 0
+  std::optional<double> first_loss_of_contact;  ///< tau, if there was one
+  std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
+  EnergyAccount energy;
+  Termination termination = Termination::reached_horizon;
+};
+
+/// Requested length and sampling of a trajectory.
+struct TrajectoryExtent {
+  TrajectoryExtent(std::int64_t all_periods, int history_samples = 0)
+      : periods(all_periods), samples_per_period(history_samples) {}
+
+  std::int64_t periods;    ///< excitation periods from the initial state; at least 1
+  int samples_per_period;  ///< samples of the history; 0: no history
+};
+
+/// The trajectory of one realisation. Its other results do not depend on whether a history is requested. Throws
+/// base::InputError if check_condition does.
+[[nodiscard]] Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                                       const TrajectoryExtent& extent);
+
+/// The same of a condition that was checked, or that breaks a rule on purpose; its numbers are finite.
+[[nodiscard]] Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
+                                                 const TrajectoryExtent& extent);
+
+}  // namespace rocking

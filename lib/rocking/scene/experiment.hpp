@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rocking/dynamics/formulation.hpp"
+#include "rocking/scene/block.hpp"
+#include "rocking/scene/excitation.hpp"
+
+namespace rocking {
+
+struct Friction {
+  double static_coefficient = 0.0;   ///< mean of mu_s [-]
+  double kinetic_coefficient = 0.0;  ///< mean of mu_k [-]
+};
+
+/// Standard deviations, in the unit of the mean. If one is 0, its source is off and no number is drawn for it.
+struct Fluctuation {
+  double static_friction = 0.0;
+  double kinetic_friction = 0.0;
+  int refreshes_per_period = 200;  ///< intervals of constant kinetic friction per excitation period
+  double restitution = 0.0;
+  double amplitude = 0.0;
+};
+
+struct InitialState {
+  Quantity tilt = 0.0;       ///< Theta = theta/psi [-]
+  Quantity tilt_rate = 0.0;  ///< Theta' = w/psi [-]
+  Quantity slip_rate = 0.0;  ///< V [-]
+};
+
+/// One block on one shaken base: everything that determines the motion of a realisation, except its random numbers.
+struct Scene {
+  SceneBlock block;
+  dynamics::SlideInertia slide_inertia = dynamics::SlideInertia::centroidal;
+  dynamics::ImpactSlipRule impact_slip_rule = dynamics::ImpactSlipRule::absolute;
+  double restitution = 0.0;  ///< mean of e [-]; with `jy25_restitution` that of the mean block
+  bool jy25_restitution = false;  ///< the mean of e is dynamics::inelastic_rate_ratio of the block of a realisation
+  Excitation excitation;
+  std::optional<Friction> friction;  ///< absent: the block cannot slide
+  Fluctuation fluctuation;
+  InitialState initial;
+};
+
+struct Horizon {
+  int transient_periods = 500;  ///< excitation periods that are not used for the classification
+  int sampled_periods = 120;    ///< excitation periods whose strobe points are classified
+};
+
+/// A value that the sweep sets for a condition: a JSON pointer into the experiment file and the value as JSON text.
+struct Parameter {
+  std::string pointer;
+  std::string value;
+};
+
+/// Sampling continues until the interval of every mode is narrow enough.
+struct Until {
+  double half_width = 0.0;  ///< of every interval, in (0, 1/2)
+};
+
+/// Some realisations are classified again by a longer run, whose result is taken as the true response mode.
+struct LabelCheck {
+  std::uint64_t every = 20;         ///< every N-th realisation is checked; at least 1
+  std::uint64_t times_longer = 20;  ///< sampled periods of the longer run over those of the shorter one; at least 2
+};
+
+/// One point of the sweep.
+struct Condition {
+  std::vector<Parameter> parameters;
+  Scene scene;
+  Horizon horizon;
+  double tolerance = 1e-13;        ///< largest last Taylor term of a step, in units of Theta, Theta'; > 0
+  std::uint64_t rerun_every = 10;  ///< every N-th realisation is rerun at a tighter tolerance; 0: none
+  std::uint64_t realisations = 1;  ///< > 0; with `until` the largest number
+  std::optional<Until> until;
+  std::optional<LabelCheck> label_check;  ///< absent: none
+  double confidence = 0.95;
+};
+
+/// The input that a user declared.
+struct Experiment {
+  std::string title;
+  std::uint64_t seed = 0;
+  std::vector<Condition> conditions;          ///< grid of the sweep; its last entry varies fastest
+  std::string canonical_text;                 ///< the file with all defaults, as JSON text: equal for equal experiments
+  std::vector<std::size_t> sweep_sizes = {};  ///< number of values of each entry of the sweep
+};
+
+/// Calls visit(name, quantity) for each quantity that may have a law, which each realisation draws once.
+template <class Visit>
+void for_each_quantity(const Scene& scene, Visit&& visit) {
+  visit("width of the block", Quantity(scene.block.width));
+  visit("height of the block", Quantity(scene.block.height));
+  visit("phase", start_phase(scene.excitation));
+  visit("initial tilt", scene.initial.tilt);
+  visit("initial tilt rate", scene.initial.tilt_rate);
+  visit("initial slip rate", scene.initial.slip_rate);
+}
+
+/// The block that stands for all blocks of a scene where only one can: in tables and sketches, in the horizon and the
+/// strobe under a ground motion.
+[[nodiscard]] inline dynamics::Block mean_block(const Scene& scene) { return mean_of(scene.block); }
+
+/// Mean of e for a block of this shape.
+[[nodiscard]] double restitution_of(const Scene& scene, const dynamics::Geometry& block);
+
+/// Whether any quantity of the scene is random. If not, all realisations are equal and one suffices.
+[[nodiscard]] bool is_random(const Scene& scene);
+
+/// Largest number of realisations that a condition runs: one if nothing is random.
+[[nodiscard]] std::uint64_t effective_realisations(const Condition& condition);
+
+/// The confidence of all conditions; absent if a sweep varies it.
+[[nodiscard]] std::optional<double> common_confidence(const Experiment& experiment);
+
+/// Confidence of an interval over all conditions together: the highest one of the conditions.
+[[nodiscard]] double highest_confidence(const Experiment& experiment);
+
+}  // namespace rocking

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking {
+
+using Problems = std::vector<base::Problem>;
+
+/// What a number must be, and how to say so.
+struct NumberRule {
+  bool (*allows)(double);    ///< never a number that is not finite
+  std::string_view demand;   ///< `must be ...`
+  std::string_view example;  ///< JSON text of a value that would do
+  std::optional<double> standard =
+      std::nullopt;  ///< used where a file has no such key; without it the key must be there
+
+  [[nodiscard]] constexpr NumberRule with_default(double value) const {
+    return {.allows = allows, .demand = demand, .example = example, .standard = value};
+  }
+  [[nodiscard]] std::string remedy() const;
+};
+
+/// The same of a whole number.
+struct IntegerRule {
+  std::int64_t low;
+  std::int64_t high;
+  std::optional<std::int64_t> standard = std::nullopt;
+
+  template <class Integer>
+  [[nodiscard]] constexpr bool allows(Integer value) const {
+    return std::cmp_less_equal(low, value) && std::cmp_less_equal(value, high);
+  }
+  template <class Integer>
+  [[nodiscard]] constexpr IntegerRule with_default(Integer value) const {
+    return {.low = low, .high = high, .standard = static_cast<std::int64_t>(value)};
+  }
+  [[nodiscard]] std::string demand() const;
+  [[nodiscard]] std::string remedy() const;
+};
+
+}  // namespace rocking

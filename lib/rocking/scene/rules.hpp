@@ -1,0 +1,72 @@
+#pragma once
+
+#include "rocking/scene/block.hpp"
+#include "rocking/scene/number_rule.hpp"
+
+/// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside what is
+/// physical keep the arithmetic away from overflow; the others are the model's. Defaults are the member initialisers of
+/// scene/experiment.hpp.
+namespace rocking::rules {
+
+inline constexpr NumberRule length{.allows = [](double x) { return least_length <= x && x <= largest_length; },
+                                   .demand = "must be a positive number of metres, from 1e-6 to 1e6",
+                                   .example = "1.0"};
+inline constexpr NumberRule gravity{.allows = [](double x) { return 1e-6 <= x && x <= 1e6; },
+                                    .demand = "must be a positive number of m/s^2, from 1e-6 to 1e6",
+                                    .example = "9.81"};
+inline constexpr NumberRule amplitude{
+    .allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+    .demand = "must be a number from 0 to 1e6: A_h, in units of the shape angle times gravity",
+    .example = "4.2"};
+inline constexpr double least_frequency_ratio = 1e-3;
+inline constexpr double largest_frequency_ratio = 1e6;
+inline constexpr NumberRule frequency_ratio{.allows = [](double x) {
+                                              return least_frequency_ratio <= x && x <= largest_frequency_ratio;
+                                            },
+                                            .demand = "must be a positive number from 0.001 to 1e6: Omega_h = omega/p",
+                                            .example = "10.0"};
+inline constexpr NumberRule scale{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                  .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
+                                  .example = "1.0"};
+inline constexpr NumberRule time_step{.allows = [](double x) { return 1e-9 <= x && x <= 1e6; },
+                                      .demand = "must be a positive number of seconds, from 1e-9 to 1e6",
+                                      .example = "0.005"};
+inline constexpr NumberRule friction_coefficient{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                                 .demand = "must not be negative or above 1e6",
+                                                 .example = "0.35"};
+inline constexpr NumberRule restitution{.allows = [](double x) { return -1.0 < x && x <= 1.0; },
+                                        .demand = "must be above -1 and at most 1, or be \"jy25\"",
+                                        .example = "0.0"};
+inline constexpr NumberRule sigma{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                  .demand = "must not be negative or above 1e6: a standard deviation",
+                                  .example = "0.03"};
+inline constexpr IntegerRule refreshes{.low = 1, .high = 100'000};
+inline constexpr NumberRule phase{.allows = [](double x) { return -1e3 <= x && x <= 1e3; },
+                                  .demand = "must be a number of radians from -1000 to 1000",
+                                  .example = "0.0"};
+inline constexpr NumberRule initial_value{.allows = [](double x) { return -1e6 <= x && x <= 1e6; },
+                                          .demand = "must be a number from -1e6 to 1e6",
+                                          .example = "0.0"};
+inline constexpr IntegerRule transient_periods{.low = 0, .high = 100'000'000};
+inline constexpr IntegerRule sampled_periods{.low = 1, .high = 1'000'000};
+inline constexpr NumberRule tolerance{.allows = [](double x) { return 1e-16 <= x && x <= 1e-2; },
+                                      .demand = "must be a number from 1e-16 to 1e-2",
+                                      .example = "1e-13"};
+inline constexpr IntegerRule rerun_every{.low = 0, .high = 1'000'000'000};
+inline constexpr IntegerRule realisations{.low = 1, .high = 1'000'000'000};
+inline constexpr IntegerRule check_every{.low = 1, .high = 1'000'000'000};
+inline constexpr IntegerRule times_longer{.low = 2, .high = 1'000};
+inline constexpr IntegerRule at_most{.low = 1, .high = 1'000'000'000};
+inline constexpr NumberRule half_width{.allows = [](double x) { return 1e-4 <= x && x < 0.5; },
+                                       .demand = "must be a number from 0.0001 to below 0.5: of every mode's interval",
+                                       .example = "0.02"};
+inline constexpr NumberRule confidence{.allows = [](double x) { return 0.0 < x && x < 1.0; },
+                                       .demand = "must be above 0 and below 1",
+                                       .example = "0.95"};
+
+/// Of a ground motion.
+inline constexpr double latest_sample = 1e7;         ///< [s]; far beyond any shaking, safe from overflow in periods
+inline constexpr double largest_acceleration = 1e6;  ///< [m/s^2]
+inline constexpr std::size_t most_samples = 1'000'000;
+
+}  // namespace rocking::rules

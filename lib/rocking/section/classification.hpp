@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "rocking/section/response_mode.hpp"
+
+namespace rocking::section {
+
+/// The rule that decided a classification, or the reason why the response is unresolved.
+enum class Reason : std::uint8_t {
+  never_moved,         ///< rest
+  came_to_rest,        ///< rest, under a recorded excitation: moved, and is at rest at the end
+  points_coincide,     ///< periodic: the strobe points repeat to within the resolution
+  points_converge,     ///< periodic: successive returns come closer geometrically, and little drift remains
+  tight_clouds,        ///< periodic: clouds visited in cyclic order, very small compared with the motion
+  contracting_clouds,  ///< periodic: large clouds visited in cyclic order, and a negative exponent
+  positive_exponent,   ///< chaotic
+  too_few_points,      ///< unresolved: the horizon is too short for any rule
+  still_converging,    ///< unresolved: converges towards a periodic response, but too much drift remains
+  not_periodic,  ///< unresolved: repeats for no tested n, and the exponent is negative (long or slowly drifting orbits)
+  exponent_unclear,  ///< unresolved: the exponent differs from zero by less than its error, or could not be computed
+  clouds_overlap,    ///< unresolved: the points differ by phase more than by chance, but the clouds overlap
+  period_too_long,   ///< unresolved: spectral lines whose common period is longer than `longest_period`
+  out_of_order,      ///< unresolved: too many points are far from the cloud that should come next
+  not_stationary,    ///< unresolved: the clouds move between parts of the window, to its end
+  changed_regime,    ///< unresolved: one response for at least half of the window, which changed before the end
+  phase_jump,        ///< unresolved: as changed_regime, but with the same clouds in another order (another phase copy)
+  interrupted,       ///< unresolved: mostly returns after some n <= 12 periods, but repeatedly fails to (jumps, bursts)
+  slow_memory,       ///< unresolved: deviations decay so slowly that the window has too few independent ones
+  impacts_irregular,  ///< unresolved: too many cycles differ in their number of impacts
+};
+
+/// All reasons, in the order of their declaration.
+inline constexpr std::array reasons{
+    Reason::never_moved, Reason::came_to_rest, Reason::points_coincide, Reason::points_converge, Reason::tight_clouds,
+    Reason::contracting_clouds, Reason::positive_exponent, Reason::too_few_points, Reason::still_converging,
+    Reason::not_periodic, Reason::exponent_unclear, Reason::clouds_overlap, Reason::period_too_long,
+    Reason::out_of_order, Reason::not_stationary, Reason::changed_regime, Reason::phase_jump, Reason::interrupted,
+    Reason::slow_memory, Reason::impacts_irregular};
+static_assert(reasons.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
+
+/// The name of the enumerator.
+[[nodiscard]] std::string_view to_string(Reason reason);
+
+/// The reason that to_string gives this name; absent where there is none.
+[[nodiscard]] std::optional<Reason> reason_named(std::string_view name);
+
+/// Result of the classification of a response.
+struct Classification {
+  ResponseMode mode;
+  std::optional<Reason> reason;  ///< absent if the motion ended before the horizon, so that no rule was needed
+  bool in_transient = false;     ///< had not settled by the end of the sampled periods: drifting, or with long memory
+  /// Smallest factor by which the quantities that decided exceed their thresholds. 1 is the limit to another
+  /// classification; larger values are more certain. 0 if unresolved, at most `largest_margin`.
+  double margin = 0.0;
+  /// Share of the sampled periods, up to the last one, that support the classification. Below 1 the response settled within
+  /// the window. 0 if unresolved.
+  double held = 1.0;
+};
+
+inline constexpr double largest_margin = 1e6;
+
+[[nodiscard]] constexpr Classification unresolved(Reason reason, bool in_transient = false) {
+  return {{}, reason, in_transient, 0.0, 0.0};
+}
+
+}  // namespace rocking::section

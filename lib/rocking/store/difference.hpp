@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/store/summary.hpp"
+
+namespace rocking {
+
+/// A realisation whose result differed when it was run again.
+struct Difference {
+  RealisationKey key;
+  std::vector<std::string> fields;  ///< names of the fields of its row that differ
+};
+
+/// Names of the fields in which two summaries differ.
+[[nodiscard]] std::vector<std::string> differing_fields(const Summary& a, const Summary& b);
+
+}  // namespace rocking

@@ -1,0 +1,61 @@
+#include "rocking/store/salvage.hpp"
+
+#include <fstream>
+#include <string>
+#include <utility>
+
+namespace rocking {
+namespace {
+
+// Also absent if the path to the row, or to the row of its neighbour, is damaged: a pair with a missing realisation is run
+// as a whole.
+std::optional<Summary> find_if_current(const Store& store, const RealisationKey& key) {
+  try {
+    auto summary = store.find(key);
+    return summary && store.has_current_bits(key, *summary) ? std::move(summary) : std::nullopt;
+  } catch (const sqlite::UnusableFile&) {
+    return std::nullopt;
+  }
+}
+
+// A big-endian number in the header of a database.
+std::uintmax_t number_at(const std::string& header, std::size_t place, std::size_t bytes) {
+  std::uintmax_t number = 0;
+  for (std::size_t i = place; i < place + bytes; ++i) number = number << 8 | static_cast<unsigned char>(header[i]);
+  return number;
+}
+
+}  // namespace
+
+// Offsets: SQLite's file format, "The Database Header". A page size of 65536 is written as 1.
+void count_pages_again(const std::filesystem::path& path) {
+  if (!std::filesystem::is_regular_file(path)) return;
+  std::fstream file(path, std::ios::binary | std::ios::in | std::ios::out);
+  std::string header(100, '\0');
+  if (!file.read(header.data(), 100) || !header.starts_with("SQLite format 3")) return;
+  const std::uintmax_t page_size = number_at(header, 16, 2) == 1 ? 65536 : number_at(header, 16, 2);
+  if (page_size == 0) return;
+  const std::uintmax_t pages = std::filesystem::file_size(path) / page_size;
+  if (pages == 0 || number_at(header, 28, 4) <= pages) return;
+  std::string bytes;
+  for (const unsigned shift : {24U, 16U, 8U, 0U}) bytes += static_cast<char>(pages >> shift & 0xffU);
+  file.seekp(28).write(bytes.data(), 4);
+}
+
+// Reading all rows in order would end at the first damaged page; looking up each key separately avoids it.
+std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store& into) {
+  std::uint64_t kept = 0;
+  for (std::uint64_t condition = 0; condition < experiment.conditions.size(); ++condition) {
+    const std::uint64_t realisations = effective_realisations(experiment.conditions[condition]);
+    for (std::uint64_t realisation = 0; realisation < realisations; ++realisation) {
+      const RealisationKey key{condition, realisation};
+      const auto summary = find_if_current(damaged, key);
+      if (!summary) continue;
+      into.add(key, *summary);
+      ++kept;
+    }
+  }
+  return kept;
+}
+
+}  // namespace rocking

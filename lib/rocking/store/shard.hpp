@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstdint>
+
+namespace rocking {
+
+/// One of the parts into which an experiment is divided.
+struct Shard {
+  std::uint64_t part = 1;  ///< from 1 to `parts`
+  std::uint64_t parts = 1;
+
+  /// Whether the work item with this number, counted from 0 over the whole experiment, belongs to this part.
+  [[nodiscard]] bool has(std::uint64_t number) const { return number % parts == part - 1; }
+};
+
+}  // namespace rocking

@@ -1,0 +1,233 @@
+#include "rocking/store/store.hpp"
+
+#include <chrono>
+#include <fstream>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/store/store_layout.hpp"
+
+namespace rocking {
+namespace {
+
+using sqlite::Access;
+using sqlite::Database;
+using sqlite::Statement;
+
+std::string text_in(const Database& database, const char* sql) {
+  Statement statement = database.prepare(sql);
+  return statement.step() ? statement.text(0) : "";
+}
+
+// Changes the journal mode and returns the mode in force afterwards. While others read, SQLite refuses the change at once,
+// whatever the timeout; therefore it is retried until they have finished.
+std::string changed_journal_mode(const Database& database, const std::string& mode) {
+  constexpr std::chrono::milliseconds pause(5);
+  constexpr int most_tries = 2000;
+  for (int tries = 1;; ++tries) {
+    try {
+      return text_in(database, ("PRAGMA journal_mode = " + mode).c_str());
+    } catch (const std::system_error& error) {
+      if (error.code() != std::errc::device_or_resource_busy || tries == most_tries) throw;
+    }
+    std::this_thread::sleep_for(pause);
+  }
+}
+
+// With a write-ahead log others can read while a run writes. What a power failure can cost without a flush at each commit
+// is described in the header. Returns false if the file system has no shared memory, which the log needs.
+bool begin_write_ahead(Database& database) {
+  if (changed_journal_mode(database, "WAL") != "wal") return false;
+  database.execute(
+      "PRAGMA synchronous = NORMAL; BEGIN IMMEDIATE; ROLLBACK");  // the shared memory is not requested before
+  return true;
+}
+
+// Exclusive locks replace the shared memory while the remaining log is moved into the database.
+void begin_rollback(Database& database) {
+  database.execute("PRAGMA locking_mode = EXCLUSIVE");
+  database.execute("PRAGMA journal_mode = TRUNCATE");
+  database.execute("PRAGMA locking_mode = NORMAL");
+  database.execute("PRAGMA synchronous = FULL");
+  sqlite::number_in(database, "SELECT count(*) FROM sqlite_master");  // releases the lock
+}
+
+std::string spoken(const RealisationKey& key) {
+  return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
+}
+
+// A checksum proves that a row was written so, not that it is in its place: pages may have been exchanged.
+void expect_ascending(const std::optional<RealisationKey>& last, const RealisationKey& next, const Database& database) {
+  if (!last || *last < next) return;
+  throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + spoken(next) + " is not in its place");
+}
+
+}  // namespace
+
+Store Store::create(const std::filesystem::path& path, const Identity& identity) {
+  // The store is created under another name and renamed. A process killed here leaves no store instead of an incomplete
+  // one.
+  std::filesystem::path unfinished = path;
+  unfinished += ".new";
+  sqlite::remove_database(unfinished);
+  { const std::ofstream empty(unfinished); }  // with the permissions of the umask; those that SQLite sets are narrower
+  { static_cast<void>(made(Database(unfinished, Access::create), identity)); }
+  sqlite::remove_logs(path);
+  std::filesystem::rename(unfinished, path);
+  return open(path, Access::write);
+}
+
+Store Store::in_memory(const Identity& identity) { return made(Database::in_memory(), identity); }
+
+Store Store::made(Database database, const Identity& identity) {
+  Store store(std::move(database));
+  Database& made = store.database_;
+  made.execute("BEGIN IMMEDIATE");
+  lay_out(made);
+  write_identity(made, identity);
+  made.execute("COMMIT");
+  store.identity_ = identity;
+  store.rows_ = RowFormat(identity.experiment);
+  return store;
+}
+
+Store Store::open(const std::filesystem::path& path, Access access) {
+  if (access == Access::read) return read(Database(path, access));
+  try {
+    Store store = read(Database(path, access));
+    if (begin_write_ahead(store.database_)) return store;
+  } catch (const std::system_error&) {
+    // The shared memory may be missing. Any other cause is reported by the next attempt.
+  }
+  Database database(path, access);
+  begin_rollback(database);
+  Store store = read(std::move(database));
+  store.journalling_ = Journalling::rollback;
+  return store;
+}
+
+Store Store::read(Database database) {
+  Store store(std::move(database));
+  store.layout_ = layout_of(store.database_);
+  store.identity_ = read_identity(store.database_, store.layout_);
+  store.rows_ = RowFormat(store.database_, store.layout_, store.identity_.experiment);
+  return store;
+}
+
+void Store::add(const RealisationKey& key, const Summary& summary) {
+  ROCKING_EXPECT(layout_ == current_layout);
+  if (!in_transaction_) {
+    database_.execute("BEGIN IMMEDIATE");
+    in_transaction_ = true;
+  }
+  if (!insert_) {
+    insert_ = database_.prepare("INSERT OR REPLACE INTO realisations (" + rows_.columns() + ") VALUES (" +
+                                rows_.placeholders() + ")");
+  }
+  rows_.bind(*insert_, key, summary);
+  insert_->run();
+}
+
+void Store::commit() {
+  if (!in_transaction_) return;
+  database_.execute("COMMIT");
+  in_transaction_ = false;
+}
+
+void Store::close_up() {
+  commit();
+  static_cast<void>(changed_journal_mode(database_, "DELETE"));
+}
+
+Row Store::sound_row(const Statement& statement) const {
+  if (auto row = rows_.read(statement)) return std::move(*row);
+  const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
+                           static_cast<std::uint64_t>(statement.integer(1))};
+  throw sqlite::UnusableFile(database_.path() + ": the row of " + spoken(key) + " differs from what was written");
+}
+
+std::optional<Summary> Store::find(const RealisationKey& key) const {
+  auto statement = std::exchange(find_, std::nullopt);  // a statement that fails is not used again
+  if (!statement) {
+    statement =
+        database_.prepare("SELECT " + rows_.columns() + " FROM realisations WHERE condition = ? AND realisation = ?");
+  }
+  statement->bind(0, static_cast<std::int64_t>(key.condition));
+  statement->bind(1, static_cast<std::int64_t>(key.realisation));
+  std::optional<Row> found;
+  if (statement->step()) found = sound_row(*statement);
+  if (found && found->key != key) {
+    throw sqlite::UnusableFile(database_.path() + ": is damaged: in place of " + spoken(key) + " it has the row of " +
+                               spoken(found->key));
+  }
+  statement->reset();
+  find_ = std::move(statement);
+  return found ? std::optional(std::move(found->summary)) : std::nullopt;
+}
+
+bool Store::has_current_bits(const RealisationKey& key, const Summary& row) const {
+  const bool is_first = key.realisation % 2 == 0;
+  const auto next =
+      is_first && is_former_version(identity_.results) ? find({key.condition, key.realisation + 1}) : std::nullopt;
+  return rocking::has_current_bits(row, next, identity_.results);
+}
+
+void Store::walk(Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const {
+  std::optional<RealisationKey> last;
+  while (statement.step()) {
+    const Row row = sound_row(statement);
+    expect_ascending(last, row.key, database_);
+    last = row.key;
+    use(row.key, row.summary);
+  }
+}
+
+void Store::for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const {
+  walk(database_.prepare("SELECT " + rows_.columns() + " FROM realisations ORDER BY condition, realisation"), use);
+}
+
+std::optional<std::string> Store::damage() const {
+  try {
+    const std::string finding = text_in(database_, "PRAGMA integrity_check(1)");
+    if (finding != "ok") return database_.path() + ": is damaged: " + finding;
+    for_each([](const RealisationKey&, const Summary&) {});
+  } catch (const sqlite::UnusableFile& error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
+void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) const {
+  Statement statement =
+      database_.prepare("SELECT condition, realisation FROM realisations ORDER BY condition, realisation");
+  std::optional<RealisationKey> last;
+  while (statement.step()) {
+    const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
+                             static_cast<std::uint64_t>(statement.integer(1))};
+    expect_ascending(last, key, database_);
+    last = key;
+    use(key);
+  }
+}
+
+std::map<section::ResponseMode, std::uint64_t> Store::mode_counts(std::uint64_t condition,
+                                                                  std::uint64_t realisations) const {
+  Statement statement = database_.prepare("SELECT " + rows_.columns() +
+                                          " FROM realisations WHERE condition = ? AND realisation < ? "
+                                          "ORDER BY condition, realisation");
+  statement.bind(0, static_cast<std::int64_t>(condition));
+  statement.bind(1, static_cast<std::int64_t>(realisations));
+  std::map<section::ResponseMode, std::uint64_t> counts;
+  walk(std::move(statement), [&](const RealisationKey& key, const Summary& summary) {
+    if (key.condition != condition || key.realisation >= realisations) {
+      throw sqlite::UnusableFile(database_.path() + ": is damaged: the row of " + spoken(key) + " is not in its place");
+    }
+    ++counts[summary.mode];
+  });
+  return counts;
+}
+
+}  // namespace rocking

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "rocking/store/sqlite.hpp"
+#include "rocking/store/store_identity.hpp"
+#include "rocking/store/store_layout.hpp"
+#include "rocking/store/store_row.hpp"
+#include "rocking/store/summary.hpp"
+
+namespace rocking {
+
+/// How a store that is being written is protected against a kill.
+enum class Journalling : std::uint8_t {
+  write_ahead,  ///< a log beside the file; others can read at any time
+  rollback,     ///< for file systems without shared memory: a commit saves the old pages first
+};
+
+/// The store of a run: a SQLite database with one row per finished realisation, written while the run continues.
+///
+/// Its table `realisations` has the key (condition, realisation) and a column for each field of a Summary. Rows become
+/// durable in groups. A killed process loses the rows added since the last commit; a power failure may lose the last
+/// commits. Nothing else is lost. There can be one writer at a time.
+///
+/// Throws as described in sqlite.hpp. sqlite::UnusableFile is also thrown if a file is not a store, if a row is not what
+/// was written, or if a row is not in the place of its key.
+class Store {
+ public:
+  /// Creates a store; the file must not exist.
+  [[nodiscard]] static Store create(const std::filesystem::path& path, const Identity& identity);
+  /// Opens an existing store.
+  [[nodiscard]] static Store open(const std::filesystem::path& path, sqlite::Access access);
+  /// A store in memory with the lifetime of this object.
+  [[nodiscard]] static Store in_memory(const Identity& identity);
+
+  [[nodiscard]] const Identity& identity() const { return identity_; }
+  /// Whether rows can be added. Stores of an earlier layout can only be read; `salvage` copies their rows into a new store.
+  [[nodiscard]] bool is_of_current_layout() const { return layout_ == current_layout; }
+  /// The protection in use, for a store opened for writing.
+  [[nodiscard]] Journalling journalling() const { return journalling_; }
+
+  /// Adds a row or replaces the one with this key. Needs the current layout.
+  void add(const RealisationKey& key, const Summary& summary);
+  /// Makes the added rows durable.
+  void commit();
+  /// As commit; leaves a single file, which can be read on a read-only file system. Rows can still be added afterwards.
+  void close_up();
+
+  [[nodiscard]] std::optional<Summary> find(const RealisationKey& key) const;
+  /// Whether this program gives the same bits for a row of this store; see results_version.hpp.
+  [[nodiscard]] bool has_current_bits(const RealisationKey& key, const Summary& row) const;
+  /// Calls `use` for every row, in the order of the keys.
+  void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+  /// Description of the first damage found in the file; absent if every page and every row is as written. Reads the whole
+  /// file.
+  [[nodiscard]] std::optional<std::string> damage() const;
+  void for_each_key(const std::function<void(const RealisationKey&)>& use) const;
+  /// Number of realisations below `realisations`, by response mode.
+  [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> mode_counts(std::uint64_t condition,
+                                                                           std::uint64_t realisations) const;
+
+ private:
+  explicit Store(sqlite::Database database) : database_(std::move(database)) {}
+  [[nodiscard]] static Store made(sqlite::Database database, const Identity& identity);
+  [[nodiscard]] static Store read(sqlite::Database database);
+  [[nodiscard]] Row sound_row(const sqlite::Statement& statement) const;
+  void walk(sqlite::Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const;
+
+  sqlite::Database database_;
+  std::int64_t layout_ = current_layout;
+  Identity identity_;
+  RowFormat rows_{std::string()};
+  Journalling journalling_ = Journalling::write_ahead;
+  std::optional<sqlite::Statement> insert_;
+  mutable std::optional<sqlite::Statement> find_;
+  bool in_transaction_ = false;
+};
+
+}  // namespace rocking

@@ -1,0 +1,33 @@
+#include "rocking/store/summary.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+
+#include <algorithm>
+
+#include "rocking/realisation/realisation_digest.hpp"
+
+namespace rocking {
+
+bool Summary::was_clamped() const {
+  return std::ranges::any_of(clamp_kinds, [this](const ClampKind& kind) { return clamps.*kind.count > 0; });
+}
+
+Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
+  return {.mode = result.classification.mode,
+          .reason = result.classification.reason,
+          .termination = result.termination,
+          .margin = result.classification.margin,
+          .held = result.classification.held,
+          .in_transient = result.classification.in_transient,
+          .left_ground = result.losses_of_contact > 0,
+          .was_past_balance = result.was_past_balance,
+          .met_contradiction = result.contradictions > 0,
+          .digest = digest_of(result, realisation),
+          .diverged_from_next = std::nullopt,
+          .rerun_mode = std::nullopt,
+          .rerun_diverged = std::nullopt,
+          .long_mode = std::nullopt,
+          .operations = result.operations,
+          .clamps = result.clamps};
+}
+
+}  // namespace rocking

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/realisation/operation_counts.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+
+namespace rocking {
+
+/// Identifies one realisation of one condition; both numbers count from 0.
+struct RealisationKey {
+  std::uint64_t condition = 0;
+  std::uint64_t realisation = 0;
+
+  friend auto operator<=>(const RealisationKey&, const RealisationKey&) = default;
+};
+
+/// The part of a result that is stored, after the comparison with the neighbouring realisation: a few hundred bytes,
+/// whatever the horizon.
+struct Summary {
+  section::ResponseMode mode;
+  std::optional<section::Reason> reason;  ///< absent if no rule was needed
+  dynamics::Termination termination = dynamics::Termination::reached_horizon;
+  double margin = 0.0;
+  double held = 0.0;  ///< share of the sampled periods that support the mode
+  bool in_transient = false;
+  bool left_ground = false;
+  bool was_past_balance = false;
+  bool met_contradiction = false;
+  base::Sha256 digest{};  ///< of the result
+  /// For an even-numbered realisation: period in which the next one diverged from it.
+  std::optional<std::int64_t> diverged_from_next;
+  /// For a realisation that was rerun at a tighter tolerance: its mode there, and the period in which the two diverged.
+  std::optional<section::ResponseMode> rerun_mode;
+  std::optional<std::int64_t> rerun_diverged;
+  /// For a realisation whose label was checked: its mode in the longer run.
+  std::optional<section::ResponseMode> long_mode;
+  OperationCounts operations;
+  Clamps clamps;
+
+  [[nodiscard]] bool was_clamped() const;
+};
+
+[[nodiscard]] Summary summarise(const RealisationResult& result, std::uint64_t realisation);
+
+/// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row.
+template <class SomeSummary, class Visit>
+void for_each_field(SomeSummary& summary, Visit&& visit) {
+  visit("mode", summary.mode);
+  visit("reason", summary.reason);
+  visit("termination", summary.termination);
+  visit("margin", summary.margin);
+  visit("held", summary.held);
+  visit("in_transient", summary.in_transient);
+  visit("left_ground", summary.left_ground);
+  visit("past_balance", summary.was_past_balance);
+  visit("contradiction", summary.met_contradiction);
+  visit("digest", summary.digest);
+  visit("parted_from_next", summary.diverged_from_next);
+  visit("repeat_mode", summary.rerun_mode);
+  visit("repeat_parted", summary.rerun_diverged);
+  visit("long_mode", summary.long_mode);
+  auto& operations = summary.operations;
+  visit("steps", operations.steps);
+  visit("slip_steps", operations.slip_steps);
+  visit("root_isolations", operations.root_isolations);
+  visit("record_segments", operations.ground_motion_segments);
+  visit("companion_periods", operations.perturbed_pair_periods);
+  visit("static_friction_draws", operations.static_friction_draws);
+  visit("kinetic_friction_draws", operations.kinetic_friction_draws);
+  visit("restitution_draws", operations.restitution_draws);
+  visit("amplitude_draws", operations.amplitude_draws);
+  visit("initial_draws", operations.initial_draws);
+  for (std::size_t kind = 0; kind < operations.events.size(); ++kind) {
+    visit("event_" + std::string(to_string(static_cast<dynamics::EventKind>(kind))), operations.events[kind]);
+  }
+  for (const ClampKind& kind : clamp_kinds) visit(std::string(kind.column), summary.clamps.*kind.count);
+}
+
+}  // namespace rocking

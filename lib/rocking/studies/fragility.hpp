@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/fragility.hpp"
+#include "rocking/store/store.hpp"
+
+namespace rocking {
+
+/// The fitted function at one intensity.
+struct FittedProbability {
+  double value = 0.0;
+  stats::Interval band;    ///< its interval at this intensity alone
+  bool is_missed = false;  ///< the value lies outside FragilityLevel::simultaneous
+};
+
+/// Overturning at one intensity.
+struct FragilityLevel {
+  double intensity = 0.0;
+  stats::Proportion overturned;
+  double estimate = 0.0;                    ///< share of the realisations that overturned
+  stats::Interval exact;                    ///< Clopper-Pearson, of this level alone
+  stats::Interval simultaneous;             ///< Bonferroni-Clopper-Pearson over the levels of the curve
+  std::optional<FittedProbability> fitted;  ///< absent where no function is fitted
+};
+
+/// Probability of overturning as a function of intensity, from conditions that differ in nothing else.
+struct FragilityCurve {
+  std::string parameter;               ///< JSON pointer to the intensity
+  std::vector<Parameter> others;       ///< the rest of the sweep
+  double confidence = 0.95;            ///< that the experiment asks for
+  std::vector<FragilityLevel> levels;  ///< by growing intensity
+  stats::FragilityFit fit;
+
+  /// Levels at which the fitted function lies outside the simultaneous interval.
+  [[nodiscard]] std::size_t missed_levels() const;
+};
+
+/// A curve with its estimates, intervals and fit; `levels` by growing intensity, at least one.
+[[nodiscard]] FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence);
+
+/// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/scale`; empty where it
+/// sweeps neither.
+[[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
+
+/// A curve for each point of the grid of the other entries. An intensity of 0 has no logarithm and is left out. The experiment
+/// must sweep an intensity and fix the number of realisations (no `until`). Throws InputError where the run is not
+/// finished.
+[[nodiscard]] std::vector<FragilityCurve> fragility(const Experiment& experiment, const Store& store);
+
+}  // namespace rocking

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <string_view>
+
+#include "rocking/text/json_writer.hpp"
+
+namespace rocking {
+
+/// All bytes of a regular file, but not much more than `most`: of a longer one at least `most` + 1. Throws base::InputError if
+/// the path does not lead to a regular file, std::system_error with the path if it cannot be read.
+[[nodiscard]] std::string read_file(const std::filesystem::path& path,
+                                    std::size_t most = std::numeric_limits<std::size_t>::max());
+
+/// Source of the files that another file names: the bytes of the file `name`, as from read_file.
+using FileSource = std::function<std::string(const std::string& name, std::size_t most)>;
+
+/// Files with paths relative to `folder`.
+[[nodiscard]] FileSource files_seen_from(const std::filesystem::path& folder);
+
+/// Replaces or creates a file atomically, so that readers see the old file or the complete new one, also after a power failure:
+/// a temporary file in the same folder is written, flushed to the disk and renamed. Throws std::system_error with the path;
+/// the temporary file is then gone.
+void write_atomically(const std::filesystem::path& path, std::string_view content);
+/// The same with content in pieces: write(sink) is called once.
+void write_atomically(const std::filesystem::path& path, const std::function<void(const TextSink& sink)>& write);
+
+/// Removes from a folder the temporary files of processes that were killed. Those of running processes remain.
+void remove_abandoned_files(const std::filesystem::path& folder);
+
+/// Creates `folder` if necessary and checks that files can be created in it. Throws std::system_error with the path.
+void ensure_writable(const std::filesystem::path& folder);
+
+}  // namespace rocking

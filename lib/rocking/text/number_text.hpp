@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/stats/interval.hpp"
+
+namespace rocking {
+
+using base::significant;
+
+/// `number` with `decimals` digits after the point.
+[[nodiscard]] std::string fixed_point(double number, int decimals);
+
+/// A probability in per cent, with `decimals` digits after the point.
+[[nodiscard]] std::string per_cent(double probability, int decimals = 1);
+
+/// Likewise both ends, in brackets.
+[[nodiscard]] std::string per_cent(const stats::Interval& interval, int decimals = 1);
+
+/// `1 condition`, `2 conditions`.
+[[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
+
+/// A level of confidence in per cent, in as many digits as tell it from 0 and from 1: `95`, `99.9`, `99.9999999999`.
+[[nodiscard]] std::string level_text(double confidence);
+
+}  // namespace rocking

@@ -1,0 +1,317 @@
+// Figures of a run: their numbers are those of the report, equal figures give equal files, and a text cannot inject
+// commands into a script.
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <regex>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "analysis/data_file.hpp"
+#include "analysis/draw.hpp"
+#include "analysis/gnuplot_text.hpp"
+#include "analysis/palette.hpp"
+#include "analysis/run_figures.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/text/files.hpp"
+#include "support/sample_report.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using rocking::analysis::Cell;
+using rocking::analysis::Figure;
+using rocking::analysis::run_report_of;
+using rocking::analysis::run_figures;
+using rocking::analysis::RunReport;
+using rocking::analysis::Table;
+using rocking::Json;
+using rocking::support::sample_report;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// The figure with this name; one without tables if there is none.
+Figure figure_named(const RunReport& report, const std::string& name) {
+  for (Figure& figure : run_figures(report)) {
+    if (figure.name == name) return std::move(figure);
+  }
+  ADD_FAILURE() << "no figure " << name;
+  return {};
+}
+
+double value(const Table& table, std::size_t row, const std::string& column) {
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    if (table.columns[i].name == column) return std::get<double>(table.rows.at(row).at(i));
+  }
+  ADD_FAILURE() << "no column " << column;
+  return 0.0;
+}
+
+TEST(ModeProbabilities, AreTheReportsToTheBit) {
+  const Json text = sample_report();
+  const Figure figure = figure_named(run_report_of(text), "mode_probabilities");
+  const Json& conditions = text["result"]["conditions"];
+  ASSERT_EQ(figure.panels.size(), 2U);  // two frictions, three amplitudes
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const Table& table = figure.tables[i / 3];
+    EXPECT_EQ(value(table, i % 3, "amplitude"), conditions[i]["parameters"]["/excitation/amplitude"]);
+    EXPECT_EQ(value(table, i % 3, "n"), conditions[i]["realisations"]);
+    const Json& probability = conditions[i]["probabilities"]["(1,3)"];
+    EXPECT_EQ(value(table, i % 3, "(1,3)"), probability["estimate"]);
+    EXPECT_EQ(value(table, i % 3, "(1,3)_low"), probability["simultaneous"][0]);
+    EXPECT_EQ(value(table, i % 3, "(1,3)_high"), probability["simultaneous"][1]);
+    EXPECT_EQ(value(table, i % 3, "(1,3)_count"), conditions[i]["counts"]["(1,3)"]);
+  }
+}
+
+TEST(ModeProbabilities, QuoteTheIntervalThatHoldsWheneverTheRunStopped) {
+  Json text = sample_report();
+  text["result"]["conditions"][0]["probabilities"]["(1,1)"]["anytime"] = {0.125, 0.875};
+  const Figure figure = figure_named(run_report_of(text), "mode_probabilities");
+  EXPECT_EQ(value(figure.tables[0], 0, "(1,1)_low"), 0.125);
+}
+
+TEST(ModeBands, FillEveryConditionFromZeroToOne) {
+  const Figure figure = figure_named(run_report_of(sample_report()), "mode_bands");
+  for (std::size_t panel = 0; panel < figure.panels.size(); ++panel) {
+    for (const auto& row : figure.tables[panel].rows) {
+      double edge = 0.0;
+      for (const auto& layer : figure.panels[panel].layers) {
+        EXPECT_EQ(std::get<double>(row[layer.columns[2]]), edge);
+        edge = std::get<double>(row[layer.columns[3]]);
+      }
+      EXPECT_EQ(edge, 1.0);
+    }
+  }
+}
+
+TEST(ModeStyles, TellTheNamedModesApartInGreyToo) {
+  std::vector<std::pair<std::string, int>> looks;
+  for (const char* name :
+       {"(1,1)", "(1,2)", "(1,3)", "(1,4)", "(1,5)", "chaotic", "overturned", "rest", "unresolved"}) {
+    const auto style = rocking::analysis::style_of(*rocking::section::response_mode_named(name));
+    looks.emplace_back(style.colour, style.marker);
+  }
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      EXPECT_NE(looks[i].first, looks[j].first);
+      EXPECT_NE(looks[i].second, looks[j].second);
+    }
+  }
+}
+
+TEST(DataFile, HasItsColumnsNamesAndEveryNumberInFull) {
+  Figure figure;
+  figure.title = "two\nlines";
+  figure.tables = {{.name = "first", .columns = {{"x", "A_h"}, {"word", "a word"}}, .rows = {{0.1, "a \"b\"\tc"}}},
+                   {.name = "second", .columns = {{"y", "P"}}, .rows = {{Cell()}, {1.0 / 3.0}}}};
+  EXPECT_EQ(rocking::analysis::data_text(figure),
+            "# two lines\n# first\n# 1 x: A_h\n# 2 word: a word\n# x\tword\n0.1\t\"a 'b' c\"\n\n\n"
+            "# second\n# 1 y: P\n# y\nNaN\n0.3333333333333333\n");
+}
+
+TEST(RunReport, IsRefusedByName) {
+  const auto refusal = [](const Json& json) -> std::string {
+    try {
+      static_cast<void>(rocking::analysis::read_run_report(json.dump()));
+    } catch (const rocking::base::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  Json other = sample_report();
+  other["format"] = "rocking.report/9";
+  EXPECT_THAT(refusal(other), HasSubstr("/format"));
+  Json torn = sample_report();
+  torn["result"]["conditions"][1].erase("counts");
+  EXPECT_THAT(refusal(torn), HasSubstr("counts"));
+}
+
+bool has_gnuplot() { return std::system("command -v gnuplot >/dev/null") == 0; }
+
+class Drawn : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
+  }
+};
+
+TEST_F(Drawn, TwiceGivesTheSameBytes) {
+  const rocking::support::TemporaryFolder first;
+  const rocking::support::TemporaryFolder second;
+  const auto figures = run_figures(run_report_of(sample_report()));
+  for (const Figure& figure : figures) {
+    for (const auto* folder : {&first, &second}) {
+      const auto drawing = write_figure(figure, *folder / "");
+      EXPECT_TRUE(drawing.is_drawn()) << drawing.reason;
+      EXPECT_EQ(drawing.reason, "");
+    }
+    for (const char* ending : {".tsv", ".gp", ".svg", ".png", ".pdf"}) {
+      const std::string content = rocking::read_file(first / (figure.name + ending));
+      EXPECT_GT(content.size(), 200U) << figure.name << ending;
+      EXPECT_EQ(content, rocking::read_file(second / (figure.name + ending))) << figure.name << ending;
+    }
+    EXPECT_THAT(rocking::read_file(first / (figure.name + ".pdf")), HasSubstr("(D:20000101000000"));
+  }
+}
+
+/// A figure of one point with these texts in every place that can show external text.
+Figure figure_with(const std::string& text) {
+  Figure figure;
+  figure.name = "texts";
+  figure.title = text;
+  figure.subtitle = text;
+  figure.tables = {{.name = text, .columns = {{text, text}, {"y", text}}, .rows = {{0.0, 0.5}}}};
+  figure.panels.push_back(
+      {.title = text,
+       .x = {.quantity = text, .symbol = "", .unit = text, .low = -1.0, .high = 1.0, .ticks = {{0.0, text}}},
+       .y = {.quantity = "y", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
+       .layers = {{.kind = rocking::analysis::LayerKind::points, .table = 0, .columns = {0, 1}, .legend = text}}});
+  return figure;
+}
+
+/// The text of an SVG, without markup and entities.
+std::string words_in(const std::string& svg) {
+  std::string words = std::regex_replace(svg, std::regex("<[^>]*>"), "");
+  for (const auto& [entity, letter] : {std::pair("&lt;", "<"), std::pair("&gt;", ">"), std::pair("&amp;", "&")}) {
+    words = std::regex_replace(words, std::regex(entity), letter);
+  }
+  return std::regex_replace(words, std::regex("\xE2\x80\x8B"), "");  // the zero-width space in `]]>`
+}
+
+std::size_t count_of(const std::string& part, const std::string& whole) {
+  std::size_t count = 0;
+  for (std::size_t place = whole.find(part); place != std::string::npos; place = whole.find(part, place + 1)) ++count;
+  return count;
+}
+
+TEST_F(Drawn, ShowsEveryTextAsItIsWhereverItStands) {
+  std::vector<std::string> texts{"'Tis rocking",
+                                 "''",
+                                 "it's '.system(\"touch x\").' `touch x`",
+                                 "} {x; do for [",
+                                 "\\n \\047 \\",
+                                 "%g %s 5%",
+                                 "a_b^c{d}@e~f&g",
+                                 "&amp; &lt; &#60;",
+                                 "x ]]> &#x1; y",
+                                 "'0 \"1 #23 {7",
+                                 "$1 @x !ls",
+                                 "µ₀ \xF0\x9F\x98\x80"};
+  for (char c = '!'; c < 127; ++c) texts.push_back(std::string("<") + c + "08>");
+  for (const std::string& text : texts) {
+    rocking::analysis::Drawing drawing;
+    const std::string svg = svg_of(figure_with(text), drawing);
+    ASSERT_TRUE(drawing.is_drawn()) << text << ": " << drawing.reason;
+    // title, subtitle, title of the panel, tick, legend; quantity and unit of the axis
+    EXPECT_EQ(count_of(text, words_in(svg)), 7U) << text << '\n' << words_in(svg);
+    EXPECT_EQ(svg.find("]]>", svg.find("<text")), std::string::npos) << text;
+    EXPECT_EQ(svg.find("&#x1;"), std::string::npos) << text;
+  }
+}
+
+TEST_F(Drawn, ShowsWhatIsNoTextAtAll) {
+  for (const std::string& text : {std::string("a\0b", 3), std::string("\x01\x1b[2J\x7f"), std::string("\xff\xfe \xc3"),
+                                  std::string("\xED\xA0\x80"), std::string("\xEF\xBF\xBF"), std::string(100'000, '\''),
+                                  std::string("two\nlines\r\n")}) {
+    rocking::analysis::Drawing drawing;
+    const std::string svg = svg_of(figure_with(text), drawing);
+    ASSERT_TRUE(drawing.is_drawn()) << drawing.reason;
+    EXPECT_EQ(rocking::analysis::printable(svg).size(), svg.size());  // valid UTF-8; new lines became spaces
+    EXPECT_TRUE(
+        std::none_of(svg.begin(), svg.end(), [](char c) { return 0 <= c && c < ' ' && c != '\n' && c != '\t'; }));
+  }
+}
+
+TEST_F(Drawn, ShowsAxesAndAWordWhereThereIsNothing) {
+  Figure figure = figure_with("nothing");
+  figure.tables.front().rows.clear();
+  for (rocking::analysis::Axis* axis : {&figure.panels[0].x, &figure.panels[0].y}) {
+    axis->low.reset();
+    axis->high.reset();
+    axis->ticks.clear();
+  }
+  for (const bool logarithmic : {false, true}) {
+    figure.panels[0].y.logarithmic = logarithmic;
+    rocking::analysis::Drawing drawing;
+    EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
+  }
+  figure.panels[0].layers.clear();
+  rocking::analysis::Drawing drawing;
+  EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
+}
+
+/// Replaces gnuplot by a script during its lifetime.
+class OtherGnuplot {
+ public:
+  explicit OtherGnuplot(const std::string& script) : path_(std::getenv("PATH")) {
+    rocking::write_atomically(folder_ / "gnuplot", "#!/bin/sh\n" + script);
+    std::filesystem::permissions(folder_ / "gnuplot", std::filesystem::perms::owner_all);
+    ::setenv("PATH", ((folder_ / "").string() + ":" + path_).c_str(), 1);
+  }
+  OtherGnuplot(const OtherGnuplot&) = delete;
+  OtherGnuplot& operator=(const OtherGnuplot&) = delete;
+  ~OtherGnuplot() { ::setenv("PATH", path_.c_str(), 1); }
+
+ private:
+  rocking::support::TemporaryFolder folder_;
+  std::string path_;
+};
+
+TEST(Drawing, LeavesNoPictureBehindWhereGnuplotFails) {
+  using rocking::analysis::DrawingEnd;
+  struct Case {
+    std::string script;
+    DrawingEnd end;
+    std::string reason;
+  };
+  const std::string half = "for format in svg png pdf; do echo half >texts.$format.unfinished; done\n";
+  for (const auto& [script, end, reason] :
+       {Case{half + "echo no such word >&2; exit 1", DrawingEnd::refused, "no such word"},
+        Case{half + "kill -9 $$", DrawingEnd::broken_off, "signal 9"}, Case{half, DrawingEnd::broken_off, "unfinished"},
+        Case{"exit 0", DrawingEnd::broken_off, "unfinished"},
+        Case{"echo unknown or ambiguous terminal type; exit 1", DrawingEnd::broken_off, "gnuplot-nox"}}) {
+    const rocking::support::TemporaryFolder folder;
+    for (const char* ending : {".svg", ".png", ".pdf"}) {
+      rocking::write_atomically(folder / (std::string("texts") + ending), "of before");
+    }
+    const OtherGnuplot gnuplot(script);
+    const auto drawing = write_figure(figure_with("x"), folder / "");
+    EXPECT_EQ(drawing.end, end) << script;
+    EXPECT_THAT(drawing.reason, HasSubstr(reason));
+    std::vector<std::string> left;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "")) left.push_back(entry.path().filename());
+    EXPECT_THAT(left, ::testing::UnorderedElementsAre("texts.tsv", "texts.gp")) << script;
+  }
+}
+
+TEST_F(Drawn, GivesTheSameBytesInEveryTimeZone) {
+  std::vector<std::string> pictures;
+  for (const char* zone : {"UTC0", "Asia/Tokyo", "XYZ+7:30"}) {
+    const rocking::support::TemporaryFolder folder;
+    ::setenv("TZ", zone, 1);
+    static_cast<void>(write_figure(figure_with("x"), folder / ""));
+    ::unsetenv("TZ");
+    pictures.push_back(rocking::read_file(folder / "texts.pdf"));
+  }
+  EXPECT_EQ(pictures[0], pictures[1]);
+  EXPECT_EQ(pictures[0], pictures[2]);
+}
+
+TEST(Drawing, SaysWhatIsMissingAndLeavesTheData) {
+  const rocking::support::TemporaryFolder folder;
+  const std::string path = std::getenv("PATH");
+  ::setenv("PATH", "/nowhere", 1);
+  const auto drawing = write_figure(figure_named(run_report_of(sample_report()), "mode_bands"), folder / "");
+  ::setenv("PATH", path.c_str(), 1);
+  EXPECT_FALSE(drawing.is_drawn());
+  EXPECT_THAT(drawing.reason, HasSubstr("gnuplot-nox"));
+  EXPECT_THAT(rocking::read_file(folder / "mode_bands.tsv"), HasSubstr("amplitude"));
+}
+
+}  // namespace

@@ -1,0 +1,244 @@
+// Figures of trajectories, bifurcations and draws, and the tables of a report: their numbers are those of the files.
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "analysis/bifurcation_figure.hpp"
+#include "analysis/cost_figures.hpp"
+#include "analysis/histogram_figure.hpp"
+#include "analysis/output_figures.hpp"
+#include "analysis/tables.hpp"
+#include "analysis/trajectory_figures.hpp"
+#include "rocking/base/error.hpp"
+#include "support/sample_report.hpp"
+
+namespace {
+
+using rocking::analysis::bifurcation_figures;
+using rocking::analysis::Cell;
+using rocking::analysis::cost_figures;
+using rocking::analysis::Figure;
+using rocking::analysis::LayerKind;
+using rocking::analysis::normal_histogram;
+using rocking::analysis::output_figures;
+using rocking::analysis::poincare;
+using rocking::analysis::run_report_of;
+using rocking::analysis::read_trajectory;
+using rocking::analysis::Table;
+using rocking::analysis::TrajectoryFile;
+using rocking::Json;
+using rocking::support::sample_report;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// Two periods of length 0.5, four samples each: rest, a lift at 0.2, a slip from 0.3 to the impact at 0.7.
+Json sample_trajectory() {
+  Json json = Json::parse(R"({ "format": "rocking.trajectory/1", "condition": 2, "realisation": 7,
+    "block": { "width_m": 1.0, "height_m": 4.0, "gravity_m_s2": 9.81 },
+    "strobe": [ { "period": 1, "tilt": 0.25, "tilt_rate": -0.5, "slip": 0.0, "slip_rate": 0.0, "contact": "rock_slide" },
+                { "period": 2, "tilt": 0.125, "tilt_rate": 0.5, "slip": 0.0, "slip_rate": 0.0, "contact": "rock" } ],
+    "events": [ { "tau": 0.1, "kind": "lift" }, { "tau": 0.15, "kind": "slip_start" },
+                { "tau": 0.35, "kind": "impact_stick" }, { "tau": 0.35, "kind": "past_balance" } ],
+    "samples_per_period": 4, "history": [],
+    "validity": { "losses_of_contact": 0, "first_loss_of_contact": null, "contradictions": 0 },
+    "energy": { "at_start": 0.0, "at_end": 0.0, "base_work": 0.0, "friction_work": 0.0, "lost_in_impacts": 0.0,
+                "gained_in_impacts": 0.0, "unaccounted": 0.0 }, "termination": "reached_horizon" })");
+  for (Json& event : json["events"]) {
+    event.update({{"tilt", 0.0}, {"tilt_rate", 0.1}, {"slip", 0.01}, {"slip_rate", 0.0}});
+  }
+  for (int i = 0; i <= 8; ++i) {
+    json["history"].push_back({{"tau", 0.125 * i},
+                               {"tilt", 0.01 * i},
+                               {"tilt_rate", 0.0},
+                               {"slip", -0.001 * i},
+                               {"slip_rate", 0.0},
+                               {"contact", i == 0 ? "rest" : "rock"}});
+  }
+  return json;
+}
+
+Json sample_bifurcation(std::size_t steps, std::size_t points) {
+  Json json = Json::parse(R"({ "format": "rocking.bifurcation/1", "input": { "experiment": { "title": "t" } },
+                               "parameter": "/excitation/amplitude", "diagrams": [ { "others": {}, "steps": [] } ] })");
+  for (std::size_t i = 0; i < steps; ++i) {
+    Json step = {{"value", 1.0 + 0.5 * static_cast<double>(i)}, {"branch", "initial"}, {"mode", "chaotic"}};
+    Json& list = step["points"] = Json::array();
+    for (std::size_t k = 0; k < points; ++k) list.push_back({std::fmod(0.618 * static_cast<double>(k), 1.0), 0.0});
+    json["diagrams"][0]["steps"].push_back(std::move(step));
+  }
+  return json;
+}
+
+const Table* table_named(const Figure& figure, const std::string& name) {
+  for (const Table& table : figure.tables) {
+    if (table.name == name) return &table;
+  }
+  return nullptr;
+}
+
+TEST(TrajectoryFile, TellsTheStateOfContactFromTheEvents) {
+  const TrajectoryFile file = read_trajectory(sample_trajectory(), "x");
+  std::vector<std::string> contacts;
+  for (const auto& span : file.contacts) contacts.push_back(span.contact);
+  EXPECT_THAT(contacts, ElementsAre("rest", "rock", "rock_slide", "rock"));
+  EXPECT_EQ(file.contacts[2].from, 0.15 / 0.5);
+  EXPECT_EQ(file.contacts[2].to, 0.35 / 0.5);
+  EXPECT_EQ(file.contacts[3].to, 2.0);
+}
+
+TEST(TimeHistory, HasTheSamplesAndTheEventsInOrder) {
+  const Figure figure = time_history(read_trajectory(sample_trajectory(), "x"), {});
+  const Table& table = figure.tables.front();
+  ASSERT_EQ(table.rows.size(), 13U);
+  for (std::size_t i = 1; i < table.rows.size(); ++i) {
+    EXPECT_LE(std::get<double>(table.rows[i - 1][0]), std::get<double>(table.rows[i][0]));
+  }
+  EXPECT_THAT(table.rows.back(), ElementsAre(Cell(2.0), Cell(0.08), Cell(0.0), Cell(-0.008)));
+  EXPECT_THAT(table_named(figure, "impact_stick")->rows, ElementsAre(ElementsAre(Cell(0.7), Cell(0.0))));
+  EXPECT_EQ(table_named(figure, "impact_slip"), nullptr);
+}
+
+TEST(TimeHistory, ShowsTheAskedPartOnly) {
+  const Figure figure = time_history(read_trajectory(sample_trajectory(), "x"), {.from = 0.5, .to = 1.0});
+  EXPECT_EQ(figure.panels[0].x.low, 0.5);
+  EXPECT_EQ(figure.panels[0].x.high, 1.0);
+  for (const auto& row : figure.tables.front().rows) EXPECT_GE(std::get<double>(row[0]), 0.5);
+  EXPECT_EQ(table_named(figure, "stretches of rest"), nullptr);
+  EXPECT_THAT(table_named(figure, "stretches of rock_slide")->rows, ElementsAre(ElementsAre(Cell(0.5), Cell(0.7))));
+}
+
+TEST(Poincare, HasThePointsOfTheFile) {
+  const Figure figure = poincare({read_trajectory(sample_trajectory(), "x")}, {.from = 2.0});
+  EXPECT_THAT(figure.tables.front().rows, ElementsAre(ElementsAre(Cell(0.125), Cell(0.5), Cell(2.0))));
+}
+
+TEST(Bifurcation, DrawsFewPointsOneByOneInTheLookOfTheirMode) {
+  const auto figures = bifurcation_figures(sample_bifurcation(3, 20));
+  ASSERT_EQ(figures.size(), 1U);
+  const auto& layer = figures[0].panels.at(0).layers.at(0);
+  EXPECT_EQ(layer.kind, LayerKind::points);
+  EXPECT_EQ(layer.legend, "chaotic");
+  EXPECT_EQ(figures[0].tables.at(layer.table).rows.size(), 60U);
+}
+
+TEST(Bifurcation, CountsEveryPointOfManyInItsImage) {
+  const auto figures = bifurcation_figures(sample_bifurcation(120, 900));
+  const auto& layer = figures.at(0).panels.at(0).layers.at(0);
+  ASSERT_EQ(layer.kind, LayerKind::image);
+  double points = 0.0;
+  for (const auto& row : figures[0].tables.at(layer.table).rows) {
+    EXPECT_EQ(row.size(), 120U);
+    for (const Cell& cell : row) points += std::get<double>(cell);
+  }
+  EXPECT_EQ(points, 120.0 * 900.0);
+}
+
+TEST(Bifurcation, OfNothingIsEmptyNotAnError) {
+  EXPECT_THAT(bifurcation_figures(sample_bifurcation(2, 0)).at(0).panels.at(0).layers, IsEmpty());
+  EXPECT_EQ(bifurcation_figures(sample_bifurcation(1, 1)).at(0).tables.at(0).rows.size(), 1U);
+}
+
+TEST(NormalHistogram, HasTheCountsAndACurveOfTheSameArea) {
+  const Json json =
+      Json::parse(R"({ "format": "rocking.check_normal/1", "sampler": "box-muller", "seed": "0x1", "n": 1000,
+    "law": { "mean": 0.5, "sigma": 0.1 }, "mean": { "value": 0.5 }, "standard_deviation": { "value": 0.1 },
+    "skewness": { "value": 0.0 }, "kurtosis": { "value": 3.0 },
+    "histogram": { "edges": [0.1, 0.3, 0.5, 0.7, 0.9], "counts": [20, 480, 477, 23], "expected": [22, 477, 477, 22] } })");
+  const Figure figure = normal_histogram(json);
+  EXPECT_THAT(figure.tables[0].rows[1], ElementsAre(Cell(0.3), Cell(0.5), Cell(0.0), Cell(480.0), Cell(477.0)));
+  double area = 0.0;  // as counts: the curve is given for bins of 0.2
+  const auto& curve = figure.tables[1].rows;
+  for (std::size_t i = 1; i < curve.size(); ++i) {
+    area += 0.5 * (std::get<double>(curve[i][1]) + std::get<double>(curve[i - 1][1])) *
+            (std::get<double>(curve[i][0]) - std::get<double>(curve[i - 1][0])) / 0.2;
+  }
+  EXPECT_NEAR(area, 1000.0 * std::erf(4.0 / std::sqrt(2.0)), 0.1);
+}
+
+Json sample_cost() {
+  return Json::parse(R"({ "format": "rocking.cost/1",
+    "input": { "experiment": { "title": "t", "accuracy": { "tolerance": 1e-8 } } },
+    "result": { "sample": { "realisations": 50, "conditions": 3, "is_everything": false }, "error_periods": 10,
+      "tolerances": [
+        { "tolerance": 1e-4, "departure": { "error": { "median": 0.25, "largest": 0.5 },
+                                            "flips": { "count": 5, "of": 50, "interval": [0.0625, 0.25] } } },
+        { "tolerance": 1e-8, "departure": { "error": { "median": 0.0, "largest": null },
+                                            "flips": { "count": 0, "of": 50, "interval": [0.0, 0.125] } } },
+        { "tolerance": 1e-12, "departure": null } ],
+      "realisations": [ { "factor": 4, "periods": 1000, "half_width_mean": 0.25, "half_width_widest": 0.5,
+                          "wilson_widest": 0.375 } ] },
+    "system": { "processor_s_per_period": [1e-6, 0.5, 4e-6] } })");
+}
+
+TEST(Cost, DrawsTheNumbersOfTheFileAndLeavesOutWhatALogarithmCannotShow) {
+  const auto figures = cost_figures(sample_cost());
+  ASSERT_EQ(figures.size(), 3U);
+  const auto& rows = figures[0].tables[0].rows;
+  EXPECT_THAT(rows[0], ElementsAre(Cell(1e-4), Cell(0.25), Cell(0.5), Cell(10.0), Cell(6.25), Cell(25.0), Cell(1.0),
+                                   Cell(std::string("0.0001"))));
+  EXPECT_THAT(rows[1], ElementsAre(Cell(1e-8), Cell(), Cell(), Cell(0.0), Cell(0.0), Cell(12.5), Cell(500'000.0),
+                                   Cell(std::string("1e-08"))));
+  EXPECT_THAT(rows[2],
+              ElementsAre(Cell(1e-12), Cell(), Cell(), Cell(), Cell(), Cell(), Cell(4.0), Cell(std::string("1e-12"))));
+  EXPECT_THAT(figures[2].tables[0].rows[0],
+              ElementsAre(Cell(4.0), Cell(1000.0), Cell(500.0), Cell(25.0), Cell(50.0), Cell(37.5)));
+}
+
+TEST(Cost, OfADeterministicExperimentHasNoHalfWidths) {
+  Json still = sample_cost();
+  still["result"]["realisations"] = Json::array();
+  still["result"]["sample"]["is_everything"] = true;
+  const auto figures = cost_figures(still);
+  ASSERT_EQ(figures.size(), 2U);
+  EXPECT_EQ(figures[0].tables[0].rows[0][3], Cell(10.0));
+  EXPECT_EQ(figures[0].tables[0].rows[0][4], Cell()) << "a share of all that there are needs no interval";
+  still["result"].erase("tolerances");
+  EXPECT_THROW(static_cast<void>(cost_figures(still)), rocking::base::InputError);
+}
+
+TEST(OutputFigures, AreOfEachFileAndOfAllTogether) {
+  const std::string text = sample_trajectory().dump();
+  std::vector<std::string> names;
+  for (const Figure& figure : output_figures({{"a.json", text}, {"b.json", text}}, {})) names.push_back(figure.name);
+  EXPECT_THAT(names, ElementsAre("time_history", "time_history_2", "responses", "poincare"));
+}
+
+TEST(OutputFigures, RefuseWithTheFilesName) {
+  Json torn = sample_trajectory();
+  torn.erase("strobe");
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      static_cast<void>(output_figures({{"some.json", text}}, {}));
+    } catch (const rocking::base::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_THAT(refusal(torn.dump()), HasSubstr("some.json"));
+  EXPECT_THAT(refusal(R"({"format": "rocking.report/1"})"), HasSubstr("rocking report DIR"));
+  EXPECT_THAT(refusal("[1]"), HasSubstr("/format"));
+}
+
+TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
+  const auto report = run_report_of(sample_report());
+  const std::string csv = modes_csv(report);
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 4);
+  EXPECT_THAT(csv,
+              HasSubstr("\n\"{\"\"static\"\":0.35,\"\"kinetic\"\":0.3}\",4.0,30,\"(1,3)\",4,0.13333333333333333,"));
+  EXPECT_THAT(non_recurrence_csv(report), HasSubstr("30,0.1,0.05,0.30000000000000004,0.2,15,2,12.5,80,\n"));
+}
+
+TEST(Tables, SetTextForLatexSoThatItIsText) {
+  Json json = sample_report();
+  json["input"]["experiment"]["title"] = "50 % of #1_a \\input{x}";
+  const std::string latex = modes_latex(run_report_of(json));
+  EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} Response"));
+  EXPECT_THAT(latex, HasSubstr("0.35/0.3 & 4 & 30 & 83.3 ["));
+}
+
+}  // namespace

@@ -1,0 +1,275 @@
+// The page report.html as text: what it may load and run, its content, and its omissions.
+
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "analysis/draw.hpp"
+#include "analysis/page/answer.hpp"
+#include "analysis/page/html.hpp"
+#include "analysis/page/page.hpp"
+#include "analysis/page/tables.hpp"
+#include "analysis/page/trust.hpp"
+#include "analysis/page/words.hpp"
+#include "analysis/run_figures.hpp"
+#include "cli/program.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/write_report.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+using namespace rocking::analysis;
+
+const char* hostile = "</title></script><script>alert(1)</script><img src=x onerror=alert(2)> \"&'";
+
+Json report_of(const Json& question) {
+  const auto experiment = rocking::read_experiment(question.dump(), {}, {});
+  const auto result =
+      rocking::run(experiment, {.threads = 1, .on_progress = {}, .stop_requested = nullptr});
+  return Json::parse(
+      rocking::report_text(experiment, result.value(), {.build = {}, .machine = "m", .start = "s"}));
+}
+
+/// One report for all tests: three conditions, four realisations each.
+const Json& quick_report() {
+  static const Json report = report_of(quick_experiment());
+  return report;
+}
+
+std::string page_of(const Json& json, const std::string& svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>") {
+  const RunReport report = run_report_of(json);
+  std::vector<DrawnFigure> drawn;
+  for (const Figure& figure : run_figures(report)) drawn.push_back({figure, svg});
+  return page_text(report, drawn);
+}
+
+Json changed(const char* pointer, const Json& value) {
+  Json report = quick_report();
+  report[Json::json_pointer(pointer)] = value;
+  return report;
+}
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex expression(pattern);
+  std::vector<std::string> found;
+  for (std::sregex_iterator match(text.begin(), text.end(), expression), end; match != end; ++match) {
+    found.push_back(match->str(1));
+  }
+  return found;
+}
+
+/// The texts between two marks, for each occurrence.
+std::vector<std::string> between(const std::string& text, const std::string& open, const std::string& close) {
+  std::vector<std::string> found;
+  for (std::size_t at = text.find(open); at != std::string::npos; at = text.find(open, at)) {
+    at += open.size();
+    found.push_back(text.substr(at, text.find(close, at) - at));
+  }
+  return found;
+}
+
+/// A page without its scripts and styles.
+std::string markup_of(std::string page) {
+  for (const std::string tag : {"script", "style"}) {
+    for (std::size_t at = page.find('<' + tag); at != std::string::npos; at = page.find('<' + tag, at)) {
+      const std::string end = "</" + tag + '>';
+      page.erase(at, page.find(end, at) + end.size() - at);
+    }
+  }
+  return page;
+}
+
+Check check_named(const Json& report, const std::string& name) {
+  for (const Check& check : checks_of(run_report_of(report))) {
+    if (check.name == name) return check;
+  }
+  ADD_FAILURE() << name;
+  return {};
+}
+
+TEST(Page, RunsNothingOfWhatAnExperimentIsCalled) {
+  Json question = quick_experiment();
+  question["title"] = hostile;
+  const std::string page = page_of(report_of(question));
+  EXPECT_THAT(
+      page, AllOf(Not(HasSubstr("<script>alert")), Not(HasSubstr("<img src=x")), Not(HasSubstr("</title></script>"))));
+  EXPECT_THAT(page, HasSubstr("&lt;/title&gt;&lt;/script&gt;&lt;script&gt;alert(1)&lt;/script&gt;"));
+}
+
+TEST(Page, HasAPolicyThatKnowsItsScriptsAndStyleByTheirHashesAndNothingElse) {
+  const std::string page = page_of(quick_report());
+  const auto policies = between(page, "<meta http-equiv=\"Content-Security-Policy\" content=\"", "\"");
+  ASSERT_THAT(policies, SizeIs(1));
+  EXPECT_THAT(policies[0],
+              AllOf(StartsWith("default-src 'none'; "), Not(HasSubstr("unsafe")), HasSubstr("img-src data:;")));
+  std::set<std::string> expected;
+  for (const std::string& text : between(page, "<script>", "</script>")) expected.insert(policy_hash(text));
+  for (const std::string& text : between(page, "<style>", "</style>")) expected.insert(policy_hash(text));
+  const auto hashes = matches(policies[0], "('sha256-[^']*')");
+  EXPECT_EQ(std::set<std::string>(hashes.begin(), hashes.end()), expected);
+  EXPECT_GE(hashes.size(), 2U);
+}
+
+TEST(Page, HashesAsPublished) {
+  EXPECT_EQ(policy_hash("alert('Hello, world.');"), "'sha256-qznLcsROx4GACP2dm0UCKCzCG+HiZ1guq6ZZDob/Tng='");
+}
+
+TEST(Page, LoadsNothingAndNeedsNothingThatItsPolicyForbids) {
+  const std::string markup = markup_of(page_of(quick_report()));
+  EXPECT_THAT(matches(markup, R"re((?:src|href|action|data|poster)="([^"]*)")re"),
+              Each(::testing::ContainsRegex("^(#|data:)")));
+  EXPECT_THAT(matches(markup, R"((<[^>]*\s(?:style|on[a-z]+)=[^>]*>))"), IsEmpty());
+  EXPECT_THAT(matches(markup, "(<(?:iframe|object|embed|base|form|link rel=\"stylesheet\"))"), IsEmpty());
+}
+
+TEST(Page, HoldsNumbersForItsChartsThatEndNoScript) {
+  Json report = quick_report();
+  EXPECT_EQ(json_for_script({{"a", "</script><!--"}}), "{\"a\":\"\\u003c/script>\\u003c!--\"}");
+  EXPECT_THAT(between(page_of(report), "<script type=\"application/json\"", "</script>"), Not(IsEmpty()));
+}
+
+TEST(Page, LeadsNowhereThatItHasNot) {
+  Json lone = quick_experiment();
+  lone.erase("fluctuation");
+  for (const Json& report : {quick_report(), report_of(lone)}) {
+    const std::string markup = markup_of(page_of(report));
+    const auto places = matches(markup, "id=\"([^\"]+)\"");
+    for (const std::string& target : matches(markup, "href=\"#([^\"]+)\""))
+      EXPECT_THAT(places, ::testing::Contains(target));
+    EXPECT_EQ(std::set<std::string>(places.begin(), places.end()).size(), places.size()) << "a name stands twice";
+  }
+}
+
+TEST(Page, IsTheSameForTheSameReport) { EXPECT_EQ(page_of(quick_report()), page_of(quick_report())); }
+
+TEST(Page, SaysWhatTheReportSays) {
+  const std::string page = page_of(quick_report());
+  const Json& condition = quick_report()["result"]["conditions"][2];
+  for (const auto& [mode, probability] : condition["probabilities"].items()) {
+    if (condition["counts"][mode] == 0) continue;
+    EXPECT_THAT(page,
+                HasSubstr(rocking::per_cent(probability["estimate"]) + " <span class=\"interval\">[" +
+                          rocking::per_cent(probability["simultaneous"][0]) + ", " + rocking::per_cent(probability["simultaneous"][1])));
+  }
+  for (const char* pointer : {"/result/digest", "/input/sha256", "/input/experiment/seed"}) {
+    EXPECT_THAT(page, HasSubstr(quick_report()[Json::json_pointer(pointer)].get<std::string>()));
+  }
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("A block 1 m wide and 4 m high"), HasSubstr("3 conditions, 12 realisations in all")));
+}
+
+TEST(Page, SaysWhatItLeavesOut) {
+  Json report = quick_report();
+  const Json condition = report["result"]["conditions"][0];
+  for (std::size_t i = 0; i < most_rows; ++i) {
+    report["result"]["conditions"].push_back(condition);
+    report["result"]["conditions"].back()["parameters"]["/excitation/amplitude"] = 7.0 + static_cast<double>(i);
+  }
+  EXPECT_THAT(page_of(report), HasSubstr("The first 2000 of 2003 rows."));
+  EXPECT_THAT(markup_of(page_of(quick_report())), Not(HasSubstr("class=\"limit\"")));
+}
+
+TEST(Page, SaysThatItHasNoPictures) {
+  EXPECT_THAT(page_of(quick_report(), ""), HasSubstr("no picture for printing"));
+  EXPECT_THAT(page_of(quick_report()),
+              AllOf(Not(HasSubstr("no picture for printing")), HasSubstr("data:image/svg+xml;base64,")));
+}
+
+TEST(Page, HasPicturesThatCutNoWordOff) {
+  for (const Figure& figure : run_figures(run_report_of(quick_report()))) {
+    Drawing drawing;
+    const std::string svg = svg_of(figure, drawing);
+    if (!drawing.is_drawn()) GTEST_SKIP() << "skipped: " << drawing.reason;
+    const double height = std::stod(matches(svg, "viewBox=\"0 0 [0-9.]+ ([0-9.]+)\"").at(0));
+    const auto baselines = matches(svg, R"re(transform="translate\([0-9.]+,([0-9.]+)\)[^"]*"[^>]*font-family)re");
+    EXPECT_GT(baselines.size(), 2U) << figure.name;
+    for (const std::string& baseline : baselines) EXPECT_LT(std::stod(baseline) + 6.0, height) << figure.name;
+  }
+}
+
+TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {
+  Json question = quick_experiment();
+  question.erase("sweep");
+  question.erase("fluctuation");
+  question.erase("friction");
+  EXPECT_THAT(page_of(report_of(question)),
+              AllOf(HasSubstr("It cannot slide. Nothing is random."), HasSubstr("one realisation per condition"),
+                    HasSubstr("the only one")));
+}
+
+TEST(Page, ChecksWhatCouldMakeAResultUntrue) {
+  EXPECT_EQ(check_named(quick_report(), "contact with the base").rating, Rating::fine);
+  Json left = changed("/result/conditions/1/validity/left_ground", 2);
+  left["result"]["conditions"][1]["validity"]["first_realisations"]["left_ground"] = {3, 1};
+  const Check check = check_named(left, "contact with the base");
+  EXPECT_EQ(check.rating, Rating::look);
+  EXPECT_THAT(check.finding, StartsWith("2 realisations met a normal force"));
+  EXPECT_THAT(check.where, HasSubstr("--condition 1 --realisation 3"));
+}
+
+TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
+  const Json floor = {
+      {"flips", 3}, {"of", 40}, {"interval", {0.01, 0.2}}, {"half_width", 0.05}, {"arithmetic_noise", "small"}};
+  Json report = changed("/result/noise_floor", floor);
+  EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::fine);
+  report["result"]["noise_floor"]["arithmetic_noise"] = "undecided";
+  EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::note);
+  report["result"]["noise_floor"]["arithmetic_noise"] = "not_small";
+  EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::look);
+  EXPECT_THAT(check_named(report, "sensitivity to tolerance").finding, HasSubstr("3 of 40 response modes"));
+  EXPECT_EQ(check_named(changed("/result/noise_floor", nullptr), "sensitivity to tolerance").rating, Rating::note);
+}
+
+TEST(Page, AsksForALookWhereRealisationsRanOut) {
+  EXPECT_EQ(check_named(quick_report(), "enough realisations").rating, Rating::fine);
+  EXPECT_EQ(
+      check_named(changed("/result/conditions/0/stopped_because", "at_most_reached"), "enough realisations").rating,
+      Rating::look);
+}
+
+TEST(Page, TellsHowLikelyOverturningCanBe) {
+  EXPECT_THAT(responses_in_brief(run_report_of(quick_report())), HasSubstr("No realisation overturned."));
+  Json report = changed("/result/conditions/1/counts/overturned", 3);
+  report["result"]["conditions"][1]["probabilities"]["overturned"]["estimate"] = 0.75;
+  EXPECT_THAT(responses_in_brief(run_report_of(report)),
+              HasSubstr("Overturning is most likely at base amplitude 4.2: 75.0 %"));
+}
+
+TEST(Page, SpeaksOfResponsesInWords) {
+  using rocking::section::periodic;
+  EXPECT_EQ(meaning_of(periodic(1, 1)), "rocks once in every period");
+  EXPECT_EQ(meaning_of(periodic(2, 3)), "rocks twice in three periods");
+  EXPECT_EQ(meaning_of(periodic(3, 14)), "rocks three times in 14 periods");
+}
+
+TEST(Page, SetsLevelsSideBySideThatHoldUntilTheNext) {
+  const Table first{.name = "a", .columns = {{"period", "when"}, {"share", ""}}, .rows = {{1.0, 0.0}, {4.0, 0.5}}};
+  const Table second{.name = "b", .columns = first.columns, .rows = {{2.0, 0.25}, {4.0, 1.0}, {9.0, 1.0}}};
+  const Table joined = side_by_side({first, second});
+  ASSERT_THAT(joined.columns, SizeIs(3));
+  EXPECT_EQ(joined.columns[0].meaning + joined.columns[1].meaning + joined.columns[2].meaning, "whenab");
+  const std::vector<std::vector<Cell>> rows{
+      {1.0, 0.0, std::monostate()}, {2.0, 0.0, 0.25}, {4.0, 0.5, 1.0}, {9.0, 0.5, 1.0}};
+  EXPECT_EQ(joined.rows, rows);
+}
+
+TEST(Page, SetsSymbolsLow) {
+  EXPECT_EQ(symbol_html("A_h"), "<i>A<sub>h</sub></i>");
+  EXPECT_EQ(symbol_html("a_s/b_k<"), "<i>a<sub>s</sub>/b<sub>k</sub>&lt;</i>");
+}
+
+}  // namespace

@@ -1,0 +1,79 @@
+#include "rocking/ensemble/estimate_modes.hpp"
+
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rocking/stats/sison_glaz.hpp"
+
+namespace {
+
+using namespace rocking;
+using section::ResponseKind;
+using section::ResponseMode;
+
+
+std::vector<ModeEstimate> estimates(const ModeTally& tally) {
+  return estimate_modes(tally, 0.95);
+}
+
+Estimate of(const std::vector<ModeEstimate>& modes, const ResponseMode& wanted) {
+  for (const auto& [mode, probability] : modes) {
+    if (mode == wanted) return probability;
+  }
+  ADD_FAILURE() << to_string(wanted) << " is not listed";
+  return {};
+}
+
+void expect_same(const stats::Interval& found, const stats::Interval& expected) {
+  EXPECT_EQ(found.low, expected.low);
+  EXPECT_EQ(found.high, expected.high);
+}
+
+const ResponseMode chaotic{.kind = ResponseKind::chaotic};
+const ResponseMode rest{.kind = ResponseKind::rest};
+
+TEST(EstimateModes, GivesEachPrespecifiedModeASeventhOfTheSignificanceLevelHoweverManyOccurred) {
+  for (const ModeTally& others : {ModeTally{}, ModeTally{{section::periodic(2, 2), 1}, {section::periodic(5, 7), 3}}}) {
+    ModeTally tally = others;
+    tally[section::periodic(1, 1)] = 0;
+    tally[section::periodic(1, 3)] = 70;
+    tally[rest] = others.empty() ? 130 : 126;
+    const auto modes = estimates(tally);
+    expect_same(of(modes, section::periodic(1, 1)).simultaneous, stats::bonferroni_clopper_pearson({0, 200}, 0.95, 7));
+    expect_same(of(modes, section::periodic(1, 3)).simultaneous, stats::bonferroni_clopper_pearson({70, 200}, 0.95, 7));
+    expect_same(of(modes, rest).simultaneous, stats::bonferroni_clopper_pearson({tally[rest], 200}, 0.95, 7));
+  }
+}
+
+TEST(EstimateModes, LetsTheModesThatWereNotPrespecifiedShareTheSeventhPart) {
+  const auto modes = estimates({{section::periodic(2, 2), 40}, {section::periodic(0, 1), 1}, {chaotic, 159}});
+  const stats::Significance significance = stats::Family{.prespecified = 6, .confidence = 0.95}.of_others();
+  expect_same(of(modes, section::periodic(2, 2)).simultaneous, stats::exact_interval({40, 200}, significance));
+  EXPECT_EQ(of(modes, section::periodic(0, 1)).simultaneous.low, 0.0);
+}
+
+TEST(EstimateModes, GivesEveryIntervalOfItsOwnCount) {
+  const Estimate found = of(estimates({{section::periodic(1, 1), 30}, {chaotic, 170}, {rest, 0}}), chaotic);
+  EXPECT_EQ(found.estimate, 0.85);
+  EXPECT_EQ(found.counts.trials, 200U);
+  expect_same(found.wilson, stats::wilson({170, 200}, 0.95));
+  expect_same(found.jeffreys, stats::jeffreys({170, 200}, 0.95));
+  expect_same(found.clopper_pearson, stats::clopper_pearson({170, 200}, 0.95));
+  expect_same(found.goodman, stats::goodman({170, 200}, 0.95, 3));
+  const auto of_sison_and_glaz = stats::sison_glaz(std::vector<std::uint64_t>{30, 170, 0}, 0.95);
+  expect_same(found.sison_glaz.value(), of_sison_and_glaz.value()[1]);
+}
+
+TEST(EstimateModes, SaysWhatItCanOfOneModeAndOfOneRealisation) {
+  for (const std::uint64_t n : {1U, 200U}) {
+    const auto modes = estimates({{chaotic, 0}, {rest, n}});
+    EXPECT_EQ(of(modes, rest).simultaneous.high, 1.0);
+    EXPECT_GT(of(modes, rest).simultaneous.low, 0.0);
+    EXPECT_EQ(of(modes, chaotic).simultaneous.low, 0.0);
+    EXPECT_LT(of(modes, chaotic).simultaneous.high, 1.0);
+    EXPECT_FALSE(of(modes, rest).sison_glaz.has_value());
+  }
+}
+
+}  // namespace

@@ -1,0 +1,178 @@
+// Sweeps: their points, the conditions that they make, and their faults.
+
+#include "rocking/input/sweep.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/input/read_experiment.hpp"
+#include "support/excitation.hpp"
+#include "support/experiment_text.hpp"
+
+namespace {
+
+using namespace rocking;
+using support::example_experiment;
+using support::with;
+using ::testing::HasSubstr;
+
+Experiment read_with_sweep(const std::string& sweep) {
+  return read_experiment(with(example_experiment(), "/sweep", sweep).dump());
+}
+
+std::vector<base::Problem> problems_with_sweep(const std::string& sweep) {
+  try {
+    static_cast<void>(read_with_sweep(sweep));
+  } catch (const base::InputError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+TEST(Sweep, HasBothEndsAndNoRunningSum) {
+  const auto experiment = read_experiment(example_experiment().dump());
+  ASSERT_EQ(experiment.conditions.size(), 21U);
+  for (std::size_t i = 0; i < 21; ++i) {
+    const double expected = static_cast<double>(30 + i) / 10.0;  // 3.3 is read as the nearest double, and so is this quotient
+    EXPECT_EQ(support::harmonic(experiment.conditions[i].scene).amplitude, expected);
+    EXPECT_EQ(Json::parse(experiment.conditions[i].parameters[0].value).get<double>(), expected);
+  }
+  EXPECT_EQ(support::harmonic(experiment.conditions.back().scene).amplitude, 5.0);
+}
+
+std::vector<double> amplitudes_of(const std::string& range) {
+  std::vector<double> amplitudes;
+  const auto sweep = R"([{"parameter": "/excitation/amplitude", )" + range + "}]";
+  for (const auto& condition : read_with_sweep(sweep).conditions) {
+    amplitudes.push_back(support::harmonic(condition.scene).amplitude);
+  }
+  return amplitudes;
+}
+
+TEST(Sweep, HasThePointsThatItsUserWouldWriteDown) {
+  EXPECT_NE(1.0 + 7 * 0.1, 1.7) << "the case in point";
+  EXPECT_THAT(amplitudes_of(R"("from": 1.0, "to": 1.8, "step": 0.1)"),
+              ::testing::ElementsAre(1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8));
+  EXPECT_THAT(amplitudes_of(R"("from": 0.7, "to": 0.1, "step": -0.2)"), ::testing::ElementsAre(0.7, 0.5, 0.3, 0.1));
+  EXPECT_THAT(amplitudes_of(R"("from": 1.23e-7, "to": 1.26e-7, "step": 1e-9)"),
+              ::testing::ElementsAre(1.23e-7, 1.24e-7, 1.25e-7, 1.26e-7));
+}
+
+TEST(Sweep, PassesThroughZeroExactly) {
+  const auto sweep = R"([{"parameter": "/initial/tilt", "from": -0.3, "to": 0.3, "step": 0.1}])";
+  const auto experiment = read_with_sweep(sweep);
+  EXPECT_NE(-0.3 + 3 * 0.1, 0.0) << "the case in point";
+  EXPECT_EQ(std::get<double>(experiment.conditions.at(3).scene.initial.tilt), 0.0);
+}
+
+TEST(Sweep, KeepsEveryBitOfItsEnds) {
+  const auto points = amplitudes_of(R"("from": 0.3333333333333333, "to": 2.3333333333333335, "step": 1)");
+  EXPECT_THAT(points, ::testing::ElementsAre(1.0 / 3.0, 1.33333333333, 7.0 / 3.0));
+}
+
+TEST(Sweep, MayRunDownwardsOrStandStill) {
+  const auto down = read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 3, "step": -0.5}])");
+  ASSERT_EQ(down.conditions.size(), 5U);
+  EXPECT_EQ(support::harmonic(down.conditions.back().scene).amplitude, 3.0);
+  EXPECT_EQ(
+      read_with_sweep(R"([{"parameter": "/excitation/amplitude", "from": 5, "to": 5, "step": 1}])").conditions.size(),
+      1U);
+}
+
+TEST(Sweep, MakesAGridWhoseLastEntryVariesFastest) {
+  const auto grid = read_with_sweep(
+      R"([{"parameter": "/friction", "values": [{"static": 0.35, "kinetic": 0.3}, {"static": 0.4, "kinetic": 0.35}]},
+                                        {"parameter": "/excitation/amplitude", "values": [1, 2, 3]}])");
+  ASSERT_EQ(grid.conditions.size(), 6U);
+  EXPECT_EQ(grid.conditions[2].scene.friction->static_coefficient, 0.35);
+  EXPECT_EQ(support::harmonic(grid.conditions[2].scene).amplitude, 3.0);
+  EXPECT_EQ(grid.conditions[3].scene.friction->static_coefficient, 0.4);
+  EXPECT_EQ(support::harmonic(grid.conditions[3].scene).amplitude, 1.0);
+  EXPECT_EQ(grid.conditions[3].parameters[0].value, R"({"static":0.4,"kinetic":0.35})");
+  EXPECT_EQ(grid.conditions[3].parameters[1].value, "1.0");
+}
+
+TEST(Sweep, ChangesWhatFollowsFromTheValue) {
+  const auto experiment = read_experiment(R"({"format": "rocking.experiment/1",
+    "block": {"width_m": 1, "height_m": 4}, "excitation": {"amplitude": 2, "frequency_ratio": 10},
+    "friction": {"static": 0.4, "kinetic": 0.3}, "fluctuation": {"friction": {"relative_sigma": 0.1}},
+    "sweep": [{"parameter": "/formulation", "values": ["consistent", "as-printed", "as-plotted"]},
+              {"parameter": "/friction/static", "values": [0.4, 0.8]}]})");
+  ASSERT_EQ(experiment.conditions.size(), 6U);
+  EXPECT_EQ(experiment.conditions[0].scene.slide_inertia, dynamics::SlideInertia::centroidal);
+  EXPECT_EQ(experiment.conditions[2].scene.slide_inertia, dynamics::SlideInertia::edge);
+  EXPECT_NEAR(experiment.conditions[2].scene.restitution, 1.0 - 1.5 / 17.0, 1e-15);
+  EXPECT_EQ(experiment.conditions[4].scene.restitution, 0.0);
+  EXPECT_EQ(experiment.conditions[4].scene.impact_slip_rule, dynamics::ImpactSlipRule::signed_ratio);
+  EXPECT_DOUBLE_EQ(experiment.conditions[1].scene.fluctuation.static_friction, 0.08);
+}
+
+TEST(Sweep, TellsForWhichOfItsValuesAConditionIsBad) {
+  const auto problems = problems_with_sweep(R"([{"parameter": "/friction/kinetic", "values": [0.3, 0.4, -0.1]}])");
+  ASSERT_EQ(problems.size(), 2U);
+  EXPECT_EQ(problems[0].place, "/friction/static");
+  EXPECT_THAT(problems[0].reason, HasSubstr("(where the sweep sets /friction/kinetic = 0.4)"));
+  EXPECT_EQ(problems[1].place, "/friction/kinetic");
+  EXPECT_EQ(problems[1].value, "-0.1");
+}
+
+struct BadSweep {
+  const char* sweep;
+  const char* place;
+  const char* reason;
+  const char* remedy;
+};
+
+void PrintTo(const BadSweep& bad, std::ostream* out) { *out << bad.sweep; }
+
+class SweepFault : public ::testing::TestWithParam<BadSweep> {};
+
+TEST_P(SweepFault, IsToldWithPlaceReasonAndRemedy) {
+  const auto problems = problems_with_sweep(GetParam().sweep);
+  ASSERT_EQ(problems.size(), 1U) << base::InputError(problems).what();
+  EXPECT_EQ(problems[0].place, GetParam().place);
+  EXPECT_THAT(problems[0].reason, HasSubstr(GetParam().reason));
+  EXPECT_THAT(problems[0].remedy, HasSubstr(GetParam().remedy));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, SweepFault,
+    ::testing::Values(
+        BadSweep{"[]", "/sweep", "at least one entry", "omit \"sweep\""},
+        BadSweep{"{}", "/sweep", "must be a list", "omit"}, BadSweep{"[3]", "/sweep/0", "must be an object", "{"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "values": []}])", "/sweep/0/values", "at least one", "["},
+        BadSweep{R"([{"values": [1]}])", "/sweep/0/parameter", "is missing", "/excitation/amplitude"},
+        BadSweep{R"([{"parameter": "/excitation/amplitud", "values": [1]}])", "/sweep/0/parameter",
+                 "is not a value of this file", "/excitation/amplitude"},
+        BadSweep{R"([{"parameter": "", "values": [1]}])", "/sweep/0/parameter", "is not a value of this file", ""},
+        BadSweep{R"([{"parameter": 3, "values": [1]}])", "/sweep/0/parameter", "must be text", "quotes"},
+        BadSweep{R"([{"parameter": "excitation", "values": [1]}])", "/sweep/0/parameter", "is not a value of this file",
+                 ""},
+        BadSweep{R"([{"parameter": "/seed", "values": [1]}])", "/sweep/0/parameter", "is not a value of this file", ""},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0.3}])", "/sweep/0/step",
+                 "does not divide", "1.9"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": -0.5}])", "/sweep/0/step",
+                 "leads away", "sign"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2, "step": 0}])", "/sweep/0/step",
+                 "must not be 0", "omit"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 2}])", "/sweep/0/step", "is missing",
+                 "add"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 1, "values": [1]}])", "/sweep/0/values", "excludes",
+                 "keep one"},
+        BadSweep{R"([{"parameter": "/excitation/amplitude", "from": 0, "to": 1, "step": 1e-9}])", "/sweep/0/step",
+                 "1000000", "larger"},
+        BadSweep{
+            R"([{"parameter": "/excitation/amplitude", "from": 1, "to": 10, "step": 0.001}, {"parameter": "/block/width_m", "from": 1, "to": 2, "step": 0.001}])",
+            "/sweep", "1000000", "fewer"},
+        BadSweep{
+            R"([{"parameter": "/friction", "values": [{"static": 1, "kinetic": 1}]}, {"parameter": "/friction/static", "values": [1]}])",
+            "/sweep/1/parameter", "also swept", "keep one"}));
+
+TEST(Sweep, OfRealisationsExcludesTheFlag) {
+  const auto document = with(example_experiment(), "/sweep", R"([{"parameter": "/realisations", "values": [10, 20]}])");
+  EXPECT_EQ(read_experiment(document.dump()).conditions[1].realisations, 20U);
+  EXPECT_THROW(static_cast<void>(read_experiment(document.dump(), {.seed = {}, .realisations = "5"})),
+               base::InputError);
+}
+
+}  // namespace

@@ -1,0 +1,161 @@
+// The table that a run prints.
+
+#include "rocking/output/mode_table.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/output/share_bar.hpp"
+#include "rocking/output/text_table.hpp"
+
+namespace {
+
+using namespace rocking;
+using section::ResponseMode;
+
+/// A table with one row for each call of `add`: realisations of each mode, all others none.
+struct Made {
+  std::vector<TableRow> rows;
+
+  void add(std::vector<Parameter> parameters,
+           const std::vector<std::pair<ResponseMode, std::uint64_t>>& counts) {
+    TableRow row;
+    row.parameters = std::move(parameters);
+    for (const auto& [mode, count] : counts) row.realisations += count;
+    for (const auto& [mode, count] : counts) {
+      const double p = static_cast<double>(count) / static_cast<double>(row.realisations);
+      row.modes.push_back({.mode = mode, .count = count, .estimate = p, .interval = {0.5 * p, p}});
+    }
+    rows.push_back(std::move(row));
+  }
+
+  [[nodiscard]] std::vector<std::string> lines(const TableLook& look = {}) const {
+    std::istringstream table(mode_table(rows, look));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(table, line);) all.push_back(line);
+    return all;
+  }
+};
+
+TEST(ModeTable, HasARowForEachConditionAndAColumnForEachModeThatOccurs) {
+  Made made;
+  made.add({{"/friction", R"({"static":0.35,"kinetic":0.3})"}, {"/excitation/amplitude", "3.3000000000000003"}},
+           {{section::periodic(1, 1), 150}, {section::periodic(1, 3), 50}, {{section::ResponseKind::chaotic}, 0}});
+  made.add({{"/friction", R"({"static":0.4,"kinetic":0.35})"}, {"/excitation/amplitude", "10.0"}},
+           {{section::periodic(1, 1), 200}, {section::periodic(1, 3), 0}, {{section::ResponseKind::chaotic}, 0}});
+  EXPECT_THAT(made.lines(), ::testing::ElementsAre("friction  amplitude    n                (1,1)              (1,3)",
+                                                   "0.35/0.3        3.3  200    75.0 [37.5, 75.0]  25.0 [12.5, 25.0]",
+                                                   "0.4/0.35         10  200  100.0 [50.0, 100.0]                  ."));
+}
+
+TEST(ModeTable, WithoutASweepHasOneRow) {
+  Made made;
+  made.add({}, {{section::periodic(1, 1), 1}});
+  EXPECT_THAT(made.lines(), ::testing::ElementsAre("n                (1,1)", "1  100.0 [50.0, 100.0]"));
+}
+
+TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {
+  Made made;
+  std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
+  for (int n = 1; n <= 12; ++n) counts.emplace_back(section::periodic(1, n), 10);
+  counts[7].second = 90;  // (1,8): the most frequent mode is shown, whatever its place
+  made.add({{"/excitation/amplitude", "1.0"}}, counts);
+  const auto lines = made.lines();
+  for (const std::string& line : lines) EXPECT_LE(line.size(), 120U);
+  EXPECT_THAT(lines[0], ::testing::HasSubstr("(1,8)"));
+  EXPECT_THAT(lines[0], ::testing::EndsWith("others"));
+  const auto shown = std::count(lines[0].begin(), lines[0].end(), '(');
+  EXPECT_THAT(lines[1], ::testing::EndsWith(shown == 4 ? "40.0" : "")) << "200 less 90 and three times 10, of 200";
+}
+
+TEST(ModeTable, IsEmptyWithoutConditions) { EXPECT_EQ(mode_table({}), ""); }
+
+TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
+  Experiment experiment;
+  experiment.conditions.emplace_back().parameters = {{"/excitation/amplitude", "4.5"}};
+  ConditionResult condition;
+  condition.realisations = 8;
+  Estimate estimate;
+  estimate.counts = {.successes = 2, .trials = 8};
+  estimate.estimate = 0.25;
+  estimate.simultaneous = {.low = 0.1, .high = 0.5};
+  condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
+  const auto rows = table_rows(experiment, {.conditions = {condition}, .digest = {}});
+  ASSERT_EQ(rows.size(), 1U);
+  EXPECT_EQ(rows[0].parameters[0].value, "4.5");
+  EXPECT_EQ(rows[0].realisations, 8U);
+  ASSERT_EQ(rows[0].modes.size(), 1U);
+  EXPECT_EQ(rows[0].modes[0].count, 2U);
+  EXPECT_EQ(rows[0].modes[0].estimate, 0.25);
+  EXPECT_EQ(rows[0].modes[0].interval.high, 0.5);
+}
+
+TEST(TableRows, HaveTheIntervalThatIsValidWheneverTheRunStops) {
+  Experiment experiment;
+  experiment.conditions.emplace_back();
+  Estimate estimate;
+  estimate.simultaneous = {.low = 0.5, .high = 1.0};
+  estimate.anytime = {.low = 0.25, .high = 1.0};
+  ConditionResult condition;
+  condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
+  const auto rows = table_rows(experiment, {.conditions = {condition}, .digest = {}});
+  EXPECT_EQ(rows[0].modes[0].interval.low, 0.25);
+}
+
+/// Three modes: one alone, two equally frequent, and one rare.
+Made of_three_modes() {
+  Made made;
+  made.add({{"/excitation/amplitude", "3.0"}},
+           {{section::periodic(1, 1), 200}, {section::periodic(1, 3), 0}, {{section::ResponseKind::overturned}, 0}});
+  made.add({{"/excitation/amplitude", "4.5"}},
+           {{section::periodic(1, 1), 100}, {section::periodic(1, 3), 99}, {{section::ResponseKind::overturned}, 1}});
+  return made;
+}
+
+TEST(ModeTable, DrawsItsSharesWhereBarsAreWanted) {
+  EXPECT_THAT(
+      of_three_modes().lines({.width = 104, .bars = Letters::ascii}),
+      ::testing::ElementsAre("amplitude    n              # (1,1)            - (1,3)    % overturned        shares",
+                             "        3  200  100.0 [50.0, 100.0]                  .               .  ############",
+                             "      4.5  200    50.0 [25.0, 50.0]  49.5 [24.8, 49.5]  0.5 [0.2, 0.5]  ######-----%"));
+  const auto lines = of_three_modes().lines({.width = 107, .bars = Letters::unicode});
+  EXPECT_THAT(lines[0], ::testing::HasSubstr("█ (1,1)"));
+  EXPECT_THAT(lines[2], ::testing::EndsWith("  ███████░░░░░░░▓")) << "a longer bar, as there is room";
+}
+
+TEST(ModeTable, DrawsNoBarsWithoutRoomOrNeed) {
+  const auto bars = Letters::ascii;
+  EXPECT_EQ(of_three_modes().lines({.width = 103, .bars = bars}), of_three_modes().lines({.width = 103, .bars = {}}));
+  EXPECT_EQ(of_three_modes().lines({.width = 1, .bars = bars}), of_three_modes().lines({.width = 1, .bars = {}}));
+  Made alone;
+  alone.add({}, {{section::periodic(1, 1), 7}, {section::periodic(1, 3), 0}});
+  EXPECT_EQ(alone.lines({.width = 200, .bars = bars}), alone.lines());
+}
+
+TEST(ModeTable, KeepsToTheWidthThatThereIs) {
+  Made made;
+  std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
+  for (int n = 1; n <= 12; ++n) counts.emplace_back(section::periodic(1, n), 10);
+  made.add({{"/excitation/amplitude", "1.0"}}, counts);
+  for (std::size_t width = 48; width < 220; ++width) {
+    for (const auto bars : {std::optional<Letters>(), std::optional(Letters::unicode)}) {
+      for (const std::string& line : made.lines({.width = width, .bars = bars}))
+        EXPECT_LE(letters_in(line), width) << line;
+    }
+  }
+  EXPECT_THAT(made.lines({.width = 300, .bars = Letters::ascii})[1],
+              ::testing::EndsWith("  ##--%%==oo.............."));
+}
+
+TEST(ShareBar, HasALetterForWhatIsThereAtAllAndIsNoLongerForIt) {
+  const BarLook look{.length = 12, .letters = Letters::ascii};
+  EXPECT_EQ(share_bar({1'000'000, 1, 0, 1}, look), "##########-=");
+  EXPECT_EQ(share_bar({0, 1, 0, 1}, look), "------======");
+  EXPECT_EQ(share_bar({0, 0, 3}, look), "%%%%%%%%%%%%");
+  EXPECT_EQ(share_bar({2, 1}, look), "########----");
+}
+
+}  // namespace

@@ -1,0 +1,236 @@
+// Reports, trajectories and checks as written: they satisfy their schemas, and the schemas reject wrong ones.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/check_normal_summary.hpp"
+#include "rocking/output/write_check_normal.hpp"
+#include "rocking/output/write_report.hpp"
+#include "rocking/output/write_trajectory.hpp"
+#include "support/experiment_text.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using namespace rocking;
+using support::objections;
+
+ModeEstimate mode(section::ResponseMode kind, std::uint64_t successes, std::uint64_t trials) {
+  const double p = static_cast<double>(successes) / static_cast<double>(trials);
+  const stats::Interval interval{0.5 * p, 0.5 + 0.5 * p};
+  return {kind,
+          {.counts = {successes, trials},
+           .estimate = p,
+           .wilson = interval,
+           .jeffreys = interval,
+           .clopper_pearson = interval,
+           .simultaneous = interval,
+           .goodman = interval,
+           .sison_glaz = interval}};
+}
+
+/// An invented result; only its output is tested.
+ExperimentResult result_for(const Experiment& experiment) {
+  using section::ResponseKind;
+  ConditionResult condition;
+  condition.realisations = 200;
+  condition.modes = {mode(section::periodic(1, 1), 120, 200), mode(section::periodic(1, 3), 70, 200),
+                     mode({ResponseKind::chaotic}, 0, 200), mode({ResponseKind::overturned}, 10, 200)};
+  condition.non_recurrence.emplace();
+  condition.non_recurrence->arithmetic_tolerance = 1e-11;
+  condition.non_recurrence->friction = {
+      .pairs = 100, .diverged = 60, .lower_quartile = 12.0, .median = 80.0, .upper_quartile = {}};
+  condition.validity.clamps.kinetic_at_static = 17;
+  condition.operations.steps = 1000;
+  condition.operations.events[0] = 5;
+  condition.stopped_because = StoppedBecause::all_realisations_done;
+  return {.conditions = std::vector(experiment.conditions.size(), condition), .digest = base::sha256("made up")};
+}
+
+Experiment example() { return read_experiment(support::example_experiment().dump()); }
+
+SystemFacts facts(const std::string& machine) {
+  return {.build = base::build_info(),
+          .machine = machine,
+          .start = "2012-02-01T12:00:00Z",
+          .duration_s = 1.25,
+          .threads = 2};
+}
+
+std::string example_report() { return report_text(example(), result_for(example()), facts("here")); }
+
+TEST(Report, KeepsToItsSchema) { EXPECT_EQ(objections("report", example_report()), ""); }
+
+TEST(Report, OfOneRealisationSaysThatThereIsNothingToCompare) {
+  auto result = result_for(example());
+  result.conditions[0].non_recurrence.reset();
+  const std::string text = report_text(example(), result, facts("here"));
+  EXPECT_EQ(objections("report", text), "");
+  EXPECT_TRUE(Json::parse(text)["result"]["conditions"][0]["non_recurrence"].is_null());
+}
+
+TEST(Report, MayHaveNoIntervalOfSisonAndGlaz) {
+  auto result = result_for(example());
+  for (auto& listed : result.conditions[0].modes) listed.probability.sison_glaz.reset();
+  const std::string text = report_text(example(), result, facts("here"));
+  EXPECT_EQ(objections("report", text), "");
+  const Json report = Json::parse(text);
+  EXPECT_TRUE(report["result"]["conditions"][0]["probabilities"]["(1,1)"]["simultaneous_sison_glaz"].is_null());
+}
+
+TEST(Report, DiffersInSystemOnlyBetweenEqualRuns) {
+  Json here = Json::parse(example_report());
+  Json there = Json::parse(report_text(example(), result_for(example()), facts("there")));
+  EXPECT_NE(here["system"], there["system"]);
+  here.erase("system");
+  there.erase("system");
+  EXPECT_EQ(here.dump(), there.dump());
+}
+
+TEST(Report, HasItsKeysInAFixedOrder) {
+  const Json report = Json::parse(example_report());
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : report.items()) keys.push_back(key);
+  EXPECT_THAT(keys, ::testing::ElementsAre("format", "input", "result", "system", "internal"));
+  keys.clear();
+  for (const auto& [key, value] : report["result"]["conditions"][0].items()) keys.push_back(key);
+  EXPECT_THAT(keys, ::testing::ElementsAre("parameters", "realisations", "counts", "probabilities", "non_recurrence",
+                                           "validity", "stopped_because"));
+}
+
+TEST(Report, HoldsTheExperimentAndItsDigest) {
+  const Json input = Json::parse(example_report())["input"];
+  EXPECT_EQ(input["experiment"].dump(), example().canonical_text);
+  EXPECT_EQ(input["sha256"], base::to_hex(base::sha256(input["experiment"].dump())));
+  EXPECT_EQ(objections("experiment", input["experiment"].dump()), "");
+}
+
+TEST(Report, AddsUpTheOperationCountsOfItsConditions) {
+  const Json internal = Json::parse(example_report())["internal"];
+  EXPECT_EQ(internal["conditions"].size(), 21U);
+  EXPECT_EQ(internal["total"]["steps"], 21 * 1000);
+  EXPECT_EQ(internal["total"]["events"]["lift"], 21 * 5);
+  EXPECT_EQ(internal["total"]["clamped_draws"]["kinetic_friction_at_static"], 21 * 17);
+}
+
+/// A sabotaged report, which the schema must reject.
+class Sabotage : public ::testing::TestWithParam<std::pair<const char*, const char*>> {};
+
+TEST_P(Sabotage, IsSeenByTheSchema) {
+  const auto [pointer, value] = GetParam();
+  EXPECT_NE(objections("report", support::with(Json::parse(example_report()), pointer, value).dump()), "");
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Sabotage,
+                         ::testing::Values(std::pair{"/result/digest", "\"abc\""}, std::pair{"/result/extra", "1"},
+                                           std::pair{"/result/conditions/3/counts/(1,1)", "-1"},
+                                           std::pair{"/result/conditions/3/counts/harmonic", "1"},
+                                           std::pair{"/result/conditions/0/probabilities/(1,1)/wilson", "[0.1]"},
+                                           std::pair{"/result/conditions/0/probabilities/(1,1)/estimate", "1.5"},
+                                           std::pair{"/internal/total/events/jump", "1"},
+                                           std::pair{"/system/start", "\"today\""},
+                                           std::pair{"/result/conditions/0/non_recurrence", "{}"},
+                                           std::pair{"/format", "\"rocking.report/2\""}));
+
+TEST(ExperimentSchema, AllowsWhatTheReaderAllows) {
+  EXPECT_EQ(objections("experiment", support::example_experiment().dump()), "");
+  EXPECT_EQ(objections("experiment", support::least_experiment().dump()), "");
+  EXPECT_EQ(objections("experiment", read_experiment(support::least_experiment().dump()).canonical_text), "");
+}
+
+TEST(ExperimentSchema, RefusesWhatTheReaderRefuses) {
+  for (const auto& [pointer, value] : {std::pair{"/titel", "1"},
+                                       {"/block/width_m", "-1"},
+                                       {"/confidence", "1"},
+                                       {"/friction/static", "\"0.3\""},
+                                       {"/sweep", "[]"},
+                                       {"/realisations", "0"},
+                                       {"/fluctuation/static_friction", R"({"sigma": 1})"},
+                                       {"/restitution", "-1"},
+                                       {"/seed", "\"0xg\""},
+                                       {"/initial/tilt", R"({"uniform": [1]})"},
+                                       {"/fluctuation/friction/relative_sigma", "1"}}) {
+    const std::string text = support::with(support::example_experiment(), pointer, value).dump();
+    EXPECT_NE(objections("experiment", text), "") << pointer;
+    EXPECT_THROW(static_cast<void>(read_experiment(text)), base::InputError) << pointer;
+  }
+}
+
+TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
+  Trajectory trajectory;
+  trajectory.block = {.width = 0.3, .height = 1.2, .gravity = 1.62};
+  trajectory.strobe.push_back({1, 1.0 / 3.0, -0.1, 5e-324, -0.0, dynamics::ContactState::rock_slide});
+  trajectory.events.push_back({0.1 + 0.2, dynamics::EventKind::impact_slip, 0.0, 1e-300, 2.0 / 3.0, 1.5});
+  trajectory.losses_of_contact = 2;
+  trajectory.first_loss_of_contact = 0.7;
+  trajectory.contradictions = 3;
+  trajectory.energy = {.at_start = 1.0,
+                       .at_end = 2.0,
+                       .base_work = 4.0,
+                       .friction_work = -1.0,
+                       .lost_in_impacts = 1.5,
+                       .gained_in_impacts = 0.25};
+  const std::string text = trajectory_text({.condition = 3, .realisation = 7}, trajectory);
+  EXPECT_EQ(objections("trajectory", text), "");
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["strobe"][0]["tilt"].get<double>(), 1.0 / 3.0);
+  EXPECT_EQ(json["strobe"][0]["slip"].get<double>(), 5e-324);
+  EXPECT_EQ(json["strobe"][0]["contact"], "rock_slide");
+  EXPECT_EQ(json["events"][0]["tau"].get<double>(), 0.1 + 0.2);
+  EXPECT_EQ(json["events"][0]["kind"], "impact_slip");
+  EXPECT_EQ(json["validity"],
+            Json::parse(R"({"losses_of_contact": 2, "first_loss_of_contact": 0.7, "contradictions": 3})"));
+  EXPECT_EQ(json["energy"], Json::parse(R"({"at_start": 1.0, "at_end": 2.0, "base_work": 4.0, "friction_work": -1.0,
+                            "lost_in_impacts": 1.5, "gained_in_impacts": 0.25, "unaccounted": -0.75})"));
+  EXPECT_EQ(json["condition"], 3);
+  EXPECT_EQ(json["block"], Json::parse(R"({"width_m": 0.3, "height_m": 1.2, "gravity_m_s2": 1.62})"));
+  EXPECT_EQ(objections("trajectory", trajectory_text({}, {})), "") << "an empty one";
+}
+
+/// 200 evenly spaced numbers: not normal, with the right mean.
+SamplerCheck example_check() {
+  std::vector<double> sample, other;
+  for (int i = 0; i < 200; ++i) {
+    sample.push_back(0.4 + 0.0003 * (i - 99.5));
+    other.push_back(0.4 + 0.03 * (i % 2 == 0 ? 1.0 : -1.0));
+  }
+  return {"box-muller", 0x2012, stats::check_normal({sample, other, other}, {0.4, 0.03}).value()};
+}
+
+TEST(SamplerCheck, KeepsToItsSchema) {
+  const Json json = Json::parse(check_normal_text(example_check()));
+  EXPECT_EQ(objections("check_normal", json.dump()), "");
+  for (const auto& [pointer, value] : {std::pair{"/skewness/p_value", "1.5"}, std::pair{"/skewness/nearness", "[]"},
+                                       std::pair{"/correlations/0/between", "\"friends\""}, std::pair{"/refuted", "0"},
+                                       std::pair{"/mean/nearness", "[]"}}) {
+    EXPECT_NE(objections("check_normal", support::with(json, pointer, value).dump()), "") << pointer;
+  }
+}
+
+TEST(SamplerCheck, WritesWhatWasFound) {
+  const SamplerCheck check = example_check();
+  const Json json = Json::parse(check_normal_text(check));
+  EXPECT_EQ(json["n"], 200);
+  EXPECT_EQ(json["kurtosis"]["nearness"][1]["probability"], check.found.kurtosis.observed.probability);
+  EXPECT_EQ(json["standard_deviation"]["p_value"], check.found.standard_deviation.p_value);
+  EXPECT_EQ(json["correlations"].size(), 7U);
+  EXPECT_EQ(json["correlations"][2]["between"], "lag_1");
+  EXPECT_EQ(json["correlations"][2]["p_value"], check.found.correlations[2].test.p_value);
+  EXPECT_EQ(json["refuted"], true) << "neighbours all but equal";
+}
+
+// skewness within 0.01, standard error sqrt(6 198/(201 203)) = 0.1706: erf(0.01/0.1706/sqrt 2) = 0.047
+TEST(SamplerCheck, SaysInPlainWordsWhatIsRemarkable) {
+  const std::string text = check_normal_summary(example_check());
+  EXPECT_THAT(text,
+              ::testing::HasSubstr("skewness within 0.01: expected in 5 % of normal samples of this size; within "));
+  EXPECT_THAT(text, ::testing::ContainsRegex("mean +0\\.4 .* not remarkable\n"));
+  EXPECT_THAT(text, ::testing::ContainsRegex("lag 1 .* not this distribution\n"));
+  EXPECT_THAT(text, ::testing::ContainsRegex(
+                        "D'Agostino-Pearson .* 1 sample in [0-9.e+]+\n|D'Agostino-Pearson .* not this distribution\n"));
+  EXPECT_THAT(text, ::testing::HasSubstr("smallest of 18 p-values: "));
+}
+
+}  // namespace

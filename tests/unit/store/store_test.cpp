@@ -1,0 +1,213 @@
+// The store of a run: rows are read as written, and damaged ones are refused by name.
+
+#include "rocking/store/store.hpp"
+
+#include <fstream>
+#include <type_traits>
+#include <vector>
+
+#include <gmock/gmock.h>
+
+#include "rocking/store/difference.hpp"
+#include "rocking/studies/verification.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace rocking {
+namespace {
+
+using sqlite::Access;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+const Identity identity{.experiment = "{}", .code = "1 abc", .files = "/records", .shard = {}};
+
+/// A summary in which all fields differ, from each other and from those of other numbers.
+Summary filled(std::uint64_t number) {
+  Summary summary;
+  std::uint64_t value = 1000 * number;
+  for_each_field(summary, [&value](const auto&, auto& field) {
+    using Field = std::remove_reference_t<decltype(field)>;
+    ++value;
+    if constexpr (std::is_same_v<Field, std::uint64_t>) field = value + (1ULL << 60U);
+    if constexpr (std::is_same_v<Field, double>) field = 1.0 / static_cast<double>(value);
+    if constexpr (std::is_same_v<Field, bool>) field = value % 2 == 0;
+    if constexpr (std::is_same_v<Field, base::Sha256>) field = base::sha256(std::to_string(value));
+    if constexpr (std::is_same_v<Field, std::optional<std::int64_t>>) field = static_cast<std::int64_t>(value);
+  });
+  summary.mode = section::periodic(static_cast<int>(number), 3);
+  summary.termination = dynamics::Termination::stopped;
+  summary.reason = section::Reason::points_converge;
+  summary.rerun_mode = section::ResponseMode{.kind = section::ResponseKind::chaotic};
+  return summary;
+}
+
+TEST(Store, GivesBackEveryFieldOfARow) {
+  Store store = Store::in_memory(identity);
+  const Summary empty;
+  store.add({2, 7}, filled(1));
+  store.add({2, 8}, empty);
+  EXPECT_THAT(differing_fields(store.find({2, 7}).value(), filled(1)), IsEmpty());
+  EXPECT_THAT(differing_fields(store.find({2, 8}).value(), empty), IsEmpty());
+  EXPECT_FALSE(store.find({7, 2}).has_value());
+}
+
+TEST(DifferingFields, NamesEachFieldThatDiffers) {
+  Summary other = filled(1);
+  other.digest = base::sha256("x");
+  other.rerun_mode.reset();
+  other.clamps.restitution = 3;
+  EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("digest", "repeat_mode", "clamped_restitution"));
+}
+
+TEST(Store, WalksItsRowsInTheOrderOfTheirKeys) {
+  Store store = Store::in_memory(identity);
+  for (const RealisationKey key : {RealisationKey{1, 0}, {0, 10}, {0, 9}, {1, 2}, {0, 0}}) store.add(key, filled(1));
+  std::vector<RealisationKey> keys;
+  store.for_each([&keys](const RealisationKey& key, const Summary&) { keys.push_back(key); });
+  EXPECT_THAT(keys, ElementsAre(RealisationKey{0, 0}, RealisationKey{0, 9}, RealisationKey{0, 10}, RealisationKey{1, 0},
+                                RealisationKey{1, 2}));
+}
+
+TEST(Store, CountsResponseModesBelowANumber) {
+  Store store = Store::in_memory(identity);
+  for (std::uint64_t number = 0; number < 10; ++number) store.add({4, number}, filled(1 + number % 3));
+  store.add({3, 0}, filled(2));
+  EXPECT_THAT(store.mode_counts(4, 7),
+              ElementsAre(std::pair(section::periodic(1, 3), 3U), std::pair(section::periodic(2, 3), 2U),
+                          std::pair(section::periodic(3, 3), 2U)));
+  EXPECT_THAT(store.mode_counts(5, 7), IsEmpty());
+}
+
+TEST(Store, KeepsItsIdentity) {
+  const support::TemporaryFolder folder;
+  Identity part = identity;
+  part.shard = Shard{.part = 2, .parts = 5};
+  { Store::create(folder / "a.sqlite", part).close_up(); }
+  const Identity read = Store::open(folder / "a.sqlite", Access::read).identity();
+  EXPECT_EQ(read.experiment, "{}");
+  EXPECT_EQ(read.code, "1 abc");
+  EXPECT_EQ(read.files, "/records");
+  ASSERT_TRUE(read.shard.has_value());
+  EXPECT_EQ(read.shard->part, 2U);
+  EXPECT_EQ(read.shard->parts, 5U);
+}
+
+TEST(Store, LosesOnlyWhatWasNotCommitted) {
+  const support::TemporaryFolder folder;
+  Store store = Store::create(folder / "a.sqlite", identity);
+  store.add({0, 0}, filled(1));
+  store.commit();
+  store.add({0, 1}, filled(2));
+  const Store onlooker = Store::open(folder / "a.sqlite", Access::read);
+  EXPECT_TRUE(onlooker.find({0, 0}).has_value());
+  EXPECT_FALSE(onlooker.find({0, 1}).has_value());
+  store.commit();
+  EXPECT_TRUE(onlooker.find({0, 1}).has_value());
+}
+
+TEST(Store, LeavesASingleFileWhenItIsClosedUp) {
+  const support::TemporaryFolder folder;
+  {
+    Store store = Store::create(folder / "a.sqlite", identity);
+    store.add({0, 0}, filled(1));
+    store.close_up();
+  }
+  { EXPECT_TRUE(Store::open(folder / "a.sqlite", Access::read).find({0, 0}).has_value()); }
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.sqlite-wal"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "a.sqlite-shm"));
+}
+
+std::string complaint(const std::filesystem::path& path) {
+  try {
+    Store::open(path, Access::read).for_each([](const RealisationKey&, const Summary&) {});
+  } catch (const sqlite::UnusableFile& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Store, TellsOfARowThatWasChanged) {
+  const support::TemporaryFolder folder;
+  {
+    Store store = Store::create(folder / "a.sqlite", identity);
+    for (std::uint64_t number = 0; number < 4; ++number) store.add({1, number}, filled(number));
+    store.close_up();
+  }
+  EXPECT_EQ(complaint(folder / "a.sqlite"), "");
+  for (const char* change : {"mode = '(1,1)'", "steps = steps + 1", "parted_from_next = NULL", "margin = 2.0",
+                             "in_transient = 1 - in_transient"}) {
+    std::filesystem::copy_file(folder / "a.sqlite", folder / "b.sqlite",
+                               std::filesystem::copy_options::overwrite_existing);
+    sqlite::Database(folder / "b.sqlite", Access::write)
+        .execute(std::string("UPDATE realisations SET ") + change + " WHERE realisation = 2");
+    EXPECT_THAT(complaint(folder / "b.sqlite"), HasSubstr("condition 1, realisation 2")) << change;
+  }
+}
+
+TEST(Store, RefusesWhatIsNoStore) {
+  const support::TemporaryFolder folder;
+  std::ofstream(folder / "text") << std::string(5000, 'x');
+  EXPECT_THAT(complaint(folder / "text"), HasSubstr("text"));
+  sqlite::Database(folder / "other.sqlite", Access::create).execute("CREATE TABLE realisations (a)");
+  EXPECT_THAT(complaint(folder / "other.sqlite"), HasSubstr("not a store"));
+  EXPECT_THROW((void)Store::open(folder / "absent.sqlite", Access::read), std::system_error);
+}
+
+TEST(Store, OfALayoutWithoutAColumnReadsItsFieldAsTheDefault) {
+  std::string table = row_table();
+  const std::string column = ", clamped_restitution INTEGER NOT NULL";
+  ASSERT_NE(table.find(column), std::string::npos);
+  table.erase(table.find(column), column.size());
+  auto database = sqlite::Database::in_memory();
+  database.execute(table);
+  const RowFormat former(database, 2, "{}");
+  auto insert =
+      database.prepare("INSERT INTO realisations (" + former.columns() + ") VALUES (" + former.placeholders() + ")");
+  former.bind(insert, {3, 4}, filled(5));
+  insert.run();
+  auto select = database.prepare("SELECT " + former.columns() + " FROM realisations");
+  ASSERT_TRUE(select.step());
+  const auto row = former.read(select);
+  ASSERT_TRUE(row.has_value());
+  EXPECT_EQ(row->key, (RealisationKey{3, 4}));
+  EXPECT_THAT(differing_fields(row->summary, filled(5)), ElementsAre("clamped_restitution"));
+  EXPECT_EQ(row->summary.clamps.restitution, 0U);
+  EXPECT_FALSE(RowFormat(database, 2, "{\"seed\": 2}").read(select).has_value()) << "of another experiment";
+}
+
+TEST(ResultsVersion, OfAnEarlierProgramIsNotTakenForThisOne) {
+  EXPECT_TRUE(has_current_bits(filled(1), filled(2), results_version));
+  EXPECT_FALSE(has_current_bits(filled(1), filled(2), 0)) << "not known";
+  EXPECT_FALSE(has_current_bits(filled(1), filled(2), results_version + 1)) << "not known";
+}
+
+TEST(ResultsVersion, OneHasTheBitsOfMotionsThatStayOnTheGround) {
+  const Summary stayed;
+  Summary left = stayed;
+  left.left_ground = true;
+  EXPECT_TRUE(has_current_bits(stayed, stayed, 1));
+  EXPECT_TRUE(has_current_bits(stayed, std::nullopt, 1));
+  EXPECT_FALSE(has_current_bits(left, stayed, 1));
+  EXPECT_FALSE(has_current_bits(stayed, left, 1)) << "it says when it diverged from that one";
+  Summary rerun = stayed;
+  rerun.rerun_mode = section::ResponseMode{};
+  EXPECT_FALSE(has_current_bits(rerun, stayed, 1)) << "the rerun may have left the ground";
+  Summary checked = stayed;
+  checked.long_mode = section::ResponseMode{};
+  EXPECT_FALSE(has_current_bits(checked, stayed, 1)) << "the longer run may have left the ground";
+}
+
+TEST(Store, TellsOfAFileThatWasCutShort) {
+  const support::TemporaryFolder folder;
+  {
+    Store store = Store::create(folder / "a.sqlite", identity);
+    for (std::uint64_t number = 0; number < 400; ++number) store.add({0, number}, filled(number));
+    store.close_up();
+  }
+  std::filesystem::resize_file(folder / "a.sqlite", std::filesystem::file_size(folder / "a.sqlite") / 2);
+  EXPECT_THAT(complaint(folder / "a.sqlite"), HasSubstr("damaged"));
+}
+
+}  // namespace
+}  // namespace rocking

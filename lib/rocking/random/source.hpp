@@ -18,6 +18,8 @@ enum class Source : std::uint8_t {
   tilt_rate = 7,
   slip_rate = 8,
   check_normal = 9,
+  block_width = 10,
+  block_height = 11,
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Source source) {
@@ -31,6 +33,8 @@ enum class Source : std::uint8_t {
     case Source::tilt_rate: return "tilt_rate";
     case Source::slip_rate: return "slip_rate";
     case Source::check_normal: return "check_normal";
+    case Source::block_width: return "block_width";
+    case Source::block_height: return "block_height";
   }
   return {};
 }

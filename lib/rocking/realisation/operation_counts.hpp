@@ -20,7 +20,7 @@ struct OperationCounts {
   std::uint64_t kinetic_friction_draws = 0;
   std::uint64_t restitution_draws = 0;
   std::uint64_t amplitude_draws = 0;
-  std::uint64_t initial_draws = 0;                                 ///< draws of phase and initial state
+  std::uint64_t initial_draws = 0;                                 ///< draws of block, phase and initial state
   std::array<std::uint64_t, dynamics::event_kind_count> events{};  ///< by EventKind
 
   OperationCounts& operator+=(const OperationCounts& other);
@@ -33,6 +33,7 @@ struct Clamps {
   std::uint64_t static_at_zero = 0;
   std::uint64_t restitution = 0;
   std::uint64_t amplitude_at_zero = 0;
+  std::uint64_t length_at_bound = 0;  ///< width or height of the block
 
   Clamps& operator+=(const Clamps& other);
 };
@@ -51,6 +52,7 @@ inline constexpr std::array clamp_kinds{
     ClampKind{"clamped_static_at_zero", "static_friction_at_zero", &Clamps::static_at_zero},
     ClampKind{"clamped_restitution", "restitution", &Clamps::restitution},
     ClampKind{"clamped_amplitude_at_zero", "amplitude_at_zero", &Clamps::amplitude_at_zero},
+    ClampKind{"clamped_length_at_bound", "block_length_at_bound", &Clamps::length_at_bound, false},
 };
 
 }  // namespace rocking

@@ -23,11 +23,22 @@ class QuantityReader {
     return law.mean + law.sigma * draws_->standard_normal(source, 0);
   }
 
+  /// A drawn length is truncated to its bounds; a number is taken as it is.
+  [[nodiscard]] double length(const Quantity& length, Source source) {
+    const double wanted = value(length, source);
+    if (!is_drawn(length)) return wanted;
+    const double truncated = std::clamp(wanted, least_length, largest_length);
+    if (truncated != wanted) ++clamps_.length_at_bound;
+    return truncated;
+  }
+
   [[nodiscard]] std::uint64_t count() const { return count_; }
+  [[nodiscard]] const Clamps& clamps() const { return clamps_; }
 
  private:
   const random::Draws* draws_;
   std::uint64_t count_ = 0;
+  Clamps clamps_;
 };
 
 /// The equivalent angle in [0, 2 pi) [rad].
@@ -51,8 +62,8 @@ double own_frequency_ratio(const Scene& scene, const dynamics::Geometry& own) {
 Start start_of(const Scene& scene, const random::Draws& draws) {
   QuantityReader reader(draws);
   Start start{};
-  start.block = {.width = scene.block.width,
-                 .height = scene.block.height,
+  start.block = {.width = reader.length(scene.block.width, Source::block_width),
+                 .height = reader.length(scene.block.height, Source::block_height),
                  .gravity = scene.block.gravity};
   start.geometry = dynamics::geometry_of(start.block);
   const double psi = start.geometry.shape_angle;
@@ -61,6 +72,7 @@ Start start_of(const Scene& scene, const random::Draws& draws) {
   start.state.tilt_rate = psi * reader.value(scene.initial.tilt_rate, Source::tilt_rate);
   start.state.slip_rate = reader.value(scene.initial.slip_rate, Source::slip_rate);
   start.draws = reader.count();
+  start.clamps = reader.clamps();
   return start;
 }
 

@@ -9,10 +9,11 @@ namespace rocking {
 inline constexpr double least_length = 1e-6;
 inline constexpr double largest_length = 1e6;
 
-/// Asked for: a rigid rectangular block of uniform density.
+/// Asked for: a rigid rectangular block of uniform density. Each realisation draws its own width and height where they have
+/// laws, and truncates them to the bounds.
 struct SceneBlock {
-  double width = 1.0;   ///< B [m]
-  double height = 4.0;  ///< H [m]
+  Quantity width = 1.0;   ///< B [m]
+  Quantity height = 4.0;  ///< H [m]
   double gravity = 9.81;  ///< g [m/s^2]
 };
 

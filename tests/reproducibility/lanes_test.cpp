@@ -104,6 +104,39 @@ std::vector<Condition> recorded_crowd() {
   return conditions;
 }
 
+/// Pulses of every shape, one after another and with harmonic shaking in the lanes beside them, with every kind of contact; their ends
+/// among the boundaries of fine and coarse friction grids.
+std::vector<Condition> pulse_crowd() {
+  std::vector<Condition> conditions;
+  const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+  const Friction smooth{.static_coefficient = 0.25, .kinetic_coefficient = 0.22};
+  for (const auto shape : {dynamics::PulseShape::sine, dynamics::PulseShape::cosine, dynamics::PulseShape::ricker}) {
+    for (const double amplitude : {1.3, 4.0, 9.0}) {
+      Condition condition = shaken(1.0);
+      condition.scene.excitation = Pulse{.shape = shape, .amplitude = amplitude, .frequency_ratio = 7.0};
+      condition.horizon = {.transient_periods = 0, .sampled_periods = 12};
+      condition.realisations = 6;
+      conditions.push_back(condition);
+      condition.scene.friction = rough;
+      conditions.push_back(condition);
+      condition.scene.friction = smooth;
+      conditions.push_back(condition);
+      condition.scene.fluctuation.amplitude = 0.4;
+      for (const int refreshes : {7, 133, 200, 1000}) {
+        condition.scene.fluctuation.kinetic_friction = 0.05;
+        condition.scene.fluctuation.refreshes_per_period = refreshes;
+        conditions.push_back(condition);
+      }
+      condition.scene.fluctuation.static_friction = 0.03;
+      condition.scene.fluctuation.restitution = 0.02;
+      conditions.push_back(condition);
+    }
+  }
+  conditions.push_back(shaken(4.5));
+  conditions.push_back(shaken(7.0, rough));
+  return conditions;
+}
+
 /// All cases that occur in lanes: rocking with and without friction, slip, coarse and fine grids, amplitudes that jump,
 /// chatter and rest, overturning, a slip that ends the model, other blocks and tolerances.
 std::vector<Condition> crowd() {
@@ -204,6 +237,7 @@ TEST(Lanes, GiveEachRealisationUnderAGroundMotionTheBitsThatItGetsAlone) {
   EXPECT_EQ(expect_the_bits_alone(recorded_crowd()), 0U);
 }
 
+TEST(Lanes, GiveEachRealisationUnderAPulseTheBitsThatItGetsAlone) { expect_the_bits_alone(pulse_crowd()); }
 
 TEST(Lanes, OfEveryWidthGiveTheSameRun) {
   Experiment experiment = golden::golden_experiment();

@@ -14,7 +14,9 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 2> kinds{"harmonic", "recorded"};
+constexpr std::array<std::string_view, 3> kinds{"harmonic", "recorded", "pulse"};
+/// In the order of dynamics::PulseShape.
+constexpr std::array<std::string_view, 3> pulse_shapes{"sine", "cosine", "ricker"};
 
 Harmonic read_harmonic(ObjectReader& keys) {
   Harmonic excitation;
@@ -83,6 +85,24 @@ Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const S
   return excitation;
 }
 
+Pulse read_pulse(ObjectReader& keys) {
+  for (const std::string_view key : {"file", "sha256", "time_step_s"}) {
+    refuse(keys, key, "is for a ground motion; a pulse is given by its shape", "write \"kind\": \"recorded\", or omit it");
+  }
+  refuse(keys, "scale", "is for a ground motion; a pulse has an amplitude", "write \"amplitude\" instead");
+  refuse(keys, "phase_rad", "is for harmonic excitation; a pulse begins with the run and has no phase",
+         "omit it, or choose another \"shape\"");
+  Pulse excitation;
+  if (keys.has("shape")) {
+    excitation.shape = static_cast<dynamics::PulseShape>(keys.choice("shape", pulse_shapes, 0));
+  } else {
+    keys.reject("shape", "is missing", "add \"shape\": \"sine\", \"cosine\" or \"ricker\"");
+  }
+  excitation.amplitude = keys.number("amplitude", rules::amplitude);
+  excitation.frequency_ratio = keys.number("frequency_ratio", rules::frequency_ratio);
+  return excitation;
+}
+
 }  // namespace
 
 Excitation read_excitation(ObjectReader& in, const dynamics::Block& block, const SceneReading& reading) {
@@ -93,7 +113,8 @@ Excitation read_excitation(ObjectReader& in, const dynamics::Block& block, const
     if (keys.problems().size() != problems_before) return keys.ignore_others();
     switch (kind) {
       case 0: excitation = read_harmonic(keys); break;
-      default: excitation = read_recorded(keys, block, reading);
+      case 1: excitation = read_recorded(keys, block, reading); break;
+      default: excitation = read_pulse(keys);
     }
   });
   return excitation;

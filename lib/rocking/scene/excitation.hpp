@@ -100,12 +100,44 @@ struct Recorded {
   }
 };
 
+/// A pulse as asked for: one pulse of a given shape, from tau = 0 on.
+struct Pulse {
+  static constexpr std::string_view name = "pulse";
+  static constexpr std::string_view in_words = "moves in one pulse";
+  static constexpr bool is_periodic = false;
+  static constexpr AmplitudeDraws amplitude_draws = AmplitudeDraws::once;
+  static constexpr std::array<std::string_view, 6> horizon_follows_from{
+      "/block", "/formulation", "/restitution", "/excitation/kind", "/excitation/shape", "/excitation/frequency_ratio"};
+
+  dynamics::PulseShape shape = dynamics::PulseShape::sine;
+  double amplitude = 0.0;        ///< A_h [-]
+  double frequency_ratio = 1.0;  ///< Omega_h = omega/p, of the pulse and the strobe [-]
+
+  friend bool operator==(const Pulse&, const Pulse&) = default;
+
+  [[nodiscard]] double size() const { return amplitude; }
+  [[nodiscard]] static Quantity start_phase() { return 0.0; }
+  [[nodiscard]] double end_of_shaking(double) const {
+    constexpr double two_pi = 0x1.921fb54442d18p+2;
+    return dynamics::pulse_length(shape) * two_pi / frequency_ratio;
+  }
+  [[nodiscard]] static std::vector<std::string_view> effects() { return {"one pulse of the base"}; }
+  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry&, const dynamics::Clock& clock) const {
+    return dynamics::PulseExcitation(shape, clock);
+  }
+  template <class Check>
+  void check(const Check& number) const {
+    number("/excitation/amplitude", amplitude, rules::amplitude);
+    number("/excitation/frequency_ratio", frequency_ratio, rules::frequency_ratio);
+  }
+};
+
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
 /// `amplitude_draws`; `frequency_ratio` of the clock and the strobe [-]; `horizon_follows_from`, the places of the file
 /// from which the default horizon is computed; size(), the mean of a fluctuating amplitude [-]; start_phase() [rad];
 /// end_of_shaking(p), a normalised time; effects() as described to users; motion() of a realisation; and check(), which
 /// hands each number with its place and rule to a NumberChecker.
-using Excitation = std::variant<Harmonic, Recorded>;
+using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 
 [[nodiscard]] inline std::string_view name_of(const Excitation& excitation) {
   return std::visit([](const auto& kind) { return kind.name; }, excitation);

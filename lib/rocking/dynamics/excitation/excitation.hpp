@@ -9,6 +9,7 @@
 
 #include "rocking/dynamics/excitation/base_excitation.hpp"
 #include "rocking/dynamics/excitation/harmonic.hpp"
+#include "rocking/dynamics/excitation/pulse.hpp"
 #include "rocking/dynamics/excitation/recorded.hpp"
 
 namespace rocking::dynamics {
@@ -16,7 +17,7 @@ namespace rocking::dynamics {
 /// How the base of one realisation moves: one of the kinds. Offers what each of them does (see BaseExcitation).
 class Excitation {
  public:
-  using Kinds = std::variant<HarmonicExcitation, RecordedExcitation<false>, RecordedExcitation<true>>;
+  using Kinds = std::variant<HarmonicExcitation, RecordedExcitation<false>, RecordedExcitation<true>, PulseExcitation>;
 
   Excitation() = default;
   template <BaseExcitation Kind>

@@ -1,0 +1,276 @@
+// Blocks under one pulse of the base: overturning of slender blocks in closed form, long pulses, and the shapes against finely
+// sampled ground motions.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "analytic/motion.hpp"
+#include "rocking/random/draws.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "support/excitation.hpp"
+
+namespace rocking {
+namespace {
+
+using dynamics::EventKind;
+using dynamics::PulseShape;
+
+/// A block of height `height` times its width, which cannot slide, at rest.
+Condition under_pulse(const Pulse& pulse, double height = 4.0) {
+  Condition condition;
+  condition.scene.block.height = height;
+  condition.scene.excitation = pulse;
+  condition.horizon = {.transient_periods = 0, .sampled_periods = 40};
+  return condition;
+}
+
+/// How a run under a pulse ended.
+struct Ending {
+  bool overturned;
+  std::size_t impacts;
+};
+
+Ending ending_of(const Condition& condition) {
+  const Trajectory trajectory = run(condition, condition.horizon.sampled_periods);
+  const auto impacts = std::ranges::count(trajectory.events, EventKind::impact_stick, &TrajectoryEvent::kind);
+  return {.overturned = trajectory.termination == Termination::overturned,
+          .impacts = static_cast<std::size_t>(impacts)};
+}
+
+/// Where `holds` changes from false to true between two numbers, to 40 halvings.
+double first_true(const std::function<bool(double)>& holds, double low, double high) {
+  for (int i = 0; i < 40; ++i) {
+    const double middle = 0.5 * (low + high);
+    (holds(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+// --- a slender block under one cycle of a sine -------------------------------------------------------------------------
+//
+// psi -> 0: Theta'' = Theta - 1 + a sin(W tau), a = A_h, while it rocks about its first edge. It lifts at sin(u) = 1/a, u = W tau:
+//
+//     Theta = 1 - a sin(W tau)/(1 + W^2) + (-W^2 cosh(s) + W sqrt(a^2 - 1) sinh(s))/(1 + W^2),   s = tau - u/W
+//
+// After the pulse Theta'' = Theta - 1, and it overturns if Theta - 1 + Theta' > 0 then. At the end of the pulse, sine 0, cosine 1,
+// without an impact until then, that is (W sqrt(a^2 - 1) - W^2) e^s > a W:
+//
+//     (sqrt(a^2 - 1) - W) exp((2 pi - arcsin(1/a))/W) > a
+
+double least_without_impact(double ratio) {
+  const auto overturns = [ratio](double a) {
+    return (std::sqrt(a * a - 1.0) - ratio) * std::exp((2.0 * pi - std::asin(1.0 / a)) / ratio) > a;
+  };
+  return first_true(overturns, 1.0, 10.0 + ratio * ratio);
+}
+
+/// The state of the slender block, Theta > 0 on its first edge.
+struct Slender {
+  double tau;
+  double tilt;
+  double rate;
+};
+
+/// `start` carried on to `tau` under Theta'' = Theta - side + a sin(W tau).
+Slender carried(const Slender& start, double tau, double side, double a, double ratio) {
+  const double scale = a / (1.0 + ratio * ratio);
+  const auto forced = [&](double t) { return side - scale * std::sin(ratio * t); };
+  const auto forced_rate = [&](double t) { return -scale * ratio * std::cos(ratio * t); };
+  const double c = start.tilt - forced(start.tau);
+  const double d = start.rate - forced_rate(start.tau);
+  const double s = tau - start.tau;
+  return {tau, forced(tau) + c * std::cosh(s) + d * std::sinh(s),
+          forced_rate(tau) + c * std::sinh(s) + d * std::cosh(s)};
+}
+
+/// Whether it overturns over the other edge after one impact during the pulse, which takes no energy (psi -> 0).
+bool overturns_with_one_impact(double a, double ratio) {
+  const double end = 2.0 * pi / ratio;
+  const double lift = std::asin(1.0 / a) / ratio;
+  const Slender lifted{lift, 0.0, 0.0};
+  double down = end;
+  for (int i = 1; i <= 4000 && down == end; ++i) {
+    const double tau = lift + (end - lift) * i / 4000.0;
+    if (carried(lifted, tau, 1.0, a, ratio).tilt < 0.0) down = tau;
+  }
+  if (down == end) return false;
+  const double step = (end - lift) / 4000.0;
+  const double impact =
+      first_true([&](double tau) { return carried(lifted, tau, 1.0, a, ratio).tilt < 0.0; }, down - step, down);
+  Slender there = carried(lifted, impact, 1.0, a, ratio);
+  there.tilt = 0.0;
+  const Slender last = carried(there, end, -1.0, a, ratio);
+  return last.tilt < 0.0 && -last.tilt - 1.0 - last.rate > 0.0;
+}
+
+/// Boundaries for blocks of heights 50, 100 and 200 tend to `limit` with the square of psi.
+void expect_second_order_in_psi(const std::function<double(double)>& boundary, double limit) {
+  double last_error = 0.0;
+  for (const double height : {50.0, 100.0, 200.0}) {
+    const double error = std::abs(boundary(height) / limit - 1.0);
+    EXPECT_LT(error, 20.0 / (height * height)) << height;
+    EXPECT_NEAR(last_error / error, 4.0, last_error == 0.0 ? 1e9 : 0.1) << height;
+    last_error = error;
+  }
+}
+
+TEST(SinePulse, OverturnsASlenderBlockWithoutImpactFromTheClosedFormOn) {
+  for (const double ratio : {1.0, 3.0, 5.0}) {
+    const double limit = least_without_impact(ratio);
+    const auto boundary = [&](double height) {
+      const auto overturns = [&](double a) {
+        const Ending ending =
+            ending_of(under_pulse({.shape = PulseShape::sine, .amplitude = a, .frequency_ratio = ratio}, height));
+        return ending.overturned && ending.impacts == 0;
+      };
+      return first_true(overturns, 0.98 * limit, 1.02 * limit);
+    };
+    expect_second_order_in_psi(boundary, limit);
+  }
+}
+
+TEST(SinePulse, OverturnsASlenderBlockWithOneImpactFromTheClosedFormOn) {
+  for (const double ratio : {2.0, 3.0}) {
+    const double limit = first_true([&](double a) { return overturns_with_one_impact(a, ratio); }, 1.001,
+                                    0.7 * least_without_impact(ratio));
+    const auto boundary = [&](double height) {
+      const auto overturns = [&](double a) {
+        const Ending ending =
+            ending_of(under_pulse({.shape = PulseShape::sine, .amplitude = a, .frequency_ratio = ratio}, height));
+        return ending.overturned && ending.impacts == 1;
+      };
+      return first_true(overturns, 0.98 * limit, 1.02 * limit);
+    };
+    expect_second_order_in_psi(boundary, limit);
+  }
+}
+
+// Zhang & Makris (2001), J. Eng. Mech. 127(5) 473-483: between the accelerations that overturn with one impact and those that overturn
+// without impact the block stands.
+TEST(SinePulse, LeavesASafeBandBetweenTheTwoWaysOfOverturning) {
+  const auto under = [](double amplitude) {
+    return ending_of(under_pulse({.shape = PulseShape::sine, .amplitude = amplitude, .frequency_ratio = 5.0}));
+  };
+  std::vector<std::pair<bool, std::size_t>> ways;
+  for (double amplitude = 1.1; amplitude < 9.0; amplitude += 0.1) {
+    const auto [overturned, impacts] = under(amplitude);
+    const std::pair way{overturned, overturned ? impacts : 0U};
+    if (ways.empty() || ways.back() != way) ways.push_back(way);
+  }
+  const std::vector<std::pair<bool, std::size_t>> expected{{false, 0U}, {true, 1U}, {false, 0U}, {true, 0U}};
+  EXPECT_EQ(ways, expected);
+}
+
+// Theta'' = Theta - 1 + a sin(W tau) does not grow without an impact for a^2 <= 1 + W^2, and grows above that with W -> 0; the
+// least amplitude of a block lifts it, alpha = tan(psi), with an excess of second order in W.
+TEST(LongPulse, OverturnsFromTheStaticAccelerationOn) {
+  for (const PulseShape shape : {PulseShape::sine, PulseShape::ricker}) {
+    const double psi = dynamics::geometry_of({}).shape_angle;
+    double last_excess = 0.0;
+    for (const double ratio : {0.1, 0.05, 0.025}) {
+      const auto overturns = [&](double alpha) {
+        return ending_of(under_pulse({.shape = shape, .amplitude = alpha / psi, .frequency_ratio = ratio})).overturned;
+      };
+      const double excess = first_true(overturns, std::tan(psi), 1.2 * std::tan(psi)) / std::tan(psi) - 1.0;
+      EXPECT_GT(excess, 0.0);
+      EXPECT_LT(excess, 2.0 * ratio * ratio);
+      EXPECT_NEAR(last_excess / excess, 4.0, last_excess == 0.0 ? 1e9 : 0.2) << ratio;
+      last_excess = excess;
+    }
+  }
+}
+
+TEST(CosinePulse, LiftsABlockAtOnceIfItsPeakIsAboveTheThreshold) {
+  const double threshold = std::tan(dynamics::geometry_of({}).shape_angle) / dynamics::geometry_of({}).shape_angle;
+  const auto first_event = [](double amplitude) {
+    return run(under_pulse({.shape = PulseShape::cosine, .amplitude = amplitude, .frequency_ratio = 8.0}), 5)
+        .events.at(0);
+  };
+  EXPECT_EQ(first_event(1.0001 * threshold).kind, EventKind::lift);
+  EXPECT_EQ(first_event(1.0001 * threshold).tau, 0.0);
+  EXPECT_TRUE(
+      run(under_pulse({.shape = PulseShape::cosine, .amplitude = 0.9999 * threshold, .frequency_ratio = 8.0}), 5)
+          .events.empty());
+}
+
+// --- a pulse as a sampled ground motion -------------------------------------------------------------------------------
+
+constexpr double ratio_of_pulse = 3.0;
+constexpr double amplitude_of_pulse = 1.9;
+
+/// Base acceleration over A_h psi of a shape, x = Omega_h tau since its begin, by the C library.
+double shape_at(PulseShape shape, double x) {
+  switch (shape) {
+    case PulseShape::sine: return std::sin(x);
+    case PulseShape::cosine: return std::cos(x);
+    case PulseShape::ricker: break;
+  }
+  const double y = x - pi * dynamics::pulse_length(shape);
+  return (1.0 - 0.5 * y * y) * std::exp(-0.25 * y * y);
+}
+
+/// The strobe points of a block that rocks without slip under the pulse or under its samples.
+std::vector<TrajectorySample> strobe_under(const Excitation& excitation) {
+  Condition condition;
+  condition.scene.excitation = excitation;
+  return run(condition, 4).strobe;
+}
+
+Recorded sampled(PulseShape shape, int samples) {
+  const dynamics::Geometry block = dynamics::geometry_of({});
+  const double length = 2.0 * pi * dynamics::pulse_length(shape);
+  GroundMotion motion;
+  for (int i = 0; i <= samples; ++i) {
+    const double x = length * i / samples;
+    motion.samples.push_back({.time = x / ratio_of_pulse / block.frequency_parameter,
+                              .horizontal = amplitude_of_pulse * block.shape_angle * shape_at(shape, x),
+                              .vertical = 0.0});
+  }
+  return support::recorded_by(std::move(motion), ratio_of_pulse);
+}
+
+double distance(const std::vector<TrajectorySample>& a, const std::vector<TrajectorySample>& b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    largest = std::max({largest, std::abs(a[i].tilt - b.at(i).tilt), std::abs(a[i].tilt_rate - b.at(i).tilt_rate),
+                        std::abs(a[i].slip - b.at(i).slip), std::abs(a[i].slip_rate - b.at(i).slip_rate)});
+  }
+  return largest;
+}
+
+// A line between samples h apart differs from the shape by at most (h^2/8) max(f'').
+TEST(PulseExcitation, IsTheLimitOfItsSamplesWithTheSquareOfTheirSpacing) {
+  for (const PulseShape shape : {PulseShape::sine, PulseShape::cosine, PulseShape::ricker}) {
+    const auto exact = strobe_under(Pulse{.shape = shape, .amplitude = amplitude_of_pulse, .frequency_ratio = ratio_of_pulse});
+    ASSERT_GT(exact.size(), 1U);
+    const double coarse = distance(exact, strobe_under(sampled(shape, 500)));
+    const double fine = distance(exact, strobe_under(sampled(shape, 1000)));
+    EXPECT_GT(coarse, 1e-9);
+    EXPECT_NEAR(coarse / fine, 4.0, 0.1) << static_cast<int>(shape);
+  }
+}
+
+// --- random amplitude -------------------------------------------------------------------------------------------------
+
+TEST(PulseExcitation, HasOneRandomAmplitudeInARealisation) {
+  Condition condition = under_pulse({.shape = PulseShape::ricker, .amplitude = 2.0, .frequency_ratio = 3.0});
+  condition.scene.fluctuation.amplitude = 0.3;
+  const random::Draws draws(0x2012, 5);
+  const double drawn = 2.0 + 0.3 * draws.standard_normal(random::Source::amplitude, 0);
+  Condition same = under_pulse({.shape = PulseShape::ricker, .amplitude = drawn, .frequency_ratio = 3.0});
+  const RealisationResult random = realise(condition, 0x2012, 5);
+  const RealisationResult fixed = realise(same, 0x2012, 5);
+  EXPECT_EQ(random.operations.amplitude_draws, 1U);
+  EXPECT_EQ(random.operations.steps, fixed.operations.steps) << "no breakpoint at a period";
+  ASSERT_EQ(random.strobe.size(), fixed.strobe.size());
+  for (std::size_t i = 0; i < random.strobe.size(); ++i) EXPECT_EQ(random.strobe[i].tilt, fixed.strobe[i].tilt);
+}
+
+}  // namespace
+}  // namespace rocking

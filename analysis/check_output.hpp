@@ -4,8 +4,8 @@
 
 namespace rocking::analysis {
 
-/// Checks the output of a command before it is drawn: the schema of its format, and conditions between its parts, such as
-/// lists of equal length. Throws base::InputError. A format without a figure is not an error here.
+/// Checks the output of a command before it is drawn: the schema of its format, and conditions between its parts, such
+/// as lists of equal length. Throws base::InputError. A format without a figure is not an error here.
 void check_output(const Json& output);
 
 }  // namespace rocking::analysis

@@ -12,9 +12,9 @@ namespace rocking::analysis {
 /// A cell as text for data files and tables: an empty cell is `NaN`, text is unchanged.
 [[nodiscard]] std::string cell_text(const Cell& cell);
 
-/// The numbers of a figure as text: a block for each table, separated by two empty lines. A block has comment lines with
-/// its name, the meaning of each column and the column names, then a line for each row. Columns are separated by tabs; text
-/// is quoted.
+/// The numbers of a figure as text: a block for each table, separated by two empty lines. A block has comment lines
+/// with its name, the meaning of each column and the column names, then a line for each row. Columns are separated by
+/// tabs; text is quoted.
 [[nodiscard]] std::string data_text(const Figure& figure);
 
 }  // namespace rocking::analysis

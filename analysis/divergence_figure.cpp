@@ -50,8 +50,8 @@ double last_period(const RunReport& report, const std::vector<Pairs>& all) {
   return static_cast<double>(last);
 }
 
-/// A row for each period in which pairs diverged, and for the start and the horizon. Nothing can diverge before the first
-/// period.
+/// A row for each period in which pairs diverged, and for the start and the horizon. Nothing can diverge before the
+/// first period.
 Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
   Table table{.name = name,
               .columns = {{"period", "excitation periods since the start"},

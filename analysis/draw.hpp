@@ -13,8 +13,9 @@ namespace rocking::analysis {
 [[nodiscard]] const std::vector<std::string>& picture_formats();
 
 /// Writes NAME.tsv and NAME.gp into the existing folder `folder` and draws the pictures in these formats there. If a
-/// picture cannot be drawn, the two files are written all the same, existing pictures of the figure are removed (they would
-/// show other data), and the result says why. Equal figures give equal bytes. Throws std::system_error with the path.
+/// picture cannot be drawn, the two files are written all the same, existing pictures of the figure are removed (they
+/// would show other data), and the result says why. Equal figures give equal bytes. Throws std::system_error with the
+/// path.
 [[nodiscard]] Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
                                    const std::vector<std::string>& formats = picture_formats(),
                                    base::StopRequest stop = {});

@@ -7,8 +7,8 @@
 #include <variant>
 #include <vector>
 
-/// A figure, independent of the program that draws it: tables of numbers, and how they are shown. Pages and gnuplot scripts
-/// are made from the same figure.
+/// A figure, independent of the program that draws it: tables of numbers, and how they are shown. Pages and gnuplot
+/// scripts are made from the same figure.
 namespace rocking::analysis {
 
 /// Nothing, a number, or a text.

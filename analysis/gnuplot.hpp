@@ -30,8 +30,8 @@ struct Pictures {
   std::string ending;                ///< suffix after each name NAME.FORMAT
 };
 
-/// Runs gnuplot on `folder/NAME.gp` for these pictures and waits for it. gnuplot is looked up in PATH. If it is asked to
-/// stop, gnuplot is killed and base::Stopped is thrown.
+/// Runs gnuplot on `folder/NAME.gp` for these pictures and waits for it. gnuplot is looked up in PATH. If it is asked
+/// to stop, gnuplot is killed and base::Stopped is thrown.
 [[nodiscard]] Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name,
                                   const Pictures& pictures, base::StopRequest stop = {});
 

@@ -22,8 +22,8 @@ std::string range_of(const Axis& axis) {
   return '[' + end(axis.low) + ':' + end(axis.high) + "] noextend";
 }
 
-/// Ticks with their words, or without any where the axis shares those of a panel below. Only those of a logarithmic axis
-/// have marks of setting, as in `10^{3}`.
+/// Ticks with their words, or without any where the axis shares those of a panel below. Only those of a logarithmic
+/// axis have marks of setting, as in `10^{3}`.
 std::string ticks_of(const Axis& axis, bool labelled) {
   if (axis.ticks.empty()) return labelled ? "autofreq format '%g'" : "autofreq format ''";
   std::string text;

@@ -54,8 +54,8 @@ std::string octal(char c) {
           static_cast<char>('0' + code % 8)};
 }
 
-/// gnuplot's SVG output interprets `&#x` as a character reference and does not escape `]]>`, which XML forbids: both are
-/// broken up.
+/// gnuplot's SVG output interprets `&#x` as a character reference and does not escape `]]>`, which XML forbids: both
+/// are broken up.
 std::string safe_in_svg(std::string text) {
   for (const std::string_view sequence : {"&#x", "]]>"}) {
     for (std::size_t place = text.find(sequence); place != std::string::npos; place = text.find(sequence, place)) {

@@ -7,22 +7,24 @@
 /// Preparation of external text for a gnuplot script, a data file and a picture.
 namespace rocking::analysis {
 
-/// The text as one line of valid UTF-8 without characters that XML forbids. A control character becomes a space; an invalid
-/// byte and a forbidden character become U+FFFD.
+/// The text as one line of valid UTF-8 without characters that XML forbids. A control character becomes a space; an
+/// invalid byte and a forbidden character become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// The first `most` characters of a UTF-8 text. If some are omitted, the last one is an ellipsis.
 [[nodiscard]] std::string cut(const std::string& text, std::size_t most);
 
-/// A double-quoted gnuplot string that shows exactly this text. Every ASCII character with a meaning in gnuplot is given by
-/// its octal number, so that nothing in it can end the string, open a block or start a command. For places that are
-/// `noenhanced`.
+/// A double-quoted gnuplot string that shows exactly this text. Every ASCII character with a meaning in gnuplot is
+/// given by its octal number, so that nothing in it can end the string, open a block or start a command. For places
+/// that are `noenhanced`.
 [[nodiscard]] std::string quoted(std::string_view text);
 
-/// A text for a place where gnuplot interprets markup (`_`, `^`, `{`), escaped so that it is shown as it is. To be quoted.
+/// A text for a place where gnuplot interprets markup (`_`, `^`, `{`), escaped so that it is shown as it is. To be
+/// quoted.
 [[nodiscard]] std::string without_marks(std::string_view text);
 
-/// A text for a tick, where gnuplot interprets `%` as a number format, escaped so that it is shown as it is. To be quoted.
+/// A text for a tick, where gnuplot interprets `%` as a number format, escaped so that it is shown as it is. To be
+/// quoted.
 [[nodiscard]] std::string without_formats(std::string_view text);
 
 }  // namespace rocking::analysis

@@ -34,8 +34,8 @@ std::vector<LegendEntry> entries_of(const Figure& figure) {
   return entries;
 }
 
-/// Arranges the entries in centred rows with as many entries as fit; `top` is measured from the top of the figure. Returns
-/// the height of the rows.
+/// Arranges the entries in centred rows with as many entries as fit; `top` is measured from the top of the figure.
+/// Returns the height of the rows.
 double set_in_rows(std::vector<LegendEntry>& entries, double top) {
   constexpr double widest = full_width - 30.0;
   const double begin = top;

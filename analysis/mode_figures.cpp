@@ -107,8 +107,8 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
   return table;
 }
 
-/// The interval of a mode. Rows are empty where the mode occurs neither in the condition nor in its neighbours, since the
-/// ribbons of all rare modes would overlap there. Columns: x, low, high.
+/// The interval of a mode. Rows are empty where the mode occurs neither in the condition nor in its neighbours, since
+/// the ribbons of all rare modes would overlap there. Columns: x, low, high.
 Table ribbon_table(const Table& probabilities, std::size_t first) {
   const auto& rows = probabilities.rows;
   const auto occurs = [&rows, first](std::size_t i) {
@@ -185,9 +185,7 @@ Panel bar_panel(const RunReport& report, std::size_t table, const std::string& t
 
 }  // namespace
 
-std::vector<ResponseMode> shown_modes(const RunReport& report) {
-  return most_frequent(report.occurring(), most_shown);
-}
+std::vector<ResponseMode> shown_modes(const RunReport& report) { return most_frequent(report.occurring(), most_shown); }
 
 std::string spoken_realisations(const RunReport& report) {
   std::uint64_t least = report.conditions.front().realisations;

@@ -11,8 +11,8 @@ namespace rocking::analysis {
 /// combination of the other parameters. Modes beyond the ten most frequent are joined.
 [[nodiscard]] Figure mode_bands(const RunReport& report);
 
-/// `mode_probabilities`: the same probabilities as separate curves, each with its simultaneous interval as a ribbon. Bars
-/// with intervals if nothing, or no number, is swept.
+/// `mode_probabilities`: the same probabilities as separate curves, each with its simultaneous interval as a ribbon.
+/// Bars with intervals if nothing, or no number, is swept.
 [[nodiscard]] Figure mode_probabilities(const RunReport& report);
 
 /// Modes with their own colour, in the order of tables: the ten most frequent of those that occur.

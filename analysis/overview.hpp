@@ -15,7 +15,8 @@ namespace rocking::analysis {
 
 /// How common a response mode is.
 struct Prevalence {
-  std::uint64_t most_likely = 0;   ///< conditions in which it is the most frequent mode; of equally frequent modes the first
+  /// Conditions in which it is the most frequent mode; of equally frequent modes the first.
+  std::uint64_t most_likely = 0;
   std::uint64_t occurs = 0;        ///< conditions in which it occurs
   std::uint64_t realisations = 0;  ///< of all conditions
 };
@@ -34,9 +35,9 @@ struct Extreme {
 
 /// How repeatable responses are.
 struct Repeatability {
-  std::uint64_t compared = 0;                ///< conditions with two or more realisations
-  std::uint64_t alike = 0;                   ///< those of them in which all realisations have the same mode
-  std::optional<std::size_t> least;          ///< the condition whose runs differ most often; absent if none is compared
+  std::uint64_t compared = 0;        ///< conditions with two or more realisations
+  std::uint64_t alike = 0;           ///< those of them in which all realisations have the same mode
+  std::optional<std::size_t> least;  ///< the condition whose runs differ most often; absent if none is compared
 };
 [[nodiscard]] Repeatability repeatability_of(const RunReport& report);
 

@@ -8,8 +8,8 @@
 
 namespace rocking::analysis {
 
-/// All figures for which a report has the numbers, in reading order. With the store of its realisations, also those that
-/// need more than the report.
+/// All figures for which a report has the numbers, in reading order. With the store of its realisations, also those
+/// that need more than the report.
 [[nodiscard]] std::vector<Figure> run_figures(const RunReport& report, const Store* store = nullptr);
 
 }  // namespace rocking::analysis

@@ -67,8 +67,8 @@ struct RunReport {
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
 };
 
-/// Share of a mode in a condition. A condition does not list modes that did not occur in it; their interval is the one that
-/// a report would have for a count of 0.
+/// Share of a mode in a condition. A condition does not list modes that did not occur in it; their interval is the one
+/// that a report would have for a count of 0.
 [[nodiscard]] AnyShare share_of(const ConditionReport& condition, const section::ResponseMode& mode);
 
 /// The run report that reading the report.json of this run would give, without its text.
@@ -78,8 +78,8 @@ struct RunReport {
 /// The run report of a report in which problems_of_report finds no problem.
 [[nodiscard]] RunReport run_report_of(Json report);
 
-/// Reads and checks the text of a report.json. Throws base::InputError if it is no report or if its parts contradict each
-/// other.
+/// Reads and checks the text of a report.json. Throws base::InputError if it is no report or if its parts contradict
+/// each other.
 [[nodiscard]] RunReport read_run_report(std::string_view text);
 
 }  // namespace rocking::analysis

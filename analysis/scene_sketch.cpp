@@ -138,7 +138,8 @@ std::string spoken_scene(const Json& experiment) {
   const double half_diagonal = 0.5 * std::hypot(width, height);
   const double gravity = number_at(experiment, "/block/gravity_m_s2");
   std::string text = "B = " + in_metres(experiment.at("block").at("width_m")) +
-                     ", H = " + in_metres(experiment.at("block").at("height_m")) + ", ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
+                     ", H = " + in_metres(experiment.at("block").at("height_m")) +
+                     ", ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
                      " m, p = " + short_number(std::sqrt(0.75 * gravity / half_diagonal)) + " rad/s";
   text += spoken(experiment, "/excitation/amplitude", "A_h =");
   text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");

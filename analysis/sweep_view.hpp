@@ -27,14 +27,15 @@ struct SweepView {
   bool is_line = false;       ///< the parameter takes several numbers, so that curves can be drawn between them
 };
 
-/// Shows the entry of the sweep with the most numeric values; among equals the last one. If no entry has numbers, the last
-/// one is shown with positions.
+/// Shows the entry of the sweep with the most numeric values; among equals the last one. If no entry has numbers, the
+/// last one is shown with positions.
 [[nodiscard]] SweepView view_of(const RunReport& report);
 
 /// Name of a swept parameter: `base amplitude`, `A_h`.
 [[nodiscard]] Axis axis_of_parameter(const std::string& pointer);
 
-/// The values of all swept parameters of a condition: `friction 0.35/0.3, base amplitude 4.5`; empty if nothing is swept.
+/// The values of all swept parameters of a condition: `friction 0.35/0.3, base amplitude 4.5`; empty if nothing is
+/// swept.
 [[nodiscard]] std::string name_of_condition(const RunReport& report, const ConditionReport& condition);
 
 /// Short text of the value of a parameter: `0.35/0.3` for friction.

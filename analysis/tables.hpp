@@ -15,8 +15,8 @@ namespace rocking::analysis {
 /// `diverged`, `lower_quartile`, `median`, `upper_quartile` [periods]. A field is empty if there is no value.
 [[nodiscard]] std::string non_recurrence_csv(const RunReport& report);
 
-/// A LaTeX table (booktabs) with a line for each condition: n, then for each of the five most frequent modes the per cent
-/// with the interval.
+/// A LaTeX table (booktabs) with a line for each condition: n, then for each of the five most frequent modes the per
+/// cent with the interval.
 [[nodiscard]] std::string modes_latex(const RunReport& report);
 
 }  // namespace rocking::analysis

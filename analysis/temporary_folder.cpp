@@ -18,8 +18,8 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view beginning_of_name = "rocking-figure-";
 
-/// Opens a folder of this user and locks it. Returns the descriptor, or -1 if another process holds the lock or there is no
-/// such folder.
+/// Opens a folder of this user and locks it. Returns the descriptor, or -1 if another process holds the lock or there
+/// is no such folder.
 int locked(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return -1;

@@ -4,8 +4,8 @@
 
 namespace rocking::analysis {
 
-/// A temporary folder with the lifetime of this object. It is locked while its process lives. A new object removes folders
-/// that killed processes left.
+/// A temporary folder with the lifetime of this object. It is locked while its process lives. A new object removes
+/// folders that killed processes left.
 class TemporaryFolder {
  public:
   /// Creates and locks the folder. Throws std::system_error with the path.

@@ -7,12 +7,12 @@
 
 namespace rocking::analysis {
 
-/// `time_history`: Theta and X against time, with the contact state as shading and impacts as markers. The file must have a
-/// history.
+/// `time_history`: Theta and X against time, with the contact state as shading and impacts as markers. The file must
+/// have a history.
 [[nodiscard]] Figure time_history(const TrajectoryFile& file, const Window& window);
 
-/// `responses`: Theta of several realisations in one panel, as in Fig. 10 of Jeong and Yang (2012). Each file must have a
-/// history.
+/// `responses`: Theta of several realisations in one panel, as in Fig. 10 of Jeong and Yang (2012). Each file must have
+/// a history.
 [[nodiscard]] Figure responses(const std::vector<TrajectoryFile>& files, const Window& window);
 
 /// `poincare`: strobe points in the plane (Theta, Theta'), with a style for each file.

@@ -63,8 +63,8 @@ const Column& column_of(const Figure& figure, const Layer& layer, std::size_t pl
   return figure.tables[layer.table].columns[layer.columns[place]];
 }
 
-/// Whether a ribbon or error bars are the interval of a curve: its lower end has the column name `mode_low` if the column
-/// of the curve has the name `mode`, or it is the column after that of the curve.
+/// Whether a ribbon or error bars are the interval of a curve: its lower end has the column name `mode_low` if the
+/// column of the curve has the name `mode`, or it is the column after that of the curve.
 bool is_interval_of(const Figure& figure, const Layer& layer, const Layer& curve) {
   const std::size_t place = layer.columns.size() - 2;
   if (column_of(figure, curve, 1).name + "_low" == column_of(figure, layer, place).name) return true;

@@ -153,9 +153,9 @@ std::string horizon_in_brief(const RunReport& report) {
 
 std::string question_in_brief(const RunReport& report) {
   const Json& block = report.experiment.at("block");
-  std::string text = fmt::format("<p>A block {} m wide and {} m high stands {}. {}</p>\n",
-                                 spoken_quantity(block.at("width_m")), spoken_quantity(block.at("height_m")),
-                                 shaking_in_brief(report), friction_in_brief(report));
+  std::string text =
+      fmt::format("<p>A block {} m wide and {} m high stands {}. {}</p>\n", spoken_quantity(block.at("width_m")),
+                  spoken_quantity(block.at("height_m")), shaking_in_brief(report), friction_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),

@@ -6,7 +6,8 @@
 
 namespace rocking::analysis {
 
-/// The experiment in two or three sentences of HTML: block, excitation, friction, what is varied, number of realisations.
+/// The experiment in two or three sentences of HTML: block, excitation, friction, what is varied, number of
+/// realisations.
 [[nodiscard]] std::string question_in_brief(const RunReport& report);
 
 /// A list of all settings, followed by the experiment file.

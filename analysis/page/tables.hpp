@@ -17,8 +17,9 @@ enum class ModeCells : std::uint8_t { estimates, with_intervals };
 /// A sortable table with a row for each condition and a column for each response mode that occurs, in per cent.
 [[nodiscard]] std::string mode_table_html(const RunReport& report, ModeCells cells);
 
-/// Joins step functions into one table. The first column of each table is a place, the second a level that holds until the
-/// next place. The result has a row for each place of any table, in order, and a column for each table, with its name.
+/// Joins step functions into one table. The first column of each table is a place, the second a level that holds until
+/// the next place. The result has a row for each place of any table, in order, and a column for each table, with its
+/// name.
 [[nodiscard]] Table side_by_side(const std::vector<Table>& tables);
 
 /// The table of a figure, sortable.

@@ -94,7 +94,8 @@ Check arithmetic(const RunReport& report) {
   return check;
 }
 
-/// Unresolved responses are not a failure, but their modes are unknown. Above this share of a condition they are marked.
+/// Unresolved responses are not a failure, but their modes are unknown. Above this share of a condition they are
+/// marked.
 constexpr double worrying_share = 0.05;
 
 Check unresolved(const RunReport& report) {

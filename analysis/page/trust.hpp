@@ -18,8 +18,8 @@ struct Check {
   std::string where;    ///< the first realisation to inspect, HTML; empty if there is none
 };
 
-/// All checks for which the report has numbers: numerical error, unresolved responses, departures from the model, clamped
-/// draws, responses still in the transient, precision.
+/// All checks for which the report has numbers: numerical error, unresolved responses, departures from the model,
+/// clamped draws, responses still in the transient, precision.
 [[nodiscard]] std::vector<Check> checks_of(const RunReport& report);
 
 /// HTML: how many checks have no finding, and those that need attention.

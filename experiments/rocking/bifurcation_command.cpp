@@ -41,8 +41,7 @@ void expect_room(const DiagramFiles& files, bool overwrite) {
   }
 }
 
-std::optional<std::vector<Diagram>> draw(const Experiment& experiment,
-                                                     const BifurcationRequest& request) {
+std::optional<std::vector<Diagram>> draw(const Experiment& experiment, const BifurcationRequest& request) {
   Progress progress(suitable_progress_style(request.execution.loudness), "steps");
   RunOptions options;
   options.threads = request.execution.threads;

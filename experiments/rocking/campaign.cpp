@@ -88,8 +88,7 @@ std::string summary_of(const Experiment& experiment, const ExperimentResult& res
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
   text += mode_table(table_rows(experiment, result), table_look());
   text += fmt::format("\nper cent of n realisations [simultaneous {} interval{}]; {}, {}, of which {} unresolved\n",
-                      level_of(experiment),
-                      experiment.conditions.front().until ? ", valid whenever the run stops" : "",
+                      level_of(experiment), experiment.conditions.front().until ? ", valid whenever the run stops" : "",
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
   text += late_settling_of(result);
@@ -119,8 +118,7 @@ RunOptions options_of(const Store& store, const ExecutionOptions& execution) {
   return options;
 }
 
-Stretch work(const RunFolder& folder, const Experiment& experiment, Store& store,
-             const ExecutionOptions& execution) {
+Stretch work(const RunFolder& folder, const Experiment& experiment, Store& store, const ExecutionOptions& execution) {
   Progress progress(suitable_progress_style(execution.loudness), "realisations");
   RunningEstimate estimate(experiment);
   Stretch stretch{};
@@ -195,8 +193,7 @@ void add_max_time(CLI::App& command, ExecutionOptions& execution) {
                "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
 }
 
-ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment,
-                                             const Store& store) {
+ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment, const Store& store) {
   if (auto result = result_of(experiment, store, stop_on_signal())) return std::move(*result);
   throw sqlite::UnusableFile(
       fmt::format("{}: is damaged: stored realisations are missing; `rocking resume {}` runs them "
@@ -204,8 +201,8 @@ ExperimentResult complete_result(const RunFolder& folder, const Experiment& expe
                   folder.store_path().string(), folder.name()));
 }
 
-ExitCode conclude(RunFolder& folder, const Experiment& experiment,
-                  const ExperimentResult& result, const Conclusion& how) {
+ExitCode conclude(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
+                  const Conclusion& how) {
   const auto write = [&](const TextSink& sink) { write_report(sink, experiment, result, how.system); };
   std::exception_ptr failure;
   DrawingFailures failures;
@@ -216,9 +213,10 @@ ExitCode conclude(RunFolder& folder, const Experiment& experiment,
       folder.install_replacement();
     });
   } catch (const base::Stopped&) {
-    print_notice(fmt::format("interrupted; all realisations are done and kept. `rocking resume {}` writes the report and "
-                             "its page",
-                             folder.name()));
+    print_notice(
+        fmt::format("interrupted; all realisations are done and kept. `rocking resume {}` writes the report and "
+                    "its page",
+                    folder.name()));
     return ExitCode::interrupted;
   }
   if (how.loudness.json) {

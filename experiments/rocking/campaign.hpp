@@ -4,9 +4,9 @@
 
 #include <CLI/CLI.hpp>
 
-#include "process_pool.hpp"
 #include "exit_code.hpp"
 #include "output.hpp"
+#include "process_pool.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -27,10 +27,10 @@ struct ExecutionOptions {
 void add_threads(CLI::App& command, ExecutionOptions& execution);
 void add_max_time(CLI::App& command, ExecutionOptions& execution);
 
-/// Runs the realisations that the store lacks. If all are then present, writes the report and prints the table; otherwise
-/// prints how to continue.
-[[nodiscard]] ExitCode carry_through(RunFolder& folder, const Experiment& experiment,
-                                     Store& store, const ExecutionOptions& execution);
+/// Runs the realisations that the store lacks. If all are then present, writes the report and prints the table;
+/// otherwise prints how to continue.
+[[nodiscard]] ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& store,
+                                     const ExecutionOptions& execution);
 
 /// The `system` part of a report, and how much is printed.
 struct Conclusion {
@@ -43,12 +43,11 @@ struct Conclusion {
 
 /// The result of a complete run. Throws sqlite::UnusableFile if the store lacks a realisation,
 /// base::Stopped when a signal asks to stop.
-[[nodiscard]] ExperimentResult complete_result(const RunFolder& folder,
-                                                           const Experiment& experiment,
-                                                           const Store& store);
+[[nodiscard]] ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment,
+                                               const Store& store);
 
 /// Writes the report and its page, replaces an earlier run by them, and prints the table.
-[[nodiscard]] ExitCode conclude(RunFolder& folder, const Experiment& experiment,
-                                const ExperimentResult& result, const Conclusion& how);
+[[nodiscard]] ExitCode conclude(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
+                                const Conclusion& how);
 
 }  // namespace rocking::program

@@ -6,16 +6,16 @@
 
 #include <CLI/CLI.hpp>
 
-#include "process_pool.hpp"
 #include "exit_code.hpp"
+#include "process_pool.hpp"
 
 namespace rocking::program {
 
 /// The command from the command line, ready to be executed.
 using Action = std::function<ExitCode()>;
 
-/// add_X adds the command X to `app`; parsing a command line with X sets `action`. Each is defined in X_command.cpp, which
-/// has no header of its own.
+/// add_X adds the command X to `app`; parsing a command line with X sets `action`. Each is defined in X_command.cpp,
+/// which has no header of its own.
 void add_run(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_resume(CLI::App& app, Action& action, const ProcessPool& pool);
 void add_status(CLI::App& app, Action& action);

@@ -43,15 +43,15 @@ ExitCode compare(const CompareRequest& request) {
   }
   const std::size_t conditions = first.experiment.conditions.size();
   if (second.experiment.conditions.size() != conditions) {
-    throw UsageError(fmt::format("{} has {}, {} has {}; compare runs with the same number of conditions",
-                                 request.first, counted(conditions, "condition"), request.second,
+    throw UsageError(fmt::format("{} has {}, {} has {}; compare runs with the same number of conditions", request.first,
+                                 counted(conditions, "condition"), request.second,
                                  counted(second.experiment.conditions.size(), "condition")));
   }
   std::vector<double> confidences;
   for (const Condition& condition : first.experiment.conditions) confidences.push_back(condition.confidence);
   const ComparedRuns runs{.first = &first.experiment,
-                                  .second = &second.experiment,
-                                  .conditions = compare(first.store, second.store, confidences)};
+                          .second = &second.experiment,
+                          .conditions = compare(first.store, second.store, confidences)};
   print_result(request.loudness.json ? comparison_text(runs) : base::printable(comparison_table(runs)));
   return ExitCode::done;
 }
@@ -60,8 +60,7 @@ ExitCode compare(const CompareRequest& request) {
 
 void add_compare(CLI::App& app, Action& action) {
   const auto request = std::make_shared<CompareRequest>();
-  CLI::App* command =
-      app.add_subcommand("compare", "Compare two runs, pairwise with common random numbers");
+  CLI::App* command = app.add_subcommand("compare", "Compare two runs, pairwise with common random numbers");
   command->footer(
       "Example: rocking compare out tighter\n"
       "compares each realisation of out with the realisation of tighter that has the same random numbers. Both runs "

@@ -49,14 +49,14 @@ std::vector<double> tolerances_of(const CostRequest& request, const Experiment& 
   return {all.begin(), all.end()};
 }
 
-/// Time for the measurement of speed, relative to the time for the sample. Together they take the requested time; if the
-/// sample takes less than its share, the measurement of speed may take a few seconds.
+/// Time for the measurement of speed, relative to the time for the sample. Together they take the requested time; if
+/// the sample takes less than its share, the measurement of speed may take a few seconds.
 constexpr double timing_share = 1.0 / 3.0;
 constexpr double few_seconds = 5.0;
 
 /// Absent if interrupted.
 std::optional<Cost> measured(const Experiment& experiment, const CostRequest& request,
-                                         const std::vector<double>& tolerances, Progress& progress) {
+                             const std::vector<double>& tolerances, Progress& progress) {
   const double time = request.time / (1.0 + timing_share);
   const auto at_this_rate = [&](std::uint64_t done) {
     const double all = static_cast<double>(done) * time / std::max(progress.elapsed(), 1e-9);
@@ -122,16 +122,15 @@ ExitCode cost(const CostRequest& request) {
 }
 
 void add_budget(CLI::App& command, CostRequest& request) {
-  CLI::Option* time = add_duration(command, "--time", request.time,
-                                   "Measure as many realisations as possible in this time, e.g. 5min")
-                          ->capture_default_str();
+  CLI::Option* time =
+      add_duration(command, "--time", request.time, "Measure as many realisations as possible in this time, e.g. 5min")
+          ->capture_default_str();
   command.add_option("--sample", request.sample, "Measure N realisations; gives the same numbers again, except times")
       ->check(whole_number(1, largest_sample))
       ->excludes(time)
       ->type_name("N");
   command
-      .add_option("--tolerances", request.tolerances,
-                  "Instead of 1e-4, 1e-5, ... 1e-14; the experiment's own is added")
+      .add_option("--tolerances", request.tolerances, "Instead of 1e-4, 1e-5, ... 1e-14; the experiment's own is added")
       ->delimiter(',')
       ->check(number(1e-16, 1e-2))
       ->type_name("T,T,T");
@@ -141,8 +140,7 @@ void add_budget(CLI::App& command, CostRequest& request) {
 
 void add_cost(CLI::App& app, Action& action) {
   const auto request = std::make_shared<CostRequest>();
-  CLI::App* command =
-      app.add_subcommand("cost", "Measure the cost of accuracy in time, on a sample of an experiment");
+  CLI::App* command = app.add_subcommand("cost", "Measure the cost of accuracy in time, on a sample of an experiment");
   command->footer(
       "Example: rocking cost experiments/headline/headline.json --time 5min -o out\n"
       "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for each "

@@ -18,7 +18,6 @@
 namespace rocking::program {
 namespace {
 
-
 #if defined(__x86_64__)
 bool fuses_in_hardware() { return __builtin_cpu_supports("fma") != 0; }
 #else
@@ -64,10 +63,14 @@ std::string lanes_description() {
 
 std::vector<Fact> build_facts() {
   const base::BuildInfo build = base::build_info();
-  return {{"version", std::string(build.version)},       {"revision", std::string(build.revision)},
-          {"compiler", std::string(build.compiler)},     {"flags", std::string(build.flags)},
-          {"build_type", std::string(build.build_type)}, {"machine", machine_description()},
-          {"system", system_name()},                     {"supported_systems", std::string(supported_systems)},
+  return {{"version", std::string(build.version)},
+          {"revision", std::string(build.revision)},
+          {"compiler", std::string(build.compiler)},
+          {"flags", std::string(build.flags)},
+          {"build_type", std::string(build.build_type)},
+          {"machine", machine_description()},
+          {"system", system_name()},
+          {"supported_systems", std::string(supported_systems)},
           {"lanes", lanes_description()}};
 }
 
@@ -102,8 +105,7 @@ ExitCode examine(const Loudness& loudness) {
 
 void add_doctor(CLI::App& app, Action& action) {
   const auto loudness = std::make_shared<Loudness>();
-  CLI::App* command =
-      app.add_subcommand("doctor", "Print build and machine, and check the arithmetic of this machine");
+  CLI::App* command = app.add_subcommand("doctor", "Print build and machine, and check the arithmetic of this machine");
   command->footer("Example: rocking doctor\nInclude its output when you report a problem.");
   add_loudness(*command, *loudness);
   command->final_callback([&action, loudness] { action = [loudness] { return examine(*loudness); }; });

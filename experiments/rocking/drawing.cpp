@@ -38,7 +38,8 @@ WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const
   ensure_writable(folder);
   WrittenFigures written;
   for (const analysis::Figure& figure : figures) {
-    const analysis::Drawing drawing = analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal());
+    const analysis::Drawing drawing =
+        analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal());
     written.failures.add(drawing);
     const std::string stem = (folder / figure.name).string();
     for (const char* ending : {".tsv", ".gp"}) written.files.push_back(stem + ending);

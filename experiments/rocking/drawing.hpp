@@ -19,8 +19,9 @@ namespace rocking::program {
 /// does.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
 
-/// The importance of a picture to a command. The purpose of `report` and `figure` is to draw, so that they fail without it. For
-/// `run`, `resume` and `merge` it is an addition: the results are complete, and a cluster would run them again after a failure.
+/// The importance of a picture to a command. The purpose of `report` and `figure` is to draw, so that they fail without
+/// it. For `run`, `resume` and `merge` it is an addition: the results are complete, and a cluster would run them again
+/// after a failure.
 enum class PictureRole : std::uint8_t { purpose, addition };
 
 /// Reasons why figures could not be drawn, each once.
@@ -28,9 +29,9 @@ class DrawingFailures {
  public:
   void add(const analysis::Drawing& drawing);
 
-  /// Prints every reason on standard error, also if the command is quiet. Returns the exit code: done if only gnuplot is
-  /// missing (data and scripts are written), or if the machine stopped gnuplot and pictures are an addition; input_output if
-  /// the machine stopped gnuplot and pictures are the purpose; our_bug if gnuplot rejected a script.
+  /// Prints every reason on standard error, also if the command is quiet. Returns the exit code: done if only gnuplot
+  /// is missing (data and scripts are written), or if the machine stopped gnuplot and pictures are an addition;
+  /// input_output if the machine stopped gnuplot and pictures are the purpose; our_bug if gnuplot rejected a script.
   [[nodiscard]] ExitCode tell(std::string_view consequence, PictureRole role) const;
 
  private:
@@ -46,8 +47,8 @@ struct WrittenFigures {
   DrawingFailures failures;
 };
 
-/// Writes figures into a folder, which is created if necessary. If a picture cannot be drawn, its data and script are written.
-/// Throws std::system_error with the path.
+/// Writes figures into a folder, which is created if necessary. If a picture cannot be drawn, its data and script are
+/// written. Throws std::system_error with the path.
 [[nodiscard]] WrittenFigures write_figures(const std::vector<analysis::Figure>& figures,
                                            const std::filesystem::path& folder);
 

@@ -72,8 +72,7 @@ ExitCode fragility(const FragilityRequest& request) {
 
 void add_fragility(CLI::App& app, Action& action) {
   const auto request = std::make_shared<FragilityRequest>();
-  CLI::App* command =
-      app.add_subcommand("fragility", "Fit the probability of overturning as a function of intensity");
+  CLI::App* command = app.add_subcommand("fragility", "Fit the probability of overturning as a function of intensity");
   command->footer(
       "Example: rocking fragility out -o out\n"
       "counts for each amplitude (or scale of a ground motion) the realisations that overturned, with exact intervals, "

@@ -12,16 +12,16 @@ namespace rocking::program {
 
 enum class StopReason : std::uint8_t { none, signal, time };
 
-/// From this call on SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 (a scheduler's warning) request a stop instead of ending the
-/// process; a second signal ends it. Signals that the process inherited as ignored stay ignored. Returns the flag that a
-/// request sets.
+/// From this call on SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 (a scheduler's warning) request a stop instead of
+/// ending the process; a second signal ends it. Signals that the process inherited as ignored stay ignored. Returns the
+/// flag that a request sets.
 [[nodiscard]] const std::atomic<bool>& stop_on_interrupt();
 
 /// A request that only a signal sets, not a time limit.
 [[nodiscard]] base::StopRequest stop_on_signal();
 
-/// From this call on a write to a closed pipe or beyond a limit of the file size fails with an error and does not end the
-/// process.
+/// From this call on a write to a closed pipe or beyond a limit of the file size fails with an error and does not end
+/// the process.
 void meet_limits_as_errors();
 
 /// Requests a stop because the time limit was reached.

@@ -46,11 +46,13 @@ std::optional<std::uint64_t> free_on_machine() {
   return std::nullopt;
 }
 
-/// Free memory within the control group (version 2) of this process and its parents, as a scheduler or container limits it.
+/// Free memory within the control group (version 2) of this process and its parents, as a scheduler or container limits
+/// it.
 std::optional<std::uint64_t> free_in_control_group() {
   std::ifstream file("/proc/self/cgroup");
   std::string line;
-  while (std::getline(file, line) && !line.starts_with("0::/")) {}
+  while (std::getline(file, line) && !line.starts_with("0::/")) {
+  }
   if (!line.starts_with("0::/")) return std::nullopt;
   const std::filesystem::path root("/sys/fs/cgroup");
   std::optional<std::uint64_t> least;
@@ -65,7 +67,8 @@ std::optional<std::uint64_t> free_in_control_group() {
 std::optional<std::uint64_t> free_address_space() {
   rlimit limit{};
   if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) return std::nullopt;
-  const std::uint64_t used = number_in("/proc/self/statm").value_or(0) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
+  const std::uint64_t used =
+      number_in("/proc/self/statm").value_or(0) * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE));
   return limit.rlim_cur - std::min<std::uint64_t>(limit.rlim_cur, used);
 }
 

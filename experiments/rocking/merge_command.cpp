@@ -1,5 +1,5 @@
-#include <filesystem>
 #include <exception>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,8 +47,9 @@ void expect_current_results(const Source& source) {
   const bool is_former = is_former_version(identity.results);
   throw InTheWay(fmt::format("{}: was run by rocking {}, and this is {}, which may give other results; {}", source.name,
                              identity.code, code_identity(),
-                             is_former ? fmt::format("`rocking resume {}` runs again what differs, then merge", source.name)
-                                       : "merge with that program"));
+                             is_former
+                                 ? fmt::format("`rocking resume {}` runs again what differs, then merge", source.name)
+                                 : "merge with that program"));
 }
 
 void expect_kin(const Source& first, const Source& other) {

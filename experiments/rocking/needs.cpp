@@ -15,17 +15,17 @@
 namespace rocking::program {
 namespace {
 
-
 // Bytes, measured with 10^4 and 10^5 conditions (lib/docs/scale.md).
-constexpr std::uint64_t page = 350'000;               ///< without what grows with the conditions
-constexpr std::uint64_t row = 200;                    ///< of the store; 155 to 270
-constexpr std::uint64_t reported_alone = 4'900;       ///< in the report, of a condition of one realisation
-constexpr std::uint64_t reported_together = 6'500;    ///< of one of several, which has more response modes and a non-recurrence
+constexpr std::uint64_t page = 350'000;          ///< without what grows with the conditions
+constexpr std::uint64_t row = 200;               ///< of the store; 155 to 270
+constexpr std::uint64_t reported_alone = 4'900;  ///< in the report, of a condition of one realisation
+/// Of one of several, which has more response modes and a non-recurrence.
+constexpr std::uint64_t reported_together = 6'500;
 constexpr std::uint64_t drawn_together = 800;         ///< on the page
 constexpr std::uint64_t program_itself = 15'000'000;  ///< in memory
 constexpr std::uint64_t kept_alone = 7'000;           ///< in memory, of a condition of one realisation
 constexpr std::uint64_t kept_together = 13'500;
-constexpr std::uint64_t kept_in_shard = 700;          ///< a shard makes no report
+constexpr std::uint64_t kept_in_shard = 700;  ///< a shard makes no report
 
 std::uint64_t parameters_in(const Condition& condition) {
   constexpr std::uint64_t spaces_and_quotes = 14;
@@ -38,7 +38,8 @@ std::uint64_t parameters_in(const Condition& condition) {
 
 /// Memory of the strobe points of realisations in progress.
 std::uint64_t strobe_points(const Experiment& experiment, std::uint64_t realisations, unsigned threads) {
-  constexpr std::uint64_t a_point = sizeof(section::Period) + sizeof(section::StrobePoint);  // in progress, and in its result
+  constexpr std::uint64_t a_point =
+      sizeof(section::Period) + sizeof(section::StrobePoint);  // in progress, and in its result
   std::uint64_t longest = 0;
   for (const Condition& condition : experiment.conditions) {
     const auto [transient, sampled] = condition.horizon;

@@ -13,8 +13,8 @@
 namespace rocking::program {
 namespace {
 
-// DEL and the control characters of Unicode from U+0080 to U+009F, some of which terminals obey. Other text than JSON has been
-// made printable before; in JSON they stand in strings only, and escaped they mean the same.
+// DEL and the control characters of Unicode from U+0080 to U+009F, some of which terminals obey. Other text than JSON
+// has been made printable before; in JSON they stand in strings only, and escaped they mean the same.
 std::string with_escaped_controls(std::string_view text) {
   std::string escaped;
   escaped.reserve(text.size());

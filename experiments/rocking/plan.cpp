@@ -30,9 +30,13 @@ constexpr std::array<Effect, 6> effects{{
      [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
     {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
     {"amplitude drawn each period",
-     [](const Scene& s) { return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) != AmplitudeDraws::once; }},
+     [](const Scene& s) {
+       return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) != AmplitudeDraws::once;
+     }},
     {"amplitude drawn once",
-     [](const Scene& s) { return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) == AmplitudeDraws::once; }},
+     [](const Scene& s) {
+       return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) == AmplitudeDraws::once;
+     }},
 }};
 
 /// Every quantity that some condition draws, each once.
@@ -91,12 +95,8 @@ std::string to_text(const Plan& plan) {
 }
 
 std::vector<Fact> facts_of(const Plan& plan) {
-  return {{"title", plan.title},
-          {"conditions", plan.conditions},
-          {"realisations", plan.realisations},
-          {"periods", plan.periods},
-          {"disk_bytes", plan.needs.disk_bytes},
-          {"memory_bytes", plan.needs.memory_bytes},
+  return {{"title", plan.title},     {"conditions", plan.conditions},       {"realisations", plan.realisations},
+          {"periods", plan.periods}, {"disk_bytes", plan.needs.disk_bytes}, {"memory_bytes", plan.needs.memory_bytes},
           {"effects", plan.effects}};
 }
 

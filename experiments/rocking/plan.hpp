@@ -14,10 +14,10 @@ namespace rocking::program {
 struct Plan {
   std::string title;
   std::uint64_t conditions = 0;
-  std::uint64_t realisations = 0;    ///< of all conditions
-  bool at_most = false;              ///< some conditions may stop earlier
-  std::uint64_t periods = 0;         ///< of all realisations together
-  bool has_record = false;           ///< periods are those of the strobe, not of an excitation
+  std::uint64_t realisations = 0;  ///< of all conditions
+  bool at_most = false;            ///< some conditions may stop earlier
+  std::uint64_t periods = 0;       ///< of all realisations together
+  bool has_record = false;         ///< periods are those of the strobe, not of an excitation
   Needs needs;
   std::vector<std::string> effects;  ///< that are on in at least one condition
 };

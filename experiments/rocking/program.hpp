@@ -1,7 +1,7 @@
 #pragma once
 
-#include "process_pool.hpp"
 #include "exit_code.hpp"
+#include "process_pool.hpp"
 
 namespace rocking::program {
 

@@ -30,8 +30,8 @@ struct Pace {
 /// `1200 of 7600 realisations (15.8 %), 410/s, 15 s to go`; without a noun `1200/7600, 410/s, 15 s to go`.
 [[nodiscard]] std::string progress_line(const Pace& pace, std::string_view noun);
 
-/// Progress on standard error: amount done, rate, estimated time to go, and text of the caller. On a terminal a bar precedes
-/// it, and the line is cut to the width of the terminal.
+/// Progress on standard error: amount done, rate, estimated time to go, and text of the caller. On a terminal a bar
+/// precedes it, and the line is cut to the width of the terminal.
 class Progress {
  public:
   /// `noun`: what is counted, in the plural.

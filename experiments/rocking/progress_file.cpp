@@ -26,10 +26,10 @@ void ProgressFile::note(std::uint64_t done, std::uint64_t all) {
   if (Clock::now() < next_) return;
   next_ = Clock::now() + interval;
   const ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
-                                  .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),
-                                  .done_before = *done_before_,
-                                  .done = done,
-                                  .all = all};
+                          .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),
+                          .done_before = *done_before_,
+                          .done = done,
+                          .all = all};
   try {
     write_atomically(path_, to_text(note));
   } catch (const std::system_error&) {

@@ -9,8 +9,8 @@
 
 namespace rocking::program {
 
-/// Keeps a file with the progress of a run for `rocking status`, rewritten every few seconds and removed by the destructor.
-/// If it cannot be written, the run continues without it.
+/// Keeps a file with the progress of a run for `rocking status`, rewritten every few seconds and removed by the
+/// destructor. If it cannot be written, the run continues without it.
 class ProgressFile {
  public:
   explicit ProgressFile(std::filesystem::path path);

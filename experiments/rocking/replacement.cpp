@@ -35,9 +35,9 @@ void Replacement::install() const {
   finish_installing();
 }
 
-// The store is moved first. As long as it is in the subfolder, no file has been moved, and a file that the subfolder lacks is
-// not part of the new run. If a report were moved first, a kill would leave it beside the earlier store, from which `resume`
-// would write the earlier report again.
+// The store is moved first. As long as it is in the subfolder, no file has been moved, and a file that the subfolder
+// lacks is not part of the new run. If a report were moved first, a kill would leave it beside the earlier store, from
+// which `resume` would write the earlier report again.
 void Replacement::finish_installing() const {
   if (!is_half_installed()) return;
   const RunFiles now{folder_};

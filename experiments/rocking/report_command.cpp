@@ -103,9 +103,9 @@ ExitCode report_again(const ReportRequest& request) {
   }
   if (formats.contains("latex")) write("modes.tex", modes_latex(report));
   const std::string table = formats.contains("text") ? table_again(report) : "";
-  print_result(request.loudness.json
-                   ? facts_text(std::vector<Fact>{{"written", written}})
-                   : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"), written.empty() ? "" : "\n")));
+  print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})
+                                     : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"),
+                                                                   written.empty() ? "" : "\n")));
   const ExitCode page_code = of_the_page.tell(no_page_picture, PictureRole::purpose);
   const ExitCode figure_code = of_figures.tell(no_figure, PictureRole::purpose);
   return figure_code == ExitCode::done ? page_code : figure_code;

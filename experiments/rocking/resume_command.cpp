@@ -36,8 +36,7 @@ void expect_known_results(const RunFolder& folder, const Identity& identity) {
 }
 
 // Damage is found before rows are added. A store of an earlier layout or results version is renewed.
-Store usable_store(const RunFolder& folder, const Experiment& experiment,
-                               Store store, const Loudness& loudness) {
+Store usable_store(const RunFolder& folder, const Experiment& experiment, Store store, const Loudness& loudness) {
   const auto damage = store.damage();
   const bool is_current = store.is_of_current_layout() && store.identity().results == results_version;
   if (!damage && is_current) return store;

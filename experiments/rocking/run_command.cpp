@@ -96,9 +96,9 @@ ExitCode run(const RunRequest& request) {
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
   if (folder.has_store() || folder.has_report()) folder.begin_replacement();
   Store store = folder.create_store({.experiment = experiment.canonical_text,
-                                                 .code = code_identity(),
-                                                 .files = folder_of(request.file),
-                                                 .shard = shard});
+                                     .code = code_identity(),
+                                     .files = folder_of(request.file),
+                                     .shard = shard});
   return carry_through(folder, experiment, store, request.execution);
 }
 

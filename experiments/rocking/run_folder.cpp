@@ -36,8 +36,9 @@ void expect_short_path(const std::filesystem::path& store) {
   constexpr std::string_view longest_ending = ".new-journal";
   const std::size_t length = std::filesystem::absolute(store).string().size() + longest_ending.size();
   if (length <= longest) return;
-  throw UsageError(fmt::format("the path of the folder is {} bytes too long for SQLite ({} at most); choose a shorter one: {}",
-                               length - longest, longest, base::cut_to(store.parent_path().string(), 100)));
+  throw UsageError(
+      fmt::format("the path of the folder is {} bytes too long for SQLite ({} at most); choose a shorter one: {}",
+                  length - longest, longest, base::cut_to(store.parent_path().string(), 100)));
 }
 
 // Whether the path still leads to the open file.
@@ -48,8 +49,8 @@ bool is_file_at(int descriptor, const std::filesystem::path& path) {
          open.st_dev == named.st_dev;
 }
 
-// A lock file of this program is empty. A file of this name that another program wrote is not removed, nor one that another
-// process has created since.
+// A lock file of this program is empty. A file of this name that another program wrote is not removed, nor one that
+// another process has created since.
 bool is_empty_file_at(int descriptor, const std::filesystem::path& path) {
   struct stat facts {};
   return is_file_at(descriptor, path) && ::fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
@@ -74,8 +75,9 @@ RunFolder::~RunFolder() {
   ::close(lock_);
 }
 
-// A separate file, open for writing, because some network file systems can lock no other. The former holder of the lock may
-// have removed the file after it was opened here. A lock on it is then useless, and the next attempt creates a new file.
+// A separate file, open for writing, because some network file systems can lock no other. The former holder of the lock
+// may have removed the file after it was opened here. A lock on it is then useless, and the next attempt creates a new
+// file.
 void RunFolder::claim() {
   expect_short_path(store_path());
   ensure_writable(path_);
@@ -121,9 +123,7 @@ void RunFolder::expect_room(std::uint64_t bytes) const {
                   name(), spoken_size(bytes), spoken_size(free)));
 }
 
-Store RunFolder::create_store(const Identity& identity) const {
-  return Store::create(store_path(), identity);
-}
+Store RunFolder::create_store(const Identity& identity) const { return Store::create(store_path(), identity); }
 
 bool RunFolder::has_store() const {
   std::error_code none;
@@ -148,8 +148,7 @@ Store RunFolder::open_sound_store() const {
   return store;
 }
 
-RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experiment,
-                                          FormerFile file) const {
+RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experiment, FormerFile file) const {
   Renewal renewal;
   {
     Identity identity = former.identity();
@@ -158,10 +157,10 @@ RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experi
     renewal.realisations = salvage(experiment, former, store);
     const bool same_results = former.identity().results == identity.results;
     if (renewal.realisations == 0 && same_results && has_rows(former)) {
-      throw sqlite::UnusableFile(fmt::format(
-          "{}: is damaged: none of its realisations belongs to its experiment, which may be "
-          "that of another store; run the experiment again, with --overwrite",
-          store_path().string()));
+      throw sqlite::UnusableFile(
+          fmt::format("{}: is damaged: none of its realisations belongs to its experiment, which may be "
+                      "that of another store; run the experiment again, with --overwrite",
+                      store_path().string()));
     }
     store.close_up();
   }
@@ -215,9 +214,10 @@ void RunFolder::tidy_up() const {
 
 void RunFolder::expect_installed() const {
   if (!is_half_installed()) return;
-  throw InTheWay(fmt::format("{0}: a new run was interrupted while it replaced the one in this folder; `rocking "
-                             "resume {0}` completes the replacement",
-                             name()));
+  throw InTheWay(
+      fmt::format("{0}: a new run was interrupted while it replaced the one in this folder; `rocking "
+                  "resume {0}` completes the replacement",
+                  name()));
 }
 
 std::string code_identity() {

@@ -37,8 +37,8 @@ class RunFolder {
   void discard_replacement();
   /// Replaces the earlier run by the complete new one; no effect without an earlier run.
   void install_replacement();
-  /// Completes the work of processes that were killed: installs a complete replacement, removes temporary files. The caller
-  /// has claimed the folder.
+  /// Completes the work of processes that were killed: installs a complete replacement, removes temporary files. The
+  /// caller has claimed the folder.
   void tidy_up() const;
   [[nodiscard]] bool is_half_installed() const { return replacement().is_half_installed(); }
   /// Throws InTheWay if that is still to be done, because the files in the folder then belong to two runs.

@@ -11,8 +11,8 @@
 
 namespace rocking::program {
 
-/// Estimate for the current condition of a run in progress, for display only: it counts the realisations of this session, in
-/// the order in which threads finish.
+/// Estimate for the current condition of a run in progress, for display only: it counts the realisations of this
+/// session, in the order in which threads finish.
 class RunningEstimate {
  public:
   explicit RunningEstimate(const Experiment& experiment) : experiment_(&experiment) {}

@@ -48,16 +48,15 @@ Standing standing_of(RunFolder& folder) {
   const bool running = folder.is_at_work();
   if (folder.has_replacement()) folder.enter_replacement();
   // The running process checked the store when it started.
-  const Store store =
-      running ? folder.open_store(sqlite::Access::read) : folder.open_sound_store();
+  const Store store = running ? folder.open_store(sqlite::Access::read) : folder.open_sound_store();
   Standing standing;
   standing.replaces = folder.is_replacement();
   if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);
   standing.realisations = completeness(experiment_of(store.identity()), store);
-  store.for_each([&](const RealisationKey&, const Summary& summary) {
-    standing.failed += has_no_answer(summary) ? 1 : 0;
-  });
-  const bool complete = standing.missing() == 0 && !standing.replaces && (folder.has_report() || !standing.part.empty());
+  store.for_each(
+      [&](const RealisationKey&, const Summary& summary) { standing.failed += has_no_answer(summary) ? 1 : 0; });
+  const bool complete =
+      standing.missing() == 0 && !standing.replaces && (folder.has_report() || !standing.part.empty());
   standing.state = running ? "running" : complete ? "finished" : "stopped";
   if (running) standing.rate = rate_of(folder);
   return standing;
@@ -81,10 +80,10 @@ std::string to_text(const StatusRequest& request, const Standing& standing) {
 
 std::vector<Fact> facts_of(const Standing& standing) {
   std::vector<Fact> facts{{"state", standing.state},
-                                  {"done", standing.realisations.done},
-                                  {"all", standing.realisations.all},
-                                  {"missing", standing.missing()},
-                                  {"failed", standing.failed}};
+                          {"done", standing.realisations.done},
+                          {"all", standing.realisations.all},
+                          {"missing", standing.missing()},
+                          {"failed", standing.failed}};
   if (!standing.part.empty()) facts.push_back({"shard", standing.part});
   if (standing.replaces) facts.push_back({"replaces_earlier_run", true});
   if (standing.rate > 0.0) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t usual_columns = 80;
 
-/// Letters that the locale of the environment supports. The process itself stays in the "C" locale, with decimal points.
+/// Letters that the locale of the environment supports. The process itself stays in the "C" locale, with decimal
+/// points.
 Letters letters_of_locale() {
   const locale_t locale = newlocale(LC_CTYPE_MASK, "", nullptr);
   if (locale == nullptr) return Letters::ascii;

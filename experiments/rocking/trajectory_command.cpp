@@ -32,9 +32,8 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
   }
   const Condition& condition = experiment.conditions[request.key.condition];
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-  const auto trajectory =
-      trajectory_of(condition, experiment.seed, request.key.realisation,
-                    TrajectoryExtent(request.periods.value_or(horizon), request.samples));
+  const auto trajectory = trajectory_of(condition, experiment.seed, request.key.realisation,
+                                        TrajectoryExtent(request.periods.value_or(horizon), request.samples));
   print_result(trajectory_text(request.key, trajectory));
   return ExitCode::done;
 }
@@ -43,8 +42,7 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
 
 void add_trajectory(CLI::App& app, Action& action) {
   const auto request = std::make_shared<TrajectoryRequest>();
-  CLI::App* command =
-      app.add_subcommand("trajectory", "Print the events and states of one realisation as JSON");
+  CLI::App* command = app.add_subcommand("trajectory", "Print the events and states of one realisation as JSON");
   command->footer(
       "Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
       "prints the fourth realisation of the thirteenth condition over 20 periods. Numbers start at 0.");
@@ -60,9 +58,7 @@ void add_trajectory(CLI::App& app, Action& action) {
   command->add_option("--periods", request->periods, "Periods of the excitation; default: all of the horizon")
       ->check(whole_number(1, 100'000'000))
       ->type_name("N");
-  command
-      ->add_option("--samples", request->samples,
-                   "Adds a history: N states per period, evenly spaced; 0: none")
+  command->add_option("--samples", request->samples, "Adds a history: N states per period, evenly spaced; 0: none")
       ->check(whole_number(0, 100'000))
       ->capture_default_str()
       ->type_name("N");

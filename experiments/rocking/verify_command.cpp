@@ -122,7 +122,8 @@ class Verifier {
 
   [[nodiscard]] std::string explain_not_compared(std::uint64_t number, const Identity& identity) const {
     return fmt::format(
-        "{} not compared: rocking {} stored the run under results version {}, which gave other bits for motions that leave the "
+        "{} not compared: rocking {} stored the run under results version {}, which gave other bits for motions that "
+        "leave the "
         "ground than this program does (version {}). `rocking resume {}` runs what may differ again",
         number == 1 ? "1 realisation was" : counted(number, "realisation") + " were", identity.code, identity.results,
         results_version, request_->folder);
@@ -168,9 +169,10 @@ ExitCode verify(const VerifyRequest& request) {
   }
   const bool right = findings.wrong.empty();
   if (request.execution.loudness.json) {
-    print_result(facts_text(std::vector<Fact>{
-        {"verified", right}, {"realisations_run_again", findings.checked}, {"realisations_not_compared", findings.not_compared},
-        {"findings", findings.wrong}}));
+    print_result(facts_text(std::vector<Fact>{{"verified", right},
+                                              {"realisations_run_again", findings.checked},
+                                              {"realisations_not_compared", findings.not_compared},
+                                              {"findings", findings.wrong}}));
   } else if (right) {
     print_result(base::printable(
         fmt::format("{}: {} run again, all with the same bits; the report follows from {}\n{}{}", request.folder,
@@ -196,8 +198,7 @@ void add_verify(CLI::App& app, Action& action) {
       "compared with\n"
       "a new run.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
-  command
-      ->add_option("--sample", request->sample, "Run about N realisations again, evenly spaced; default: all")
+  command->add_option("--sample", request->sample, "Run about N realisations again, evenly spaced; default: all")
       ->check(whole_number(1, random::realisation_limit))
       ->type_name("N");
   add_threads(*command, request->execution);

@@ -32,15 +32,16 @@ TEST(FreeRocking, FallsBackInTheTimeOfTheEllipticIntegral) {
       const Trajectory trajectory = run(condition, 20);
       ASSERT_FALSE(trajectory.events.empty());
       const double time = falling_time(psi * (1.0 - tilt), psi);
-      // The rounding of k, 2^-53, is multiplied by dK/dk, about 4/phi0^2; the difference of the integrals loses a factor
-      // 1/tilt.
+      // The rounding of k, 2^-53, is multiplied by dK/dk, about 4/phi0^2; the difference of the integrals loses a
+      // factor 1/tilt.
       const double phi0 = psi * (1.0 - tilt);
       EXPECT_NEAR(trajectory.events[0].tau, time, 1e-15 / (phi0 * phi0) + 1e-14 / tilt) << height << " " << tilt;
     }
   }
 }
 
-// psi -> 0: Theta'' = Theta - 1 for Theta > 0, so Theta = 1 - (1 - Theta0) cosh(tau); quarter period arcosh(1/(1 - Theta0)).
+// psi -> 0: Theta'' = Theta - 1 for Theta > 0, so Theta = 1 - (1 - Theta0) cosh(tau); quarter period arcosh(1/(1 -
+// Theta0)).
 TEST(SlenderBlock, FollowsHousnersLinearSolution) {
   const double start = 0.4;
   double last_error = 1.0;
@@ -131,8 +132,8 @@ TEST(Sliding, FollowsItsClosedFormUnderHarmonicShaking) {
   }
 }
 
-// On a base at rest V = V0 - (4/3) mu_k s tau: the block stops after the time 3 abs(V0)/(4 mu_k) and the distance V0^2 3/(8
-// mu_k), and stays there.
+// On a base at rest V = V0 - (4/3) mu_k s tau: the block stops after the time 3 abs(V0)/(4 mu_k) and the distance V0^2
+// 3/(8 mu_k), and stays there.
 TEST(Sliding, StopsOnAStillBaseWhereAndWhenConstantFrictionSays) {
   for (const double start : {2.0, -0.5, 1e-3, -1e-9}) {
     const Trajectory trajectory = run(sliding(start, 0.0, 0.0), 40);
@@ -149,8 +150,8 @@ TEST(Sliding, StopsOnAStillBaseWhereAndWhenConstantFrictionSays) {
 }
 
 // Without friction no horizontal force acts on the block. Its centre of mass keeps a constant speed in space through
-// rocking, slipping and impacts, whatever the base does. In the frame of the base its speed is V - w cos(phi), its position
-// X + S (sin(phi) - sin(psi)), and the drift of the base over whole periods -(4/3) (A/Omega) cos(Phi).
+// rocking, slipping and impacts, whatever the base does. In the frame of the base its speed is V - w cos(phi), its
+// position X + S (sin(phi) - sin(psi)), and the drift of the base over whole periods -(4/3) (A/Omega) cos(Phi).
 TEST(FrictionlessRocking, LeavesItsCentreOfMassToItself) {
   for (const double height : {1.5, 4.0, 10.0}) {
     for (const double phase : {0.0, 0.7, 3.0}) {
@@ -185,8 +186,8 @@ TEST(FrictionlessRocking, LeavesItsCentreOfMassToItself) {
   }
 }
 
-// Strong excitation, weak friction: the block slides back and forth for ever. In the steady motion with mu_k > 0, reversals
-// occur where the impulses of friction and base cancel: V = 0 at each, exactly half a period apart.
+// Strong excitation, weak friction: the block slides back and forth for ever. In the steady motion with mu_k > 0,
+// reversals occur where the impulses of friction and base cancel: V = 0 at each, exactly half a period apart.
 TEST(Sliding, SettlesToReversalsHalfAPeriodApart) {
   Condition condition = sliding(0.0, 1.7, 0.0);
   const Trajectory trajectory = run(condition, 90);

@@ -1,5 +1,6 @@
-// A tighter tolerance reduces the error of a trajectory in proportion, until rounding dominates. This is tested for every
-// reference case, and with fixed random numbers under fluctuation. The printed figures are those of lib/docs/accuracy.md.
+// A tighter tolerance reduces the error of a trajectory in proportion, until rounding dominates. This is tested for
+// every reference case, and with fixed random numbers under fluctuation. The printed figures are those of
+// lib/docs/accuracy.md.
 
 #include <algorithm>
 #include <array>
@@ -60,8 +61,8 @@ struct Subject {
     return values;
   }
 
-  /// Growth of a small error that is made throughout the run, at the compared instants: the largest change of the values
-  /// over the relative change of base amplitude and initial state that causes it; at least 1.
+  /// Growth of a small error that is made throughout the run, at the compared instants: the largest change of the
+  /// values over the relative change of base amplitude and initial state that causes it; at least 1.
   [[nodiscard]] double growth() const {
     constexpr double change = 1e-9;
     const Values here = values(1e-14);
@@ -78,8 +79,8 @@ struct Subject {
 };
 
 // The length of a step makes its last term equal to the tolerance. The omitted terms sum to less than twice that, and a
-// period has about twenty steps: 40 tolerances per period. Errors of earlier periods have decayed or are contained in the
-// growth. Rounding: one of 2^-53 per step, in 400 steps of twenty periods.
+// period has about twenty steps: 40 tolerances per period. Errors of earlier periods have decayed or are contained in
+// the growth. Rounding: one of 2^-53 per step, in 400 steps of twenty periods.
 double allowed(double tolerance, double growth) { return growth * (40.0 * tolerance + 400.0 * 0x1p-53); }
 
 /// A row of the table: growth and errors, each the largest of those added.
@@ -157,8 +158,8 @@ const std::vector<std::pair<std::string, Fluctuation>>& fluctuations() {
 
 class FrozenDraws : public testing::TestWithParam<std::size_t> {};
 
-// The reference is our own run with a tolerance below rounding and common random numbers; that of 1e-15 agrees with it to
-// rounding.
+// The reference is our own run with a tolerance below rounding and common random numbers; that of 1e-15 agrees with it
+// to rounding.
 TEST_P(FrozenDraws, LeaveErrorsThatFollowTheTolerance) {
   const auto& [name, fluctuation] = fluctuations().at(GetParam());
   Row row;
@@ -176,10 +177,10 @@ TEST_P(FrozenDraws, LeaveErrorsThatFollowTheTolerance) {
 INSTANTIATE_TEST_SUITE_P(All, FrozenDraws, testing::Range<std::size_t>(0, 5),
                          [](const auto& instance) { return fluctuations().at(instance.param).first; });
 
-// The last term of a step of order 14 is proportional to the 14th power of its length: a tolerance 10^7 times tighter makes
-// steps 10^(7/14) = 3.16 times shorter, with a deviation of 6 % each (integrate::rough_root). The two events of a period
-// end a step early, which costs half a step each on average. With four to thirteen steps per period the ratio is (13 +
-// 1)/(4 + 1) = 2.8.
+// The last term of a step of order 14 is proportional to the 14th power of its length: a tolerance 10^7 times tighter
+// makes steps 10^(7/14) = 3.16 times shorter, with a deviation of 6 % each (integrate::rough_root). The two events of a
+// period end a step early, which costs half a step each on average. With four to thirteen steps per period the ratio is
+// (13 + 1)/(4 + 1) = 2.8.
 TEST(Tolerance, IsPaidForInStepsAsTheOrderSays) {
   Condition condition = fluctuating({});
   support::harmonic(condition.scene).amplitude = 4.5;

@@ -45,15 +45,15 @@ Motion after_transient(const Condition& condition, dynamics::Observer& observer)
 
 ExponentRun perturbed_pair_of(const Condition& condition) {
   CountedImpacts impacts;
-  PerturbedPair pair(after_transient(condition, impacts), dynamics::geometry_of(mean_block(condition.scene)).shape_angle,
-                     sampled_periods);
+  PerturbedPair pair(after_transient(condition, impacts),
+                     dynamics::geometry_of(mean_block(condition.scene)).shape_angle, sampled_periods);
   run_alone(pair);
   return pair.result();
 }
 
 /// Between impacts the motion preserves areas of (theta, w). An impact that changes w to r w contracts them by r^2: a
-/// factor r from the map itself, another from the earlier arrival of faster motions. If the multipliers of an orbit are a
-/// complex pair, each has half of the contraction.
+/// factor r from the map itself, another from the earlier arrival of faster motions. If the multipliers of an orbit are
+/// a complex pair, each has half of the contraction.
 class LyapunovExponent : public testing::TestWithParam<double> {};
 
 TEST_P(LyapunovExponent, OfAPeriodicMotionIsTheContractionOfItsImpacts) {

@@ -1,5 +1,5 @@
-// Blocks under one pulse of the base: overturning of slender blocks in closed form, long pulses, and the shapes against finely
-// sampled ground motions.
+// Blocks under one pulse of the base: overturning of slender blocks in closed form, long pulses, and the shapes against
+// finely sampled ground motions.
 
 #include <algorithm>
 #include <cmath>
@@ -52,14 +52,16 @@ double first_true(const std::function<bool(double)>& holds, double low, double h
   return high;
 }
 
-// --- a slender block under one cycle of a sine -------------------------------------------------------------------------
+// --- a slender block under one cycle of a sine
+// -------------------------------------------------------------------------
 //
-// psi -> 0: Theta'' = Theta - 1 + a sin(W tau), a = A_h, while it rocks about its first edge. It lifts at sin(u) = 1/a, u = W tau:
+// psi -> 0: Theta'' = Theta - 1 + a sin(W tau), a = A_h, while it rocks about its first edge. It lifts at sin(u) = 1/a,
+// u = W tau:
 //
 //     Theta = 1 - a sin(W tau)/(1 + W^2) + (-W^2 cosh(s) + W sqrt(a^2 - 1) sinh(s))/(1 + W^2),   s = tau - u/W
 //
-// After the pulse Theta'' = Theta - 1, and it overturns if Theta - 1 + Theta' > 0 then. At the end of the pulse, sine 0, cosine 1,
-// without an impact until then, that is (W sqrt(a^2 - 1) - W^2) e^s > a W:
+// After the pulse Theta'' = Theta - 1, and it overturns if Theta - 1 + Theta' > 0 then. At the end of the pulse, sine
+// 0, cosine 1, without an impact until then, that is (W sqrt(a^2 - 1) - W^2) e^s > a W:
 //
 //     (sqrt(a^2 - 1) - W) exp((2 pi - arcsin(1/a))/W) > a
 
@@ -151,8 +153,8 @@ TEST(SinePulse, OverturnsASlenderBlockWithOneImpactFromTheClosedFormOn) {
   }
 }
 
-// Zhang & Makris (2001), J. Eng. Mech. 127(5) 473-483: between the accelerations that overturn with one impact and those that overturn
-// without impact the block stands.
+// Zhang & Makris (2001), J. Eng. Mech. 127(5) 473-483: between the accelerations that overturn with one impact and
+// those that overturn without impact the block stands.
 TEST(SinePulse, LeavesASafeBandBetweenTheTwoWaysOfOverturning) {
   const auto under = [](double amplitude) {
     return ending_of(under_pulse({.shape = PulseShape::sine, .amplitude = amplitude, .frequency_ratio = 5.0}));
@@ -167,8 +169,8 @@ TEST(SinePulse, LeavesASafeBandBetweenTheTwoWaysOfOverturning) {
   EXPECT_EQ(ways, expected);
 }
 
-// Theta'' = Theta - 1 + a sin(W tau) does not grow without an impact for a^2 <= 1 + W^2, and grows above that with W -> 0; the
-// least amplitude of a block lifts it, alpha = tan(psi), with an excess of second order in W.
+// Theta'' = Theta - 1 + a sin(W tau) does not grow without an impact for a^2 <= 1 + W^2, and grows above that with W ->
+// 0; the least amplitude of a block lifts it, alpha = tan(psi), with an excess of second order in W.
 TEST(LongPulse, OverturnsFromTheStaticAccelerationOn) {
   for (const PulseShape shape : {PulseShape::sine, PulseShape::ricker}) {
     const double psi = dynamics::geometry_of({}).shape_angle;
@@ -199,7 +201,8 @@ TEST(CosinePulse, LiftsABlockAtOnceIfItsPeakIsAboveTheThreshold) {
           .events.empty());
 }
 
-// --- a pulse as a sampled ground motion -------------------------------------------------------------------------------
+// --- a pulse as a sampled ground motion
+// -------------------------------------------------------------------------------
 
 constexpr double ratio_of_pulse = 3.0;
 constexpr double amplitude_of_pulse = 1.9;
@@ -247,7 +250,8 @@ double distance(const std::vector<TrajectorySample>& a, const std::vector<Trajec
 // A line between samples h apart differs from the shape by at most (h^2/8) max(f'').
 TEST(PulseExcitation, IsTheLimitOfItsSamplesWithTheSquareOfTheirSpacing) {
   for (const PulseShape shape : {PulseShape::sine, PulseShape::cosine, PulseShape::ricker}) {
-    const auto exact = strobe_under(Pulse{.shape = shape, .amplitude = amplitude_of_pulse, .frequency_ratio = ratio_of_pulse});
+    const auto exact =
+        strobe_under(Pulse{.shape = shape, .amplitude = amplitude_of_pulse, .frequency_ratio = ratio_of_pulse});
     ASSERT_GT(exact.size(), 1U);
     const double coarse = distance(exact, strobe_under(sampled(shape, 500)));
     const double fine = distance(exact, strobe_under(sampled(shape, 1000)));
@@ -256,7 +260,8 @@ TEST(PulseExcitation, IsTheLimitOfItsSamplesWithTheSquareOfTheirSpacing) {
   }
 }
 
-// --- random amplitude -------------------------------------------------------------------------------------------------
+// --- random amplitude
+// -------------------------------------------------------------------------------------------------
 
 TEST(PulseExcitation, HasOneRandomAmplitudeInARealisation) {
   Condition condition = under_pulse({.shape = PulseShape::ricker, .amplitude = 2.0, .frequency_ratio = 3.0});

@@ -1,5 +1,5 @@
-// Blocks under recorded excitations for which the motion has a closed form: constant and linear accelerations, pulses, and
-// a vertical acceleration that acts like gravity.
+// Blocks under recorded excitations for which the motion has a closed form: constant and linear accelerations, pulses,
+// and a vertical acceleration that acts like gravity.
 
 #include <algorithm>
 #include <cmath>
@@ -99,8 +99,8 @@ Condition sliding_under(const std::vector<Knot>& knots) {
   return condition;
 }
 
-// V' = -(4/3) (alpha - mu_k). Under a triangular pulse of height A from 0 over 1 to 2 the integrals of alpha are A/2 and
-// A/6 at its peak, A and A (tau - 1) after it.
+// V' = -(4/3) (alpha - mu_k). Under a triangular pulse of height A from 0 over 1 to 2 the integrals of alpha are A/2
+// and A/6 at its peak, A and A (tau - 1) after it.
 TEST(TriangularPulse, PushesASlidingBlockByItsTwoIntegrals) {
   constexpr double peak = 0.8;
   const Trajectory trajectory = run(sliding_under({{0.0, 0.0}, {1.0, peak}, {2.0, 0.0}}), 5);
@@ -114,16 +114,16 @@ TEST(TriangularPulse, PushesASlidingBlockByItsTwoIntegrals) {
   }
 }
 
-// Under a constant acceleration V' = -(4/3) (alpha - mu_k) from V = -2: the block stops after the time 1.5/(mu_k - alpha)
-// and rests while abs(alpha) <= mu_s.
+// Under a constant acceleration V' = -(4/3) (alpha - mu_k) from V = -2: the block stops after the time 1.5/(mu_k -
+// alpha) and rests while abs(alpha) <= mu_s.
 TEST(RecordedConstant, StopsASlidingBlockWhereAndWhenConstantFrictionSays) {
   for (const double alpha : {-0.09, 0.05, -0.4}) {
     const Trajectory trajectory = run(sliding_under({{0.0, alpha}, {90.0, alpha}}), 40);
     const double tau = 1.5 / (0.1 - alpha);
     ASSERT_FALSE(trajectory.events.empty());
     EXPECT_EQ(trajectory.events[0].kind, alpha < -0.1 ? EventKind::slip_reverse : EventKind::slide_stop);
-    // V is rounded at the end of about forty steps. Divided by its slope, (4/3) (mu_k - alpha) >= 0.06, this is an error of
-    // tau.
+    // V is rounded at the end of about forty steps. Divided by its slope, (4/3) (mu_k - alpha) >= 0.06, this is an
+    // error of tau.
     EXPECT_NEAR(trajectory.events[0].tau, tau, 1e-13) << alpha;
     EXPECT_NEAR(trajectory.events[0].slip, -tau, 1e-13) << alpha;
     EXPECT_TRUE(alpha < -0.1 || trajectory.events.size() == 1U) << "it stays there";

@@ -21,8 +21,8 @@ using tests::reference_names;
 
 double number(const json& text) { return tests::reference_number(text); }
 
-/// Error that a good implementation in double attains: a hundred times the error of the reference algorithm in double, or
-/// 1e-12, whichever is larger.
+/// Error that a good implementation in double attains: a hundred times the error of the reference algorithm in double,
+/// or 1e-12, whichever is larger.
 double attainable(const std::string& name, int period) {
   static const json table = load_reference("attainable");
   const auto error = table.contains(name) && table[name].contains(std::to_string(period))
@@ -45,8 +45,8 @@ class ReferenceTrajectory : public testing::TestWithParam<std::string> {
     trajectory_ = trajectory_of(tests::condition_of_reference(reference_), 0, 0, periods);
   }
 
-  /// Event times and the states after them have the errors of the states at the ends of periods; the largest of the run is
-  /// a bound.
+  /// Event times and the states after them have the errors of the states at the ends of periods; the largest of the run
+  /// is a bound.
   [[nodiscard]] double event_tolerance() const { return attainable(GetParam(), 20); }
 
   json reference_;
@@ -124,8 +124,7 @@ TEST_P(ReferenceTrajectory, HasAsManyEventsOfEachKind) {
 
 TEST_P(ReferenceTrajectory, EndsAsTheReferenceDoes) {
   const bool overturns = reference_["event_counts"].contains("overturn");
-  EXPECT_EQ(trajectory_.termination,
-            overturns ? Termination::overturned : Termination::reached_horizon);
+  EXPECT_EQ(trajectory_.termination, overturns ? Termination::overturned : Termination::reached_horizon);
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ReferenceTrajectory, testing::ValuesIn(reference_names()),

@@ -1,5 +1,5 @@
-// Response modes of the noise-free reference cases, run far beyond their 20 periods, and of a few noisy responses, compared
-// with a horizon 20 times longer. Many more of the latter: lib/docs/classification-evidence.md.
+// Response modes of the noise-free reference cases, run far beyond their 20 periods, and of a few noisy responses,
+// compared with a horizon 20 times longer. Many more of the latter: lib/docs/classification-evidence.md.
 
 #include <map>
 #include <string>
@@ -16,9 +16,9 @@ namespace rocking {
 namespace {
 
 /// Response mode of each case, from its note or, if the note does not say, from a run ten times as long (5000 + 600
-/// periods). Case 10 is called chaotic in its note. Its largest exponent over 3000 periods is -8e-5 +- 8e-5 per period: it
-/// moves on a torus, is neither periodic nor chaotic, and must be unresolved. The exponent of case 14 is 0.0043 +- 0.0004:
-/// chaotic, but too weakly for the default horizon.
+/// periods). Case 10 is called chaotic in its note. Its largest exponent over 3000 periods is -8e-5 +- 8e-5 per period:
+/// it moves on a torus, is neither periodic nor chaotic, and must be unresolved. The exponent of case 14 is 0.0043 +-
+/// 0.0004: chaotic, but too weakly for the default horizon.
 const std::map<std::string, std::string> modes{
     {"01_noslip_11", "(1,1)"},
     {"02_noslip_13", "(1,3)"},
@@ -44,8 +44,8 @@ const std::map<std::string, std::string> modes{
     {"22_kinetic_below_tip_static_above", "(0,1)"},
 };
 
-/// A chaotic motion differs for every tolerance and every rounding. About one in thirty (5, 11 and 7 of 200 tolerances in
-/// cases 8, 9 and 11) is unresolved at the default horizon; none may get another class.
+/// A chaotic motion differs for every tolerance and every rounding. About one in thirty (5, 11 and 7 of 200 tolerances
+/// in cases 8, 9 and 11) is unresolved at the default horizon; none may get another class.
 void expect_chaos_of_most_roundings(Condition condition) {
   constexpr int roundings = 20;
   const double tolerance = condition.tolerance;
@@ -65,7 +65,8 @@ TEST_P(ReferenceMode, IsClassifiedRight) {
   const auto condition = tests::condition_of_reference(tests::load_reference(GetParam()));
   if (modes.at(GetParam()) == "chaotic") return expect_chaos_of_most_roundings(condition);
   const RealisationResult result = realise(condition, 0, 0);
-  EXPECT_EQ(to_string(result.classification.mode), modes.at(GetParam())) << to_string(result.classification.reason.value());
+  EXPECT_EQ(to_string(result.classification.mode), modes.at(GetParam()))
+      << to_string(result.classification.reason.value());
 }
 
 Condition noisy_friction(const Friction& friction, double amplitude) {
@@ -96,8 +97,8 @@ Names names_of(Condition condition, std::uint64_t realisation) {
   return names;
 }
 
-// Conditions of the headline experiment with one long-term response. Of 1120 such realisations none was classified wrongly;
-// 5 were unresolved.
+// Conditions of the headline experiment with one long-term response. Of 1120 such realisations none was classified
+// wrongly; 5 were unresolved.
 TEST(NoisyMode, IsThatOfAHorizonTwentyTimesLonger) {
   struct Case {
     Friction friction;
@@ -108,7 +109,8 @@ TEST(NoisyMode, IsThatOfAHorizonTwentyTimesLonger) {
                         Case{low_friction, 9.0, 1}}) {
     for (std::uint64_t realisation = 0; realisation < c.realisations; ++realisation) {
       const Names names = names_of(noisy_friction(c.friction, c.amplitude), realisation);
-      EXPECT_EQ(to_string(names.classification.mode), to_string(names.in_the_long_run)) << c.amplitude << ' ' << realisation;
+      EXPECT_EQ(to_string(names.classification.mode), to_string(names.in_the_long_run))
+          << c.amplitude << ' ' << realisation;
       EXPECT_NE(names.classification.mode.kind, section::ResponseKind::unresolved) << c.amplitude << ' ' << realisation;
       EXPECT_EQ(names.classification.held, 1.0) << c.amplitude << ' ' << realisation;
     }

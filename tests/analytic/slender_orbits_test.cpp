@@ -100,8 +100,8 @@ std::vector<Orbit> stable_orbits() {
           stable({.r = 0.912, .omega = 10.0, .n = 3}, 0.25), stable({.r = 0.9, .omega = 10.0, .n = 5}, 0.4)};
 }
 
-/// A block of height `height` times its width with the initial state `start` and impacts of ratio r. e is chosen such that
-/// delta = r; it may lie outside the range allowed in experiments.
+/// A block of height `height` times its width with the initial state `start` and impacts of ratio r. e is chosen such
+/// that delta = r; it may lie outside the range allowed in experiments.
 Condition slender(const Orbit& orbit, double height, const State& start, double phase) {
   Condition condition;
   Scene& scene = condition.scene;
@@ -186,8 +186,8 @@ Change next_in_the_limit(const Orbit& orbit, const Change& change) {
   return {change.phase + family.omega * delay, family.r * (pull * delay - rate)};
 }
 
-/// The same for the full block: central differences of two runs that start just after an impact, changed by `step` times
-/// `change`.
+/// The same for the full block: central differences of two runs that start just after an impact, changed by `step`
+/// times `change`.
 std::vector<Change> changes_of_the_block(const Orbit& orbit, double height, const Change& change, int impacts) {
   constexpr double step = 1e-6;
   std::array<std::vector<Change>, 2> found;
@@ -195,7 +195,8 @@ std::vector<Change> changes_of_the_block(const Orbit& orbit, double height, cons
     const double size = i == 0 ? step : -step;
     const double start = orbit.phase() + size * change.phase;
     const Condition condition = slender(orbit, height, {0.0, orbit.v() + size * change.rate}, start);
-    for (const TrajectoryEvent& event : trajectory_of_unchecked(condition, 0, 0, (impacts + 1) * orbit.family.n).events) {
+    for (const TrajectoryEvent& event :
+         trajectory_of_unchecked(condition, 0, 0, (impacts + 1) * orbit.family.n).events) {
       if (event.kind != dynamics::EventKind::impact_stick) continue;
       found[i].push_back({orbit.family.omega * event.tau + start, std::abs(event.tilt_rate)});
     }
@@ -244,8 +245,8 @@ TEST(SlenderOrbit, HasTheDeterminantAndTraceOfTheDerivation) {
   }
 }
 
-/// Factor by which a change grows or decays from one impact of the full block to the next: the mean from the 60th to the
-/// 90th impact, when only the slower direction remains (the factor of the other one is r^2 over this one).
+/// Factor by which a change grows or decays from one impact of the full block to the next: the mean from the 60th to
+/// the 90th impact, when only the slower direction remains (the factor of the other one is r^2 over this one).
 double multiplier_of_the_block(const Orbit& orbit) {
   const std::vector<Change> changes = changes_of_the_block(orbit, 1e5, {0.3, 1.0}, 90);
   return std::pow(changes.at(89).size() / changes.at(59).size(), 1.0 / 30.0);
@@ -259,11 +260,11 @@ Orbit with_multiplier(const Family& family, double multiplier) {
   return {family, 1.0 / (excess + 1.0 / family.x_fold())};
 }
 
-// On both sides of each end of the stable range, where the eigenvalue of the closed form is 0.98 or 1.02 in magnitude: on
-// the two branches that meet in the fold, where it passes 1, and near the loss of symmetry, where it passes -1. At H/B =
-// 1e5 the map of the block differs by psi^2 = 1e-10 times some tens. Near the fold, at a distance of 1e-4 in x, its orbit
-// differs by 1e-10/1e-4. This grows by 1.02 per impact and changes the eigenvalue's distance from 1 by about 1e-2 of it.
-// The test allows a twentieth.
+// On both sides of each end of the stable range, where the eigenvalue of the closed form is 0.98 or 1.02 in magnitude:
+// on the two branches that meet in the fold, where it passes 1, and near the loss of symmetry, where it passes -1. At
+// H/B = 1e5 the map of the block differs by psi^2 = 1e-10 times some tens. Near the fold, at a distance of 1e-4 in x,
+// its orbit differs by 1e-10/1e-4. This grows by 1.02 per impact and changes the eigenvalue's distance from 1 by about
+// 1e-2 of it. The test allows a twentieth.
 TEST(SlenderOrbit, GainsAndLosesStabilityAtTheClosedFormsEnds) {
   for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 4.0, .n = 1},
                                Family{.r = 0.7, .omega = 5.0, .n = 3}, Family{.r = 0.7, .omega = 10.0, .n = 3},
@@ -293,9 +294,9 @@ section::Classification classification_on(const Orbit& orbit) {
 }
 
 // A truth set without noise: (1,n) wherever the closed form has a stable orbit, over its whole range. The start differs
-// from the orbit of the block by about psi^2 = 1e-8, far inside the basin, which for long flights is as small as 1 %. Near
-// the fold (eigenvalue 0.99) the basin and the tolerance of the classification shrink together; there the response may be
-// unresolved, but not wrong.
+// from the orbit of the block by about psi^2 = 1e-8, far inside the basin, which for long flights is as small as 1 %.
+// Near the fold (eigenvalue 0.99) the basin and the tolerance of the classification shrink together; there the response
+// may be unresolved, but not wrong.
 TEST(SlenderOrbit, IsClassifiedByItsPeriodAllOverItsStableRange) {
   int inside = 0;
   int near_an_end = 0;
@@ -329,8 +330,8 @@ TEST(SlenderOrbit, IsClassifiedByItsPeriodAllOverItsStableRange) {
   EXPECT_GT(near_an_end, 50);
 }
 
-/// Largest difference between h and the time from one impact to the next, over the last 20 of 400 periods; h if the block
-/// no longer rocks.
+/// Largest difference between h and the time from one impact to the next, over the last 20 of 400 periods; h if the
+/// block no longer rocks.
 double irregularity(const Family& family, double amplitude) {
   const Orbit fold{family, family.x_fold()};
   Condition condition =

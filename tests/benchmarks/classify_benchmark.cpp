@@ -1,6 +1,6 @@
 // Cost of a classification, compared with that of the motion: for each scene the integration of a realisation to its
-// horizon, and the classification of its strobe points. If the exponent is needed, its periods are counted as periods of
-// the perturbed pair.
+// horizon, and the classification of its strobe points. If the exponent is needed, its periods are counted as periods
+// of the perturbed pair.
 
 #include <optional>
 #include <string>
@@ -47,9 +47,8 @@ void integrate_it(benchmark::State& state, const Case& c) {
 void classify_it(benchmark::State& state, const Case& c) {
   const Condition condition = condition_of(c);
   const evidence::LongRun run(condition, random::Draws(1, 0), transient + sampled);
-  const section::ClassifierInput input{.periods = std::span(run.periods()).subspan(transient),
-                                       .random = is_random(condition.scene),
-                                       .resolution = 1e-7};
+  const section::ClassifierInput input{
+      .periods = std::span(run.periods()).subspan(transient), .random = is_random(condition.scene), .resolution = 1e-7};
   for (auto _ : state) {
     benchmark::DoNotOptimize(section::classify(input, [] { return section::ExponentEstimate{-0.2, 0.01}; }));
   }

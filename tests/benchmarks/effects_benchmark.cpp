@@ -121,8 +121,8 @@ void print_effects() {
     const double periods = periods_of(condition);
     const auto share = [periods](std::uint64_t count) { return static_cast<double>(count) / periods; };
     const auto events = std::accumulate(operations.events.begin(), operations.events.end(), std::uint64_t{0});
-    const auto draws = operations.static_friction_draws + operations.kinetic_friction_draws + operations.restitution_draws +
-                       operations.amplitude_draws;
+    const auto draws = operations.static_friction_draws + operations.kinetic_friction_draws +
+                       operations.restitution_draws + operations.amplitude_draws;
     std::printf("%-26s %9.3f %7.2f %7.2f %7.2f %7.2f %7.2f %9.1f\n", name.c_str(), 1e6 * least / periods,
                 share(operations.steps), share(operations.slip_steps), share(operations.root_isolations), share(events),
                 share(draws), share(operations.ground_motion_segments));

@@ -79,8 +79,7 @@ class LaneRun {
   static Beginning beginning_of(const Question& question) {
     const Condition& condition = question.condition;
     const random::Draws draws(question.seed, question.realisation);
-    return begin_realisation(condition, draws, start_of(condition.scene, draws),
-                                         Strobe::poincare, question.periods);
+    return begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, question.periods);
   }
 
   LastStrobe observer_;
@@ -108,8 +107,7 @@ EndState follow_by_ours(const Question& question, double tolerance) {
   const random::Draws draws(question.seed, question.realisation);
   LastStrobe observer;
   const Start start = start_of(condition.scene, draws);
-  const auto beginning =
-      begin_realisation(condition, draws, start, Strobe::poincare, question.periods);
+  const auto beginning = begin_realisation(condition, draws, start, Strobe::poincare, question.periods);
   Motion motion = motion_of(condition.scene, beginning, observer);
   integrate::advance(motion);
   const double psi = beginning.setting.block.shape_angle;

@@ -63,8 +63,8 @@ struct Calibration {
   double largest;
 };
 
-/// The coarsest tolerance of a sequence at which the median error is at most `wanted`; otherwise the one with the smallest
-/// error.
+/// The coarsest tolerance of a sequence at which the median error is at most `wanted`; otherwise the one with the
+/// smallest error.
 [[nodiscard]] Calibration calibrate(const Case& c, const Follow& follow, double wanted);
 
 }  // namespace rocking::benchmarks

@@ -1,8 +1,9 @@
-// Cost of a period of motion at a given error of the end state, on one thread. Our integrator, alone and in lanes (the same
-// bits), is compared with Boost.odeint and with ARKODE of SUNDIALS, which integrate the mechanics of
-// tests/differential/peer. Every integrator uses the coarsest tolerance of a sequence at which the median error of its end
-// states, compared with ours at 1e-15, is at most `wanted_error`. The pipeline is the work of a run for realisations of 620
-// periods: motion in lanes, classification, digest, row of the store. The last lines give times, errors and ratios.
+// Cost of a period of motion at a given error of the end state, on one thread. Our integrator, alone and in lanes (the
+// same bits), is compared with Boost.odeint and with ARKODE of SUNDIALS, which integrate the mechanics of
+// tests/differential/peer. Every integrator uses the coarsest tolerance of a sequence at which the median error of its
+// end states, compared with ours at 1e-15, is at most `wanted_error`. The pipeline is the work of a run for
+// realisations of 620 periods: motion in lanes, classification, digest, row of the store. The last lines give times,
+// errors and ratios.
 
 #include <algorithm>
 #include <array>

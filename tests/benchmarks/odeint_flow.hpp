@@ -6,8 +6,8 @@
 
 namespace rocking::benchmarks {
 
-/// Boost.odeint: Dormand and Prince's method of order 5. Guards are tested after each step, and the instant of a fall is
-/// found by bisection on the dense output.
+/// Boost.odeint: Dormand and Prince's method of order 5. Guards are tested after each step, and the instant of a fall
+/// is found by bisection on the dense output.
 class OdeintFlow final : public peer::Flow {
  public:
   explicit OdeintFlow(const peer::FlowAccuracy& accuracy) : accuracy_(accuracy), last_step_(accuracy.longest_step) {}
@@ -21,9 +21,9 @@ class OdeintFlow final : public peer::Flow {
 
   [[nodiscard]] static peer::Stretch bisect(Stepper& stepper, const peer::Guards& before,
                                             const peer::Equations& equations);
-  /// The dense output has a lower order than the method. A step to the instant found, one Newton step for the instant and
-  /// another step to it cost little and give the accuracy of the method; without them errors are about a hundred times as
-  /// large.
+  /// The dense output has a lower order than the method. A step to the instant found, one Newton step for the instant
+  /// and another step to it cost little and give the accuracy of the method; without them errors are about a hundred
+  /// times as large.
   static void polish(peer::Stretch& found, Stepper& stepper, const peer::Equations& equations);
 
   peer::FlowAccuracy accuracy_;

@@ -42,7 +42,8 @@ Json small_version() {
   return experiment;
 }
 
-// Two exact intervals of the same probability, each at half the significance, are disjoint with at most that significance.
+// Two exact intervals of the same probability, each at half the significance, are disjoint with at most that
+// significance.
 TEST_F(Basins, OfTwoResponsesCoexistInThePublishedFractions) {
   rocking::support::FalseAlarms alarms;
   write("small.json", small_version().dump());

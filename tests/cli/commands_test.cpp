@@ -51,7 +51,8 @@ TEST_F(Command, RunPrintsTheTableAndWhereTheReportIs) {
                                     HasSubstr("report: out/report.json")));
 }
 
-// Realisation 1 of this condition of the headline experiment settles on (1,3) in the third eighth of its sampled periods.
+// Realisation 1 of this condition of the headline experiment settles on (1,3) in the third eighth of its sampled
+// periods.
 TEST_F(Command, RunSaysHowManySettledLateAndTheLeastHeldShare) {
   Json experiment = without(example_experiment(), "sweep");
   experiment["realisations"] = 2;

@@ -77,7 +77,8 @@ TEST_F(Compare, HasTheConfidenceOfEachCondition) {
   const Json floor = Json::parse(read("a/report.json"))["result"]["noise_floor"];
   ASSERT_EQ(floor["of"], 2);
   ASSERT_EQ(floor["flips"], 0);
-  EXPECT_NEAR(floor["interval"][1].get<double>(), 1.0 - std::pow(0.0005, 0.5), 1e-12) << "the highest confidence of all";
+  EXPECT_NEAR(floor["interval"][1].get<double>(), 1.0 - std::pow(0.0005, 0.5), 1e-12)
+      << "the highest confidence of all";
 }
 
 TEST_F(Compare, RefusesRunsThatCannotBePaired) {

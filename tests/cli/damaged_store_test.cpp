@@ -75,9 +75,7 @@ class DamagedRun : public rocking::support::ProgramTest {
 
   void change_store(const std::string& sql) const {
     put_run(pages());
-    rocking::sqlite::Database(folder_ / "out/realisations.sqlite",
-                                          rocking::sqlite::Access::write)
-        .execute(sql);
+    rocking::sqlite::Database(folder_ / "out/realisations.sqlite", rocking::sqlite::Access::write).execute(sql);
   }
 };
 
@@ -226,14 +224,14 @@ TEST_F(DamagedRun, LeavesTheLockOfAnotherProcess) {
   EXPECT_EQ(read("out/.lock"), "17\n") << "another program's";
 
   ASSERT_EQ(shell("mkdir -p pipe/out; mkfifo pipe/out/.lock").exit_code, 0);
-  const Outcome ran = shell("timeout 60 '" ROCKING_PROGRAM "' run question.json -q -o pipe/out && timeout 60 '" ROCKING_PROGRAM
-                            "' status pipe/out");
+  const Outcome ran = shell("timeout 60 '" ROCKING_PROGRAM
+                            "' run question.json -q -o pipe/out && timeout 60 '" ROCKING_PROGRAM "' status pipe/out");
   EXPECT_EQ(ran.exit_code, 0) << ran.errors;
 
-  const Outcome replaced = shell(in_background("'" ROCKING_PROGRAM
-                                               "' run question.json -q -o busy --realisations 100000") +
-                                 "until test -e busy/.lock; do sleep 0.01; done; sleep 0.2; rm busy/.lock; "
-                                 "touch busy/.lock; kill -INT $child; wait $child; test -e busy/.lock");
+  const Outcome replaced =
+      shell(in_background("'" ROCKING_PROGRAM "' run question.json -q -o busy --realisations 100000") +
+            "until test -e busy/.lock; do sleep 0.01; done; sleep 0.2; rm busy/.lock; "
+            "touch busy/.lock; kill -INT $child; wait $child; test -e busy/.lock");
   EXPECT_EQ(replaced.exit_code, 0) << "put there by another process while the run was at work";
 }
 

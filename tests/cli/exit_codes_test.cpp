@@ -187,8 +187,8 @@ TEST_F(ExitCode, Is130WhereItIsInterruptedAndWhatIsDoneIsKept) {
   write("slow.json", slow.dump());
   for (const char* signal : {"TERM", "INT", "USR1"}) {
     const std::string folder = std::string("out") + signal;
-    const auto outcome = shell(in_background("'" ROCKING_PROGRAM "' run slow.json -o " + folder) +
-                               "sleep 1; kill -" + signal + " $child; wait $child");
+    const auto outcome = shell(in_background("'" ROCKING_PROGRAM "' run slow.json -o " + folder) + "sleep 1; kill -" +
+                               signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
     EXPECT_THAT(outcome.errors,
                 AllOf(HasSubstr("are done and kept"), HasSubstr("`rocking resume " + folder + "` continues the run")));

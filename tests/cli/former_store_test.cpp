@@ -38,8 +38,7 @@ class FormerStore : public rocking::support::ProgramTest {
   }
 
   /// With the checksum that a row has in layout 1.
-  void put_row(const std::string& folder, const rocking::RealisationKey& key,
-               const rocking::Summary& summary) const {
+  void put_row(const std::string& folder, const rocking::RealisationKey& key, const rocking::Summary& summary) const {
     const sqlite::Database database(folder_ / folder / "realisations.sqlite", sqlite::Access::write);
     const rocking::RowFormat rows(database, 1, "");
     auto insert = database.prepare("INSERT OR REPLACE INTO realisations (" + rows.columns() + ") VALUES (" +
@@ -61,8 +60,8 @@ TEST_F(FormerStore, IsResumedWithTheReportOfANewRun) {
   // Of 62: 17 lost contact, one is the other of a pair with one of these, 6 others were rerun at a tighter tolerance.
   EXPECT_THAT(resumed.errors, HasSubstr("38 realisations converted"));
   expect_report_of_a_new_run("stopped");
-  EXPECT_TRUE(rocking::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read)
-                  .is_of_current_layout());
+  EXPECT_TRUE(
+      rocking::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read).is_of_current_layout());
   EXPECT_THAT(rocking("verify stopped -q").output, HasSubstr("64 realisations run again, all with the same bits"));
   EXPECT_FALSE(exists("stopped/damaged-1.sqlite"));
 }
@@ -76,8 +75,9 @@ TEST_F(FormerStore, IsVerifiedWhereItHasTheBitsOfThisProgram) {
   const auto verified = rocking("verify whole");
   EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
   // The 17 that lost contact, the other one of a pair with one of these, and 6 that were rerun at a tighter tolerance.
-  EXPECT_THAT(verified.output, AllOf(HasSubstr("40 realisations run again"), HasSubstr("24 realisations were not compared"),
-                                     HasSubstr("results version 1"), HasSubstr("`rocking resume whole`")));
+  EXPECT_THAT(verified.output,
+              AllOf(HasSubstr("40 realisations run again"), HasSubstr("24 realisations were not compared"),
+                    HasSubstr("results version 1"), HasSubstr("`rocking resume whole`")));
   const auto told = Json::parse(rocking("verify whole --json").output);
   EXPECT_EQ(told["realisations_run_again"], 40);
   EXPECT_EQ(told["realisations_not_compared"], 24);

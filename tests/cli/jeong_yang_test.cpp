@@ -1,5 +1,5 @@
-// experiments/jeong_yang_2012 and reports/jeong_yang_2012: the published text follows from the published results, and these
-// from the files.
+// experiments/jeong_yang_2012 and reports/jeong_yang_2012: the published text follows from the published results, and
+// these from the files.
 
 #include <algorithm>
 

@@ -30,8 +30,8 @@ class Ranks : public rocking::support::ProgramTest {
 
   /// The MPI library leaks a little memory at its end; that is not our fault.
   static std::string ranks(int number, const std::string& arguments) {
-    return "env ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) + " '" +
-           ROCKING_PROGRAM "' " + arguments;
+    return "env ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) +
+           " '" + ROCKING_PROGRAM "' " + arguments;
   }
 
   std::string lasting_part(const std::string& report) const {
@@ -66,10 +66,10 @@ TEST_F(Ranks, StopAtTheSameNumberWhereIntervalsSayWhen) {
 TEST_F(Ranks, LoseAtMostTheirOpenBlocksWhenOneDies) {
   ASSERT_EQ(shell(ranks(3, "run long.json -q -o whole")).exit_code, 0);
   // The last rank is killed when the first pairs have been stored: the status counts finished realisations.
-  const auto outcome =
-      shell(ranks(3, "run long.json -q -o out") +
-            " & job=$!; until '" ROCKING_PROGRAM "' status out 2>/dev/null | grep -q 'done *[1-9]'; do sleep 0.01; done; "
-            "set -- $(cat /proc/$job/task/$job/children); shift 2; kill -9 $1; wait $job");
+  const auto outcome = shell(ranks(3, "run long.json -q -o out") +
+                             " & job=$!; until '" ROCKING_PROGRAM
+                             "' status out 2>/dev/null | grep -q 'done *[1-9]'; do sleep 0.01; done; "
+                             "set -- $(cat /proc/$job/task/$job/children); shift 2; kill -9 $1; wait $job");
   EXPECT_NE(outcome.exit_code, 0);
   EXPECT_FALSE(exists("out/report.json"));
   EXPECT_THAT(outcome.errors + outcome.output, HasSubstr("signal 9"));
@@ -83,7 +83,8 @@ TEST_F(Ranks, StopCleanlyWhenTheirTimeIsUpOrTheyAreAskedTo) {
   const auto timed = shell(ranks(3, "run long.json -q -o out --max-time 0.01s"));
   EXPECT_EQ(timed.exit_code, 75) << timed.errors;
   EXPECT_THAT(timed.errors, HasSubstr("`rocking resume out` continues the run"));
-  const auto asked = shell(ranks(3, "resume out -q") + " & job=$!; until test -e out/progress.json || "
+  const auto asked = shell(ranks(3, "resume out -q") +
+                           " & job=$!; until test -e out/progress.json || "
                            "test -e out/report.json; do sleep 0.01; done; kill -USR1 $job; wait $job");
   EXPECT_TRUE(asked.exit_code == 130 || exists("out/report.json")) << asked.exit_code << asked.errors;
   const auto resumed = rocking("resume out -q");

@@ -71,8 +71,8 @@ class NothingIsLost : public rocking::support::ProgramTest {
   /// Duration of the undisturbed run; disturbances occur at fractions of it.
   double duration_s_ = 0.0;
 
-  /// Damages rows of a store: changes a byte of every termination behind the fraction `share` of the file. One alone could be
-  /// in the free part of a page, where SQLite leaves what it has moved elsewhere.
+  /// Damages rows of a store: changes a byte of every termination behind the fraction `share` of the file. One alone
+  /// could be in the free part of a page, where SQLite leaves what it has moved elsewhere.
   void damage_rows(const std::string& name, double share) const {
     std::string bytes = read(name);
     const auto first = static_cast<std::size_t>(share * static_cast<double>(bytes.size()));
@@ -218,11 +218,11 @@ TEST_F(NothingIsLost, ToOneWhoAsksHowFarItIs) {
   EXPECT_EQ(rocking("status absent").exit_code, 66);
 
   // The store on disk is behind by one commit, progress.json by seconds.
-  const auto running = shell(in_background("'" ROCKING_PROGRAM
-                                           "' run question.json -q -o out --realisations 1000000 2>told") +
-                             "sleep 0.5; '" ROCKING_PROGRAM
-                             "' status out --json; echo $? >code; sleep 0.2; "
-                             "kill -INT $child; wait $child; cat code");
+  const auto running =
+      shell(in_background("'" ROCKING_PROGRAM "' run question.json -q -o out --realisations 1000000 2>told") +
+            "sleep 0.5; '" ROCKING_PROGRAM
+            "' status out --json; echo $? >code; sleep 0.2; "
+            "kill -INT $child; wait $child; cat code");
   EXPECT_THAT(running.output, AllOf(HasSubstr("\"state\": \"running\""), HasSubstr("\"all\": 3000000")));
   EXPECT_TRUE(running.output.ends_with("0\n")) << running.output;
 }

@@ -36,15 +36,17 @@ class Process : public rocking::support::ProgramTest {
 
   std::string files_of(const std::string& folder) const {
     std::string all;
-    for (const char* name : {"report.json", "report.html", "realisations.sqlite"}) all += read(folder + '/' + name) + '|';
+    for (const char* name : {"report.json", "report.html", "realisations.sqlite"})
+      all += read(folder + '/' + name) + '|';
     return all;
   }
 };
 
 TEST_F(Process, LeavesIgnoredSignalsIgnored) {
   for (const std::string signal : {"HUP", "INT", "TERM", "USR1"}) {
-    const auto outcome = shell("trap '' " + signal + "; " + program("run endless.json -q -o " + signal + " --max-time 3s") +
-                               " & child=$!; sleep 1; kill -" + signal + " $child; wait $child");
+    const auto outcome =
+        shell("trap '' " + signal + "; " + program("run endless.json -q -o " + signal + " --max-time 3s") +
+              " & child=$!; sleep 1; kill -" + signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 75) << signal << outcome.errors;
   }
 }
@@ -62,15 +64,14 @@ TEST_F(Process, StopsWithinARealisationWhenItsTimeIsUp) {
 TEST_F(Process, StopsWithinARealisationWhenItIsAskedTo) {
   for (const std::string arguments : {"run endless.json -o out", "run endless_rest.json -o rest", "cost endless.json",
                                       "bifurcation endless.json -o diagram"}) {
-    const auto outcome =
-        shell(in_background(program(arguments)) + "sleep 1; kill -INT $child; wait $child");
+    const auto outcome = shell(in_background(program(arguments)) + "sleep 1; kill -INT $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << arguments << outcome.errors;
   }
 }
 
 TEST_F(Process, EndsWithGnuplotThatHangsWhenItIsAskedTo) {
-  const auto outcome = shell(with_gnuplot("echo $$ >../../drawing; exec sleep 1000") + "mkdir t; export TMPDIR=$PWD/t; " +
-                             in_background(program("run quick.json -q -o out")) +
+  const auto outcome = shell(with_gnuplot("echo $$ >../../drawing; exec sleep 1000") +
+                             "mkdir t; export TMPDIR=$PWD/t; " + in_background(program("run quick.json -q -o out")) +
                              "until test -s drawing; do sleep 0.05; done; kill -TERM $child; wait $child; code=$?; "
                              "kill -0 $(cat drawing) 2>/dev/null && echo gnuplot lives; ls t; exit $code");
   EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
@@ -82,8 +83,8 @@ TEST_F(Process, EndsWithGnuplotThatHangsWhenItIsAskedTo) {
 }
 
 TEST_F(Process, RemovesTheTemporaryFilesOfOnesThatWereKilled) {
-  const auto killed = shell(with_gnuplot("echo $$ >../../drawing; exec sleep 1000") + "mkdir t; export TMPDIR=$PWD/t; " +
-                            in_background(program("run quick.json -q -o out")) +
+  const auto killed = shell(with_gnuplot("echo $$ >../../drawing; exec sleep 1000") +
+                            "mkdir t; export TMPDIR=$PWD/t; " + in_background(program("run quick.json -q -o out")) +
                             "until test -s drawing; do sleep 0.05; done; kill -9 $child; wait $child; "
                             "kill -9 $(cat drawing); ls t; touch out/.rocking-abcdef");
   ASSERT_THAT(killed.output, HasSubstr("rocking-figure-"));
@@ -93,8 +94,8 @@ TEST_F(Process, RemovesTheTemporaryFilesOfOnesThatWereKilled) {
 
 TEST_F(Process, KeepsTableAndPageWhereNothingCanBeDrawn) {
   for (const std::string& disturbance :
-       {std::string("export TMPDIR=/nowhere; "), with_gnuplot("exit 3"), with_gnuplot("kill -9 $$"), with_gnuplot("exit 0"),
-        with_gnuplot("echo 'set terminal svg: unknown or ambiguous terminal type'; exit 1")}) {
+       {std::string("export TMPDIR=/nowhere; "), with_gnuplot("exit 3"), with_gnuplot("kill -9 $$"),
+        with_gnuplot("exit 0"), with_gnuplot("echo 'set terminal svg: unknown or ambiguous terminal type'; exit 1")}) {
     for (const std::string command : {"rm -rf out; run quick.json -o out", "rm out/report.*; resume out"}) {
       const std::size_t end = command.find("; ") + 2;
       const auto outcome = shell(command.substr(0, end) + disturbance + program(command.substr(end)));
@@ -128,7 +129,8 @@ TEST_F(Process, SaysThatItsOutputIsClosedOrFullAndKeepsTheRun) {
 }
 
 TEST_F(Process, ReadsNoPipeAndNoDevice) {
-  ASSERT_EQ(shell("mkfifo pipe; mkdir folder stored; mkfifo folder/report.json stored/realisations.sqlite").exit_code, 0);
+  ASSERT_EQ(shell("mkfifo pipe; mkdir folder stored; mkfifo folder/report.json stored/realisations.sqlite").exit_code,
+            0);
   auto recorded = rocking::support::recorded_experiment();
   recorded["excitation"]["file"] = "pipe";
   write("record.json", recorded.dump());
@@ -147,8 +149,9 @@ TEST_F(Process, ReadsNoFolderAsAFile) {
   auto recorded = rocking::support::recorded_experiment();
   recorded["excitation"]["file"] = "folder";
   write("record.json", recorded.dump());
-  for (const std::string arguments : {"run folder -o out", "validate folder", "run record.json -o out", "figure folder -o out",
-                                      "report folder", "verify folder", "status stored", "resume stored"}) {
+  for (const std::string arguments :
+       {"run folder -o out", "validate folder", "run record.json -o out", "figure folder -o out", "report folder",
+        "verify folder", "status stored", "resume stored"}) {
     const auto outcome = rocking(arguments);
     EXPECT_EQ(outcome.exit_code, 65) << arguments << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("is a folder; give a regular file")) << arguments;
@@ -188,7 +191,8 @@ TEST_F(Process, KeepsARunWhereItsReplacementFails) {
   EXPECT_EQ(rocking("merge out a b -q --overwrite").exit_code, 65);
   EXPECT_EQ(files_of("out"), earlier);
   EXPECT_FALSE(exists("out/replacement"));
-  EXPECT_EQ(shell("ulimit -f 8; exec " + program("run quick.json -q -o out --overwrite --realisations 400")).exit_code, 74);
+  EXPECT_EQ(shell("ulimit -f 8; exec " + program("run quick.json -q -o out --overwrite --realisations 400")).exit_code,
+            74);
   EXPECT_EQ(files_of("out"), earlier);
   EXPECT_EQ(rocking("verify out -q").exit_code, 0);
 }
@@ -208,7 +212,8 @@ TEST_F(Process, CompletesAReplacementThatWasKilledOnItsWay) {
     }
     ASSERT_EQ(rocking("resume half -q").exit_code, 0) << moved;
     EXPECT_EQ(rocking("verify half -q").exit_code, 0) << moved;
-    EXPECT_EQ(Json::parse(read("half/report.json"))["result"], Json::parse(read("next/report.json"))["result"]) << moved;
+    EXPECT_EQ(Json::parse(read("half/report.json"))["result"], Json::parse(read("next/report.json"))["result"])
+        << moved;
     EXPECT_FALSE(exists("half/replacement-complete"));
   }
 }
@@ -224,7 +229,8 @@ TEST_F(Process, SaysHowMuchOfItsMachineARunTakes) {
   ASSERT_EQ(plan["conditions"], 2000);
   ASSERT_EQ(rocking("run wide.json -q -o out").exit_code, 0);
   double taken = 0.0;
-  for (const auto& file : std::filesystem::directory_iterator(folder_ / "out")) taken += static_cast<double>(file.file_size());
+  for (const auto& file : std::filesystem::directory_iterator(folder_ / "out"))
+    taken += static_cast<double>(file.file_size());
   EXPECT_GT(plan["disk_bytes"].get<double>(), taken / 1.5);
   EXPECT_LT(plan["disk_bytes"].get<double>(), taken * 1.5);
 #if !defined(__SANITIZE_ADDRESS__)  // the address sanitizer reserves terabytes of addresses

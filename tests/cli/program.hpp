@@ -31,9 +31,7 @@ class ProgramTest : public ::testing::Test {
   ~ProgramTest() override { std::filesystem::remove_all(folder_); }
 
   /// Runs `rocking` with these arguments, as interpreted by a shell.
-  Outcome rocking(const std::string& arguments) const {
-    return shell("exec '" ROCKING_PROGRAM "' " + arguments);
-  }
+  Outcome rocking(const std::string& arguments) const { return shell("exec '" ROCKING_PROGRAM "' " + arguments); }
 
   /// Starts a command in the background of a script, where a shell makes its children ignore SIGINT.
   static std::string in_background(const std::string& command) {

@@ -35,9 +35,7 @@ class RunFolder : public rocking::support::ProgramTest {
   }
 
   void change_store(const std::string& sql) const {
-    rocking::sqlite::Database(folder_ / "out/realisations.sqlite",
-                                          rocking::sqlite::Access::write)
-        .execute(sql);
+    rocking::sqlite::Database(folder_ / "out/realisations.sqlite", rocking::sqlite::Access::write).execute(sql);
   }
 
   void change_report(const std::string& pointer, const Json& value) const {

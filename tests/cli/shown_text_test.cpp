@@ -28,9 +28,9 @@ TEST_F(ShownText, OfTitlesAndKeysSendsNoControlCharacters) {
   experiment["title"] = "\x1b]0;owned\x07\x1b[31m\xc2\x9b";
   const Outcome outcome = run(experiment);
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
-  for (const std::string& text : {outcome.output, rocking("validate a.json").output, rocking("run a.json --dry-run").output,
-                                  rocking("compare out out").output, rocking("fragility out").output,
-                                  rocking("report out --format text").output}) {
+  for (const std::string& text : {outcome.output, rocking("validate a.json").output,
+                                  rocking("run a.json --dry-run").output, rocking("compare out out").output,
+                                  rocking("fragility out").output, rocking("report out --format text").output}) {
     EXPECT_THAT(text, AllOf(Not(HasSubstr("\x1b")), Not(HasSubstr("\x07")), Not(HasSubstr("\xc2\x9b")))) << text;
   }
   EXPECT_THAT(outcome.output, HasSubstr("\\x1b]0;owned\\x07"));
@@ -58,7 +58,8 @@ TEST_F(ShownText, OfNamesThatAreNotUtf8IsJsonAllTheSame) {
   EXPECT_FALSE(Json::parse(outcome.output, nullptr, false).is_discarded());
   EXPECT_THAT(rocking("report \"$(printf 'a\\377b')\" --format csv").output, HasSubstr("a\\xffb/"));
   ASSERT_EQ(rocking("check-normal --n 1000 --json >check.json").exit_code, 0);
-  const Outcome drawn = shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' figure check.json -o \"$(printf 'a\\377b')\" --json");
+  const Outcome drawn =
+      shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' figure check.json -o \"$(printf 'a\\377b')\" --json");
   EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
   EXPECT_TRUE(Json::accept(drawn.output)) << drawn.output;
 }
@@ -90,8 +91,9 @@ TEST_F(ShownText, OfAConfidenceNearOneIsNotACertainty) {
 }
 
 TEST_F(ShownText, OfAProblemHasTheFileAndTheLine) {
-  write("a.json", "{\n\"format\": \"rocking.experiment/1\",\n\"blok\": 1,\n\"block\": {\"width_m\": 1,\n\"height_m\": -4},\n"
-                  "\"excitation\": {\"amplitude\": 1, \"frequency_ratio\": 1}}");
+  write("a.json",
+        "{\n\"format\": \"rocking.experiment/1\",\n\"blok\": 1,\n\"block\": {\"width_m\": 1,\n\"height_m\": -4},\n"
+        "\"excitation\": {\"amplitude\": 1, \"frequency_ratio\": 1}}");
   EXPECT_THAT(rocking("validate a.json").errors,
               AllOf(HasSubstr("a.json, line 3: /blok"), HasSubstr("a.json, line 5: /block/height_m")));
   EXPECT_THAT(rocking("bifurcation a.json -o b").errors, HasSubstr("a.json, line 3"));

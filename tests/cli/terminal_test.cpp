@@ -144,7 +144,9 @@ TEST_F(PseudoTerminal, SeesATableNoWiderThanItself) {
   }
 }
 
-TEST_F(PseudoTerminal, SeesABifurcationInSteps) { EXPECT_THAT(seen(80, "bifurcation quick.json -o out"), HasSubstr("/9")); }
+TEST_F(PseudoTerminal, SeesABifurcationInSteps) {
+  EXPECT_THAT(seen(80, "bifurcation quick.json -o out"), HasSubstr("/9"));
+}
 
 TEST_F(Terminal, GetsHelpOnEveryCommandWithAnExample) {
   EXPECT_GT(commands().size(), 12U);
@@ -240,9 +242,9 @@ TEST_F(Terminal, InterruptsABifurcationCleanlyAndIsToldHowToBeginAnew) {
   write("slow.json", slow.dump());
   for (const char* signal : {"INT", "TERM"}) {
     const std::string folder = std::string("out") + signal;
-    const Outcome outcome = shell(in_background("'" ROCKING_PROGRAM "' bifurcation slow.json -o " + folder) +
-                                  "while [ ! -d " + folder + " ]; do sleep 0.02; done; sleep 0.3; kill -" +
-                                  signal + " $child; wait $child");
+    const Outcome outcome =
+        shell(in_background("'" ROCKING_PROGRAM "' bifurcation slow.json -o " + folder) + "while [ ! -d " + folder +
+              " ]; do sleep 0.02; done; sleep 0.3; kill -" + signal + " $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << outcome.errors;
     EXPECT_THAT(outcome.errors, HasSubstr("`rocking bifurcation slow.json -o " + folder + "` starts again"));
     EXPECT_TRUE(std::filesystem::is_empty(folder_ / folder));

@@ -16,8 +16,8 @@ struct Entry {
   std::array<double, 4> state;  ///< Theta, Theta', X, V after it
 };
 
-/// All events in order, and the termination last. The events of a chatter with rates below `chatter_rate` that lead to full
-/// contact are omitted: their number depends on the rule that ends the chatter.
+/// All events in order, and the termination last. The events of a chatter with rates below `chatter_rate` that lead to
+/// full contact are omitted: their number depends on the rule that ends the chatter.
 using Account = std::vector<Entry>;
 inline constexpr double chatter_rate = 1e-4;
 

@@ -20,13 +20,12 @@ double period_of(const Question& question) {
 }
 
 Account our_account(const Question& question) {
-  return account_of(
-      trajectory_of(question.condition, question.seed, question.realisation, question.periods),
-      period_of(question));
+  return account_of(trajectory_of(question.condition, question.seed, question.realisation, question.periods),
+                    period_of(question));
 }
 
-/// Every number of the scene slightly increased or decreased, as given by one bit of `signs` each. A value of 0 stays 0, so
-/// that a block at rest stays at rest; mu_s = mu_k stays so too.
+/// Every number of the scene slightly increased or decreased, as given by one bit of `signs` each. A value of 0 stays
+/// 0, so that a block at rest stays at rest; mu_s = mu_k stays so too.
 Question displaced(const Question& question, std::uint64_t signs, double size) {
   Question other = question;
   Scene& scene = other.condition.scene;

@@ -37,7 +37,8 @@ inline constexpr double chatter_error = 1e-8;
 /// difference is explained while it is below local_error plus share_allowed times the differences caused by the
 /// displacements.
 ///
-/// `asked` is the question to our program, `peer_asked` that to the peer. They differ only if a test requires a difference.
+/// `asked` is the question to our program, `peer_asked` that to the peer. They differ only if a test requires a
+/// difference.
 [[nodiscard]] Comparison compare(const Question& asked, const Question& peer_asked, double share_allowed);
 
 }  // namespace rocking::differential

@@ -9,8 +9,8 @@
 namespace rocking::differential {
 namespace {
 
-// If delta < 0, a block turns about the same edge again, in ever lower hops. While the base pushes it over the other edge
-// it cannot rest: after a finite time it comes down and leaves at once.
+// If delta < 0, a block turns about the same edge again, in ever lower hops. While the base pushes it over the other
+// edge it cannot rest: after a finite time it comes down and leaves at once.
 TEST(HopsOverOneEdge, EndInALiftOverTheOther) {
   Question question{.condition = {}, .seed = 0, .realisation = 0, .periods = 3};
   Scene& scene = question.condition.scene;

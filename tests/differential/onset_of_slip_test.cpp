@@ -19,8 +19,7 @@ Question question_of(const Start& start) {
   Question question{.condition = {}, .seed = 0, .realisation = 0, .periods = 1};
   Scene& scene = question.condition.scene;
   scene.block = {.width = 1.0, .height = start.height};
-  scene.excitation =
-      Harmonic{.amplitude = start.amplitude, .frequency_ratio = start.frequency, .phase = 0.0};
+  scene.excitation = Harmonic{.amplitude = start.amplitude, .frequency_ratio = start.frequency, .phase = 0.0};
   scene.friction = Friction{.static_coefficient = start.friction, .kinetic_coefficient = start.friction};
   scene.initial.tilt = 0.3;
   return question;
@@ -39,8 +38,8 @@ TEST(OnsetOfSlip, MakesSlipAccelerateAtOnceUnderTheInertiaOfTheEdge) {
   expect_agreement(question);
 }
 
-// While the block is off the ground friction is not tested. When N rises through 0, the required friction may exceed the
-// available one. That onset is no root of the friction limit, and V' is not 0.
+// While the block is off the ground friction is not tested. When N rises through 0, the required friction may exceed
+// the available one. That onset is no root of the friction limit, and V' is not 0.
 TEST(OnsetOfSlip, MakesSlipAccelerateAtOnceWhereTheBlockComesBackToTheGround) {
   expect_agreement(question_of({.height = 1.5, .friction = 0.45, .amplitude = 9.0, .frequency = 3.0}));
 }

@@ -18,9 +18,9 @@
 namespace rocking::evidence {
 namespace {
 
+using section::Classification;
 using section::ResponseMode;
 using section::Thresholds;
-using section::Classification;
 
 constexpr int times_longer = 20;
 

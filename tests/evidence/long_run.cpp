@@ -13,8 +13,7 @@ LongRun::LongRun(const Condition& condition, const random::Draws& draws, int per
       recorder_(shape_angle_, periods) {
   const Start start = start_of(condition.scene, draws);
   const int transient = condition.horizon.transient_periods;
-  const auto beginning =
-      begin_realisation(condition, draws, start, Strobe::poincare, transient);
+  const auto beginning = begin_realisation(condition, draws, start, Strobe::poincare, transient);
   if (!is_periodic(condition.scene.excitation)) throw std::runtime_error("only a periodic excitation repeats");
   Motion motion = motion_of(condition.scene, beginning, recorder_);
   integrate::advance(motion);
@@ -24,7 +23,8 @@ LongRun::LongRun(const Condition& condition, const random::Draws& draws, int per
   termination_ = motion.termination();
 }
 
-section::Classification LongRun::name(const Window& window, int exponent_periods, const section::Thresholds& thresholds) {
+section::Classification LongRun::name(const Window& window, int exponent_periods,
+                                      const section::Thresholds& thresholds) {
   const auto end = static_cast<std::size_t>(window.first + window.count);
   if (periods().size() < end) {
     const bool fell = termination_ == dynamics::Termination::overturned;

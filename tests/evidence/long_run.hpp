@@ -18,11 +18,11 @@ struct Window {
 /// A realisation of a harmonic scene, run far beyond its horizon, that can be classified by any window.
 class LongRun {
  public:
-
   LongRun(const Condition& condition, const random::Draws& draws, int periods);
 
-  /// Classification by a window, and by the exponent from the end of the condition's transient on, over `exponent_periods`
-  /// or up to the multiple that a run allows; overturned if it overturned before the end of the window.
+  /// Classification by a window, and by the exponent from the end of the condition's transient on, over
+  /// `exponent_periods` or up to the multiple that a run allows; overturned if it overturned before the end of the
+  /// window.
   section::Classification name(const Window& window, int exponent_periods, const section::Thresholds& thresholds = {});
   [[nodiscard]] const std::vector<section::Period>& periods() const { return recorder_.periods(); }
 

@@ -5,7 +5,8 @@
 //
 // Gottwald & Melbourne (2009), SIAM J. Appl. Dyn. Syst. 8, 129-145. From x_1 ... x_N and a frequency c: the translation
 // p(n) = sum x_j cos(jc), q(n) = sum x_j sin(jc). D(n) is its mean square displacement M(n) for n <= N/10 minus the
-// oscillating part (E x)^2 (1 - cos nc)/(1 - cos c). K is the median over c of the correlation of D(n) with n. 0: regular;
+// oscillating part (E x)^2 (1 - cos nc)/(1 - cos c). K is the median over c of the correlation of D(n) with n. 0:
+// regular;
 // 1: chaotic.
 
 #include <algorithm>

@@ -1,6 +1,6 @@
-// change_files FILE SEED COUNT: makes COUNT changed copies of a report.json or of the output of a command, and reads each
-// as the commands do. Prints how many were used and refused. A copy with any other result is written to changed-SEED.json,
-// and the program ends with exit code 1.
+// change_files FILE SEED COUNT: makes COUNT changed copies of a report.json or of the output of a command, and reads
+// each as the commands do. Prints how many were used and refused. A copy with any other result is written to
+// changed-SEED.json, and the program ends with exit code 1.
 
 #include <cstdio>
 #include <cstdlib>

@@ -12,10 +12,10 @@
 
 namespace {
 
+using rocking::Json;
 using rocking::fuzz::JsonMutator;
 using rocking::fuzz::Reading;
 using rocking::fuzz::sealed;
-using rocking::Json;
 using rocking::support::Outcome;
 using rocking::support::quick_experiment;
 using ::testing::AllOf;
@@ -82,10 +82,9 @@ TEST_F(ChangedFiles, ThatCommandsPrintedAreDrawnOrRefused) {
   Json experiment = quick_experiment();
   experiment["realisations"] = 20;
   report_of_a_run(experiment);
-  for (const std::string& text :
-       {printed("trajectory quick.json --periods 4 --samples 10"), read("b/bifurcation.json"),
-        printed("fragility out --json"), printed("check-normal --n 1000 --json"),
-        printed("cost quick.json --sample 2 --json -q --no-progress")}) {
+  for (const std::string& text : {printed("trajectory quick.json --periods 4 --samples 10"), read("b/bifurcation.json"),
+                                  printed("fragility out --json"), printed("check-normal --n 1000 --json"),
+                                  printed("cost quick.json --sample 2 --json -q --no-progress")}) {
     EXPECT_GT(refused(text, use_output), mutations / 4) << text.substr(0, 60);
   }
 }
@@ -116,7 +115,8 @@ TEST_F(ChangedFiles, AreRefusedWithTheFileTheLineAndThePointer) {
               HasSubstr("/input/experiment/friction/static"));
   EXPECT_THAT(complaint([](Json& report) { report["input"]["experiment"]["fluctuation"]["\x1b[31m<b>"] = 1; }),
               AllOf(HasSubstr("/input/experiment/fluctuation"), Not(HasSubstr("\x1b"))));
-  EXPECT_THAT(complaint([](Json& report) { report["result"]["conditions"].erase(1); }), HasSubstr("/result/conditions"));
+  EXPECT_THAT(complaint([](Json& report) { report["result"]["conditions"].erase(1); }),
+              HasSubstr("/result/conditions"));
 }
 
 TEST_F(ChangedFiles, WithAnExperimentOfAnotherDigestAreRefused) {

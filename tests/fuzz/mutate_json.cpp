@@ -11,7 +11,6 @@
 namespace rocking::fuzz {
 namespace {
 
-
 /// Pointers to every value of a document, including the document itself.
 std::vector<Json::json_pointer> places_of(const Json& document) {
   std::vector<Json::json_pointer> places{Json::json_pointer()};
@@ -73,7 +72,8 @@ void JsonMutator::change_members(Json& value) {
       value = renamed(value, [chosen](std::size_t i, const std::string& key) { return i == chosen ? "" : key; });
       break;
     case 1:
-      value = renamed(value, [chosen](std::size_t i, const std::string& key) { return i == chosen ? key + "<b>" : key; });
+      value =
+          renamed(value, [chosen](std::size_t i, const std::string& key) { return i == chosen ? key + "<b>" : key; });
       break;
     default: value["\x1b[31m<script>" + std::to_string(random_.below(10))] = strange_value();
   }
@@ -86,11 +86,13 @@ void JsonMutator::change_value(Json& value, const Json& document) {
     value = Json(document.at(places[below(places.size())]));
   } else if (kind == 1 && value.is_number()) {
     const double number = value.get<double>();
-    const double changes[] = {number + 1.0, number - 1.0, -number, 10.0 * number, 0.5 * number, std::nextafter(number, 1e9)};
+    const double changes[] = {number + 1.0,  number - 1.0, -number,
+                              10.0 * number, 0.5 * number, std::nextafter(number, 1e9)};
     const double changed = changes[below(std::size(changes))];
     const bool whole = value.is_number_integer() && std::trunc(changed) == changed && std::abs(changed) < 1e15;
-    value = whole ? (changed < 0.0 ? Json(static_cast<std::int64_t>(changed)) : Json(static_cast<std::uint64_t>(changed)))
-                  : Json(changed);
+    value = whole
+                ? (changed < 0.0 ? Json(static_cast<std::int64_t>(changed)) : Json(static_cast<std::uint64_t>(changed)))
+                : Json(changed);
   } else {
     value = strange_value();
   }

@@ -13,12 +13,13 @@ class JsonMutator {
  public:
   explicit JsonMutator(std::uint64_t seed) : random_(seed) {}
 
-  /// The document with one to three changes, each at a place drawn from all places: a value removed, replaced by one that
-  /// is wrong in type or size, copied from elsewhere, nudged; a key renamed, added; a list made longer, shorter, reversed.
+  /// The document with one to three changes, each at a place drawn from all places: a value removed, replaced by one
+  /// that is wrong in type or size, copied from elsewhere, nudged; a key renamed, added; a list made longer, shorter,
+  /// reversed.
   [[nodiscard]] Json damaged(Json document);
 
-  /// The text with one to three changes of its bytes: flipped, cut out, doubled, replaced by NUL or by bytes that are not
-  /// UTF-8; or cut short.
+  /// The text with one to three changes of its bytes: flipped, cut out, doubled, replaced by NUL or by bytes that are
+  /// not UTF-8; or cut short.
   [[nodiscard]] std::string damaged_text(std::string text);
 
  private:
@@ -33,7 +34,8 @@ class JsonMutator {
   support::SplitMix random_;
 };
 
-/// A report whose digest of the experiment fits again, so that a change of the experiment is not found by the digest alone.
+/// A report whose digest of the experiment fits again, so that a change of the experiment is not found by the digest
+/// alone.
 [[nodiscard]] Json sealed(Json report);
 
 }  // namespace rocking::fuzz

@@ -24,8 +24,8 @@ inline void demand(bool holds, const std::string& what) {
   if (!holds) throw Finding(what);
 }
 
-/// Contents of every file that an experiment names: the same few lines, valid as a ground motion with times and as one with
-/// even spacing. No file of the machine is opened.
+/// Contents of every file that an experiment names: the same few lines, valid as a ground motion with times and as one
+/// with even spacing. No file of the machine is opened.
 inline std::string made_up_file(const std::string& name, std::size_t) {
   if (name.find("absent") != std::string::npos) {
     throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory), name);

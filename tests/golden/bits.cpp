@@ -1,5 +1,5 @@
-// Prints every number of the results of the golden experiment as text, to the bit. Needs only the C++ library, so that it
-// can be built for any processor with a compiler: tests/golden/everywhere.
+// Prints every number of the results of the golden experiment as text, to the bit. Needs only the C++ library, so that
+// it can be built for any processor with a compiler: tests/golden/everywhere.
 
 #include <algorithm>
 #include <array>
@@ -19,14 +19,16 @@ using namespace rocking;
 
 void print(const RealisationResult& result) {
   std::printf("%s %s %" PRIu64 "\n", std::string(to_string(result.termination)).c_str(),
-              to_string(result.classification.mode).c_str(), std::bit_cast<std::uint64_t>(result.classification.margin));
+              to_string(result.classification.mode).c_str(),
+              std::bit_cast<std::uint64_t>(result.classification.margin));
   for (const auto& point : result.strobe) {
     for (const double number : {point.tilt, point.tilt_rate, point.slip_rate}) {
       std::printf(" %016" PRIx64, std::bit_cast<std::uint64_t>(number));
     }
     std::printf("\n");
   }
-  std::printf("%" PRIu64 " steps, %" PRIu64 " isolations, events", result.operations.steps, result.operations.root_isolations);
+  std::printf("%" PRIu64 " steps, %" PRIu64 " isolations, events", result.operations.steps,
+              result.operations.root_isolations);
   for (const std::uint64_t count : result.operations.events) std::printf(" %" PRIu64, count);
   std::printf("\n");
 }

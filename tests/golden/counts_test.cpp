@@ -1,5 +1,5 @@
-// Work per excitation period, as counts. Counts are exact and show additional work that a clock would not resolve. They are
-// the same with every compiler and processor, as are the bits of the results.
+// Work per excitation period, as counts. Counts are exact and show additional work that a clock would not resolve. They
+// are the same with every compiler and processor, as are the bits of the results.
 //
 // A failure prints the counts in the notation of this table. If the change is intended (a guard excluded by a cheaper
 // bound, a longer step), enter the new row here and state the change of cost in the commit.
@@ -15,7 +15,6 @@
 
 namespace rocking {
 namespace {
-
 
 /// Counts of one realisation over 100 periods.
 struct Work {

@@ -1,6 +1,6 @@
-// The results of a small experiment, to the bit. A change of this digest is a change of results: it belongs in CHANGELOG.md
-// and increases results_version. tests/golden/everywhere compares the bits of compilers, optimisation levels and
-// processors.
+// The results of a small experiment, to the bit. A change of this digest is a change of results: it belongs in
+// CHANGELOG.md and increases results_version. tests/golden/everywhere compares the bits of compilers, optimisation
+// levels and processors.
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,6 @@
 
 namespace rocking::golden {
 
-
 inline Condition rocking_with_everything() {
   Condition condition;
   Scene& scene = condition.scene;

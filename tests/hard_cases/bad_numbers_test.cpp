@@ -1,5 +1,5 @@
-// A denormal number, an infinity or NaN in every place that takes a number: either it is refused with its place, or it is
-// valid and the results of the run are finite.
+// A denormal number, an infinity or NaN in every place that takes a number: either it is refused with its place, or it
+// is valid and the results of the run are finite.
 
 #include <algorithm>
 #include <array>
@@ -25,7 +25,6 @@
 
 namespace rocking {
 namespace {
-
 
 constexpr std::array<const char*, 12> bad_numbers{"1e-320", "-1e-320", "5e-324", "1e308",    "-1e308", "-0.0",
                                                   "1e400",  "-1e400",  "NaN",    "Infinity", "-nan",   "1e-400"};
@@ -88,8 +87,8 @@ std::string with_word(Json document, const std::string& pointer, const std::stri
   return text.replace(text.find("\"PLACE\""), 7, word);
 }
 
-/// Whether a problem is reported at the key of the number, at the object that contains it, or, for a sweep, at its other
-/// numbers or its target.
+/// Whether a problem is reported at the key of the number, at the object that contains it, or, for a sweep, at its
+/// other numbers or its target.
 bool names(const base::InputError& error, const std::string& pointer, const Json& document) {
   const bool in_sweep = pointer.starts_with("/sweep/");
   const auto is_of = [&](const base::Problem& problem) {
@@ -142,7 +141,8 @@ TEST(BadNumber, InAnyKeyOfAnExperimentIsRefusedByItsNameOrRunsToFiniteNumbers) {
   EXPECT_GT(ran, 100) << "a denormal is a number";
 }
 
-// --- a ground motion -------------------------------------------------------------------------------------------------------
+// --- a ground motion
+// -------------------------------------------------------------------------------------------------------
 
 TEST(BadNumber, InAnyPlaceOfAGroundMotionIsRefusedWithItsLineOrIsANumber) {
   const std::vector<std::vector<std::string>> lines{
@@ -177,7 +177,8 @@ TEST(BadNumber, InAnyPlaceOfAGroundMotionIsRefusedWithItsLineOrIsANumber) {
   EXPECT_GT(read, 30) << "a denormal is a number";
 }
 
-// --- the command line --------------------------------------------------------------------------------------------------
+// --- the command line
+// --------------------------------------------------------------------------------------------------
 
 class CommandLine : public support::ProgramTest {};
 
@@ -211,7 +212,8 @@ TEST_F(CommandLine, TakesNoLawThatIsNone) {
   EXPECT_TRUE(is_finite(Json::parse(outcome.output)));
 }
 
-// --- the library's structs ---------------------------------------------------------------------------------------------
+// --- the library's structs
+// ---------------------------------------------------------------------------------------------
 
 /// A scene that uses each of its numbers.
 Condition full_condition() {

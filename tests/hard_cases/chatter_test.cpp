@@ -37,9 +37,9 @@ Condition pushed(double height, double alpha, double tolerance) {
 /// Duration of a hop that starts at rate w on the edge S under a constant alpha.
 ///
 /// Gravity is tilted by chi = atan(alpha) and larger by A = sqrt(1 + alpha^2). With gamma = phi - S chi the motion is
-/// gamma'' = A sin(gamma), a pendulum whose rise and fall are symmetric. With the rate u as variable of integration, dt =
-/// du/(A sin(gamma)) and A cos(gamma) = A cos(gamma0) + (w^2 - u^2)/2. For hops away from the balance this integral has no
-/// singularity; Gauss's formula gives it to rounding.
+/// gamma'' = A sin(gamma), a pendulum whose rise and fall are symmetric. With the rate u as variable of integration, dt
+/// = du/(A sin(gamma)) and A cos(gamma) = A cos(gamma0) + (w^2 - u^2)/2. For hops away from the balance this integral
+/// has no singularity; Gauss's formula gives it to rounding.
 long double hop_time(long double rate, long double side, long double alpha, long double psi) {
   const long double size = std::sqrt(1.0L + alpha * alpha);
   const long double ground = size * std::cos(psi - side * std::atan(alpha));
@@ -57,9 +57,9 @@ struct Chatter {
 };
 
 // Each impact occurs at the time of the closed form, and the end differs from the limit of the series by no more than
-// documented. The rate after a step has an error of at most the tolerance, 1e-13 psi. An error r of the rate changes the
-// time of landing by 2 r/pull, pull = sin(psi) - abs(alpha) cos(psi), and all later ones by 1/(1 - delta) times as much. A
-// hop has few steps, and only the first hops count: ten steps of full size are a bound.
+// documented. The rate after a step has an error of at most the tolerance, 1e-13 psi. An error r of the rate changes
+// the time of landing by 2 r/pull, pull = sin(psi) - abs(alpha) cos(psi), and all later ones by 1/(1 - delta) times as
+// much. A hop has few steps, and only the first hops count: ten steps of full size are a bound.
 TEST(ChatterToRest, HasEachImpactAtTheInstantOfTheClosedForm) {
   double worst = 0.0;
   for (const Chatter& scene : {Chatter{4.0, 0.0, 0.9}, Chatter{4.0, 0.0, 0.1}, Chatter{4.0, 0.1, 0.4},
@@ -113,11 +113,11 @@ struct Stop {
   long double slip;
 };
 
-// Friction is mu_k times the normal force in every hop and every impact, as long as all of them slip in the same direction
-// and the edges alternate. (An impact after which the block turns about the same edge follows a convention and has no
-// impulse.) Then x + s mu_k y of the centre of mass moves as under a constant force, whatever the hops are. With x' = V - w
-// cos(psi) and y' = abs(w) sin(psi) at the start, u = s (V - w cos(psi)) + mu_k abs(w) sin(psi) and the deceleration (4/3)
-// mu_k, the block stops after the time u/((4/3) mu_k) and the distance u^2/((8/3) mu_k).
+// Friction is mu_k times the normal force in every hop and every impact, as long as all of them slip in the same
+// direction and the edges alternate. (An impact after which the block turns about the same edge follows a convention
+// and has no impulse.) Then x + s mu_k y of the centre of mass moves as under a constant force, whatever the hops are.
+// With x' = V - w cos(psi) and y' = abs(w) sin(psi) at the start, u = s (V - w cos(psi)) + mu_k abs(w) sin(psi) and the
+// deceleration (4/3) mu_k, the block stops after the time u/((4/3) mu_k) and the distance u^2/((8/3) mu_k).
 Stop stop_of(long double slip_rate, long double rate, long double mu_k, long double psi) {
   const long double sign = slip_rate < 0.0L ? -1.0L : 1.0L;
   const long double speed = sign * (slip_rate - rate * std::cos(psi)) + mu_k * std::abs(rate) * std::sin(psi);

@@ -1,5 +1,6 @@
-// Slender and squat blocks, from very weak excitation to a thousand times the threshold, at low and high frequencies. The
-// energy balance holds within the tolerance, impacts follow the closed form, and strobe points are at the right phase.
+// Slender and squat blocks, from very weak excitation to a thousand times the threshold, at low and high frequencies.
+// The energy balance holds within the tolerance, impacts follow the closed form, and strobe points are at the right
+// phase.
 
 #include <algorithm>
 #include <array>
@@ -25,8 +26,8 @@ struct Balance {
   double power;  ///< of the base acceleration and of friction
 };
 
-/// With the velocity of the centre of mass u = V - w cos(phi), v = S w sin(phi): E = (u^2 + v^2)/2 + w^2/6 + (4/3) cos(phi)
-/// and dE/dtau = -(4/3) alpha u - mu_k N abs(V), N as in lib/docs/model.md, section 2.
+/// With the velocity of the centre of mass u = V - w cos(phi), v = S w sin(phi): E = (u^2 + v^2)/2 + w^2/6 + (4/3)
+/// cos(phi) and dE/dtau = -(4/3) alpha u - mu_k N abs(V), N as in lib/docs/model.md, section 2.
 Balance balance_of(const State& state, double alpha, double mu_k, const Geometry& block) {
   const bool rocks = state.contact == ContactState::rock || state.contact == ContactState::rock_slide;
   const double phi = block.shape_angle - std::abs(state.tilt);
@@ -48,8 +49,8 @@ Balance balance_of(const State& state, double alpha, double mu_k, const Geometry
 /// Largest violation of the balance over the pieces of a run, divided by the allowed error of a step.
 ///
 /// A step neglects terms of w and V below the tolerance times psi, and the same amount beyond the last two terms; the
-/// errors of theta and X are these times the length of the step. The derivatives of E by w, V and theta are below 3 (abs(w)
-/// + abs(V)), the same, and 2 + w^2 + abs(w V). Roundings: a hundred times the size of the terms.
+/// errors of theta and X are these times the length of the step. The derivatives of E by w, V and theta are below 3
+/// (abs(w) + abs(V)), the same, and 2 + w^2 + abs(w V). Roundings: a hundred times the size of the terms.
 double worst_violation(ShakenBlock& run, const Stage& stage, double amplitude, double end) {
   const Geometry block = stage.geometry();
   double worst = 0.0;
@@ -75,7 +76,8 @@ double worst_violation(ShakenBlock& run, const Stage& stage, double amplitude, d
   return worst;
 }
 
-// --- shapes ------------------------------------------------------------------------------------------------------------
+// --- shapes
+// ------------------------------------------------------------------------------------------------------------
 
 struct Shape {
   double height;  ///< over the width
@@ -84,9 +86,9 @@ struct Shape {
 
 class FreeShape : public ::testing::TestWithParam<Shape> {};
 
-// Between impacts the energy is constant, so that the next impact occurs at the rate after the last one; there w2 = delta
-// w1, delta = 1 - (3/2) (1 + e) sin^2(psi). If delta < 0, the block turns about the same edge again. Each step keeps w to
-// the tolerance.
+// Between impacts the energy is constant, so that the next impact occurs at the rate after the last one; there w2 =
+// delta w1, delta = 1 - (3/2) (1 + e) sin^2(psi). If delta < 0, the block turns about the same edge again. Each step
+// keeps w to the tolerance.
 TEST_P(FreeShape, HasTheRatesOfTheClosedFormImpactAfterImpact) {
   const auto [height, restitution] = GetParam();
   const Stage stage{
@@ -146,7 +148,8 @@ TEST(SlenderAndSquatBlocks, BalanceTheirEnergyUnderShaking) {
   }
 }
 
-// --- shaking -----------------------------------------------------------------------------------------------------------
+// --- shaking
+// -----------------------------------------------------------------------------------------------------------
 
 constexpr std::array<double, 10> amplitudes{1e-6, 1e-3, 0.5, 1.03, 1.5, 4.0, 9.0, 30.0, 200.0, 1e3};
 constexpr std::array<double, 9> frequencies{0.05, 0.2, 1.0, 3.0, 10.0, 30.0, 100.0, 250.0, 500.0};
@@ -179,8 +182,8 @@ TEST(AmplitudeAndFrequency, OverManyDecadesBalanceEnergyAndNeverStopTheRun) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// At the end of a run that reaches its horizon the clock is on the last strobe point: a whole number of periods after the
-// start and at the same phase, to the clock's resolution.
+// At the end of a run that reaches its horizon the clock is on the last strobe point: a whole number of periods after
+// the start and at the same phase, to the clock's resolution.
 TEST(AmplitudeAndFrequency, OverManyDecadesKeepTheStrobeOnItsPhase) {
   int reached = 0;
   for (const double amplitude : amplitudes) {

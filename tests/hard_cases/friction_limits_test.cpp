@@ -1,5 +1,5 @@
-// Friction at the ends of its range: none, kinetic equal to static, and 4/3, where the equations of rock-slide lose their
-// solution.
+// Friction at the ends of its range: none, kinetic equal to static, and 4/3, where the equations of rock-slide lose
+// their solution.
 
 #include <algorithm>
 #include <cmath>
@@ -100,8 +100,8 @@ State after_a_period(double amplitude, double mu_s, double mu_k) {
   return run.log.strobes.back();
 }
 
-// mu_k = mu_s is handled separately: V' = 0 at the onset of slip. It is the limit of mu_k < mu_s: the difference between
-// the two motions halves with mu_s - mu_k.
+// mu_k = mu_s is handled separately: V' = 0 at the onset of slip. It is the limit of mu_k < mu_s: the difference
+// between the two motions halves with mu_s - mu_k.
 TEST(KineticFriction, OfTheStaticOneIsTheLimitOfLess) {
   int slipped = 0;
   int compared = 0;
@@ -125,8 +125,9 @@ TEST(KineticFriction, OfTheStaticOneIsTheLimitOfLess) {
   EXPECT_GT(compared, 60);
 }
 
-/// A block tilted over its left edge that slips to the left on a base at rest: rock-slide with S s = -1. Its determinant D
-/// is smallest, J + 1/2 - sqrt(1 + mu_k^2)/2, at phi = atan(mu_k)/2. The block passes this angle as it turns over.
+/// A block tilted over its left edge that slips to the left on a base at rest: rock-slide with S s = -1. Its
+/// determinant D is smallest, J + 1/2 - sqrt(1 + mu_k^2)/2, at phi = atan(mu_k)/2. The block passes this angle as it
+/// turns over.
 struct ThrownOver {
   Stage stage{};
   double mu_k;
@@ -147,8 +148,8 @@ struct ThrownOver {
     return 0.5 * (x * x + y * y + state.tilt_rate * state.tilt_rate / 3.0) + 4.0 / 3.0 * std::cos(phi);
   }
 
-  /// Whether N, proportional to 4/3 - w^2 cos(phi), is > 0 throughout. If N < 0, in the fall, friction would accelerate the
-  /// slip.
+  /// Whether N, proportional to 4/3 - w^2 cos(phi), is > 0 throughout. If N < 0, in the fall, friction would accelerate
+  /// the slip.
   [[nodiscard]] bool presses(const WalkPiece& piece) const {
     return std::all_of(piece.nodes.begin(), piece.nodes.end(), [this](const support::WalkNode& node) {
       return node.state.tilt_rate * node.state.tilt_rate * std::cos(edge_angle(node.state)) < 4.0 / 3.0;
@@ -168,9 +169,9 @@ ThrownOver thrown_over(double height, double tilt, double excess) {
 
 ScriptedCoefficients rough(double mu_k) { return {.statics = {2.0}, .kinetics = {mu_k}}; }
 
-// mu_k below 4/3 by a relative 2^-2 to 2^-32: the smallest D is 1e-10, and the solution exists throughout. Rounding in N is
-// multiplied by 1/D, but not in the momentum, since friction is proportional to N. Allowed: some hundred steps with a
-// rounding of 6 + 4 mu_k each.
+// mu_k below 4/3 by a relative 2^-2 to 2^-32: the smallest D is 1e-10, and the solution exists throughout. Rounding in
+// N is multiplied by 1/D, but not in the momentum, since friction is proportional to N. Allowed: some hundred steps
+// with a rounding of 6 + 4 mu_k each.
 TEST(BelowPainleve, IsPassedWithMomentumKeptAndEnergyLost) {
   double worst = 0.0;
   for (const double height : {1.2, 1.5}) {

@@ -81,8 +81,8 @@ void expect_dip(const Fall& fall, const LongDoubleRock::Dip& dip, const std::vec
   EXPECT_EQ(side * events[1].state.side, 1.0);
 }
 
-// From a start that grazes to rounding, to one that differs by 2^-8. A rounding r of theta at the ground changes the rate w
-// there by a r/w. r: the units in the last place of the terms of about ten steps.
+// From a start that grazes to rounding, to one that differs by 2^-8. A rounding r of theta at the ground changes the
+// rate w there by a r/w. r: the units in the last place of the terms of about ten steps.
 TEST(Grazing, FallMissesNoImpactAndInventsNone) {
   int dips = 0;
   int misses = 0;

@@ -40,8 +40,8 @@ Json meets_painleve() {
     "realisations": 40, "seed": "0x7" })");
 }
 
-/// A ground motion with more samples in a strobe period than the budget of steps allows. Realisations that start beyond the
-/// balance overturn before that.
+/// A ground motion with more samples in a strobe period than the budget of steps allows. Realisations that start beyond
+/// the balance overturn before that.
 Json exhausts_the_steps() {
   return Json::parse(R"({
     "format": "rocking.experiment/1", "block": { "width_m": 1.0, "height_m": 4.0 },

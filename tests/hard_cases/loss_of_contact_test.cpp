@@ -55,8 +55,8 @@ std::vector<Knot> two_dips(double depth) {
   return {{0.0, 0.0}, {1.0, 0.0}, {2.0, depth}, {3.0, 0.0}, {4.0, depth}, {5.0, 0.0}};
 }
 
-// With mu_s = 0 and alpha = 0 there is no friction to exceed and no horizontal force, so that full contact persists for any
-// weight.
+// With mu_s = 0 and alpha = 0 there is no friction to exceed and no horizontal force, so that full contact persists for
+// any weight.
 TEST(LossOfContactAtRest, IsCountedAtEachDownwardCrossingThoughTheBlockStaysAtRest) {
   const Condition condition = with_friction(on_base(two_dips(-2.0)), 0.0, 0.0);
   const RealisationResult result = realise(condition, 0, 0);
@@ -92,8 +92,8 @@ TEST(LossOfContactAtRest, IsCountedAtTheStart) {
   EXPECT_EQ(result.first_loss_of_contact, 0.0);
 }
 
-// From 1 + alpha_v = 0 on, abs(alpha) > min(tan(psi), mu_s)(1 + alpha_v): rest ends there, by a lift or by a slide, also
-// without a horizontal force. The crossing is counted once, in whichever of the two states it is detected.
+// From 1 + alpha_v = 0 on, abs(alpha) > min(tan(psi), mu_s)(1 + alpha_v): rest ends there, by a lift or by a slide,
+// also without a horizontal force. The crossing is counted once, in whichever of the two states it is detected.
 TEST(LossOfContactAtRest, EndsTheRestOfABlockThatNothingPushesSideways) {
   support::SplitMix random(20121104);
   for (int dip = 0; dip < 200; ++dip) {
@@ -123,8 +123,8 @@ TEST(LossOfContactAtRest, EndsTheRestOfABlockThatNothingPushesSideways) {
   }
 }
 
-// V' = -s mu_k (4/3)(1 + alpha_v): by this equation friction accelerates the slip while N < 0. If 1 + alpha_v decreases to
-// 1 + depth and returns within a time of 2, V changes by -(4/3) mu_k (2 + depth).
+// V' = -s mu_k (4/3)(1 + alpha_v): by this equation friction accelerates the slip while N < 0. If 1 + alpha_v decreases
+// to 1 + depth and returns within a time of 2, V changes by -(4/3) mu_k (2 + depth).
 TEST(LossOfContactInSlide, IsCountedAndTheRunGoesOnWithTheEquationAsItStands) {
   constexpr double mu = 0.15;
   for (const double depth : {-0.5, -1.5, -4.0}) {
@@ -140,8 +140,8 @@ TEST(LossOfContactInSlide, IsCountedAndTheRunGoesOnWithTheEquationAsItStands) {
   }
 }
 
-// In full contact with N < 0, friction acts in the other direction and does not tip the block, however large mu_k is. The
-// block tips as soon as it presses on the base: 1 + alpha_v = -1/2 until 1, then increases to 1 + height at 4.
+// In full contact with N < 0, friction acts in the other direction and does not tip the block, however large mu_k is.
+// The block tips as soon as it presses on the base: 1 + alpha_v = -1/2 until 1, then increases to 1 + height at 4.
 TEST(LossOfContactInSlide, EndsInATipWhereKineticFrictionIsAboveTanPsi) {
   support::SplitMix random(20121105);
   for (int rise = 0; rise < 200; ++rise) {
@@ -164,8 +164,9 @@ TEST(LossOfContactInSlide, EndsInATipWhereKineticFrictionIsAboveTanPsi) {
   }
 }
 
-// Under a sufficiently large push, rocking would press on its edge although full contact does not (N = G + S w' sin(psi) >
-// 0 > G), and would need more friction than is available; but slip could not tip the block. It slides, whatever mu_k is.
+// Under a sufficiently large push, rocking would press on its edge although full contact does not (N = G + S w'
+// sin(psi) > 0 > G), and would need more friction than is available; but slip could not tip the block. It slides,
+// whatever mu_k is.
 TEST(LossOfContactInSlide, FollowsAJumpInWhichNeitherLiftNorTipIsPossible) {
   for (const double mu_k : {0.1, 0.5}) {
     Condition condition =

@@ -43,10 +43,10 @@ double drift_of(const Trajectory& trajectory) {
   return largest;
 }
 
-// A (1,1) orbit attracts nearby motions by a factor delta^2 = 0.83 per period. After a thousand periods the remaining error
-// is the rounding of one period (some tens of steps and two impacts, 2^-53 times numbers below 1 each) plus what the
-// attraction leaves of earlier ones, 1/(1 - 0.83) times as much. If the strobe drifted by 1e-16 of a period in each period,
-// the point would have moved by 1e-10 Theta''.
+// A (1,1) orbit attracts nearby motions by a factor delta^2 = 0.83 per period. After a thousand periods the remaining
+// error is the rounding of one period (some tens of steps and two impacts, 2^-53 times numbers below 1 each) plus what
+// the attraction leaves of earlier ones, 1/(1 - 0.83) times as much. If the strobe drifted by 1e-16 of a period in each
+// period, the point would have moved by 1e-10 Theta''.
 TEST(MillionPeriods, OfAPeriodicOrbitEndWhereTheFirstThousandDid) {
   Condition condition = shaken(2.0);
   condition.tolerance = 1e-6;
@@ -67,7 +67,8 @@ TEST(MillionPeriods, OfSlidingToAndFroEndWhereTheFirstThousandDid) {
   EXPECT_LE(drift_of(trajectory), 50 * 0x1p-53);
 }
 
-// --- the clock against integers ----------------------------------------------------------------------------------------
+// --- the clock against integers
+// ----------------------------------------------------------------------------------------
 
 __extension__ using Integer = __int128;
 
@@ -81,8 +82,8 @@ Integer exactly(double value) {
 double as_double(Integer value) { return std::ldexp(static_cast<double>(value), -60); }
 
 // Millions of steps of any length: the clock and the exact sum of the steps differ by the roundings of times within a
-// period. Each is at most 2^-54, since these times are below 1. A single rounding of a time of a million periods would be
-// 2^-34.
+// period. Each is at most 2^-54, since these times are below 1. A single rounding of a time of a million periods would
+// be 2^-34.
 TEST(ClockArithmetic, OverAMillionPeriodsDiffersFromExactIntegersByTheRoundingsOfOneOnly) {
   Clock clock(10.0, 0.0);  // a period of 0.63: times and steps sum to less than 1
   const Integer length = exactly(clock.period_length());

@@ -1,5 +1,5 @@
-// No guard crossing is missed: a million steps of random motions, computed as in a run, compared with a dense evaluation of
-// every guard over the whole time of each step.
+// No guard crossing is missed: a million steps of random motions, computed as in a run, compared with a dense
+// evaluation of every guard over the whole time of each step.
 
 #include <algorithm>
 #include <array>
@@ -86,7 +86,7 @@ constexpr std::uint64_t seed = 0x2012;
 /// Runs a realisation of a condition as run_alone does. The motion is watched, except the reference and the perturbed
 /// trajectory.
 RealisationResult run_watched(const Condition& condition, std::uint64_t realisation, GuardTally& tally,
-                   const integrate::FiredGuards& overlooked = {}) {
+                              const integrate::FiredGuards& overlooked = {}) {
   const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                 strobes_before_copy(condition));

@@ -1,6 +1,6 @@
-// Two events at one instant: a slip that stops as the block lands, and slip that begins in an impact. Neighbouring initial
-// states, a unit in the last place apart, lead to one order or the other, or to simultaneous events; the motion afterwards
-// must be the same.
+// Two events at one instant: a slip that stops as the block lands, and slip that begins in an impact. Neighbouring
+// initial states, a unit in the last place apart, lead to one order or the other, or to simultaneous events; the motion
+// afterwards must be the same.
 
 #include <algorithm>
 #include <cmath>
@@ -103,8 +103,8 @@ std::optional<bool> slips_at_once(const support::EventLog& log) {
 }
 
 // The friction required right after the impact equals mu_s to a unit in the last place. With mu_k = mu_s slip begins
-// without acceleration. Whether it begins or not, the state a period later is the same except for roundings, which grow by
-// less than 1e3.
+// without acceleration. Whether it begins or not, the state a period later is the same except for roundings, which grow
+// by less than 1e3.
 TEST(OnsetOfSlipInTheImpact, AtTheLimitToTheUlpIsNeitherAContradictionNorAJump) {
   int found = 0;
   double worst = 0.0;

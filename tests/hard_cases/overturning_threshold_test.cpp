@@ -40,7 +40,8 @@ bool is_overturned(const Condition& condition) {
   return realise(condition, 0, 0).termination == Termination::overturned;
 }
 
-// --- an initial rate ---------------------------------------------------------------------------------------------------
+// --- an initial rate
+// ---------------------------------------------------------------------------------------------------
 
 /// Upright, with the initial rate Theta'.
 Condition thrown(double rate) {
@@ -86,7 +87,8 @@ TEST(OverturningRate, IsPassedWithDifferentStoriesOnItsTwoSides) {
   EXPECT_EQ(above.events[1].kind, EventKind::overturn);
 }
 
-// --- a rectangular pulse -----------------------------------------------------------------------------------------------
+// --- a rectangular pulse
+// -----------------------------------------------------------------------------------------------
 
 /// At rest under alpha = `push` of duration `tau`.
 Condition pushed(double push, double tau) {
@@ -103,9 +105,9 @@ struct Pulse {
   double least;
 };
 
-// The pulse does the work alpha (sin(psi) - sin(phi1)), which must reach 1 - cos(psi): this gives its end phi1. The time
-// until then is the integral of dphi/w with w^2/2 = cos(psi) - cos(phi) + alpha (sin(psi) - sin(phi)). Housner's formula is
-// its limit for psi -> 0. The integral below is from mpmath with 50 digits.
+// The pulse does the work alpha (sin(psi) - sin(phi1)), which must reach 1 - cos(psi): this gives its end phi1. The
+// time until then is the integral of dphi/w with w^2/2 = cos(psi) - cos(phi) + alpha (sin(psi) - sin(phi)). Housner's
+// formula is its limit for psi -> 0. The integral below is from mpmath with 50 digits.
 TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlender) {
   constexpr std::array<Pulse, 4> pulses{{{0.3, 1.787188386909848861},
                                          {0.5, 0.694657418494709702},
@@ -114,8 +116,8 @@ TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlend
   for (const auto& [push, least] : pulses) {
     const auto overturns = [push](double tau) { return is_overturned(pushed(push, tau)); };
     const Bracket bracket = bisect(overturns, {0.5 * least, 2.0 * least}, 1e-13);
-    // An error dt of the time is an error alpha cos(phi) w dt of the energy. The energy is known to ten roundings plus what
-    // a handful of steps neglect, 1e-13 psi of w each.
+    // An error dt of the time is an error alpha cos(phi) w dt of the energy. The energy is known to ten roundings plus
+    // what a handful of steps neglect, 1e-13 psi of w each.
     const double rate = std::sqrt(2.0 * (1.0 - std::cos(psi)));
     EXPECT_NEAR(bracket.stands, least, 1e-13 + (10 * 0x1p-53 + 5 * 1e-13 * psi * rate) / (push * 0.96 * 0.5 * rate))
         << push;
@@ -124,7 +126,8 @@ TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlend
   }
 }
 
-// --- harmonic shaking --------------------------------------------------------------------------------------------------
+// --- harmonic shaking
+// --------------------------------------------------------------------------------------------------
 
 Condition shaken(double amplitude, double tolerance) {
   Condition condition;

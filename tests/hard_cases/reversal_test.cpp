@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <map>
 #include <numbers>
-#include <map>
 #include <optional>
 #include <string>
 
@@ -61,8 +60,8 @@ Slide random_slide(SplitMix& draw) {
 }
 
 // V decreases while alpha > -mu and is smallest where alpha falls through -mu. The sign of this value, known to the
-// rounding r of its terms, decides whether the block stops. A stop occurs at the zero of the closed form. V' there is the
-// square root of 2 V'' times the depth, which gives the bound on its time.
+// rounding r of its terms, decides whether the block stops. A stop occurs at the zero of the closed form. V' there is
+// the square root of 2 V'' times the depth, which gives the bound on its time.
 TEST(GrazingSlip, StopsIfAndOnlyIfTheClosedFormFallsBelowZero) {
   int stops = 0;
   int misses = 0;
@@ -112,9 +111,9 @@ TEST(GrazingSlip, StopsIfAndOnlyIfTheClosedFormFallsBelowZero) {
   RecordProperty("worst", std::to_string(worst));
 }
 
-// The slip ends where the increasing alpha passes mu_s. If it ends slightly before, the block rests for a moment and slides
-// off; if slightly after, it reverses. In both cases it then slides the other way, and V is of second order in the
-// difference.
+// The slip ends where the increasing alpha passes mu_s. If it ends slightly before, the block rests for a moment and
+// slides off; if slightly after, it reverses. In both cases it then slides the other way, and V is of second order in
+// the difference.
 TEST(Reversal, WhereTheStopMeetsTheThresholdIsTheSameSlideByEitherStory) {
   int reversed = 0;
   int rested = 0;
@@ -168,8 +167,8 @@ TEST(ReversalInRockSlide, KeepsTheBlockOnTheBaseWhereStickingWouldNot) {
   EXPECT_NEAR(end.state.slip_rate, -0.0423, 5e-5);
 }
 
-/// For a block that rocks without slip: N of sticking, and whether slip against the friction of sticking has N > 0 and is
-/// accelerated. From the laws of lib/docs/model.md, section 1.
+/// For a block that rocks without slip: N of sticking, and whether slip against the friction of sticking has N > 0 and
+/// is accelerated. From the laws of lib/docs/model.md, section 1.
 struct Contact {
   long double sticking;
   bool slip_keeps_it;
@@ -194,8 +193,8 @@ Contact contact_of(const State& state, const Stage& stage, long double alpha, lo
           .slip_keeps_it = normal > 0.0L && direction * slip_acceleration > 0.0L};
 }
 
-// Stops, impacts, starts and redrawn amplitudes for blocks of every shape on a strongly moving base. After no event does a
-// block stick without N > 0 where slip would keep it on the base. Cases that rounding decides are not tested.
+// Stops, impacts, starts and redrawn amplitudes for blocks of every shape on a strongly moving base. After no event
+// does a block stick without N > 0 where slip would keep it on the base. Cases that rounding decides are not tested.
 TEST(LossOfContactInRock, NeverFollowsAnEventAfterWhichSlipKeepsTheBlockOnTheBase) {
   SplitMix draw(20161108);
   std::map<EventKind, int> saved;

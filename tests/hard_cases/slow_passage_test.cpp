@@ -38,9 +38,9 @@ struct Passage {
   double angle;         ///< phi at that time
 };
 
-// Each step rounds theta by at most ulp/2; a rounding at t has grown by cosh(tau - t) at tau. With steps of at most pi/10
-// the sum is at most (ulp/2) (e^tau/2)/(1 - e^(-pi/10)) < ulp e^tau. Roundings of w, relative to w: a few per step, 110
-// steps. Neglected terms are below 1e-20 of phi at this step length.
+// Each step rounds theta by at most ulp/2; a rounding at t has grown by cosh(tau - t) at tau. With steps of at most
+// pi/10 the sum is at most (ulp/2) (e^tau/2)/(1 - e^(-pi/10)) < ulp e^tau. Roundings of w, relative to w: a few per
+// step, 110 steps. Neglected terms are below 1e-20 of phi at this step length.
 TEST(SlowPassage, IsLeftWithAnErrorThatGrowsAsTheExponentialOfTime) {
   constexpr std::array<Passage, 7> passages{{{16, 47280013408271, 0.09998342652866405},
                                              {32, 310224022566, 0.09997917465646233},
@@ -63,9 +63,9 @@ TEST(SlowPassage, IsLeftWithAnErrorThatGrowsAsTheExponentialOfTime) {
   }
 }
 
-// A base that accelerates downwards with three quarters of g leaves a quarter of the weight: phi'' = sin(phi)/4, the same
-// passage in twice the time. Fifty units of time are 25 of those of the equilibrium; the error is that of the row with the
-// same number of ulps above.
+// A base that accelerates downwards with three quarters of g leaves a quarter of the weight: phi'' = sin(phi)/4, the
+// same passage in twice the time. Fifty units of time are 25 of those of the equilibrium; the error is that of the row
+// with the same number of ulps above.
 TEST(SlowPassage, OfFiftyUnitsOfTimeUnderAQuarterOfTheWeightEndsWhereTheClosedFormDoes) {
   constexpr Passage passage{160, 87633, 0.09997888752248108};
   for (const double direction : {-1.0, 1.0}) {
@@ -76,8 +76,7 @@ TEST(SlowPassage, OfFiftyUnitsOfTimeUnderAQuarterOfTheWeightEndsWhereTheClosedFo
     Start start = start_of(condition.scene, random::Draws(0, 0));
     start.state.tilt = balance + direction * static_cast<double>(passage.ulps) * ulp;
     support::EventLog log;
-    const auto beginning =
-        begin_realisation(condition, random::Draws(0, 0), start, Strobe::start, passage.strobe);
+    const auto beginning = begin_realisation(condition, random::Draws(0, 0), start, Strobe::start, passage.strobe);
     Motion motion = motion_of(condition.scene, beginning, log);
     static_cast<void>(integrate::advance(motion));
     EXPECT_NEAR(log.strobes.back().tilt, balance + direction * passage.angle, 2.0 * ulp * std::exp(25.14))
@@ -102,8 +101,8 @@ struct Fall {
 };
 
 // Doubles can represent less than 40 units of time between rest and falling. The side is never lost: w' has the sign of
-// phi0 from the start. phi0 is known to ulp (see above: rounding errors grow with e^tau, as phi0 does), so that the time is
-// known to log(1 + ulp/phi0), and to 1e-13 far from the equilibrium.
+// phi0 from the start. phi0 is known to ulp (see above: rounding errors grow with e^tau, as phi0 does), so that the
+// time is known to log(1 + ulp/phi0), and to 1e-13 far from the equilibrium.
 TEST(SlowPassage, EndsOnTheSideOnWhichItBeganFromOneUlpOn) {
   constexpr std::array<Fall, 8> falls{{{1, 37.410909348313644, 39.135860927598787},
                                        {2, 36.717762167753699, 38.442713747038842},

@@ -1,5 +1,5 @@
-// Base acceleration and friction at their thresholds to the last bit: A_h psi = tan(psi), mu = tan(psi). Rounding decides
-// there between rest, lift and slide. All of these must lead to the same motion, and time must advance.
+// Base acceleration and friction at their thresholds to the last bit: A_h psi = tan(psi), mu = tan(psi). Rounding
+// decides there between rest, lift and slide. All of these must lead to the same motion, and time must advance.
 
 #include <algorithm>
 #include <cmath>
@@ -31,8 +31,9 @@ double shifted(double x, int steps) {
   return x;
 }
 
-// For a block whose height is its width times a power of two, tan(psi) cos(psi) = sin(psi) to the bit, so that the motion
-// of each neighbour follows from theory. Blocks for which no amplitude gives the required peak to the bit are left out.
+// For a block whose height is its width times a power of two, tan(psi) cos(psi) = sin(psi) to the bit, so that the
+// motion of each neighbour follows from theory. Blocks for which no amplitude gives the required peak to the bit are
+// left out.
 TEST(LiftOff, IsDecidedToTheBitByThePeakOfTheBaseAcceleration) {
   int exact = 0;
   for (const double height : {1.0, 2.0, 4.0, 8.0, 16.0, 32.0}) {
@@ -51,9 +52,9 @@ TEST(LiftOff, IsDecidedToTheBitByThePeakOfTheBaseAcceleration) {
   EXPECT_GE(exact, 9);
 }
 
-// If the peak exceeds tan(psi) by the relative excess x, theta'' = sin(psi) (x - Omega^2 t^2/2) near it. The block lifts at
-// t = -t0, t0 = sqrt(2 x)/Omega, lands 4 t0 later at the rate -(8/3) sin(psi) (2 x)^(3/2)/Omega, and comes to rest at once.
-// Rounding of the amplitude, the sine and the comparison adds at most 4 units to x.
+// If the peak exceeds tan(psi) by the relative excess x, theta'' = sin(psi) (x - Omega^2 t^2/2) near it. The block
+// lifts at t = -t0, t0 = sqrt(2 x)/Omega, lands 4 t0 later at the rate -(8/3) sin(psi) (2 x)^(3/2)/Omega, and comes to
+// rest at once. Rounding of the amplitude, the sine and the comparison adds at most 4 units to x.
 TEST(LiftOff, WithinUlpsOfTheThresholdIsAHopOfTheClosedForm) {
   std::size_t most_steps = 0;
   double largest = 0.0;
@@ -102,7 +103,8 @@ Place slid(const Stage& stage, const ScriptedCoefficients& coefficients) {
 }
 
 // mu_s = tan(psi): a block that is pushed slides. With a friction one unit higher it lifts first; at the same instant
-// friction does not suffice for the lift, and it slides. The instants differ by roundings, and so do slip and slip rate.
+// friction does not suffice for the lift, and it slides. The instants differ by roundings, and so do slip and slip
+// rate.
 TEST(StaticFriction, OfTanPsiGivesTheSameSlideOnBothSides) {
   double worst = 0.0;
   for (std::uint64_t seed = 0; seed < 1'000; ++seed) {

@@ -1,5 +1,5 @@
-// Effects alone and combined. Every combination of fluctuations with every kind of base motion runs. An effect that a scene
-// does not ask for is not computed: bits and counts stay the same.
+// Effects alone and combined. Every combination of fluctuations with every kind of base motion runs. An effect that a
+// scene does not ask for is not computed: bits and counts stay the same.
 
 #include <cmath>
 #include <cstddef>
@@ -141,7 +141,8 @@ TEST(EveryCombination, CountsWorkForTheEffectsThatItHasAndNoneForTheOthers) {
     EXPECT_EQ(count_of(operations, dynamics::EventKind::slip_start) > 0, combination.friction);
     EXPECT_EQ(operations.ground_motion_segments > 0, combination.base != BaseMotion::harmonic);
     EXPECT_TRUE(operations.perturbed_pair_periods == 0 || combination.base == BaseMotion::harmonic);
-    EXPECT_GT(count_of(operations, dynamics::EventKind::impact_stick) + count_of(operations, dynamics::EventKind::impact_slip),
+    EXPECT_GT(count_of(operations, dynamics::EventKind::impact_stick) +
+                  count_of(operations, dynamics::EventKind::impact_slip),
               9U);
     const auto& clamps = result.clamps;
     EXPECT_TRUE(clamps.kinetic_at_static == 0 || combination.static_friction || combination.kinetic_friction);

@@ -1,5 +1,5 @@
-// Laws that hold for every motion: the balance of energy, the friction limit, contact. Blocks, bases and initial states are
-// random; a failing scene is identified by its number.
+// Laws that hold for every motion: the balance of energy, the friction limit, contact. Blocks, bases and initial states
+// are random; a failing scene is identified by its number.
 
 #include <algorithm>
 #include <cmath>
@@ -33,8 +33,8 @@ using support::SplitMix;
 using support::WalkNode;
 using support::WalkPiece;
 
-/// Slender to squat blocks, weak to strong excitation, small to large friction. Static friction is redrawn at stops. The
-/// base motion is in turn harmonic, recorded, and recorded with a vertical motion.
+/// Slender to squat blocks, weak to strong excitation, small to large friction. Static friction is redrawn at stops.
+/// The base motion is in turn harmonic, recorded, and recorded with a vertical motion.
 Scene random_scene(std::uint64_t number) {
   SplitMix draw(number);
   Scene scene;
@@ -87,11 +87,11 @@ TEST(Motion, NeverStandsStillInTime) {
   EXPECT_THAT(stuck, testing::IsEmpty()) << "these scenes take more than " << most_pieces << " steps for ten periods";
 }
 
-// dE = -(4/3) (alpha (V - w cos(phi)) + alpha_v S w sin(phi)) - s mu_k N V: the work of the base and of friction. The last
-// two terms of a step are at most the tolerance, in Theta' and in V. If the terms decrease steadily, the omitted ones sum
-// to less than twice that in each rate; in the energy this is multiplied by a few momenta of order 1 + E. If two successive
-// terms happen to be near a zero of a cosine, reduced to a share s, they hide an error larger by 1/s; the probability of
-// this is s^2. Gauss's formula adds no error. Rounding: about a hundred times 2^-53.
+// dE = -(4/3) (alpha (V - w cos(phi)) + alpha_v S w sin(phi)) - s mu_k N V: the work of the base and of friction. The
+// last two terms of a step are at most the tolerance, in Theta' and in V. If the terms decrease steadily, the omitted
+// ones sum to less than twice that in each rate; in the energy this is multiplied by a few momenta of order 1 + E. If
+// two successive terms happen to be near a zero of a cosine, reduced to a share s, they hide an error larger by 1/s;
+// the probability of this is s^2. Gauss's formula adds no error. Rounding: about a hundred times 2^-53.
 class EnergyAtTolerance : public testing::TestWithParam<double> {};
 
 TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
@@ -126,8 +126,8 @@ TEST_P(EnergyAtTolerance, ChangesByTheWorkOfBaseAndFriction) {
 
 INSTANTIATE_TEST_SUITE_P(All, EnergyAtTolerance, testing::Values(1e-13, 1e-11, 1e-8));
 
-// Only impacts change the energy at an instant, and none increases it (e <= 1/3 here for squat blocks). What the end of a
-// chatter neglects is below its tolerance.
+// Only impacts change the energy at an instant, and none increases it (e <= 1/3 here for squat blocks). What the end of
+// a chatter neglects is below its tolerance.
 TEST(Energy, JumpsOnlyDownAndOnlyInImpacts) {
   on_every_motion([](const Scene& scene, const auto& run, const WalkPiece& piece) {
     bool lands = false;
@@ -166,8 +166,8 @@ TEST(Friction, OpposesTheSlip) {
   });
 }
 
-// By Newton's law, F is the change of the horizontal speed of the centre, V - w cos(phi), plus (4/3) alpha. The bound is a
-// thousand tolerances, since the last terms of a step can hide an omitted part, as above.
+// By Newton's law, F is the change of the horizontal speed of the centre, V - w cos(phi), plus (4/3) alpha. The bound
+// is a thousand tolerances, since the last terms of a step can hide an omitted part, as above.
 TEST(Friction, OfASlippingBlockIsItsShareOfTheNormalForceAgainstTheSlip) {
   on_every_motion([](const Scene& scene, const auto&, const WalkPiece& piece) {
     if (!slips(piece.start)) return;

@@ -54,7 +54,8 @@ Condition random_condition(std::uint64_t number, std::int64_t periods) {
 /// Lengths times `size`, accelerations times `gravity`, times accordingly.
 Condition scaled(Condition condition, double size, double gravity) {
   const dynamics::Block block = mean_block(condition.scene);
-  condition.scene.block = {.width = block.width * size, .height = block.height * size, .gravity = block.gravity * gravity};
+  condition.scene.block = {
+      .width = block.width * size, .height = block.height * size, .gravity = block.gravity * gravity};
   auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
   if (recorded == nullptr) return condition;
   GroundMotion motion = *recorded->ground_motion;
@@ -96,8 +97,8 @@ TEST(Scaling, OfSizeAndGravityByPowersOfFourLeavesEveryBit) {
 }
 
 // Other scales round the shape angle and the times of the ground motion, each with a relative error of about 2^-53. The
-// effect of such errors is measured by changing width and gravity by 1e-10 in both directions. Scenes in which this already
-// changes the events, or the length of a chatter, are left out.
+// effect of such errors is measured by changing width and gravity by 1e-10 in both directions. Scenes in which this
+// already changes the events, or the length of a chatter, are left out.
 TEST(Scaling, ByAnyNumberChangesNoMoreThanRounding) {
   int compared = 0;
   for (std::uint64_t number = 0; number < 300; ++number) {

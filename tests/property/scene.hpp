@@ -47,7 +47,7 @@ struct Scene {
 /// A broken line of `periods` excitation periods of the stage, with unevenly spaced knots and occasional jumps. The
 /// horizontal motion has the size of A_h = 1, the vertical one is at most 0.8.
 inline std::vector<dynamics::GroundMotionSample> random_record(const support::Stage& stage, double periods,
-                                                         support::SplitMix& draw) {
+                                                               support::SplitMix& draw) {
   std::vector<dynamics::GroundMotionSample> knots;
   const double size = stage.geometry().shape_angle;
   double time = 0.0;

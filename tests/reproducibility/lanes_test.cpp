@@ -1,4 +1,5 @@
-// A realisation has the same bits as alone, whatever the other realisations, the number of lanes and the instruction set.
+// A realisation has the same bits as alone, whatever the other realisations, the number of lanes and the instruction
+// set.
 
 #include <cmath>
 #include <cstdint>
@@ -52,8 +53,8 @@ Condition shaken(double amplitude, std::optional<Friction> friction = std::nullo
   return condition;
 }
 
-/// A ground motion of a sine, with `spacing` periods between samples, with or without a vertical part and jumps; one strobe
-/// a period.
+/// A ground motion of a sine, with `spacing` periods between samples, with or without a vertical part and jumps; one
+/// strobe a period.
 GroundMotion sampled_sine(double spacing, double vertical, bool jumps) {
   Condition reference;
   const double p = dynamics::geometry_of(mean_block(reference.scene)).frequency_parameter;
@@ -104,8 +105,8 @@ std::vector<Condition> recorded_crowd() {
   return conditions;
 }
 
-/// Pulses of every shape, one after another and with harmonic shaking in the lanes beside them, with every kind of contact; their ends
-/// among the boundaries of fine and coarse friction grids.
+/// Pulses of every shape, one after another and with harmonic shaking in the lanes beside them, with every kind of
+/// contact; their ends among the boundaries of fine and coarse friction grids.
 std::vector<Condition> pulse_crowd() {
   std::vector<Condition> conditions;
   const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
@@ -194,9 +195,10 @@ constexpr std::uint64_t seed = 0x2012;
 std::string spelled(const RealisationResult& result) {
   const OperationCounts& operations = result.operations;
   return base::to_hex(digest_of(result, 0)) + " " + std::to_string(operations.steps) + " steps, " +
-         std::to_string(operations.slip_steps) + " with slip, " + std::to_string(operations.root_isolations) + " isolations, " +
-         std::to_string(operations.ground_motion_segments) + " segments, " + std::to_string(operations.kinetic_friction_draws) +
-         " draws, " + std::to_string(operations.perturbed_pair_periods) + " periods of perturbed pairs, " +
+         std::to_string(operations.slip_steps) + " with slip, " + std::to_string(operations.root_isolations) +
+         " isolations, " + std::to_string(operations.ground_motion_segments) + " segments, " +
+         std::to_string(operations.kinetic_friction_draws) + " draws, " +
+         std::to_string(operations.perturbed_pair_periods) + " periods of perturbed pairs, " +
          std::to_string(result.losses_of_contact) + " losses, " + std::to_string(result.contradictions) +
          " contradictions, margin " + std::to_string(result.classification.margin);
 }
@@ -272,8 +274,9 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
     const random::Draws draws(seed, number);
     const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
                                                   strobes_before_copy(condition));
-    runs.push_back(std::make_unique<Run>(
-        condition, beginning, [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); }));
+    runs.push_back(std::make_unique<Run>(condition, beginning, [&](dynamics::Observer& observer) {
+      return motion_of(condition.scene, beginning, observer);
+    }));
     scheduler.add(*runs.back());
   }
   const auto steps = [&scheduler](int count) {
@@ -302,7 +305,8 @@ Work work_of_perturbed_pairs(int sampled_periods) {
   RealisationScheduler scheduler(seed, lanes::available_kernels().back());
   for (std::uint64_t number = 0; number < 60 || !scheduler.is_idle();) {
     for (; number < 60 && scheduler.wants_more(); ++number) scheduler.start({&condition, number}, number);
-    for (const auto& [id, result] : scheduler.work()) work.perturbed_pair_periods += result.operations.perturbed_pair_periods;
+    for (const auto& [id, result] : scheduler.work())
+      work.perturbed_pair_periods += result.operations.perturbed_pair_periods;
   }
   work.allocations = allocations - before;
   return work;
@@ -328,8 +332,8 @@ std::vector<std::string> output_of(const std::string& command) {
   return lines;
 }
 
-// The linker could use an inline function of a standard container that was compiled for AVX-512 in the whole program, which
-// would crash on an older processor. Such units must not share functions with others.
+// The linker could use an inline function of a standard container that was compiled for AVX-512 in the whole program,
+// which would crash on an older processor. Such units must not share functions with others.
 TEST(Lanes, ShareNothingThatWasCompiledForANewerProcessor) {
 #if ROCKING_CONTRACTS
   GTEST_SKIP() << "sanitizers and contracts add symbols of their own";

@@ -115,8 +115,8 @@ TEST(ExactInterval, MissesNoMoreOftenThanItsSignificanceLevel) {
   }
 }
 
-// The former rule: one share for each category that was seen. If there are very many very rare categories, one of them is
-// seen more often than not, and its interval begins above its probability.
+// The former rule: one share for each category that was seen. If there are very many very rare categories, one of them
+// is seen more often than not, and its interval begins above its probability.
 TEST(SharesByWhatWasSeen, BreakThePromise) {
   constexpr double rare = 5e-6;
   constexpr std::uint64_t n = 200;

@@ -1,5 +1,5 @@
-// Sabotaged samplers. The tests that good draws pass (random_normal_test.cpp) must detect each of them. Every sample has a
-// fixed seed, so that the result never changes.
+// Sabotaged samplers. The tests that good draws pass (random_normal_test.cpp) must detect each of them. Every sample
+// has a fixed seed, so that the result never changes.
 
 #include <algorithm>
 #include <cmath>

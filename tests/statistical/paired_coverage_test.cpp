@@ -1,4 +1,5 @@
-// Tests and intervals for paired trials, from the sum of the probabilities of all outcomes: no simulation, no false alarm.
+// Tests and intervals for paired trials, from the sum of the probabilities of all outcomes: no simulation, no false
+// alarm.
 
 #include <algorithm>
 #include <array>
@@ -27,7 +28,8 @@ Interval wald(const PairedCounts& counts, double confidence) {
   return {difference - 1.959963984540054 * deviation, difference + 1.959963984540054 * deviation};
 }
 
-/// The relevant part of an outcome: b and c of n, the number of orders that lead to them, and a value computed from them.
+/// The relevant part of an outcome: b and c of n, the number of orders that lead to them, and a value computed from
+/// them.
 template <class Value>
 struct Outcome {
   double b;
@@ -52,8 +54,8 @@ auto all_outcomes(std::uint64_t n, Maker maker) {
   return outcomes;
 }
 
-/// Probability of the outcomes for which `counts` holds, if a trial falls on the first side only with probability p and on
-/// the second only with probability q. Powers of 0 are 1 for exponent 0.
+/// Probability of the outcomes for which `counts` holds, if a trial falls on the first side only with probability p and
+/// on the second only with probability q. Powers of 0 are 1 for exponent 0.
 template <class Outcomes, class Predicate>
 double probability(const Outcomes& outcomes, double p, double q, Predicate counts) {
   const double log_p = std::log(p), log_q = std::log(q), log_rest = std::log(1.0 - p - q);

@@ -36,7 +36,8 @@ INSTANTIATE_TEST_SUITE_P(All, Sampler,
                            return name;
                          });
 
-// 500 seeds: a p-value whose law is wrong by 0.15 anywhere is detected. At n = 1000 that of Jarque-Bera is wrong by 0.015.
+// 500 seeds: a p-value whose law is wrong by 0.15 anywhere is detected. At n = 1000 that of Jarque-Bera is wrong by
+// 0.015.
 TEST_P(Sampler, GivesEveryTestUniformPValuesOverManySeeds) {
   FalseAlarms alarms;
   const auto found = uniformities(500, [](std::uint64_t seed) { return check_of(GetParam(), seed, 1000); });

@@ -21,9 +21,9 @@ using namespace rocking::stats;
 
 using Misses = std::function<bool(const Proportion&)>;
 
-/// Probability that an interval misses p at any number of trials in first ... last. Of all paths of counts, those that have
-/// not yet reached a missing count are continued. Counts with a probability below 1e-18 are taken as missing, 1e-15 in
-/// total.
+/// Probability that an interval misses p at any number of trials in first ... last. Of all paths of counts, those that
+/// have not yet reached a missing count are continued. Counts with a probability below 1e-18 are taken as missing,
+/// 1e-15 in total.
 double probability_of_ever_missing(double p, std::uint64_t first, std::uint64_t last, const Misses& misses) {
   std::vector<double> alive{1.0};  // by count
   for (std::uint64_t n = 1; n <= last; ++n) {
@@ -42,8 +42,9 @@ double probability_of_ever_missing(double p, std::uint64_t first, std::uint64_t 
 
 double probability_that_a_sequence_misses(double p, double concentration, double significance) {
   const ConfidenceSequence sequence(concentration);
-  return probability_of_ever_missing(
-      p, 1, 2000, [&](const Proportion& counts) { return sequence.log_martingale(counts, p) >= -std::log(significance); });
+  return probability_of_ever_missing(p, 1, 2000, [&](const Proportion& counts) {
+    return sequence.log_martingale(counts, p) >= -std::log(significance);
+  });
 }
 
 TEST(ConfidenceSequence, MissesNoMoreOftenThanItsSignificanceLevelHoweverOftenOneLooks) {

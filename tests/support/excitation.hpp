@@ -9,22 +9,12 @@
 /// Access to the kind of excitation that the scene of a test has.
 namespace rocking::support {
 
-inline Harmonic& harmonic(Scene& scene) {
-  return std::get<Harmonic>(scene.excitation);
-}
-inline const Harmonic& harmonic(const Scene& scene) {
-  return std::get<Harmonic>(scene.excitation);
-}
-inline Recorded& recorded(Scene& scene) {
-  return std::get<Recorded>(scene.excitation);
-}
-inline const Recorded& recorded(const Scene& scene) {
-  return std::get<Recorded>(scene.excitation);
-}
+inline Harmonic& harmonic(Scene& scene) { return std::get<Harmonic>(scene.excitation); }
+inline const Harmonic& harmonic(const Scene& scene) { return std::get<Harmonic>(scene.excitation); }
+inline Recorded& recorded(Scene& scene) { return std::get<Recorded>(scene.excitation); }
+inline const Recorded& recorded(const Scene& scene) { return std::get<Recorded>(scene.excitation); }
 
-inline Harmonic harmonic(Scene&& scene) {
-  return std::get<Harmonic>(scene.excitation);
-}
+inline Harmonic harmonic(Scene&& scene) { return std::get<Harmonic>(scene.excitation); }
 
 /// A scene's excitation by a ground motion.
 inline Recorded recorded_by(GroundMotion motion, double frequency_ratio, double scale = 1.0) {

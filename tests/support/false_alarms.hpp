@@ -56,7 +56,8 @@ constexpr int all_comparisons() {
 
 static_assert(all_comparisons() * false_alarm < all_false_alarms);
 
-/// The account of the test that creates it. It fails if the test makes more comparisons than allowed, or has no allowance.
+/// The account of the test that creates it. It fails if the test makes more comparisons than allowed, or has no
+/// allowance.
 class FalseAlarms {
  public:
   FalseAlarms() {

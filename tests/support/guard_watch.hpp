@@ -45,8 +45,8 @@ struct GuardTally {
 /// Observes every guard in every step of a motion, over the time that the integrator accepted.
 ///
 /// The polynomial of an armed guard must not be below zero before the end of the step; this is tested at hundreds of
-/// points, more densely where it is low. It must also agree with the equations of the model. A guard that is not armed must
-/// be above zero by these equations; this is tested at some points.
+/// points, more densely where it is low. It must also agree with the equations of the model. A guard that is not armed
+/// must be above zero by these equations; this is tested at some points.
 template <class Motion>
 class GuardWatch {
  public:
@@ -83,10 +83,10 @@ class GuardWatch {
   static constexpr std::size_t model_points = 12;
   using Values = std::array<double, model_points>;
 
-  /// Number of passes over the coefficients that round each once. The integrator scales them, changes their basis, bisects
-  /// (often only near a root, where the rounded values shrink with the interval: two passes in all), evaluates, and knows
-  /// the time of the root to three roundings. The observer scales, multiplies and adds. A fifth of one pass has been
-  /// observed.
+  /// Number of passes over the coefficients that round each once. The integrator scales them, changes their basis,
+  /// bisects (often only near a root, where the rounded values shrink with the interval: two passes in all), evaluates,
+  /// and knows the time of the root to three roundings. The observer scales, multiplies and adds. A fifth of one pass
+  /// has been observed.
   static constexpr double passes = 1 + 1 + 2 + 1 + 3 + 1 + 2;
 
   /// Neglected part of a series, in units of its last two terms and the tolerance: as if each further term were about

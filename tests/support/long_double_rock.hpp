@@ -6,9 +6,9 @@
 
 namespace rocking::support {
 
-/// A block rocking about its left edge on a harmonic base, in long double: theta'' = -sin(phi) + alpha cos(phi) with phi =
-/// psi - theta and alpha = peak sin(frequency tau + phase), by Taylor steps of fixed length. The truncation error is below
-/// 1e-25, the rounding 2000 times smaller than that of a double. There are no events: theta may fall below 0.
+/// A block rocking about its left edge on a harmonic base, in long double: theta'' = -sin(phi) + alpha cos(phi) with
+/// phi = psi - theta and alpha = peak sin(frequency tau + phase), by Taylor steps of fixed length. The truncation error
+/// is below 1e-25, the rounding 2000 times smaller than that of a double. There are no events: theta may fall below 0.
 struct LongDoubleRock {
   using Real = long double;
   static constexpr std::size_t order = 24;

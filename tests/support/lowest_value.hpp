@@ -37,8 +37,9 @@ inline std::array<double, points_of_look> values_over(std::span<const double> c,
   return values;
 }
 
-/// Lowest value of sum c[k] t^k on [0, 1] that dense evaluation finds: at evenly spaced points, then around each minimum
-/// that is small compared with the distance to its neighbours, and around the lowest of these, down to the rounding of t.
+/// Lowest value of sum c[k] t^k on [0, 1] that dense evaluation finds: at evenly spaced points, then around each
+/// minimum that is small compared with the distance to its neighbours, and around the lowest of these, down to the
+/// rounding of t.
 ///
 /// Uses no Bernstein coefficients and no derivatives: a value below zero that it finds is certain.
 inline double lowest_value(std::span<const double> c) {

@@ -57,8 +57,8 @@ inline MeasuredRealisation realisation(const std::vector<ResponseMode>& modes, d
   return measured;
 }
 
-/// An invented curve: flips of `trials` and steps, by decreasing tolerance; the flips of the floor are among those of all
-/// others.
+/// An invented curve: flips of `trials` and steps, by decreasing tolerance; the flips of the floor are among those of
+/// all others.
 inline std::vector<ToleranceCost> curve_of(const std::vector<std::uint64_t>& flips, std::uint64_t trials,
                                            const std::vector<std::uint64_t>& steps = {}) {
   std::vector<ToleranceCost> curve(flips.size() + 1);

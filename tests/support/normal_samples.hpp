@@ -1,7 +1,7 @@
 #pragma once
 
-// Samples to be tested, and the accuracy of the p-values of the tests. Used by the tests that good draws must pass and by
-// those that bad draws must fail.
+// Samples to be tested, and the accuracy of the p-values of the tests. Used by the tests that good draws must pass and
+// by those that bad draws must fail.
 
 #include <algorithm>
 #include <cmath>
@@ -20,8 +20,8 @@ using Sample = std::vector<double>;
 
 inline constexpr std::size_t large = 1000000;
 
-/// Upper bound of the probability that n uniform numbers have an empirical law this far from theirs: 2 exp(-2 n D^2), for
-/// every n (Massart 1990, Ann. Probab. 18, 1269-1283).
+/// Upper bound of the probability that n uniform numbers have an empirical law this far from theirs: 2 exp(-2 n D^2),
+/// for every n (Massart 1990, Ann. Probab. 18, 1269-1283).
 inline double uniformity(std::vector<double> p_values) {
   std::sort(p_values.begin(), p_values.end());
   const auto n = static_cast<double>(p_values.size());

@@ -27,8 +27,8 @@ inline Polynomial from_roots(double factor, const std::vector<double>& roots) {
   return p;
 }
 
-/// Polynomials of different kinds: random coefficients that decrease or grow, random and clustered roots, offsets that turn
-/// double roots into near misses and close roots.
+/// Polynomials of different kinds: random coefficients that decrease or grow, random and clustered roots, offsets that
+/// turn double roots into near misses and close roots.
 inline Polynomial random_polynomial(SplitMix& draw) {
   const int degree = 5 + draw.below(11);
   Polynomial p;

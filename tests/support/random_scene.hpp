@@ -5,8 +5,8 @@
 #include "rocking/scene/experiment.hpp"
 #include "support/split_mix.hpp"
 
-/// Random scenes under harmonic excitation: every formulation, with and without friction, every fluctuation, any initial
-/// state.
+/// Random scenes under harmonic excitation: every formulation, with and without friction, every fluctuation, any
+/// initial state.
 namespace rocking::support {
 
 /// A random number with uniform logarithm.
@@ -62,8 +62,8 @@ inline Scene random_scene(SplitMix& random, double squattest = 1.2, double talle
   Scene scene;
   scene.block = {.width = 1.0, .height = spread(random, squattest, tallest)};
   scene.excitation = Harmonic{.amplitude = spread(random, 0.5, 12.0),
-                                          .frequency_ratio = spread(random, 2.0, 20.0),
-                                          .phase = random.below(4) == 0 ? 0.0 : random.uniform(-7.0, 14.0)};
+                              .frequency_ratio = spread(random, 2.0, 20.0),
+                              .phase = random.below(4) == 0 ? 0.0 : random.uniform(-7.0, 14.0)};
   scene::choose_formulation(scene, random);
   scene::choose_friction(scene, random);
   scene::choose_fluctuation(scene, random);

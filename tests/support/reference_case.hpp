@@ -39,8 +39,8 @@ inline Condition condition_of_reference(const nlohmann::json& reference) {
   support::harmonic(scene).phase = number(params["Phi"]);
   scene.restitution = number(params["e"]);
   if (params["sliding"].get<bool>()) {
-    scene.friction = Friction{.static_coefficient = number(params["mu_s"]),
-                                          .kinetic_coefficient = number(params["mu_k"])};
+    scene.friction =
+        Friction{.static_coefficient = number(params["mu_s"]), .kinetic_coefficient = number(params["mu_k"])};
   }
   if (params["inertia"] != "centroidal_gamma_3") scene.slide_inertia = dynamics::SlideInertia::edge;
   if (params["impact_rule"] != "physical_abs") scene.impact_slip_rule = dynamics::ImpactSlipRule::signed_ratio;

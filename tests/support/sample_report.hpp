@@ -51,7 +51,8 @@ inline Json sample_report() {
     difference.differ_interval = {.low = 0.05 * static_cast<double>(i), .high = 0.2 + 0.1 * static_cast<double>(i)};
     difference.entropy = 0.2 * static_cast<double>(i);
     difference.arithmetic_tolerance = 1e-15;
-    difference.friction = {.pairs = 15, .diverged = 2 * i, .lower_quartile = 12.5, .median = 80.0, .upper_quartile = {}};
+    difference.friction = {
+        .pairs = 15, .diverged = 2 * i, .lower_quartile = 12.5, .median = 80.0, .upper_quartile = {}};
     result.conditions.push_back(std::move(condition));
   }
   SystemFacts facts;

@@ -11,7 +11,8 @@
 
 namespace rocking::support {
 
-/// A source of coefficients that returns chosen values in order and counts the calls. The last value of a list is repeated.
+/// A source of coefficients that returns chosen values in order and counts the calls. The last value of a list is
+/// repeated.
 struct ScriptedCoefficients {
   double amplitude_value = 0.0;
   std::vector<double> statics{};                 ///< mu_s at the start, after the first stop, ...; none: no friction

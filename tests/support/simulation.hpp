@@ -40,8 +40,8 @@ struct Stage {
   [[nodiscard]] double amplitude_for(double peak) const { return peak / geometry().shape_angle; }
 };
 
-inline const double psi = Stage{}.geometry().shape_angle;  ///< of the default block
-inline constexpr double quarter = 0.5 * std::numbers::pi;  ///< phase with the largest push to the right
+inline const double psi = Stage{}.geometry().shape_angle;         ///< of the default block
+inline constexpr double quarter = 0.5 * std::numbers::pi;         ///< phase with the largest push to the right
 inline constexpr double three_quarters = 1.5 * std::numbers::pi;  ///< phase with the largest push to the left
 
 /// A simulation of a block with a log of its events. Strobe points are a whole number of periods after tau = 0.

@@ -8,8 +8,8 @@
 
 namespace rocking::support {
 
-/// A small random number generator for tests: the same numbers on every machine, from a seed that a failing test can print.
-/// Source: Steele, Lea, Flood (2014), "Fast splittable pseudorandom number generators", OOPSLA.
+/// A small random number generator for tests: the same numbers on every machine, from a seed that a failing test can
+/// print. Source: Steele, Lea, Flood (2014), "Fast splittable pseudorandom number generators", OOPSLA.
 class SplitMix {
  public:
   explicit SplitMix(std::uint64_t seed) : state_(seed) {}

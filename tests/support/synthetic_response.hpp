@@ -51,8 +51,8 @@ struct Synthetic {
   }
 };
 
-/// An orbit of n random points in the part of the plane where blocks rock, with mutual distances of at least `gap` (Theta'
-/// has half weight); 2m impacts, distributed in turn.
+/// An orbit of n random points in the part of the plane where blocks rock, with mutual distances of at least `gap`
+/// (Theta' has half weight); 2m impacts, distributed in turn.
 inline Synthetic random_orbit(int n, int m, double gap, SplitMix& draw) {
   Synthetic made;
   while (made.orbit.size() < static_cast<std::size_t>(n)) {

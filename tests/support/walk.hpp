@@ -58,7 +58,8 @@ template <class Simulation, class Visit>
     const double reach = motion.time_to_breakpoint();
     const double length = motion.expand(reach);
     if (motion.ended()) break;
-    const auto [time, fired] = integrate::first_crossing(motion, length, integrate::uncleared_guards(motion, length), counts);
+    const auto [time, fired] =
+        integrate::first_crossing(motion, length, integrate::uncleared_guards(motion, length), counts);
     simulation.log.strobes.clear();
     for (std::size_t i = 0; i < nodes_per_piece; ++i) {
       const double sign = i % 2 == 0 ? -1.0 : 1.0;

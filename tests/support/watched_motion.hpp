@@ -7,7 +7,8 @@
 namespace rocking::support {
 
 /// A motion in the form that the integrator uses. `watch` can inspect the guards computed by the integrator before each
-/// move in time and before each reset. The integrator does not see the guards in `overlooked`: this simulates a faulty one.
+/// move in time and before each reset. The integrator does not see the guards in `overlooked`: this simulates a faulty
+/// one.
 template <class Motion, class Watch>
 class WatchedMotion {
  public:

@@ -1,4 +1,5 @@
-// lib/docs/hard-cases.md names tests as evidence. Each of them must exist, and each test of tests/hard_cases must be named.
+// lib/docs/hard-cases.md names tests as evidence. Each of them must exist, and each test of tests/hard_cases must be
+// named.
 
 #include <filesystem>
 #include <fstream>
@@ -44,7 +45,8 @@ Names named_tests(const std::string& document) {
   return names;
 }
 
-/// Rows of tables with an empty cell, or whose last cell names no test. The header of a table is the line above its rule.
+/// Rows of tables with an empty cell, or whose last cell names no test. The header of a table is the line above its
+/// rule.
 std::vector<std::string> rows_without_evidence(const std::string& document) {
   static const std::regex full(R"(\|( [^|]*[^| ] \|)+ [^|]*`[A-Z]\w*\.[A-Z]\w*`[^|]*\|)");
   std::vector<std::string> found;

@@ -23,8 +23,8 @@ using ::testing::SizeIs;
 
 using Offences = std::vector<std::string>;
 
-/// The rooms that a room may include, besides itself. No arrow is inherited. The build gives a room only the headers of the
-/// rooms to which it links, so that an include against the arrows does not compile either.
+/// The rooms that a room may include, besides itself. No arrow is inherited. The build gives a room only the headers of
+/// the rooms to which it links, so that an include against the arrows does not compile either.
 const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"base", {}},
     {"random", {"base"}},
@@ -40,11 +40,13 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"studies", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
     {"text", {"base", "stats"}},  // its intervals
     {"input", {"base", "dynamics", "section", "text", "scene"}},
-    {"output", {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "store", "ensemble", "studies"}},
+    {"output",
+     {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "store", "ensemble", "studies"}},
 };
 
 /// Rooms whose code affects the bits of the result of a realisation.
-const std::set<std::string> portable_rooms = {"random", "dynamics", "integrate", "lanes", "section", "scene", "realisation"};
+const std::set<std::string> portable_rooms = {"random",  "dynamics", "integrate",  "lanes",
+                                              "section", "scene",    "realisation"};
 
 Offences matches(const std::string& text, const std::string& pattern) {
   const std::regex expression(pattern);
@@ -74,8 +76,8 @@ Offences forbidden_uses(const std::string& room, const std::string& source) {
   return found;
 }
 
-/// Includes of a source of analysis/ that are not allowed: it uses results, in files and stores, but nothing that computes
-/// them.
+/// Includes of a source of analysis/ that are not allowed: it uses results, in files and stores, but nothing that
+/// computes them.
 Offences forbidden_in_analysis(const std::string& source) {
   static const std::regex include(R"(#\s*include\s*["<](rocking/[\w/]+\.hpp|nlohmann/[^">]*))");
   static const std::regex allowed(
@@ -244,10 +246,10 @@ TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
 }
 
 TEST(TheHouseRules, FindASimulatingFigure) {
-  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/realisation/realisation_result.hpp\"\n#include <nlohmann/json.hpp>\n"),
-              SizeIs(2));
-  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/store/store.hpp\"\n#include \"analysis/a.hpp\"\n"),
-              IsEmpty());
+  EXPECT_THAT(
+      forbidden_in_analysis("#include \"rocking/realisation/realisation_result.hpp\"\n#include <nlohmann/json.hpp>\n"),
+      SizeIs(2));
+  EXPECT_THAT(forbidden_in_analysis("#include \"rocking/store/store.hpp\"\n#include \"analysis/a.hpp\"\n"), IsEmpty());
 }
 
 TEST(TheHouseRules, FindStatisticsInAWriter) {

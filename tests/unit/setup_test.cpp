@@ -72,8 +72,8 @@ const std::vector<PackageSystem> systems = {
      "libboost-dev", "chromium"},
 };
 
-/// Shell functions that replace the package tools of a system on which nothing is installed. `apt-get` prints the packages
-/// that it is asked to install.
+/// Shell functions that replace the package tools of a system on which nothing is installed. `apt-get` prints the
+/// packages that it is asked to install.
 std::string nothing_installed_on(const std::string& versions) {
   return "apt-cache() { local v=1.0-1; case $2 in " + versions +
          " esac; [[ $v ]] && printf \"%s:\\n  Installed: (none)\\n  Candidate: %s\\n\" $2 \"$v\"; };"

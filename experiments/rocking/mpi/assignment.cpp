@@ -8,8 +8,8 @@ namespace rocking::program::mpi {
 // Texts that end with a zero byte, one after the other: none of them holds one.
 Bytes to_bytes(const Assignment& assignment) {
   std::string all;
-  for (const std::string& text :
-       {std::to_string(assignment.threads), assignment.identity.experiment, assignment.identity.code, assignment.identity.files}) {
+  for (const std::string& text : {std::to_string(assignment.threads), assignment.identity.experiment,
+                                  assignment.identity.code, assignment.identity.files}) {
     all += text;
     all += '\0';
   }

@@ -12,8 +12,8 @@
 
 #include <fmt/format.h>
 
-#include "exit_code.hpp"
 #include "assignment.hpp"
+#include "exit_code.hpp"
 #include "rocking/ensemble/pair_workers.hpp"
 
 namespace rocking::program::mpi {

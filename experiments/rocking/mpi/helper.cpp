@@ -6,21 +6,19 @@
 
 #include <fmt/format.h>
 
+#include "assignment.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
-#include "assignment.hpp"
 #include "rocking/ensemble/pair_workers.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program::mpi {
 namespace {
 
-
 constexpr int coordinator = 0;
 
 /// Runs a block; if it is asked to stop, returns the results of the pairs that were finished.
-std::vector<PairOutcome> run_block(const Experiment& experiment, const std::vector<Pair>& block,
-                                   unsigned threads) {
+std::vector<PairOutcome> run_block(const Experiment& experiment, const std::vector<Pair>& block, unsigned threads) {
   RunOptions options;
   options.threads = threads;
   options.stop_requested = &stop_on_interrupt();

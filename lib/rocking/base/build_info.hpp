@@ -4,7 +4,8 @@
 
 namespace rocking::base {
 
-/// How this library was built: version, source, compiler and flags. Set at build time; the same in every run of one build.
+/// How this library was built: version, source, compiler and flags. Set at build time; the same in every run of one
+/// build.
 struct BuildInfo {
   std::string_view version;     ///< of the project, as in CHANGELOG.md
   std::string_view revision;    ///< of the source, as version control describes it; "unknown" outside a checkout

@@ -15,8 +15,8 @@ using Sha256 = std::array<std::byte, 32>;
 /// Lower-case hexadecimal, 64 characters.
 [[nodiscard]] std::string to_hex(const Sha256& digest);
 
-/// Computes the SHA-256 (FIPS 180-4) of the data added to it. Numbers are added as their bytes in little-endian order, so
-/// that a digest is the same on every machine; -0.0 and 0.0 give different digests.
+/// Computes the SHA-256 (FIPS 180-4) of the data added to it. Numbers are added as their bytes in little-endian order,
+/// so that a digest is the same on every machine; -0.0 and 0.0 give different digests.
 class Sha256Builder {
  public:
   Sha256Builder();

@@ -4,8 +4,8 @@ namespace rocking::base {
 
 double arc_tangent(double x) {
   // Angle of the direction (run, rise) [rad]. One of the two is 1, and rise <= run. The angle is halved twice, a series
-  // gives its arc tangent, and one Newton step corrects it. The residual of that step, rise cos - run sin, uses x without
-  // rounding.
+  // gives its arc tangent, and one Newton step corrects it. The residual of that step, rise cos - run sin, uses x
+  // without rounding.
   const double size = std::abs(x);
   const bool steep = size > 1.0;
   const double rise = steep ? 1.0 : size;

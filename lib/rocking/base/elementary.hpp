@@ -55,8 +55,8 @@ template <Number Real>
 
 /// sin(x) and cos(x) for abs(x) <= 1e6 [rad]; error below 1.5 ulp of each result.
 ///
-/// Argument reduction by Cody and Waite: x - q pi/2 with pi/2 in three parts and fused products. The reduced argument keeps
-/// its digits also next to a multiple of pi/2. There is no branch, so all lanes follow the same path.
+/// Argument reduction by Cody and Waite: x - q pi/2 with pi/2 in three parts and fused products. The reduced argument
+/// keeps its digits also next to a multiple of pi/2. There is no branch, so all lanes follow the same path.
 template <Lane Real>
 [[nodiscard]] inline SinCos<Real> sin_cos(Real x) {
   constexpr double half_pi_1 = 0x1.921fb54442d18p+0;
@@ -86,8 +86,8 @@ template <Lane Real>
 
 /// e^x for -708 <= x <= 709, error below 1 ulp.
 ///
-/// e^x = 2^k e^r with k = x/ln 2 rounded to an integer and r = x - k ln 2, abs(r) <= 0.3466; ln 2 in two parts, the products
-/// fused. The first term left out of the series of e^r is r^14/14! <= 5e-18.
+/// e^x = 2^k e^r with k = x/ln 2 rounded to an integer and r = x - k ln 2, abs(r) <= 0.3466; ln 2 in two parts, the
+/// products fused. The first term left out of the series of e^r is r^14/14! <= 5e-18.
 template <Lane Real>
 [[nodiscard]] inline Real exponential(Real x) {
   constexpr double ln2_high = 0x1.62e42fefa39efp-1;

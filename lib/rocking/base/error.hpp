@@ -16,12 +16,12 @@ struct Problem {
   std::string where = {};  ///< file and line of the place; empty if `place` says it
 };
 
-/// Text of a problem, such as `a.json, line 3: /block/width_m = -0.1: must be positive; give a number of metres`. A long
-/// place or value is cut. A control character is shown as `\x1b`, since the text is written to terminals.
+/// Text of a problem, such as `a.json, line 3: /block/width_m = -0.1: must be positive; give a number of metres`. A
+/// long place or value is cut. A control character is shown as `\x1b`, since the text is written to terminals.
 [[nodiscard]] std::string to_string(const Problem& problem);
 
-/// Text that is safe for a terminal or a message. Control characters (also DEL and those of Unicode up to U+009F) are shown
-/// as `\x1b`, bytes that are not UTF-8 as `\xff`. A new line is kept.
+/// Text that is safe for a terminal or a message. Control characters (also DEL and those of Unicode up to U+009F) are
+/// shown as `\x1b`, bytes that are not UTF-8 as `\xff`. A new line is kept.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// At most `most` bytes of a UTF-8 text. The end of a longer text is replaced by `...`; no character is cut in two.

@@ -57,9 +57,9 @@ concept Number = requires(Real a, Real b, Real c) {
   { fused(a, b, c) } -> std::convertible_to<Real>;
 };
 
-/// What the stepping kernel requires of a number: arithmetic and selection without a branch. `double` is one lane; a pack
-/// of several numbers models the same concept. One source therefore serves all widths, and each lane gets the same bits as
-/// it would get alone.
+/// What the stepping kernel requires of a number: arithmetic and selection without a branch. `double` is one lane; a
+/// pack of several numbers models the same concept. One source therefore serves all widths, and each lane gets the same
+/// bits as it would get alone.
 template <class Real>
 concept Lane = Number<Real> && requires(Real a, Real b) {
   { select(a < b, a, b) } -> std::convertible_to<Real>;

@@ -9,8 +9,8 @@ namespace rocking::base {
 
 /// `k` <= 2^53 converted to a floating-point number, exactly.
 ///
-/// Replaces a cast, because AVX2 cannot convert 64-bit integers. The bits of each half of k are placed into the mantissa of
-/// a number whose exponent is known.
+/// Replaces a cast, because AVX2 cannot convert 64-bit integers. The bits of each half of k are placed into the
+/// mantissa of a number whose exponent is known.
 [[nodiscard]] constexpr double exact_number(std::uint64_t k) {
   const double high =
       number_of(0x4530000000000000ULL | (k >> 32U)) - 0x1.00000001p84;  // 2^52 too small; the sum corrects it

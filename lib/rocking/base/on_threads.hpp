@@ -7,8 +7,8 @@
 
 namespace rocking::base {
 
-/// Calls work(0) on this thread and work(1), ..., work(threads - 1) on one new thread each. If a call throws, failed() is
-/// called; it may ask the other threads to end. When all threads have ended, the first exception is rethrown.
+/// Calls work(0) on this thread and work(1), ..., work(threads - 1) on one new thread each. If a call throws, failed()
+/// is called; it may ask the other threads to end. When all threads have ended, the first exception is rethrown.
 template <class Work, class Failed>
 void on_threads(unsigned threads, Work&& work, Failed&& failed) {
   std::mutex mutex;

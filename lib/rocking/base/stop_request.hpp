@@ -11,8 +11,8 @@ class Stopped : public std::exception {
   [[nodiscard]] const char* what() const noexcept override { return "asked to stop before there was a result"; }
 };
 
-/// A request to stop, made by others (a signal handler, a clock) by setting a flag. Without a flag it is never made. The
-/// flag must outlive the request.
+/// A request to stop, made by others (a signal handler, a clock) by setting a flag. Without a flag it is never made.
+/// The flag must outlive the request.
 class StopRequest {
  public:
   StopRequest(const std::atomic<bool>* flag = nullptr) : flag_(flag) {}

@@ -14,8 +14,8 @@ namespace rocking {
 
 /// Runs groups of realisations on one thread. The realisations of all groups are advanced at once.
 ///
-/// A Group has runs(), valid during its lifetime, and accept(run, RealisationResult), which takes the result of one run and
-/// returns whether it was the last one.
+/// A Group has runs(), valid during its lifetime, and accept(run, RealisationResult), which takes the result of one run
+/// and returns whether it was the last one.
 template <class Group>
 class GroupScheduler {
  public:

@@ -27,7 +27,8 @@ using ModeTally = std::map<section::ResponseMode, std::uint64_t>;
 /// The share of 1 - confidence that a statement about this mode takes in the family of all modes.
 [[nodiscard]] stats::Significance significance_of(const section::ResponseMode& mode, double confidence);
 
-/// The exact interval for the probability of a mode; the intervals of all modes hold at once with probability `confidence`.
+/// The exact interval for the probability of a mode; the intervals of all modes hold at once with probability
+/// `confidence`.
 [[nodiscard]] stats::Interval simultaneous_interval(const section::ResponseMode& mode, const stats::Proportion& counts,
                                                     double confidence);
 

@@ -14,8 +14,9 @@
 
 namespace rocking {
 
-/// A pair of realisations in progress: the runs that it needs and the parts of their results that are kept. A pure function
-/// of its arguments, whatever the order in which the runs end. Its runs point into it, so that it cannot be moved.
+/// A pair of realisations in progress: the runs that it needs and the parts of their results that are kept. A pure
+/// function of its arguments, whatever the order in which the runs end. Its runs point into it, so that it cannot be
+/// moved.
 class PairInProgress {
  public:
   /// `count`: number of realisations of the condition. The last pair of an odd number has one realisation only.

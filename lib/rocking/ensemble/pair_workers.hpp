@@ -16,9 +16,9 @@ struct PairFlow {
   std::function<void(const Pair&, const std::vector<Summary>&)> accept;
 };
 
-/// Runs pairs of an experiment whose conditions are valid (check_experiment) on `options.threads` threads until there are none
-/// left, a stop is requested, or something throws; an exception is rethrown after all threads have ended. The order in which
-/// pairs are accepted is not specified.
+/// Runs pairs of an experiment whose conditions are valid (check_experiment) on `options.threads` threads until there
+/// are none left, a stop is requested, or something throws; an exception is rethrown after all threads have ended. The
+/// order in which pairs are accepted is not specified.
 void run_pairs(const Experiment& experiment, const RunOptions& options, const PairFlow& flow);
 
 }  // namespace rocking

@@ -106,8 +106,8 @@ NonRecurrence Reduction::non_recurrence() const {
                        .arithmetic_tolerance = rerun_tolerance(condition_->tolerance),
                        .arithmetic_flips = flips_,
                        .arithmetic_flips_interval = stats::clopper_pearson(flips_, condition_->confidence)};
-  // The estimate uses all pairs; the interval uses disjoint pairs only, which are independent. If the estimate lies outside
-  // the interval, the interval is extended, which can only increase its coverage.
+  // The estimate uses all pairs; the interval uses disjoint pairs only, which are independent. If the estimate lies
+  // outside the interval, the interval is extended, which can only increase its coverage.
   result.differ_interval.low = std::min(result.differ_interval.low, result.differ);
   result.differ_interval.high = std::max(result.differ_interval.high, result.differ);
   return result;

@@ -12,8 +12,9 @@
 namespace rocking {
 namespace {
 
-/// Number of strobe periods after which rows are made durable if the caller does not decide (RunOptions::commit_is_due).
-/// The slowest scenes need a few seconds for it on two cores, so that writing takes a small share of the time.
+/// Number of strobe periods after which rows are made durable if the caller does not decide
+/// (RunOptions::commit_is_due). The slowest scenes need a few seconds for it on two cores, so that writing takes a
+/// small share of the time.
 constexpr std::uint64_t periods_between_commits = 1U << 17U;
 
 // After a failure the finished rows are kept if possible. The first failure is the one to report.

@@ -54,9 +54,9 @@ struct Completeness {
 /// their number: those up to the next look.
 [[nodiscard]] std::vector<RealisationKey> missing_realisations(const Experiment& experiment, const Store& store);
 
-/// The result of an experiment whose realisations are all in the store; absent if some are missing. It does not depend on
-/// where and when they were computed. Throws sqlite::UnusableFile if the store contains realisations that are not of the
-/// experiment, and base::Stopped if it is asked to stop.
+/// The result of an experiment whose realisations are all in the store; absent if some are missing. It does not depend
+/// on where and when they were computed. Throws sqlite::UnusableFile if the store contains realisations that are not of
+/// the experiment, and base::Stopped if it is asked to stop.
 [[nodiscard]] std::optional<ExperimentResult> result_of(const Experiment& experiment, const Store& store,
                                                         base::StopRequest stop = {});
 

@@ -29,8 +29,8 @@ struct Target {
 /// The target before any realisation is known.
 [[nodiscard]] Target first_target(const Condition& condition);
 
-/// The target after a look at the modes of the first `target.realisations`; `target` must not be final. Depends only on the
-/// condition and these modes, not on threads or interruptions.
+/// The target after a look at the modes of the first `target.realisations`; `target` must not be final. Depends only on
+/// the condition and these modes, not on threads or interruptions.
 [[nodiscard]] Target next_target(const Condition& condition, const Target& target, const ModeTally& modes);
 
 /// The stopping rule of a condition with `until`.

@@ -6,8 +6,8 @@
 
 #include "rocking/ensemble/work_list.hpp"
 
-/// Transfer of pairs and their results between processes of one program on machines of the same kind: the fields one after
-/// the other, numbers as in memory. Not a file format.
+/// Transfer of pairs and their results between processes of one program on machines of the same kind: the fields one
+/// after the other, numbers as in memory. Not a file format.
 namespace rocking {
 
 using Bytes = std::vector<std::byte>;

@@ -12,8 +12,8 @@
 
 namespace rocking {
 
-/// Work item: a realisation with an even number and the next one, of one condition. The two are compared while the strobe
-/// points of both are in memory.
+/// Work item: a realisation with an even number and the next one, of one condition. The two are compared while the
+/// strobe points of both are in memory.
 struct Pair {
   std::size_t condition = 0;
   std::uint64_t first = 0;

@@ -34,7 +34,8 @@ ValueAt value_at(const Json& document, const std::string& root, const std::vecto
     const std::string key = context[i].substr(1, context[i].size() - 2);
     if (place.value->is_object() && place.value->contains(key)) {
       place.value = &place.value->at(key);
-    } else if (place.value->is_array() && !key.empty() && std::ranges::all_of(key, [](char c) { return '0' <= c && c <= '9'; }) &&
+    } else if (place.value->is_array() && !key.empty() &&
+               std::ranges::all_of(key, [](char c) { return '0' <= c && c <= '9'; }) &&
                std::stoul(key) < place.value->size()) {
       place.value = &place.value->at(std::stoul(key));
     } else {
@@ -87,8 +88,7 @@ void check_document(const Json& document, std::string_view schema_name, const st
   valijson::Schema schema;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);
   valijson::ValidationResults results;
-  const bool valid =
-      valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(copy), &results);
+  const bool valid = valijson::Validator().validate(schema, valijson::adapters::NlohmannJsonAdapter(copy), &results);
   Problems found;
   if (!valid) {
     for (const auto& error : results) {

@@ -8,8 +8,8 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/check_document.hpp"
-#include "rocking/scene/rules.hpp"
 #include "rocking/input/sweep.hpp"
+#include "rocking/scene/rules.hpp"
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking {
@@ -19,8 +19,8 @@ constexpr std::size_t most_report_problems = 20;
 constexpr const char* experiment_place = "/input/experiment";
 
 /// What a report's experiment holds whether its author wrote it or not.
-constexpr const char* written_defaults[] = {"/title",           "/block/gravity_m_s2", "/excitation/kind", "/horizon",
-                                            "/accuracy/tolerance", "/confidence",      "/seed"};
+constexpr const char* written_defaults[] = {
+    "/title", "/block/gravity_m_s2", "/excitation/kind", "/horizon", "/accuracy/tolerance", "/confidence", "/seed"};
 
 class ReportChecker {
  public:
@@ -59,7 +59,8 @@ class ReportChecker {
     if (!problems_.empty()) return;
     for (const char* pointer : written_defaults) {
       if (experiment_.contains(Json::json_pointer(pointer))) continue;
-      reject(std::string(experiment_place) + pointer, "", "is missing: a report's experiment has its defaults written out");
+      reject(std::string(experiment_place) + pointer, "",
+             "is missing: a report's experiment has its defaults written out");
     }
     if (problems_.empty() && !experiment_["seed"].is_string()) {
       reject("/input/experiment/seed", brief(experiment_["seed"]), "must be text in a report");
@@ -85,8 +86,9 @@ class ReportChecker {
     }
     const Json& conditions = report_["result"]["conditions"];
     if (conditions.size() != grid_size(axes)) {
-      reject("/result/conditions", "", "are " + std::to_string(conditions.size()) + ", where the sweep has " +
-                                           std::to_string(grid_size(axes)) + " points");
+      reject("/result/conditions", "",
+             "are " + std::to_string(conditions.size()) + ", where the sweep has " + std::to_string(grid_size(axes)) +
+                 " points");
       return;
     }
     for (std::size_t i = 0; i < conditions.size() && problems_.size() < most_report_problems; ++i) {
@@ -130,8 +132,9 @@ class ReportChecker {
                         const std::vector<const Json*>& point, std::size_t condition) {
     const std::string place = "/result/conditions/" + std::to_string(condition) + "/parameters";
     if (parameters.size() != axes.size()) {
-      reject(place, brief(parameters), "holds " + std::to_string(parameters.size()) + " values, where the sweep has " +
-                                           std::to_string(axes.size()) + " entries");
+      reject(place, brief(parameters),
+             "holds " + std::to_string(parameters.size()) + " values, where the sweep has " +
+                 std::to_string(axes.size()) + " entries");
       return;
     }
     std::size_t i = 0;

@@ -16,6 +16,8 @@ std::string_view words_of(std::string_view name, std::variant<Kinds...>*) {
 
 }  // namespace
 
-std::string_view excitation_in_words(std::string_view kind) { return words_of(kind, static_cast<Excitation*>(nullptr)); }
+std::string_view excitation_in_words(std::string_view kind) {
+  return words_of(kind, static_cast<Excitation*>(nullptr));
+}
 
 }  // namespace rocking

@@ -50,7 +50,8 @@ std::optional<std::int64_t> whole_number(const Json& value) {
 std::optional<double> checked_number(const Json& value, const std::string& place, const NumberRule& rule,
                                      Problems& problems) {
   if (!value.is_number()) {
-    std::string remedy = value.is_string() ? "write it without quotes, as in " + std::string(rule.example) : rule.remedy();
+    std::string remedy =
+        value.is_string() ? "write it without quotes, as in " + std::string(rule.example) : rule.remedy();
     problems.push_back({place, brief(value), wrong_type("a number", value), std::move(remedy)});
     return std::nullopt;
   }

@@ -18,8 +18,8 @@ namespace rocking {
 enum class DefaultSpelling : std::uint8_t { all, as_written };
 
 /// Reads one JSON object, key by key. Each call checks a key, remembers that it is known, and writes the value, or its
-/// default, to the canonical object in the order of the calls. Problems are collected, never thrown; a call that met one
-/// returns a value that is safe to go on with.
+/// default, to the canonical object in the order of the calls. Problems are collected, never thrown; a call that met
+/// one returns a value that is safe to go on with.
 class ObjectReader {
  public:
   /// `source` may be of any type: one that is not an object is a problem.

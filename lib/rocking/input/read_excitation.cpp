@@ -62,7 +62,8 @@ Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const S
   refuse(keys, "phase_rad", "is for harmonic excitation; a ground motion has no phase",
          "shift the times of the ground motion");
   const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
-  GroundMotionReading how{.name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
+  GroundMotionReading how{
+      .name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
   if (!how.name.empty()) {
     const std::string digest = reading.files.digest(how.name);
     check_digest(keys, digest);
@@ -87,7 +88,8 @@ Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const S
 
 Pulse read_pulse(ObjectReader& keys) {
   for (const std::string_view key : {"file", "sha256", "time_step_s"}) {
-    refuse(keys, key, "is for a ground motion; a pulse is given by its shape", "write \"kind\": \"recorded\", or omit it");
+    refuse(keys, key, "is for a ground motion; a pulse is given by its shape",
+           "write \"kind\": \"recorded\", or omit it");
   }
   refuse(keys, "scale", "is for a ground motion; a pulse has an amplitude", "write \"amplitude\" instead");
   refuse(keys, "phase_rad", "is for harmonic excitation; a pulse begins with the run and has no phase",

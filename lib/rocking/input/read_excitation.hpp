@@ -7,7 +7,6 @@
 namespace rocking {
 
 /// The key `excitation`. Opens a file only for a recorded one.
-[[nodiscard]] Excitation read_excitation(ObjectReader& in, const dynamics::Block& block,
-                                                     const SceneReading& reading);
+[[nodiscard]] Excitation read_excitation(ObjectReader& in, const dynamics::Block& block, const SceneReading& reading);
 
 }  // namespace rocking

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t most_bytes = 64'000'000;
 constexpr std::size_t enough_problems = 10;  // of a file without its sweep: the sweep is then left aside
-constexpr std::size_t most_problems = 20;  // a bad sweep must not bury its first message
+constexpr std::size_t most_problems = 20;    // a bad sweep must not bury its first message
 
 // Replaces values of the file by those of the command line.
 void apply(const Overrides& overrides, Json& document) {
@@ -94,8 +94,8 @@ class ExperimentBuilder {
     if (!overrides.realisations) return;
     for (const SweepAxis& axis : axes_) {
       if (axis.pointer != "/realisations") continue;
-      problems.push_back({"--realisations", *overrides.realisations, "the sweep of the file sets the realisations",
-                          "omit the flag"});
+      problems.push_back(
+          {"--realisations", *overrides.realisations, "the sweep of the file sets the realisations", "omit the flag"});
     }
   }
 
@@ -192,8 +192,7 @@ class ExperimentBuilder {
 
 }  // namespace
 
-Experiment read_experiment(std::string_view text, const Overrides& overrides,
-                                       const Surroundings& surroundings) {
+Experiment read_experiment(std::string_view text, const Overrides& overrides, const Surroundings& surroundings) {
   Problems problems;
   Json document = parse_json(text, problems);
   return ExperimentBuilder(std::move(document), surroundings, std::move(problems)).build(overrides);

@@ -25,14 +25,14 @@ struct Surroundings {
   std::size_t most_conditions = rocking::most_conditions;
 };
 
-/// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every condition.
-/// Throws InputError with all problems found, and std::system_error where a file that it names cannot be read.
+/// Reads an experiment file (`rocking.experiment/1`, lib/docs/formats.md), works out its sweep and checks every
+/// condition. Throws InputError with all problems found, and std::system_error where a file that it names cannot be
+/// read.
 [[nodiscard]] Experiment read_experiment(std::string_view text, const Overrides& overrides = {},
-                                                     const Surroundings& surroundings = {});
+                                         const Surroundings& surroundings = {});
 
-/// The same from a file, from whose folder the files that it names are seen. Throws std::system_error with the path where
-/// it cannot be read.
-[[nodiscard]] Experiment read_experiment_file(const std::filesystem::path& path,
-                                                          const Overrides& overrides = {});
+/// The same from a file, from whose folder the files that it names are seen. Throws std::system_error with the path
+/// where it cannot be read.
+[[nodiscard]] Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides = {});
 
 }  // namespace rocking

@@ -68,7 +68,8 @@ class FluctuationReader {
       in_.object(key, [&](ObjectReader& keys) {
         const Scatter scatter = read_scatter(keys);
         Fluctuation& fluctuation = scene_.fluctuation;
-        if (key != "kinetic_friction") fluctuation.static_friction = sigma_about(mean.static_coefficient, scatter, keys);
+        if (key != "kinetic_friction")
+          fluctuation.static_friction = sigma_about(mean.static_coefficient, scatter, keys);
         if (key == "static_friction") return;
         fluctuation.kinetic_friction = sigma_about(mean.kinetic_coefficient, scatter, keys);
         fluctuation.refreshes_per_period = static_cast<int>(

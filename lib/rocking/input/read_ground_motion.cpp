@@ -70,7 +70,9 @@ class RecordReader {
   }
 
  private:
-  [[nodiscard]] bool goes_on() const { return bad_lines_ < most_bad_lines && motion_.samples.size() <= rules::most_samples; }
+  [[nodiscard]] bool goes_on() const {
+    return bad_lines_ < most_bad_lines && motion_.samples.size() <= rules::most_samples;
+  }
 
   // Column of the horizontal acceleration.
   [[nodiscard]] std::size_t first_value() const { return how_.time_step ? 0 : 1; }
@@ -192,7 +194,7 @@ class RecordReader {
 }  // namespace
 
 std::optional<GroundMotion> read_ground_motion(std::string_view text, const GroundMotionReading& how,
-                                                    Problems& problems) {
+                                               Problems& problems) {
   return RecordReader(how, problems).read(text);
 }
 

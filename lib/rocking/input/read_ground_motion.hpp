@@ -20,11 +20,11 @@ struct GroundMotionReading {
   double gravity;                   ///< [m/s^2], over which accelerations are kept
 };
 
-/// Reads a recorded base motion: lines of numbers, `#` before comments; with a time step `horizontal[, vertical]`, without
-/// one `time, horizontal[, vertical]`, in s and m/s^2 (lib/docs/formats.md). Two equal times are a jump.
+/// Reads a recorded base motion: lines of numbers, `#` before comments; with a time step `horizontal[, vertical]`,
+/// without one `time, horizontal[, vertical]`, in s and m/s^2 (lib/docs/formats.md). Two equal times are a jump.
 ///
 /// Absent where anything is wrong. Every bad line is a problem with file and line, up to twenty of them.
 [[nodiscard]] std::optional<GroundMotion> read_ground_motion(std::string_view text, const GroundMotionReading& how,
-                                                                  Problems& problems);
+                                                             Problems& problems);
 
 }  // namespace rocking

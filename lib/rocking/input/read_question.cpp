@@ -40,8 +40,8 @@ Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spell
                   "lower \"frequency_ratio\", so that strobe periods are longer, or give at most 1000000");
       return;
     }
-    horizon.sampled_periods =
-        static_cast<int>(keys.derived_integer("sampled_periods", rules::sampled_periods, standard.sampled_periods, spelling));
+    horizon.sampled_periods = static_cast<int>(
+        keys.derived_integer("sampled_periods", rules::sampled_periods, standard.sampled_periods, spelling));
   });
   return horizon;
 }
@@ -58,8 +58,8 @@ void read_until(ObjectReader& in, Condition& condition) {
 void read_realisations(ObjectReader& in, Condition& condition) {
   const Json* found = in.value("realisations");
   if (found != nullptr && found->is_object()) return read_until(in, condition);
-  condition.realisations = static_cast<std::uint64_t>(
-      in.integer("realisations", rules::realisations.with_default(condition.realisations)));
+  condition.realisations =
+      static_cast<std::uint64_t>(in.integer("realisations", rules::realisations.with_default(condition.realisations)));
 }
 
 void read_label_check(ObjectReader& in, Condition& condition) {
@@ -67,8 +67,8 @@ void read_label_check(ObjectReader& in, Condition& condition) {
   LabelCheck check;
   in.object("check_labels", [&check](ObjectReader& keys) {
     check.every = static_cast<std::uint64_t>(keys.integer("every", rules::check_every.with_default(check.every)));
-    check.times_longer = static_cast<std::uint64_t>(
-        keys.integer("times_longer", rules::times_longer.with_default(check.times_longer)));
+    check.times_longer =
+        static_cast<std::uint64_t>(keys.integer("times_longer", rules::times_longer.with_default(check.times_longer)));
   });
   condition.label_check = check;
   for (const auto relation : {relations::label_check_of_open_number, relations::label_check_too_long}) {

@@ -7,7 +7,7 @@ namespace rocking {
 
 /// What is needed to read a scene beside its text.
 struct SceneReading {
-  DefaultSpelling options;    ///< of the formulation
+  DefaultSpelling options;      ///< of the formulation
   DefaultSpelling of_recorded;  ///< strobe under a record
   GroundMotionFiles& files;
 };

@@ -24,9 +24,8 @@ inline constexpr std::size_t most_conditions = 1'000'000;
 [[nodiscard]] bool is_within(std::string_view inner, std::string_view outer);
 
 /// The entries of `sweep`. `base` is the experiment in canonical form: a pointer must lead to something in it.
-/// Points are from + i step, i = 0, 1, ..., never a running sum, rounded to 12 significant decimal digits; the two ends are
-/// as they were written.
-/// `most`: conditions, all entries together.
+/// Points are from + i step, i = 0, 1, ..., never a running sum, rounded to 12 significant decimal digits; the two ends
+/// are as they were written. `most`: conditions, all entries together.
 [[nodiscard]] std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size_t most,
                                                 Problems& problems);
 

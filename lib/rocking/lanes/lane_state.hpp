@@ -53,8 +53,8 @@ struct alignas(64) LaneState {
   LaneRow least_rebound;     ///< tilt rate after an impact above which it is computed here
   LaneRow slip_sign;         ///< S s
 
-  // The base motion's numbers until its next breakpoint. If it has knots, the steps pass on from one piece to the next; if not,
-  // the motion loads the next piece.
+  // The base motion's numbers until its next breakpoint. If it has knots, the steps pass on from one piece to the next;
+  // if not, the motion loads the next piece.
   std::array<LaneRow, dynamics::most_piece_numbers> piece;
   std::array<const dynamics::Knot*, most_lanes> knot;  ///< at which the piece begins, if the base motion has knots
   LaneRow other_break_period;                          ///< of the next breakpoint that is not the base motion's

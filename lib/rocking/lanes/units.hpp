@@ -4,7 +4,8 @@
 
 #include "rocking/lanes/kernels.hpp"
 
-/// Kernels of one instruction set each: X_kernels is defined in kernels_X.cpp, empty if the compiler does not support X.
+/// Kernels of one instruction set each: X_kernels is defined in kernels_X.cpp, empty if the compiler does not support
+/// X.
 namespace rocking::lanes {
 
 [[nodiscard]] std::span<const Kernels> one_lane_kernels();

@@ -45,7 +45,8 @@ std::string nearness_line(const std::string& name, const stats::ShapeTest& shape
          per_cent(shape.observed) + '\n';
 }
 
-// The table of lib/docs/methods.md, section 4: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means 0.0011.
+// The table of lib/docs/methods.md, section 4: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means
+// 0.0011.
 std::string jarque_bera_line(const stats::NormalCheck& check) {
   if (check.n >= 10'000) return "";
   return "The Jarque-Bera p-value is valid for large samples only: below 10000 numbers use D'Agostino-Pearson\n";

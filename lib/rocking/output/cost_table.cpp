@@ -77,8 +77,7 @@ std::string changes(const Cost& cost, const Departure& departure) {
   std::string text = std::to_string(departure.flips.successes) + " of " + std::to_string(departure.flips.trials) +
                      " response modes change";
   if (departure.beside_tolerance_sensitivity) {
-    text +=
-        " (" + std::to_string(floor.flips.successes) + " at " + tolerance_name(cost.floor()) + ')';
+    text += " (" + std::to_string(floor.flips.successes) + " at " + tolerance_name(cost.floor()) + ')';
   }
   return text;
 }

@@ -133,7 +133,8 @@ std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentR
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     const ConditionResult& condition = result.conditions[i];
-    TableRow row{.parameters = experiment.conditions[i].parameters, .realisations = condition.realisations, .modes = {}};
+    TableRow row{
+        .parameters = experiment.conditions[i].parameters, .realisations = condition.realisations, .modes = {}};
     for (const auto& [mode, probability] : condition.modes) {
       row.modes.push_back({.mode = mode,
                            .count = probability.counts.successes,

@@ -38,10 +38,10 @@ struct TableRow {
 [[nodiscard]] std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result);
 
 /// The response modes of every condition as text for a terminal: a row for each condition, a column for each swept
-/// parameter and each mode that occurs, with the estimate and its interval in per cent. Modes for which there is no room
-/// are added up in a last column, so that each row accounts for every realisation. A bar of the modes' shares follows if
-/// bars are wanted, several modes occur, and there is room for it and for three modes (or all); its marks stand before
-/// the headings. Empty without rows.
+/// parameter and each mode that occurs, with the estimate and its interval in per cent. Modes for which there is no
+/// room are added up in a last column, so that each row accounts for every realisation. A bar of the modes' shares
+/// follows if bars are wanted, several modes occur, and there is room for it and for three modes (or all); its marks
+/// stand before the headings. Empty without rows.
 [[nodiscard]] std::string mode_table(std::span<const TableRow> conditions, const TableLook& look = {});
 
 /// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.

@@ -9,7 +9,6 @@
 namespace rocking {
 namespace {
 
-
 Json number(double value) {
   ROCKING_EXPECT(std::isfinite(value));
   return value;

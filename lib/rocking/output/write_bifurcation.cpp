@@ -10,7 +10,6 @@
 namespace rocking {
 namespace {
 
-
 const std::vector<Parameter>& parameters_of(const DrawnDiagrams& drawn, std::size_t condition) {
   return drawn.experiment->conditions[condition].parameters;
 }

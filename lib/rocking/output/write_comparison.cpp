@@ -55,8 +55,7 @@ std::string comparison_text(const ComparedRuns& runs) {
     entry["parameters"] = parameters_json(runs.first->conditions[i]);
     entry["confidence"] = compared.confidence;
     entry["realisations"] = compared.realisations;
-    entry["changed"] = {{"count", compared.changed.successes},
-                        {"interval", interval_json(compared.changed_interval)}};
+    entry["changed"] = {{"count", compared.changed.successes}, {"interval", interval_json(compared.changed_interval)}};
     Json& modes = entry["modes"] = Json::object();
     for (const auto& [mode, comparison] : compared.modes) modes[to_string(mode)] = mode_json(comparison);
     conditions.push_back(std::move(entry));

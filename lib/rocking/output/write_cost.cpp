@@ -8,7 +8,6 @@
 namespace rocking {
 namespace {
 
-
 template <class Number>
 Json or_null(const std::optional<Number>& number) {
   return number ? Json(*number) : Json();

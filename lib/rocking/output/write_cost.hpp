@@ -18,7 +18,8 @@ struct MeasuredCost {
   SystemFacts system;
 };
 
-/// `rocking.cost/1` (lib/docs/formats.md). All but `system` has the same bytes for equal experiment, tolerances and sample.
+/// `rocking.cost/1` (lib/docs/formats.md). All but `system` has the same bytes for equal experiment, tolerances and
+/// sample.
 [[nodiscard]] std::string cost_text(const MeasuredCost& measured);
 
 }  // namespace rocking

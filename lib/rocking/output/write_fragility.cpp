@@ -106,8 +106,7 @@ std::string heading_of(const RunFragility& run, const FragilityCurve& curve) {
 }
 
 std::string table_of(const FragilityCurve& curve) {
-  std::vector<TextRow> rows{
-      {last_key(curve.parameter), "n", "overturned", "exact", "fitted", "band"}};
+  std::vector<TextRow> rows{{last_key(curve.parameter), "n", "overturned", "exact", "fitted", "band"}};
   for (const FragilityLevel& level : curve.levels) {
     TextRow row{significant(level.intensity, 6),
                 std::to_string(level.overturned.trials),

@@ -9,8 +9,7 @@
 namespace rocking {
 namespace {
 
-void write_result(JsonWriter& out, const Experiment& experiment,
-                  const ExperimentResult& result) {
+void write_result(JsonWriter& out, const Experiment& experiment, const ExperimentResult& result) {
   out.begin_object("result");
   out.member("digest", base::to_hex(result.digest));
   out.member("noise_floor", tolerance_sensitivity_json(result.tolerance_sensitivity));
@@ -41,8 +40,8 @@ void write_internal(JsonWriter& out, const ExperimentResult& result) {
 
 }  // namespace
 
-void write_report(const TextSink& sink, const Experiment& experiment,
-                  const ExperimentResult& result, const SystemFacts& system) {
+void write_report(const TextSink& sink, const Experiment& experiment, const ExperimentResult& result,
+                  const SystemFacts& system) {
   ROCKING_EXPECT(experiment.conditions.size() == result.conditions.size());
   JsonWriter out(sink);
   out.begin_object();
@@ -55,8 +54,7 @@ void write_report(const TextSink& sink, const Experiment& experiment,
   sink("\n");
 }
 
-Json report_frame(const Experiment& experiment, const ExperimentResult& result,
-                  const SystemFacts& system) {
+Json report_frame(const Experiment& experiment, const ExperimentResult& result, const SystemFacts& system) {
   Json frame = Json::object();
   frame["format"] = report_format;
   frame["input"] = input_json(experiment);
@@ -66,8 +64,7 @@ Json report_frame(const Experiment& experiment, const ExperimentResult& result,
   return frame;
 }
 
-std::string report_text(const Experiment& experiment, const ExperimentResult& result,
-                        const SystemFacts& system) {
+std::string report_text(const Experiment& experiment, const ExperimentResult& result, const SystemFacts& system) {
   std::string text;
   write_report([&text](std::string_view piece) { text += piece; }, experiment, result, system);
   return text;

@@ -20,17 +20,17 @@ struct SystemFacts {
   unsigned threads = 1;
 };
 
-/// Writes the report of a run as JSON text, piece by piece. All but `system` has the same bytes for equal input. Its memory does
-/// not grow with the number of conditions.
-void write_report(const TextSink& sink, const Experiment& experiment,
-                  const ExperimentResult& result, const SystemFacts& system);
+/// Writes the report of a run as JSON text, piece by piece. All but `system` has the same bytes for equal input. Its
+/// memory does not grow with the number of conditions.
+void write_report(const TextSink& sink, const Experiment& experiment, const ExperimentResult& result,
+                  const SystemFacts& system);
 
 /// The same without `result.conditions` and `internal`, which grow with the number of conditions.
 [[nodiscard]] Json report_frame(const Experiment& experiment, const ExperimentResult& result,
                                 const SystemFacts& system);
 
 /// The text as a whole.
-[[nodiscard]] std::string report_text(const Experiment& experiment,
-                                      const ExperimentResult& result, const SystemFacts& system);
+[[nodiscard]] std::string report_text(const Experiment& experiment, const ExperimentResult& result,
+                                      const SystemFacts& system);
 
 }  // namespace rocking

@@ -6,9 +6,9 @@
 #include "rocking/base/elementary.hpp"
 #include "rocking/random/uniform.hpp"
 
-/// The two steps of the Box-Muller transformation. They are shared by the code for one block and the code for many blocks,
-/// so that both give the same bits. Inlined into a loop they contain no branch, no call and no conversion that a vector
-/// unit lacks. `Bits` holds one half of a block, or one half of each of several blocks.
+/// The two steps of the Box-Muller transformation. They are shared by the code for one block and the code for many
+/// blocks, so that both give the same bits. Inlined into a loop they contain no branch, no call and no conversion that
+/// a vector unit lacks. `Bits` holds one half of a block, or one half of each of several blocks.
 namespace rocking::random {
 
 /// sqrt(-2 ln u_1), with u_1 computed from `bits`.

@@ -30,10 +30,10 @@ inline constexpr std::uint64_t realisation_limit = std::uint64_t{1} << 56U;
 
 /// Every random number of one realisation.
 ///
-/// A draw is a pure function of (seed, realisation, source, index). It does not depend on other draws, on their order or on
-/// threads. Only the seed and the realisation number are stored, so that copies are equivalent. Layout: lib/docs/draws.md,
-/// `rocking.draws/1`. Use a source for one kind of draw only: a uniform and a normal draw with the same index share their
-/// bits.
+/// A draw is a pure function of (seed, realisation, source, index). It does not depend on other draws, on their order
+/// or on threads. Only the seed and the realisation number are stored, so that copies are equivalent. Layout:
+/// lib/docs/draws.md, `rocking.draws/1`. Use a source for one kind of draw only: a uniform and a normal draw with the
+/// same index share their bits.
 class Draws {
  public:
   constexpr Draws(std::uint64_t seed, std::uint64_t realisation) : seed_(seed), realisation_(realisation) {

@@ -7,8 +7,8 @@
 
 namespace rocking::random {
 
-/// The bits of one source in the order of their indices, as a uniform random bit generator. It serves algorithms, such as
-/// those of Boost.Random, that do not know in advance how many draws they need.
+/// The bits of one source in the order of their indices, as a uniform random bit generator. It serves algorithms, such
+/// as those of Boost.Random, that do not know in advance how many draws they need.
 class PhiloxEngine {
  public:
   using result_type = std::uint64_t;

@@ -28,8 +28,8 @@ struct NormalKernels {
   /// modulo 2^64. The blocks are the same as those computed one by one.
   void (*make_blocks)(const Words& first, std::uint64_t key, BlockBatch& batch);
 
-  /// Writes the pairs of all blocks in order to `normals`, whose size is twice the number of blocks. The bits are the same
-  /// as those of single blocks.
+  /// Writes the pairs of all blocks in order to `normals`, whose size is twice the number of blocks. The bits are the
+  /// same as those of single blocks.
   void (*make_normals)(const BlockBatch& batch, std::span<double> normals);
 };
 

@@ -1,7 +1,7 @@
 #include "rocking/random/normal_kernels.hpp"
 
-// All code here is in an unnamed namespace or inlined. Otherwise the linker could use a function compiled here, for a newer
-// processor, in code that runs on an older one.
+// All code here is in an unnamed namespace or inlined. Otherwise the linker could use a function compiled here, for a
+// newer processor, in code that runs on an older one.
 #if defined(__AVX512F__) && defined(__AVX512DQ__)
 
 #include <immintrin.h>

@@ -22,8 +22,8 @@ struct WordLanes {
 
 /// One round, with the multipliers of Salmon et al. (2011), section 3.3.
 ///
-/// Written with an intrinsic because g++ does not generate it: the instruction that multiplies four 32-bit words to 64-bit
-/// products ignores the upper halves of its operands. Nothing has to be masked between rounds.
+/// Written with an intrinsic because g++ does not generate it: the instruction that multiplies four 32-bit words to
+/// 64-bit products ignores the upper halves of its operands. Nothing has to be masked between rounds.
 void advance(WordLanes& block, __m256i key_0, __m256i key_1) {
   auto& [word_0, word_1, word_2, word_3] = block.word;
   const __m256i product_0 = _mm256_mul_epu32(word_0, in_all_lanes(0xD2511F53U));
@@ -34,7 +34,8 @@ void advance(WordLanes& block, __m256i key_0, __m256i key_1) {
   word_3 = product_0;
 }
 
-/// Ten rounds on eight blocks, as two independent groups of four, so that the latencies of their multiplications overlap.
+/// Ten rounds on eight blocks, as two independent groups of four, so that the latencies of their multiplications
+/// overlap.
 void ten_rounds(WordLanes& left, WordLanes& right, std::uint64_t key) {
   __m256i key_0 = in_all_lanes(key & 0xffffffffU);
   __m256i key_1 = in_all_lanes(key >> 32U);

@@ -24,7 +24,8 @@ enum class SamplerKind : std::uint8_t {
 
 /// `n` numbers from N(0, 1), from the first draws of `source`.
 ///
-/// The first numbers do not depend on `n`. Cost: 2 to 4 ns per number; 20 ns with `ziggurat`, 100 ns with `inverse_cdf`.
+/// The first numbers do not depend on `n`. Cost: 2 to 4 ns per number; 20 ns with `ziggurat`, 100 ns with
+/// `inverse_cdf`.
 [[nodiscard]] std::vector<double> standard_sample(SamplerKind kind, const Draws& draws, Source source, std::size_t n);
 
 /// `n` numbers from N(mean, sigma^2), sigma >= 0, from the source `check_normal` of realisation 0.

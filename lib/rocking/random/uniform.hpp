@@ -4,8 +4,8 @@
 
 #include "rocking/base/natural_logarithm.hpp"
 
-/// Conversions of 64 random bits to a number between 0 and 1. The three differ in whether 0 and 1 can occur. Every result
-/// is exact in double precision, so that no rounding produces an excluded end.
+/// Conversions of 64 random bits to a number between 0 and 1. The three differ in whether 0 and 1 can occur. Every
+/// result is exact in double precision, so that no rounding produces an excluded end.
 namespace rocking::random {
 
 /// k 2^-53, k = 0 ... 2^53 - 1, from the upper 53 bits: can be 0, cannot be 1.

@@ -13,8 +13,8 @@
 
 namespace rocking {
 
-/// Kinetic energy relative to the base plus the potential energy of the weight, over m R^2 p^2. By Koenig's theorem with
-/// the inertia 1/3 about the centre of mass: (2/3) w^2 + V^2/2 - V w cos(phi) + (4/3) cos(phi).
+/// Kinetic energy relative to the base plus the potential energy of the weight, over m R^2 p^2. By Koenig's theorem
+/// with the inertia 1/3 about the centre of mass: (2/3) w^2 + V^2/2 - V w cos(phi) + (4/3) cos(phi).
 [[nodiscard]] inline double energy_of(const dynamics::State& state, const dynamics::Geometry& block) {
   const double cosine = edge_angle(state, block).cosine;
   const double w = state.tilt_rate;
@@ -79,8 +79,8 @@ class AccountedMotion : public Motion {
     double normal = 4.0 / 3.0 * base.weight;
     if (state.contact == dynamics::ContactState::rock_slide) {
       const auto [sine, cosine] = edge_angle(state, block_);
-      const auto rates = slipping_rates(
-          state, base, {.inertia = inertia_, .kinetic_friction = this->kinetic_friction()}, block_);
+      const auto rates =
+          slipping_rates(state, base, {.inertia = inertia_, .kinetic_friction = this->kinetic_friction()}, block_);
       normal += state.side * rates.tilt_acceleration * sine - state.tilt_rate * state.tilt_rate * cosine;
     }
     return -state.slip_direction * this->kinetic_friction() * normal * state.slip_rate;

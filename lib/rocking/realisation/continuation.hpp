@@ -9,15 +9,15 @@
 
 namespace rocking {
 
-/// Runs of conditions with harmonic excitation. Each starts from the final state of the one before; all use common random
-/// numbers.
+/// Runs of conditions with harmonic excitation. Each starts from the final state of the one before; all use common
+/// random numbers.
 class Continuation {
  public:
   /// When asked to stop, run() throws base::Stopped.
   explicit Continuation(const random::Draws& draws, base::StopRequest stop = {}) : draws_(draws), stop_(stop) {}
 
-  /// Whether the next run continues the one before it. The first run, and one after a run that ended before its horizon,
-  /// start from the initial state of their condition.
+  /// Whether the next run continues the one before it. The first run, and one after a run that ended before its
+  /// horizon, start from the initial state of their condition.
   [[nodiscard]] bool can_go_on() const { return motion_.has_value(); }
 
   /// Runs a condition over its horizon. Either all conditions have friction or none has. Throws base::InputError if

@@ -2,8 +2,8 @@
 
 namespace rocking {
 
-/// Energy balance of a realisation, over m R^2 p^2, in the frame of the base. The work of the base is that of the inertia
-/// force - (4/3) alpha on the centre of mass (and of - (4/3) alpha_v).
+/// Energy balance of a realisation, over m R^2 p^2, in the frame of the base. The work of the base is that of the
+/// inertia force - (4/3) alpha on the centre of mass (and of - (4/3) alpha_v).
 struct EnergyAccount {
   double at_start = 0.0;  ///< kinetic energy plus (4/3) cos(phi) of the weight
   double at_end = 0.0;

@@ -17,17 +17,16 @@ struct ExponentRun {
 };
 
 /// Largest Lyapunov exponent per excitation period, from a reference trajectory and a perturbed one with common random
-/// numbers. The perturbation is 1e-7; it is reset to that distance at every strobe point. The perturbed trajectory passes
-/// through its own events, so that its distance includes the saltation at them. The standard error is that of the mean of
-/// eight successive batches.
-/// Source: Benettin, Galgani, Giorgilli & Strelcyn (1980), Meccanica 15, 9-20.
+/// numbers. The perturbation is 1e-7; it is reset to that distance at every strobe point. The perturbed trajectory
+/// passes through its own events, so that its distance includes the saltation at them. The standard error is that of
+/// the mean of eight successive batches. Source: Benettin, Galgani, Giorgilli & Strelcyn (1980), Meccanica 15, 9-20.
 ///
-/// The caller advances the two trajectories from one strobe point to the next. They report to this object, which therefore
-/// cannot be moved.
+/// The caller advances the two trajectories from one strobe point to the next. They report to this object, which
+/// therefore cannot be moved.
 class PerturbedPair {
  public:
-  /// `from`: a realisation at the end of its transient. It is continued for `periods` periods, and for up to eight times as
-  /// many while the exponent does not differ clearly from zero.
+  /// `from`: a realisation at the end of its transient. It is continued for `periods` periods, and for up to eight
+  /// times as many while the exponent does not differ clearly from zero.
   PerturbedPair(const Motion& from, double shape_angle, std::int64_t periods);
   PerturbedPair(const PerturbedPair&) = delete;
   PerturbedPair& operator=(const PerturbedPair&) = delete;

@@ -51,15 +51,15 @@ inline void collect(RealisationResult& result, const Motion& motion, const Strob
           .margin = section::largest_margin};
 }
 
-/// Number of strobe points for which a motion must be scheduled before a HorizonRun: at least one precedes the copy for the
-/// perturbed trajectory.
+/// Number of strobe points for which a motion must be scheduled before a HorizonRun: at least one precedes the copy for
+/// the perturbed trajectory.
 [[nodiscard]] inline std::int64_t strobes_before_copy(const Condition& condition) {
   return std::max<std::int64_t>(condition.horizon.transient_periods, 1);
 }
 
-/// One realisation on its way to the horizon, and its classification at the end. The motion has a pointer to the recorder,
-/// so that the object cannot be moved. A copy of the motion at the end of the transient is kept for the reference and the
-/// perturbed trajectory.
+/// One realisation on its way to the horizon, and its classification at the end. The motion has a pointer to the
+/// recorder, so that the object cannot be moved. A copy of the motion at the end of the transient is kept for the
+/// reference and the perturbed trajectory.
 class HorizonRun {
  public:
   /// make_motion(observer) returns the motion of the realisation that begins so, scheduled for strobes_before_copy.
@@ -67,8 +67,7 @@ class HorizonRun {
   HorizonRun(const Condition& condition, const Beginning& beginning, MakeMotion&& make_motion)
       : condition_(&condition),
         shape_angle_(beginning.setting.block.shape_angle),
-        recorder_(shape_angle_,
-                  condition.horizon.transient_periods + condition.horizon.sampled_periods),
+        recorder_(shape_angle_, condition.horizon.transient_periods + condition.horizon.sampled_periods),
         motion_(make_motion(recorder_)) {
     result_.operations.initial_draws = beginning.draws;
     result_.clamps = beginning.clamps;
@@ -89,8 +88,8 @@ class HorizonRun {
     return !motion_.ended();
   }
 
-  /// To be called when go_on() has returned false. Classifies the response, unless that needs the exponent. In that case
-  /// returns the pair of trajectories, which the caller runs to its end.
+  /// To be called when go_on() has returned false. Classifies the response, unless that needs the exponent. In that
+  /// case returns the pair of trajectories, which the caller runs to its end.
   [[nodiscard]] PerturbedPair* name();
 
   /// The result, to be called when everything has been run.

@@ -8,8 +8,8 @@
 
 namespace rocking {
 
-/// What was computed for a realisation, a condition or a run, by effect. If a scene does not use an effect, its counters
-/// are 0.
+/// What was computed for a realisation, a condition or a run, by effect. If a scene does not use an effect, its
+/// counters are 0.
 struct OperationCounts {
   std::uint64_t steps = 0;            ///< Taylor steps
   std::uint64_t slip_steps = 0;       ///< of these, steps of the equations with slip (slide, rock_slide)

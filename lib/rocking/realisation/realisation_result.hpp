@@ -26,13 +26,13 @@ struct RealisationResult {
   Clamps clamps;
 };
 
-/// Runs one realisation. A pure function of its first three arguments. Throws base::InputError if check_condition does, and
-/// base::Stopped if it is asked to stop.
+/// Runs one realisation. A pure function of its first three arguments. Throws base::InputError if check_condition does,
+/// and base::Stopped if it is asked to stop.
 [[nodiscard]] RealisationResult realise(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
                                         base::StopRequest stop = {});
 
 /// The same of a condition that was checked, or that breaks a rule on purpose; its numbers are finite.
-[[nodiscard]] RealisationResult realise_unchecked(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
-                                                  base::StopRequest stop = {});
+[[nodiscard]] RealisationResult realise_unchecked(const Condition& condition, std::uint64_t seed,
+                                                  std::uint64_t realisation, base::StopRequest stop = {});
 
 }  // namespace rocking

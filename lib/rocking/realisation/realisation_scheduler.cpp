@@ -58,9 +58,10 @@ class RealisationScheduler::Implementation {
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning =
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
-    runs_.push_back(std::make_unique<RealisationInProgress>(condition, beginning, id, [&](dynamics::Observer& observer) {
-      return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
-    }));
+    runs_.push_back(
+        std::make_unique<RealisationInProgress>(condition, beginning, id, [&](dynamics::Observer& observer) {
+          return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
+        }));
     scheduler_.add(runs_.back()->itself);
   }
 

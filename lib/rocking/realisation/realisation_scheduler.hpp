@@ -17,8 +17,8 @@ struct RequestedRun {
   std::uint64_t realisation;
 };
 
-/// Runs several realisations at once on one thread. The result of each has the bits that realise() returns, whatever the
-/// other realisations and the number of lanes.
+/// Runs several realisations at once on one thread. The result of each has the bits that realise() returns, whatever
+/// the other realisations and the number of lanes.
 class RealisationScheduler {
  public:
   /// When asked to stop, start() and work() throw base::Stopped, unless they return within a moment.

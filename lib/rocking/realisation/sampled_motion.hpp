@@ -15,13 +15,14 @@ struct HistoryPoint {
   dynamics::State state;
 };
 
-/// A hybrid system with the same bits as `Motion` that also samples the motion at a number of evenly spaced instants per
-/// period, from the polynomials of the steps. At an instant with events the state is the one after them, as at a strobe.
-/// The motion must have a strobe a whole number of periods after tau = 0.
+/// A hybrid system with the same bits as `Motion` that also samples the motion at a number of evenly spaced instants
+/// per period, from the polynomials of the steps. At an instant with events the state is the one after them, as at a
+/// strobe. The motion must have a strobe a whole number of periods after tau = 0.
 template <class Motion>
 class SampledMotion {
  public:
-  /// `samples` >= 1 per period of length `period` in tau. Points are appended to `history`. Both must outlive this object.
+  /// `samples` >= 1 per period of length `period` in tau. Points are appended to `history`. Both must outlive this
+  /// object.
   SampledMotion(Motion& motion, int samples, double period, std::vector<HistoryPoint>& history)
       : motion_(&motion), samples_(samples), period_(period), history_(&history) {}
 

@@ -194,8 +194,8 @@ Instant SceneCoefficients::boundary(const Clock& clock, std::int64_t interval) c
   return dynamics::grid_boundary(clock, interval / per_period, interval % per_period, per_period);
 }
 
-/// The interval that contains the present instant. A boundary within the clock's resolution counts as reached. Usually this
-/// is the interval of the last call or the next one.
+/// The interval that contains the present instant. A boundary within the clock's resolution counts as reached. Usually
+/// this is the interval of the last call or the next one.
 std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
   const auto is_reached = [&](const Instant& instant) { return clock.until(instant) <= clock.resolution(); };
   if (interval_ >= 0 && is_reached(begin_)) {

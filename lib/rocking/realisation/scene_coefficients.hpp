@@ -13,14 +13,14 @@
 
 namespace rocking {
 
-/// Friction, restitution and amplitude of one realisation: means from the scene, deviations from its random numbers. If the
-/// sigma of a source is 0, nothing is drawn. Models dynamics::CoefficientSource; the rules are in lib/docs/model.md,
-/// section 5.
+/// Friction, restitution and amplitude of one realisation: means from the scene, deviations from its random numbers. If
+/// the sigma of a source is 0, nothing is drawn. Models dynamics::CoefficientSource; the rules are in
+/// lib/docs/model.md, section 5.
 ///
-/// Kinetic friction depends on time only (one draw for each interval of a grid); it is limited to the static friction in
-/// force. The draws of static friction and restitution are counted from the end of the last chatter. The number of draws
-/// within a chatter depends on the tolerance; later draws do not depend on it. If a chatter contained stops, the static
-/// friction after it is the first draw of the new count.
+/// Kinetic friction depends on time only (one draw for each interval of a grid); it is limited to the static friction
+/// in force. The draws of static friction and restitution are counted from the end of the last chatter. The number of
+/// draws within a chatter depends on the tolerance; later draws do not depend on it. If a chatter contained stops, the
+/// static friction after it is the first draw of the new count.
 class SceneCoefficients {
  public:
   SceneCoefficients(const Scene& scene, const random::Draws& draws, double restitution_mean);
@@ -88,8 +88,8 @@ class SceneCoefficients {
   std::int64_t drawn_from_ = none_drawn;           ///< interval of the first of `drawn_`
   std::array<double, intervals_at_once> drawn_{};  ///< kinetic friction before it is limited to 0 ... static friction
   double kinetic_friction_ = 0.0;
-  bool held_at_static_ =
-      false;  ///< the clamp of this interval (for a constant mean: of this static draw) has been counted
+  /// The clamp of this interval (for a constant mean: of this static draw) has been counted.
+  bool held_at_static_ = false;
   std::int64_t amplitude_period_ = -1;
   double amplitude_ = 0.0;
 

@@ -49,8 +49,8 @@ double wrapped(double angle) {
   return rest < two_pi && rest >= 0.0 ? rest : 0.0;
 }
 
-/// Omega_h in units of p of the realisation's own block. A ground motion does not change with the block, and neither do its
-/// strobe instants in seconds: their ratio is in units of p of the mean block.
+/// Omega_h in units of p of the realisation's own block. A ground motion does not change with the block, and neither do
+/// its strobe instants in seconds: their ratio is in units of p of the mean block.
 double own_frequency_ratio(const Scene& scene, const dynamics::Geometry& own) {
   const double ratio = frequency_ratio(scene.excitation);
   if (!std::holds_alternative<Recorded>(scene.excitation)) return ratio;

@@ -35,8 +35,8 @@ struct Start {
 
 [[nodiscard]] Start start_of(const Scene& scene, const random::Draws& draws);
 
-/// Instants of the strobe points. `poincare`: the argument of the excitation is a multiple of 2 pi. `start`: a whole number
-/// of periods after tau = 0.
+/// Instants of the strobe points. `poincare`: the argument of the excitation is a multiple of 2 pi. `start`: a whole
+/// number of periods after tau = 0.
 enum class Strobe : std::uint8_t { poincare, start };
 
 /// A realisation at tau = 0, without its base motion.

@@ -13,9 +13,9 @@ namespace rocking {
 /// Observer of a realisation that keeps what determines its response mode: a strobe point and the number of impacts for
 /// each excitation period.
 ///
-/// Impacts after which the block turns about the same edge are not counted. A chatter counts once. It is the sequence of
-/// impacts that leads to full contact, in which each impact is weaker than the one before on the same edge (the edges may
-/// alternate, one being weaker than the other).
+/// Impacts after which the block turns about the same edge are not counted. A chatter counts once. It is the sequence
+/// of impacts that leads to full contact, in which each impact is weaker than the one before on the same edge (the
+/// edges may alternate, one being weaker than the other).
 class StrobeRecorder final : public dynamics::Observer {
  public:
   StrobeRecorder(double shape_angle, std::int64_t periods);

@@ -72,7 +72,7 @@ struct TrajectoryExtent {
                                        const TrajectoryExtent& extent);
 
 /// The same of a condition that was checked, or that breaks a rule on purpose; its numbers are finite.
-[[nodiscard]] Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
-                                                 const TrajectoryExtent& extent);
+[[nodiscard]] Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t seed,
+                                                 std::uint64_t realisation, const TrajectoryExtent& extent);
 
 }  // namespace rocking

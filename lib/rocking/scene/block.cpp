@@ -22,8 +22,9 @@ dynamics::Block mean_of(const SceneBlock& block) {
 ShapeRange shapes_of(const SceneBlock& block) {
   const Reach width = reach_of_length(block.width);
   const Reach height = reach_of_length(block.height);
-  return {.most_slender = dynamics::geometry_of({.width = width.least, .height = height.largest, .gravity = block.gravity}),
-          .squattest = dynamics::geometry_of({.width = width.largest, .height = height.least, .gravity = block.gravity})};
+  return {
+      .most_slender = dynamics::geometry_of({.width = width.least, .height = height.largest, .gravity = block.gravity}),
+      .squattest = dynamics::geometry_of({.width = width.largest, .height = height.least, .gravity = block.gravity})};
 }
 
 }  // namespace rocking

@@ -9,8 +9,8 @@ namespace rocking {
 inline constexpr double least_length = 1e-6;
 inline constexpr double largest_length = 1e6;
 
-/// Asked for: a rigid rectangular block of uniform density. Each realisation draws its own width and height where they have
-/// laws, and truncates them to the bounds.
+/// Asked for: a rigid rectangular block of uniform density. Each realisation draws its own width and height where they
+/// have laws, and truncates them to the bounds.
 struct SceneBlock {
   Quantity width = 1.0;   ///< B [m]
   Quantity height = 4.0;  ///< H [m]

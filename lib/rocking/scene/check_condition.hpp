@@ -5,12 +5,12 @@
 namespace rocking {
 
 /// Throws base::InputError with everything that is wrong with a condition: each number that its rule does not allow
-/// (scene/rules.hpp), and each relation between values that does not hold (scene/relations.hpp). Places are JSON pointers
-/// into an experiment file; reasons and remedies are those that a file gets. A fluctuation of friction is reported at
-/// `/fluctuation/static_friction` or `/fluctuation/kinetic_friction`.
+/// (scene/rules.hpp), and each relation between values that does not hold (scene/relations.hpp). Places are JSON
+/// pointers into an experiment file; reasons and remedies are those that a file gets. A fluctuation of friction is
+/// reported at `/fluctuation/static_friction` or `/fluctuation/kinetic_friction`.
 ///
-/// Everything that runs a condition makes this check once for a condition or for an experiment. The check reads all samples of
-/// a ground motion.
+/// Everything that runs a condition makes this check once for a condition or for an experiment. The check reads all
+/// samples of a ground motion.
 void check_condition(const Condition& condition);
 
 /// The same of every condition. Reasons end with the number of the condition where there are several, at most twenty

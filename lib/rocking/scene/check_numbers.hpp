@@ -15,9 +15,9 @@ namespace rocking {
 /// Ground motions that were found to be sound, with the gravity that they are over.
 using SoundGroundMotions = std::set<std::pair<const GroundMotion*, double>>;
 
-/// Adds a problem for each number of a condition that its rule (scene/rules.hpp) does not allow, in the order of the keys of
-/// an experiment file. What numbers demand of each other: check_relations.
-/// Looks through a ground motion only where `sound` does not hold it.
+/// Adds a problem for each number of a condition that its rule (scene/rules.hpp) does not allow, in the order of the
+/// keys of an experiment file. What numbers demand of each other: check_relations. Looks through a ground motion only
+/// where `sound` does not hold it.
 void check_numbers(const Condition& condition, SoundGroundMotions& sound, Problems& problems);
 
 /// Why an interval is none.

@@ -5,7 +5,8 @@
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/scene/experiment.hpp"
 
-/// Defaults that follow from other values of a condition. The others are the member initialisers of scene/experiment.hpp.
+/// Defaults that follow from other values of a condition. The others are the member initialisers of
+/// scene/experiment.hpp.
 namespace rocking {
 
 /// A reading of the paper's equations, in the order of their names in files: `consistent`, `as-printed`, `as-plotted`.
@@ -21,7 +22,8 @@ struct FormulationOptions {
 /// Source: Jeong & Yang (2012) Eqs. 7, 25 and 26; lib/docs/model.md, section 8.
 [[nodiscard]] FormulationOptions options_of(Formulation formulation);
 
-/// Omega at which a strobe period under a ground motion is one second, 2 pi/p, as far as the bounds of the ratio allow [-].
+/// Omega at which a strobe period under a ground motion is one second, 2 pi/p, as far as the bounds of the ratio allow
+/// [-].
 [[nodiscard]] double strobe_once_a_second(const dynamics::Block& block);
 
 /// May be longer than a condition allows.
@@ -30,8 +32,8 @@ struct DefaultHorizon {
   std::int64_t sampled_periods;
 };
 
-/// That of `Horizon` where the excitation is periodic; else no transient, and as many periods as it takes until the block has
-/// come to rest (periods_until_rest).
+/// That of `Horizon` where the excitation is periodic; else no transient, and as many periods as it takes until the
+/// block has come to rest (periods_until_rest).
 [[nodiscard]] DefaultHorizon default_horizon(const Scene& scene);
 
 }  // namespace rocking

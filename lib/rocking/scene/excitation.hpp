@@ -21,8 +21,8 @@ struct GroundMotion {
   bool has_vertical = false;
 };
 
-/// When a fluctuating amplitude is drawn: at each excitation period, or once in a realisation. `refused`: a fluctuation of the
-/// amplitude is not allowed.
+/// When a fluctuating amplitude is drawn: at each excitation period, or once in a realisation. `refused`: a fluctuation
+/// of the amplitude is not allowed.
 enum class AmplitudeDraws : std::uint8_t { each_period, once, refused };
 
 /// Harmonic excitation as asked for: a_h/g = A_h psi sin(Omega_h tau + Phi).

@@ -37,7 +37,7 @@ struct Scene {
   SceneBlock block;
   dynamics::SlideInertia slide_inertia = dynamics::SlideInertia::centroidal;
   dynamics::ImpactSlipRule impact_slip_rule = dynamics::ImpactSlipRule::absolute;
-  double restitution = 0.0;  ///< mean of e [-]; with `jy25_restitution` that of the mean block
+  double restitution = 0.0;       ///< mean of e [-]; with `jy25_restitution` that of the mean block
   bool jy25_restitution = false;  ///< the mean of e is dynamics::inelastic_rate_ratio of the block of a realisation
   Excitation excitation;
   std::optional<Friction> friction;  ///< absent: the block cannot slide

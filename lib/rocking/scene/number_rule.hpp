@@ -18,8 +18,8 @@ struct NumberRule {
   bool (*allows)(double);    ///< never a number that is not finite
   std::string_view demand;   ///< `must be ...`
   std::string_view example;  ///< JSON text of a value that would do
-  std::optional<double> standard =
-      std::nullopt;  ///< used where a file has no such key; without it the key must be there
+  /// Used where a file has no such key; without it the key must be there.
+  std::optional<double> standard = std::nullopt;
 
   [[nodiscard]] constexpr NumberRule with_default(double value) const {
     return {.allows = allows, .demand = demand, .example = example, .standard = value};

@@ -30,8 +30,8 @@ struct Reach {
   double largest;
 };
 
-/// Of a normal law: the mean and 8.6 standard deviations on both sides. No draw lies farther out: Box and Muller's radius
-/// of the smallest uniform number, 2^-53, is sqrt(-2 ln 2^-53) = 8.572.
+/// Of a normal law: the mean and 8.6 standard deviations on both sides. No draw lies farther out: Box and Muller's
+/// radius of the smallest uniform number, 2^-53, is sqrt(-2 ln 2^-53) = 8.572.
 [[nodiscard]] Reach reach_of(const Quantity& quantity);
 
 /// Mean of the law, or the number itself.

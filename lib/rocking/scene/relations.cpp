@@ -73,7 +73,8 @@ std::optional<Refusal> kinetic_fluctuation_without_friction(const Condition& con
 
 std::optional<Refusal> fluctuating_amplitude_without_period(const Condition& condition) {
   const Scene& scene = condition.scene;
-  if (amplitude_draws(scene.excitation) != AmplitudeDraws::refused || scene.fluctuation.amplitude == 0.0) return std::nullopt;
+  if (amplitude_draws(scene.excitation) != AmplitudeDraws::refused || scene.fluctuation.amplitude == 0.0)
+    return std::nullopt;
   return relations::no_period_to_fluctuate();
 }
 

@@ -8,10 +8,10 @@
 
 namespace rocking {
 
-/// Adds a problem for each demand that values of a condition do not meet of each other: static friction not below kinetic, no
-/// Painleve paradox at the means, a tilt short of overturned, a slip rate and fluctuating friction only where sliding is
-/// possible, a fluctuating amplitude only where the excitation has periods, a label check only of a fixed number of
-/// realisations and of no more periods than a realisation may have.
+/// Adds a problem for each demand that values of a condition do not meet of each other: static friction not below
+/// kinetic, no Painleve paradox at the means, a tilt short of overturned, a slip rate and fluctuating friction only
+/// where sliding is possible, a fluctuating amplitude only where the excitation has periods, a label check only of a
+/// fixed number of realisations and of no more periods than a realisation may have.
 ///
 /// A demand is left out where `problems` already tells of one of its values. Values are shown as JSON text.
 void check_relations(const Condition& condition, Problems& problems);

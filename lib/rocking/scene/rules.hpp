@@ -3,9 +3,9 @@
 #include "rocking/scene/block.hpp"
 #include "rocking/scene/number_rule.hpp"
 
-/// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside what is
-/// physical keep the arithmetic away from overflow; the others are the model's. Defaults are the member initialisers of
-/// scene/experiment.hpp.
+/// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside
+/// what is physical keep the arithmetic away from overflow; the others are the model's. Defaults are the member
+/// initialisers of scene/experiment.hpp.
 namespace rocking::rules {
 
 inline constexpr NumberRule length{.allows = [](double x) { return least_length <= x && x <= largest_length; },
@@ -20,11 +20,10 @@ inline constexpr NumberRule amplitude{
     .example = "4.2"};
 inline constexpr double least_frequency_ratio = 1e-3;
 inline constexpr double largest_frequency_ratio = 1e6;
-inline constexpr NumberRule frequency_ratio{.allows = [](double x) {
-                                              return least_frequency_ratio <= x && x <= largest_frequency_ratio;
-                                            },
-                                            .demand = "must be a positive number from 0.001 to 1e6: Omega_h = omega/p",
-                                            .example = "10.0"};
+inline constexpr NumberRule frequency_ratio{
+    .allows = [](double x) { return least_frequency_ratio <= x && x <= largest_frequency_ratio; },
+    .demand = "must be a positive number from 0.001 to 1e6: Omega_h = omega/p",
+    .example = "10.0"};
 inline constexpr NumberRule scale{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
                                   .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
                                   .example = "1.0"};
@@ -60,9 +59,8 @@ inline constexpr IntegerRule at_most{.low = 1, .high = 1'000'000'000};
 inline constexpr NumberRule half_width{.allows = [](double x) { return 1e-4 <= x && x < 0.5; },
                                        .demand = "must be a number from 0.0001 to below 0.5: of every mode's interval",
                                        .example = "0.02"};
-inline constexpr NumberRule confidence{.allows = [](double x) { return 0.0 < x && x < 1.0; },
-                                       .demand = "must be above 0 and below 1",
-                                       .example = "0.95"};
+inline constexpr NumberRule confidence{
+    .allows = [](double x) { return 0.0 < x && x < 1.0; }, .demand = "must be above 0 and below 1", .example = "0.95"};
 
 /// Of a ground motion.
 inline constexpr double latest_sample = 1e7;         ///< [s]; far beyond any shaking, safe from overflow in periods

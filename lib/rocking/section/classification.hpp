@@ -36,11 +36,11 @@ enum class Reason : std::uint8_t {
 
 /// All reasons, in the order of their declaration.
 inline constexpr std::array reasons{
-    Reason::never_moved, Reason::came_to_rest, Reason::points_coincide, Reason::points_converge, Reason::tight_clouds,
-    Reason::contracting_clouds, Reason::positive_exponent, Reason::too_few_points, Reason::still_converging,
-    Reason::not_periodic, Reason::exponent_unclear, Reason::clouds_overlap, Reason::period_too_long,
-    Reason::out_of_order, Reason::not_stationary, Reason::changed_regime, Reason::phase_jump, Reason::interrupted,
-    Reason::slow_memory, Reason::impacts_irregular};
+    Reason::never_moved,      Reason::came_to_rest,       Reason::points_coincide,   Reason::points_converge,
+    Reason::tight_clouds,     Reason::contracting_clouds, Reason::positive_exponent, Reason::too_few_points,
+    Reason::still_converging, Reason::not_periodic,       Reason::exponent_unclear,  Reason::clouds_overlap,
+    Reason::period_too_long,  Reason::out_of_order,       Reason::not_stationary,    Reason::changed_regime,
+    Reason::phase_jump,       Reason::interrupted,        Reason::slow_memory,       Reason::impacts_irregular};
 static_assert(reasons.size() == static_cast<std::size_t>(Reason::impacts_irregular) + 1);
 
 /// The name of the enumerator.
@@ -57,8 +57,8 @@ struct Classification {
   /// Smallest factor by which the quantities that decided exceed their thresholds. 1 is the limit to another
   /// classification; larger values are more certain. 0 if unresolved, at most `largest_margin`.
   double margin = 0.0;
-  /// Share of the sampled periods, up to the last one, that support the classification. Below 1 the response settled within
-  /// the window. 0 if unresolved.
+  /// Share of the sampled periods, up to the last one, that support the classification. Below 1 the response settled
+  /// within the window. 0 if unresolved.
   double held = 1.0;
 };
 

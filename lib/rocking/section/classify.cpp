@@ -21,8 +21,8 @@ struct ExponentFinding {
   double margin = 0.0;
 };
 
-/// The exponent differs clearly from zero if it exceeds a number of standard errors and if it changes a distance by more
-/// than a factor over the window. A smaller change could not be seen in the window itself.
+/// The exponent differs clearly from zero if it exceeds a number of standard errors and if it changes a distance by
+/// more than a factor over the window. A smaller change could not be seen in the window itself.
 ExponentFinding judge(const std::optional<ExponentEstimate>& estimate, double periods, const Thresholds& thresholds) {
   if (!estimate) return {};
   const double needed =

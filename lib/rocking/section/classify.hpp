@@ -10,7 +10,8 @@
 
 namespace rocking::section {
 
-/// Largest Lyapunov exponent per excitation period, from a reference and a perturbed trajectory with common random numbers.
+/// Largest Lyapunov exponent per excitation period, from a reference and a perturbed trajectory with common random
+/// numbers.
 struct ExponentEstimate {
   double exponent = 0.0;        ///< [1/period]
   double standard_error = 0.0;  ///< [1/period]
@@ -35,9 +36,9 @@ struct ClassifierInput {
 /// Classifies a realisation that did not overturn.
 ///
 /// Noise-free: n is the smallest number of periods <= 12 after which strobe points repeat. Random: n is the number of
-/// clouds that are visited in cyclic order; it is found from spectral lines that exceed their neighbourhood. m follows from
-/// the impacts. If these do not decide, the exponent does. A random response that settles within the window is classified
-/// by the part after that. What is not clear is unresolved.
+/// clouds that are visited in cyclic order; it is found from spectral lines that exceed their neighbourhood. m follows
+/// from the impacts. If these do not decide, the exponent does. A random response that settles within the window is
+/// classified by the part after that. What is not clear is unresolved.
 ///
 /// The thresholds are derived in lib/docs/methods-classification.md. The same input gives the same bits everywhere.
 /// Cost: linear memory and O(N) time; about 200 passes if random, a few times as many if the response settles late.

@@ -13,8 +13,8 @@ namespace {
 // Allows for strays: up to a tenth of the points are excluded from the scatter.
 constexpr double kept_share = 0.9;
 
-// For a normal law in the plane the squared distance is exponential with mean 2. The mean below its 90 % point, 2 ln 10, is
-// 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this factor corrects the trimming.
+// For a normal law in the plane the squared distance is exponential with mean 2. The mean below its 90 % point, 2 ln
+// 10, is 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this factor corrects the trimming.
 constexpr double trimming_correction = 1.0 / 0.74415721411178;
 
 // Median of the squared distance from the centre, in units of the scatter, for a normal law in the plane: 2 ln 2.
@@ -60,9 +60,9 @@ Covariance trimmed_covariance(std::span<const PlanePoint> deviations, const Cova
   return sum.scaled(trimming_correction / static_cast<double>(kept));
 }
 
-/// The scatter that is its own metric for trimming, iterated from the sizes along the axes. An iteration leaves less than
-/// half of the error in the direction, so that four leave less than a twentieth. This is far below the sampling error of
-/// 600 points.
+/// The scatter that is its own metric for trimming, iterated from the sizes along the axes. An iteration leaves less
+/// than half of the error in the direction, so that four leave less than a twentieth. This is far below the sampling
+/// error of 600 points.
 Covariance robust_scatter(std::span<const PlanePoint> deviations, double floor) {
   Covariance scatter = typical_size(deviations, floor);
   for (int round = 0; round < 4; ++round) {

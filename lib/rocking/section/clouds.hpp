@@ -37,8 +37,9 @@ struct Classes {
 
 /// Computes the clouds of the given classes.
 ///
-/// The scatter is the covariance of the 90 % of deviations that are smallest in its own metric. It is scaled to be unbiased
-/// for a normal law in the plane. `resolution`^2 is added in each coordinate, since smaller deviations are not resolved.
+/// The scatter is the covariance of the 90 % of deviations that are smallest in its own metric. It is scaled to be
+/// unbiased for a normal law in the plane. `resolution`^2 is added in each coordinate, since smaller deviations are not
+/// resolved.
 [[nodiscard]] Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution);
 
 /// Distance that distinguishes n clouds from a divisor of n.
@@ -51,13 +52,13 @@ struct Separation {
 /// periods later, but not all.
 [[nodiscard]] std::vector<Separation> separations(const Clouds& clouds);
 
-/// For each point, whether it is a stray: farther than `scatters` from the centre of its class, farther than `least`, and,
-/// if there are other classes, nearer to the centre of another one.
+/// For each point, whether it is a stray: farther than `scatters` from the centre of its class, farther than `least`,
+/// and, if there are other classes, nearer to the centre of another one.
 [[nodiscard]] std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& clouds, double scatters,
                                        double least);
 
-/// Largest correlation of deviations `lag` apart, over lags 1 ... 12 and all directions in the plane: 1 - D/2, where D is
-/// the covariance of the differences in units of the scatter. It is also computed from the median of the squared
+/// Largest correlation of deviations `lag` apart, over lags 1 ... 12 and all directions in the plane: 1 - D/2, where D
+/// is the covariance of the differences in units of the scatter. It is also computed from the median of the squared
 /// differences, which shows a memory that a few jumps interrupt.
 [[nodiscard]] double longest_memory(const Clouds& clouds, double resolution);
 

@@ -22,8 +22,8 @@ struct Phases {
   double chance_left = 1.0;  ///< of the strongest line that was not accepted
 };
 
-/// Least common period of all lines, found one by one. Each line is removed with the class means before the next is sought,
-/// so that a strong line does not hide a weak one.
+/// Least common period of all lines, found one by one. Each line is removed with the class means before the next is
+/// sought, so that a strong line does not hide a weak one.
 std::optional<Phases> find_phases(std::span<const PlanePoint> points, double resolution, double line_chance) {
   Phases phases;
   while (true) {
@@ -59,9 +59,9 @@ bool moves_with_time(std::span<const PlanePoint> points, const Clouds& clouds, d
   return ratio > 1.0 + chance_per_cut * static_cast<double>(parts - 1) / static_cast<double>(cycles);
 }
 
-/// Factor by which the separation of the clouds exceeds the required one; the smallest over the largest proper divisors d
-/// of n, of which the window holds N/d cycles. If there are few cycles, noise with memory from cycle to cycle can look like
-/// separate clouds.
+/// Factor by which the separation of the clouds exceeds the required one; the smallest over the largest proper divisors
+/// d of n, of which the window holds N/d cycles. If there are few cycles, noise with memory from cycle to cycle can
+/// look like separate clouds.
 double separation_margin(const Clouds& clouds, const Thresholds& thresholds) {
   double margin = largest_margin;
   for (const Separation& s : separations(clouds)) {

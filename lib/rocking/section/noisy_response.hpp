@@ -28,8 +28,8 @@ struct Finding {
 
 /// Classifies a response with random numbers by its strobe points and impacts.
 ///
-/// n is the least common period of the spectral lines of the strobe points. The n clouds must be separate, visited in order
-/// and stationary over the window, and deviations must decay fast enough. Needs at least 48 periods.
+/// n is the least common period of the spectral lines of the strobe points. The n clouds must be separate, visited in
+/// order and stationary over the window, and deviations must decay fast enough. Needs at least 48 periods.
 [[nodiscard]] Finding find_clouds(std::span<const Period> periods, double resolution,
                                   const Thresholds& thresholds = {});
 

@@ -2,8 +2,8 @@
 
 namespace rocking::section {
 
-/// A point, or the difference of two, in the plane in which strobe points are compared: (Theta, Theta'), or (V, 0) for a
-/// block that only slides.
+/// A point, or the difference of two, in the plane in which strobe points are compared: (Theta, Theta'), or (V, 0) for
+/// a block that only slides.
 struct PlanePoint {
   double x = 0.0;
   double y = 0.0;

@@ -43,7 +43,8 @@ std::optional<double> remaining_drift(const Returns& returns, double returns_per
   return returns_per_third * last * ratio / (1.0 - ratio);
 }
 
-/// Margin of a coincidence: the factor by which these distances are below the threshold and those of the divisors above it.
+/// Margin of a coincidence: the factor by which these distances are below the threshold and those of the divisors above
+/// it.
 double margin_of(std::span<const Period> periods, int n, double separation, double threshold) {
   double margin = separation > 0.0 ? threshold / separation : largest_margin;
   for (int divisor = 1; divisor < n; ++divisor) {

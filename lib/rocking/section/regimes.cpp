@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t parts = 8;
 constexpr std::size_t fewest = 4 * static_cast<std::size_t>(longest_period);  // periods, for find_clouds
 
-// In units of the root-mean-square spread of all points. In an interrupted response most returns are within a tenth of the
-// spread; the failed ones differ by more than half of it.
+// In units of the root-mean-square spread of all points. In an interrupted response most returns are within a tenth of
+// the spread; the failed ones differ by more than half of it.
 constexpr double near_return = 0.1;
 constexpr double missed_return = 0.5;
 
@@ -56,7 +56,8 @@ Outside look_outside(std::span<const PlanePoint> points, const Regime& regime, d
 
 enum class End : std::uint8_t { first, last };
 
-/// The longest part at one end of the window that is one periodic response by itself; at the last end, with tight clouds.
+/// The longest part at one end of the window that is one periodic response by itself; at the last end, with tight
+/// clouds.
 std::optional<Regime> longest_regime(std::span<const Period> periods, End end, double resolution,
                                      const Thresholds& thresholds) {
   for (std::size_t part = parts - 1; part > 0; --part) {
@@ -98,8 +99,8 @@ bool is_interrupted(std::span<const PlanePoint> points, double resolution) {
 
 ChangeOfMind find_regimes(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
   const std::vector<PlanePoint> points = plane_points(periods);
-  // The response has changed if more points are away from a regime than a window may have strays. Otherwise the regime is
-  // part of a slower motion, or of one that the whole window shows better.
+  // The response has changed if more points are away from a regime than a window may have strays. Otherwise the regime
+  // is part of a slower motion, or of one that the whole window shows better.
   const double enough = thresholds.largest_stray_share * static_cast<double>(points.size());
   for (const End end : {End::last, End::first}) {
     const auto regime = longest_regime(periods, end, resolution, thresholds);

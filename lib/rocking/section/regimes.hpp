@@ -12,8 +12,8 @@ namespace rocking::section {
 
 /// Classification of a response that changes within the window, from parts of the window.
 struct ChangeOfMind {
-  /// The periodic response with tight clouds in the last part of the window, if it began within the window and lasted for
-  /// at least `least_held` of it. It holds if the exponent is negative.
+  /// The periodic response with tight clouds in the last part of the window, if it began within the window and lasted
+  /// for at least `least_held` of it. It holds if the exponent is negative.
   std::optional<Classification> last_regime;
   /// Otherwise `changed_regime`, `phase_jump` or `interrupted`; absent if the parts show no more than the whole window.
   std::optional<Reason> reason;

@@ -100,8 +100,8 @@ double power(double base, int exponent) {
 }
 
 double chance_of(int numerator, int denominator, int n, std::span<const PlanePoint> deviations, double resolution) {
-  // Only a whole number of cycles of the line is used, so that lines at other multiples of 1/denominator do not leak into
-  // it.
+  // Only a whole number of cycles of the line is used, so that lines at other multiples of 1/denominator do not leak
+  // into it.
   const std::size_t length = deviations.size() - deviations.size() % static_cast<std::size_t>(denominator);
   const auto points = deviations.last(length);
   const double frequency = static_cast<double>(numerator) / denominator;

@@ -20,9 +20,9 @@ inline constexpr int line_count = 23;
 /// The most significant line of all j/q with 2 <= q <= 12 where q does not divide n; nothing if there is none to test.
 ///
 /// The real and imaginary parts of the Fourier sum of (x, y) at the frequency of the line form a matrix H of sums of
-/// squares and products with 2 degrees of freedom (1 at frequency 1/2). Those at the M nearest frequencies form a matrix E
-/// with 2M. If the noise is approximately normal and its spectrum is smooth over these frequencies, L = sqrt(det E/det(E +
-/// H)) has the law Beta(2M - 1, 2) (Wilks 1932; Anderson, Multivariate Analysis, 8.4):
+/// squares and products with 2 degrees of freedom (1 at frequency 1/2). Those at the M nearest frequencies form a
+/// matrix E with 2M. If the noise is approximately normal and its spectrum is smooth over these frequencies, L =
+/// sqrt(det E/det(E + H)) has the law Beta(2M - 1, 2) (Wilks 1932; Anderson, Multivariate Analysis, 8.4):
 ///
 ///     P(L <= y) = y^(2M-1) (2M - (2M - 1) y),   at frequency 1/2: y^(2M-1)
 ///

@@ -3,13 +3,13 @@
 namespace rocking::section {
 
 /// Thresholds of the classifier. Users do not set them. The defaults are derived one by one in
-/// lib/docs/methods-classification.md; lib/docs/classification-evidence.md tabulates how much the result of an experiment
-/// depends on each of them.
+/// lib/docs/methods-classification.md; lib/docs/classification-evidence.md tabulates how much the result of an
+/// experiment depends on each of them.
 struct Thresholds {
   // Noise-free responses.
   double coincidence = 10.0;  ///< in resolutions: points no further apart than this coincide
-  double slowest_ratio =
-      0.8;  ///< ratio of distances from one third of the window to the next; above it nothing converges
+  /// Ratio of distances from one third of the window to the next; above it nothing converges.
+  double slowest_ratio = 0.8;
   double small_drift = 1e-3;  ///< units of Theta: largest drift that may remain
   // The exponent.
   double clear_standard_errors = 3.0;  ///< distance from zero

@@ -14,8 +14,8 @@ namespace {
 /// One term of Smirnov's series: (1/pi) integral of exp(-x z/2)/(x sqrt(abs D(x))) from one zero of D to the next.
 ///
 /// D(x) = product over j of (1 - x/(j (j + 1))) = -cos(pi/2 sqrt(1 + 4 x))/(pi x). With x = middle - half cos(t) the
-/// integrand is even, periodic and smooth in t. The trapezoidal rule then converges faster than any power; with 64 steps
-/// its relative error at z = 100 is 1e-9.
+/// integrand is even, periodic and smooth in t. The trapezoidal rule then converges faster than any power; with 64
+/// steps its relative error at z = 100 is 1e-9.
 double smirnov_term(double z, double low, double high) {
   constexpr int nodes = 64;
   const double middle = 0.5 * (low + high);
@@ -31,8 +31,9 @@ double smirnov_term(double z, double low, double high) {
   return sum / nodes;
 }
 
-/// P(A^2 >= z) for n = infinity. For z < 2 by Marsaglia & Marsaglia (2004), constants as printed, absolute error 2e-6. For
-/// larger z by Smirnov's series for A^2 = sum Y_j^2/(j (j + 1)), relative error 1e-12: the third term is below exp(-15 z).
+/// P(A^2 >= z) for n = infinity. For z < 2 by Marsaglia & Marsaglia (2004), constants as printed, absolute error 2e-6.
+/// For larger z by Smirnov's series for A^2 = sum Y_j^2/(j (j + 1)), relative error 1e-12: the third term is below
+/// exp(-15 z).
 double limiting_tail_of_squares(double z) {
   if (z <= 0.0) return 1.0;
   if (z >= 2.0) return smirnov_term(z, 2.0, 6.0) - smirnov_term(z, 12.0, 20.0);

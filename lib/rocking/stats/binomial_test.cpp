@@ -10,7 +10,8 @@
 namespace rocking::stats {
 namespace {
 
-/// The first count from `low` on for which `holds` is true; `high` if there is none before it. `holds` must be monotone.
+/// The first count from `low` on for which `holds` is true; `high` if there is none before it. `holds` must be
+/// monotone.
 template <class Predicate>
 std::uint64_t first_where(std::uint64_t low, std::uint64_t high, Predicate holds) {
   while (low < high) {

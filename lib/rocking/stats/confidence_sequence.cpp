@@ -12,8 +12,8 @@ namespace {
 
 using base::natural_logarithm;
 
-/// ln Gamma(x) for x > 0, with an error below 2e-14 plus a few roundings: Stirling's series for arguments from 16 on. Its
-/// first omitted term, 1/(1188 x^9), is 1.2e-14 at 16.
+/// ln Gamma(x) for x > 0, with an error below 2e-14 plus a few roundings: Stirling's series for arguments from 16 on.
+/// Its first omitted term, 1/(1188 x^9), is 1.2e-14 at 16.
 double log_gamma(double x) {
   double product = 1.0;
   for (; x < 16.0; x += 1.0) product *= x;
@@ -26,7 +26,8 @@ double log_gamma(double x) {
 /// ln (Gamma(x + count)/Gamma(x)).
 double log_rising_factorial(double x, double count) { return count > 0.0 ? log_gamma(x + count) - log_gamma(x) : 0.0; }
 
-/// exp(x) for x <= 0, relative error about 1e-13: ten squarings of exp(x/1024), whose series has an error of 1e-17 at x =
+/// exp(x) for x <= 0, relative error about 1e-13: ten squarings of exp(x/1024), whose series has an error of 1e-17 at x
+/// =
 /// -40. Smaller results are negligible beside 1.
 double exponential(double x) {
   if (x < -40.0) return 0.0;

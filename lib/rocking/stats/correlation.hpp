@@ -20,8 +20,9 @@ namespace rocking::stats {
 /// without a partner is omitted. Needs two numbers.
 [[nodiscard]] Moment pair_correlation(std::span<const double> sample, const NormalLaw& law);
 
-/// As pair_correlation, for (score^2 - 1)/sqrt(2), whose mean is 0 and whose variance is 1. The two members of a pair have
-/// the same radius. They are independent only if the law of the radius is right; this test can detect that it is not.
+/// As pair_correlation, for (score^2 - 1)/sqrt(2), whose mean is 0 and whose variance is 1. The two members of a pair
+/// have the same radius. They are independent only if the law of the radius is right; this test can detect that it is
+/// not.
 ///
 /// z tends to a normal law slowly: for 20000 numbers, z > 4.9 is 2.4 times as frequent as its normal p-value says.
 [[nodiscard]] Moment pair_correlation_of_squares(std::span<const double> sample, const NormalLaw& law);

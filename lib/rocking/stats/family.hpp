@@ -19,9 +19,9 @@ struct Significance {
 /// before there were data. There may be any number of others, which are unknown until they occur.
 ///
 /// Statements about all categories hold at once with probability `confidence`, in (0, 1), if each uses its significance
-/// level. A prespecified category receives the share 1/(prespecified + 1) of 1 - confidence. All others together receive
-/// one such share, divided in proportion to their probabilities. These add up to 1 at most, however many categories there
-/// are (Bonferroni's inequality with weights that depend on the tested value).
+/// level. A prespecified category receives the share 1/(prespecified + 1) of 1 - confidence. All others together
+/// receive one such share, divided in proportion to their probabilities. These add up to 1 at most, however many
+/// categories there are (Bonferroni's inequality with weights that depend on the tested value).
 struct Family {
   std::size_t prespecified = 0;
   double confidence = 0.95;

@@ -15,8 +15,8 @@ namespace {
 
 constexpr int most_steps = 100;
 
-// A slope that is not significantly positive, or a dispersion of powers of ten, is reported as no law: its median would be
-// arbitrary.
+// A slope that is not significantly positive, or a dispersion of powers of ten, is reported as no law: its median would
+// be arbitrary.
 constexpr double least_standard_errors = 2.0;
 constexpr double largest_dispersion = 10.0;
 
@@ -80,8 +80,9 @@ Likelihood likelihood_at(const std::vector<Level>& levels, double a, double b) {
   return sum;
 }
 
-/// The (a, b) of the maximum likelihood, which must exist. A Newton step is halved until the likelihood increases. Near the
-/// maximum, where rounding would hide the increase, full steps are taken; the method converges there without halving.
+/// The (a, b) of the maximum likelihood, which must exist. A Newton step is halved until the likelihood increases. Near
+/// the maximum, where rounding would hide the increase, full steps are taken; the method converges there without
+/// halving.
 std::array<double, 2> largest_likelihood(const std::vector<Level>& levels) {
   double a = 0.0;
   double b = 0.0;
@@ -164,7 +165,8 @@ std::vector<Score> scores_of(const std::vector<IntensityLevel>& levels, const Lo
 }
 
 /// Whether the scores lie on one line: all equal, or two different values, as if trials differ at one level only. Their
-/// covariance is then singular, and some interval of the law would have width 0. Equal trials have bitwise equal scores.
+/// covariance is then singular, and some interval of the law would have width 0. Equal trials have bitwise equal
+/// scores.
 bool are_on_a_line(const std::vector<Score>& scores) {
   const auto from_first = [&scores](const Score& score) {
     return Score{.a = score.a - scores.front().a, .b = score.b - scores.front().b};

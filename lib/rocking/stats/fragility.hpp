@@ -9,8 +9,9 @@
 
 namespace rocking::stats {
 
-/// Outcomes of the trials at one intensity: happened[j] is the outcome of trial j. Trials with the same number at several
-/// intensities use common random numbers and are therefore dependent; trials with different numbers are independent.
+/// Outcomes of the trials at one intensity: happened[j] is the outcome of trial j. Trials with the same number at
+/// several intensities use common random numbers and are therefore dependent; trials with different numbers are
+/// independent.
 struct IntensityLevel {
   double intensity = 0.0;      ///< > 0
   std::vector<bool> happened;  ///< may have different lengths at different intensities
@@ -38,10 +39,10 @@ struct Bounded {
 
 /// P(event at intensity x) = Phi((ln x - ln median)/dispersion): the capacity is lognormal.
 ///
-/// Maximum-likelihood fit to all trials, as a probit regression a + b u on u = ln x - `centre`. `covariance` of (a, b) is
-/// the sandwich estimate over trial numbers. It treats trials with common random numbers as one cluster, and it remains
-/// valid if the law is not exactly true.
-/// Source: Baker (2015), Earthquake Spectra 31, 579-599, for the likelihood; Liang & Zeger (1986), Biometrika 73, 13-22.
+/// Maximum-likelihood fit to all trials, as a probit regression a + b u on u = ln x - `centre`. `covariance` of (a, b)
+/// is the sandwich estimate over trial numbers. It treats trials with common random numbers as one cluster, and it
+/// remains valid if the law is not exactly true. Source: Baker (2015), Earthquake Spectra 31, 579-599, for the
+/// likelihood; Liang & Zeger (1986), Biometrika 73, 13-22.
 struct LognormalFragility {
   double centre = 0.0;
   double intercept = 0.0;  ///< a [-]
@@ -52,7 +53,8 @@ struct LognormalFragility {
 
   /// Probability at an intensity > 0.
   [[nodiscard]] double probability(double intensity) const;
-  /// Confidence interval of the probability at this intensity alone: Phi of a + b u -+ z standard errors (delta method).
+  /// Confidence interval of the probability at this intensity alone: Phi of a + b u -+ z standard errors (delta
+  /// method).
   [[nodiscard]] Interval band(double intensity, double confidence) const;
   /// exp(centre - a/b); its interval is that of its logarithm by the delta method.
   [[nodiscard]] Bounded median(double confidence) const;

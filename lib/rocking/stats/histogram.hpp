@@ -9,8 +9,8 @@
 
 namespace rocking::stats {
 
-/// Counts of a sample in equal bins, with the counts expected under a normal law. Numbers outside the bins are counted in
-/// `below` and `above`. Bin k is [edges[k], edges[k + 1]).
+/// Counts of a sample in equal bins, with the counts expected under a normal law. Numbers outside the bins are counted
+/// in `below` and `above`. Bin k is [edges[k], edges[k + 1]).
 struct Histogram {
   std::vector<double> edges;  ///< bins + 1 of them, ascending
   std::vector<std::uint64_t> counts;

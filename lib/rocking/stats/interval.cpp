@@ -19,8 +19,8 @@ Interval around_estimate(const Interval& interval, double successes, double tria
   return {std::clamp(interval.low, 0.0, estimate), std::clamp(interval.high, estimate, 1.0)};
 }
 
-/// The smaller root p of (n + z^2) p^2 - (2k + z^2) p + k^2/n = 0, computed from the larger root and the product of both.
-/// It is then 0 for k = 0 and loses no digits for small k.
+/// The smaller root p of (n + z^2) p^2 - (2k + z^2) p + k^2/n = 0, computed from the larger root and the product of
+/// both. It is then 0 for k = 0 and loses no digits for small k.
 double lower_score_bound(double k, double n, double z) {
   if (k == 0.0) return 0.0;  // also if z is 0
   const double larger = (k + 0.5 * z * z + z * std::sqrt(k * (1.0 - k / n) + 0.25 * z * z)) / (n + z * z);

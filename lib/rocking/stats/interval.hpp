@@ -28,8 +28,8 @@ struct Proportion {
 /// Source: Wilson (1927), J. Am. Stat. Assoc. 22, 209-212.
 [[nodiscard]] Interval wilson(const Proportion& proportion, double confidence);
 
-/// Equal-tailed posterior interval under Jeffreys's prior: quantiles of Beta(k + 1/2, n - k + 1/2). The lower end is 0 for
-/// k = 0 and the upper end is 1 for k = n; otherwise the interval would never cover p near 0 or 1.
+/// Equal-tailed posterior interval under Jeffreys's prior: quantiles of Beta(k + 1/2, n - k + 1/2). The lower end is 0
+/// for k = 0 and the upper end is 1 for k = n; otherwise the interval would never cover p near 0 or 1.
 ///
 /// Its coverage is right on average over p, as for `wilson`; its centre is nearer to the proportion.
 /// Source: Brown, Cai, DasGupta (2001), Stat. Sci. 16, 101-133.
@@ -46,9 +46,9 @@ struct Proportion {
 /// As clopper_pearson, with a significance level that may depend on p: those p for which neither tail has a probability
 /// below significance(p)/2. Each p is missed with probability at most significance(p). Requires significance(1) < 1.
 ///
-/// There is one crossing on each side: the upper tail is convex, then concave in p, and ends above the straight line of the
-/// significance level. If that level is proportional to p, one success out of any number of trials gives low = 0: among
-/// many rare categories some are expected to occur.
+/// There is one crossing on each side: the upper tail is convex, then concave in p, and ends above the straight line of
+/// the significance level. If that level is proportional to p, one success out of any number of trials gives low = 0:
+/// among many rare categories some are expected to occur.
 [[nodiscard]] Interval exact_interval(const Proportion& proportion, const Significance& significance);
 
 /// Interval for one of several categories: `wilson` at level 1 - (1 - confidence)/categories. For large counts only; it
@@ -56,8 +56,9 @@ struct Proportion {
 /// Source: Goodman (1965), Technometrics 7, 247-254.
 [[nodiscard]] Interval goodman(const Proportion& proportion, double confidence, std::size_t categories);
 
-/// The exact interval at level 1 - (1 - confidence)/categories, for one of `categories` >= 1 categories fixed before there
-/// were data. All of these intervals cover at once with probability at least `confidence` (Bonferroni's inequality).
+/// The exact interval at level 1 - (1 - confidence)/categories, for one of `categories` >= 1 categories fixed before
+/// there were data. All of these intervals cover at once with probability at least `confidence` (Bonferroni's
+/// inequality).
 [[nodiscard]] Interval bonferroni_clopper_pearson(const Proportion& proportion, double confidence,
                                                   std::size_t categories);
 

@@ -21,8 +21,8 @@ bool all_alike(std::span<const double> sample) {
   return *smallest == *largest;
 }
 
-/// E(s)/sigma of n normal draws. 1 - c4^2 is about 1/(2n) and loses digits as n grows: its relative error is 1e-9 at n =
-/// 1e6.
+/// E(s)/sigma of n normal draws. 1 - c4^2 is about 1/(2n) and loses digits as n grows: its relative error is 1e-9 at n
+/// = 1e6.
 double mean_ratio_of_standard_deviation(double n) {
   const double x = 0.5 * (n - 1.0);
   return 1.0 / (std::sqrt(x) * boost::math::tgamma_delta_ratio(x, 0.5));

@@ -81,8 +81,8 @@ struct SmallestPValue {
 ///     P(min <= p) = 1 - (1 - p)^tests
 [[nodiscard]] SmallestPValue smallest_p_value(const NormalCheck& check);
 
-/// Whether the sample is incompatible with the law: a p-value below 1e-6 among those that are accurate so far out. These
-/// are mean, standard deviation, Anderson-Darling, Kolmogorov-Smirnov and tails; from 1000 numbers on also the
+/// Whether the sample is incompatible with the law: a p-value below 1e-6 among those that are accurate so far out.
+/// These are mean, standard deviation, Anderson-Darling, Kolmogorov-Smirnov and tails; from 1000 numbers on also the
 /// correlations, except those of squares.
 ///
 /// For a sample from the law the probability is below 2e-5: 14 p-values, where those of correlations are 1.2 times too

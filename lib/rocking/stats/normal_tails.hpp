@@ -16,8 +16,8 @@ struct TailCount {
   double p_value = 1.0;   ///< exact, two-sided
 };
 
-/// Counts beyond 3, 4 and 5 sigma. Faults of samplers appear there first, and tests of the whole law are least sensitive
-/// there.
+/// Counts beyond 3, 4 and 5 sigma. Faults of samplers appear there first, and tests of the whole law are least
+/// sensitive there.
 [[nodiscard]] std::array<TailCount, 3> normal_tails(std::span<const double> sample, const NormalLaw& law);
 
 }  // namespace rocking::stats

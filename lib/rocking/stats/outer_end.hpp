@@ -4,8 +4,8 @@
 
 namespace rocking::stats {
 
-/// Bisection between a number `in` an interval and a number `out` of it, both in [0, 1], until their distance is 2^-40 of
-/// the larger one. Returns the outer number, so that the interval is never too small.
+/// Bisection between a number `in` an interval and a number `out` of it, both in [0, 1], until their distance is 2^-40
+/// of the larger one. Returns the outer number, so that the interval is never too small.
 template <class Predicate>
 [[nodiscard]] double outer_end(double in, double out, Predicate contains) {
   while (std::max(in, out) - std::min(in, out) > 0x1p-40 * std::max(in, out)) {

@@ -12,8 +12,8 @@
 namespace rocking::stats {
 namespace {
 
-/// Tango's statistic. q, the maximum-likelihood probability of the event under the second setting only, is the larger root
-/// of 2n q^2 + 2h q - c d (1 - d) = 0 with 2h = (2n - b + c) d - b - c, computed without cancellation.
+/// Tango's statistic. q, the maximum-likelihood probability of the event under the second setting only, is the larger
+/// root of 2n q^2 + 2h q - c d (1 - d) = 0 with 2h = (2n - b + c) d - b - c, computed without cancellation.
 double score(const PairedCounts& counts, double d) {
   const auto b = static_cast<double>(counts.first_only);
   const auto c = static_cast<double>(counts.second_only);

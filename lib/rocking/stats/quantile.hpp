@@ -6,12 +6,12 @@
 
 namespace rocking::stats {
 
-/// Quantile at `level` in (0, 1] of the values counted in `tally` and of `later` further values that are only known to be
-/// larger than all of these (censored).
+/// Quantile at `level` in (0, 1] of the values counted in `tally` and of `later` further values that are only known to
+/// be larger than all of these (censored).
 ///
-/// Nearest rank: the smallest value that is not exceeded by at least a fraction `level` of all values; it is always a value
-/// that occurred. Absent if it is one of the censored values, or if there are no values. Source: Hyndman & Fan (1996), Am.
-/// Stat. 50, 361-365, definition 1.
+/// Nearest rank: the smallest value that is not exceeded by at least a fraction `level` of all values; it is always a
+/// value that occurred. Absent if it is one of the censored values, or if there are no values. Source: Hyndman & Fan
+/// (1996), Am. Stat. 50, 361-365, definition 1.
 [[nodiscard]] std::optional<double> censored_quantile(const std::map<std::int64_t, std::uint64_t>& tally,
                                                       std::uint64_t later, double level);
 

@@ -25,12 +25,12 @@ struct TruncatedPoisson {
   double fourth = 0.0;
 };
 
-/// Poisson(k) truncated to `first` ... `last` around k, by summation. The moments are those of the distance from k, which
-/// is small; the factorial moments used by the authors would suffer from cancellation.
+/// Poisson(k) truncated to `first` ... `last` around k, by summation. The moments are those of the distance from k,
+/// which is small; the factorial moments used by the authors would suffer from cancellation.
 TruncatedPoisson truncated_poisson(double k, double first, double last) {
   std::array<double, 5> sum{};
-  // Returns whether the term changed a sum. Beyond the maximum of the fourth moment, all terms after an ineffective one are
-  // ineffective.
+  // Returns whether the term changed a sum. Beyond the maximum of the fourth moment, all terms after an ineffective one
+  // are ineffective.
   const auto add = [&](double j, double probability) {
     const std::array<double, 5> before = sum;
     for (double& moment : sum) {

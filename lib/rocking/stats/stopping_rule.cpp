@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint64_t first_look = 50;
 
-/// The concentration that is narrowest at the expected end of the run. Before the data, the end expected for one category
-/// at p = 1/2 is used.
+/// The concentration that is narrowest at the expected end of the run. Before the data, the end expected for one
+/// category at p = 1/2 is used.
 double concentration_of(const StoppingGoal& goal) {
   const double significance = goal.family.share();
   const double expected = std::min(trials_for(goal.half_width, significance), static_cast<double>(goal.at_most));

@@ -15,12 +15,12 @@ struct StoppingGoal {
   Family family;
 };
 
-/// Determines at which numbers of trials to look and, from the counts there, whether the interval of every category is as
-/// narrow as wanted. The intervals are confidence sequences: all of them cover at once, at all n at once, with the
+/// Determines at which numbers of trials to look and, from the counts there, whether the interval of every category is
+/// as narrow as wanted. The intervals are confidence sequences: all of them cover at once, at all n at once, with the
 /// confidence of the family. They therefore remain valid if sampling stops because of them.
 ///
-/// A pure function of goal and counts, with the same bits on every machine: where a run stops does not depend on threads,
-/// compilers or libraries.
+/// A pure function of goal and counts, with the same bits on every machine: where a run stops does not depend on
+/// threads, compilers or libraries.
 class StoppingRule {
  public:
   explicit StoppingRule(const StoppingGoal& goal);
@@ -31,8 +31,8 @@ class StoppingRule {
   /// schedule.
   [[nodiscard]] std::uint64_t next_look(std::uint64_t trials) const;
 
-  /// Whether all intervals have the wanted half-width: those of the prespecified categories, of the others that occurred,
-  /// and of any category that has not occurred.
+  /// Whether all intervals have the wanted half-width: those of the prespecified categories, of the others that
+  /// occurred, and of any category that has not occurred.
   [[nodiscard]] bool narrow_enough(const CategoryCounts& counts) const;
 
   /// The intervals that the rule uses; these are the ones to report.

@@ -7,8 +7,8 @@
 namespace rocking {
 namespace {
 
-// Also absent if the path to the row, or to the row of its neighbour, is damaged: a pair with a missing realisation is run
-// as a whole.
+// Also absent if the path to the row, or to the row of its neighbour, is damaged: a pair with a missing realisation is
+// run as a whole.
 std::optional<Summary> find_if_current(const Store& store, const RealisationKey& key) {
   try {
     auto summary = store.find(key);

@@ -8,8 +8,8 @@
 
 namespace rocking {
 
-/// Corrects the page count in the header of a database if it exceeds the pages in the file, for example after truncation or
-/// a changed bit. SQLite reads nothing of such a file. Other files are not changed.
+/// Corrects the page count in the header of a database if it exceeds the pages in the file, for example after
+/// truncation or a changed bit. SQLite reads nothing of such a file. Other files are not changed.
 void count_pages_again(const std::filesystem::path& path);
 
 /// Copies every undamaged realisation that has the bits that this program gives, wherever the file is damaged. Returns

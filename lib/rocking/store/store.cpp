@@ -22,8 +22,8 @@ std::string text_in(const Database& database, const char* sql) {
   return statement.step() ? statement.text(0) : "";
 }
 
-// Changes the journal mode and returns the mode in force afterwards. While others read, SQLite refuses the change at once,
-// whatever the timeout; therefore it is retried until they have finished.
+// Changes the journal mode and returns the mode in force afterwards. While others read, SQLite refuses the change at
+// once, whatever the timeout; therefore it is retried until they have finished.
 std::string changed_journal_mode(const Database& database, const std::string& mode) {
   constexpr std::chrono::milliseconds pause(5);
   constexpr int most_tries = 2000;
@@ -37,8 +37,8 @@ std::string changed_journal_mode(const Database& database, const std::string& mo
   }
 }
 
-// With a write-ahead log others can read while a run writes. What a power failure can cost without a flush at each commit
-// is described in the header. Returns false if the file system has no shared memory, which the log needs.
+// With a write-ahead log others can read while a run writes. What a power failure can cost without a flush at each
+// commit is described in the header. Returns false if the file system has no shared memory, which the log needs.
 bool begin_write_ahead(Database& database) {
   if (changed_journal_mode(database, "WAL") != "wal") return false;
   database.execute(

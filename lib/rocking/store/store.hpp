@@ -27,8 +27,8 @@ enum class Journalling : std::uint8_t {
 /// durable in groups. A killed process loses the rows added since the last commit; a power failure may lose the last
 /// commits. Nothing else is lost. There can be one writer at a time.
 ///
-/// Throws as described in sqlite.hpp. sqlite::UnusableFile is also thrown if a file is not a store, if a row is not what
-/// was written, or if a row is not in the place of its key.
+/// Throws as described in sqlite.hpp. sqlite::UnusableFile is also thrown if a file is not a store, if a row is not
+/// what was written, or if a row is not in the place of its key.
 class Store {
  public:
   /// Creates a store; the file must not exist.
@@ -39,7 +39,8 @@ class Store {
   [[nodiscard]] static Store in_memory(const Identity& identity);
 
   [[nodiscard]] const Identity& identity() const { return identity_; }
-  /// Whether rows can be added. Stores of an earlier layout can only be read; `salvage` copies their rows into a new store.
+  /// Whether rows can be added. Stores of an earlier layout can only be read; `salvage` copies their rows into a new
+  /// store.
   [[nodiscard]] bool is_of_current_layout() const { return layout_ == current_layout; }
   /// The protection in use, for a store opened for writing.
   [[nodiscard]] Journalling journalling() const { return journalling_; }
@@ -56,8 +57,8 @@ class Store {
   [[nodiscard]] bool has_current_bits(const RealisationKey& key, const Summary& row) const;
   /// Calls `use` for every row, in the order of the keys.
   void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
-  /// Description of the first damage found in the file; absent if every page and every row is as written. Reads the whole
-  /// file.
+  /// Description of the first damage found in the file; absent if every page and every row is as written. Reads the
+  /// whole file.
   [[nodiscard]] std::optional<std::string> damage() const;
   void for_each_key(const std::function<void(const RealisationKey&)>& use) const;
   /// Number of realisations below `realisations`, by response mode.

@@ -19,14 +19,14 @@ struct Identity {
   std::uint64_t results = results_version;  ///< results version of the realisations; 0: unknown
 };
 
-/// CREATE TABLE statement of the table with one row that holds the identity, the format of the draws and a checksum over
-/// both.
+/// CREATE TABLE statement of the table with one row that holds the identity, the format of the draws and a checksum
+/// over both.
 [[nodiscard]] std::string identity_table();
 
 void write_identity(sqlite::Database& database, const Identity& identity);
 
-/// Reads the identity from a store of any known layout. Throws sqlite::UnusableFile if it is not what was written, or if
-/// the store uses another format of draws than this program.
+/// Reads the identity from a store of any known layout. Throws sqlite::UnusableFile if it is not what was written, or
+/// if the store uses another format of draws than this program.
 [[nodiscard]] Identity read_identity(const sqlite::Database& database, std::int64_t layout);
 
 }  // namespace rocking

@@ -4,16 +4,16 @@
 
 #include "rocking/store/sqlite.hpp"
 
-/// Layouts of a store: its tables and what its checksums cover. The layout is stored in PRAGMA user_version. This program
-/// reads all layouts up to its own.
+/// Layouts of a store: its tables and what its checksums cover. The layout is stored in PRAGMA user_version. This
+/// program reads all layouts up to its own.
 ///
 /// 1: revision 61b81ca, whose stores have user_version 0. No results version; the checksum of a row covers its key and
 /// fields.
 /// 2: the checksum of a row also covers the experiment.
 /// 3: the column clamped_length_at_bound.
 ///
-/// A new field of a row (for_each_field) needs a new layout. Stores of earlier layouts lack its column; the field then has
-/// its default value.
+/// A new field of a row (for_each_field) needs a new layout. Stores of earlier layouts lack its column; the field then
+/// has its default value.
 namespace rocking {
 
 inline constexpr std::int64_t current_layout = 3;

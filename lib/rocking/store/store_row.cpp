@@ -14,8 +14,8 @@ using sqlite::Statement;
 
 std::int64_t to_signed(std::uint64_t number) { return std::bit_cast<std::int64_t>(number); }
 
-// Each kind of field has one overload in each of three families: how it is declared, bound and read. A value with a name (a
-// response mode, an enumerator) is stored by its name.
+// Each kind of field has one overload in each of three families: how it is declared, bound and read. A value with a
+// name (a response mode, an enumerator) is stored by its name.
 
 const char* type_of(bool) { return "INTEGER NOT NULL"; }
 const char* type_of(std::uint64_t) { return "INTEGER NOT NULL"; }
@@ -55,8 +55,8 @@ class Binder {
   int place_ = 0;
 };
 
-/// Reads the columns of a row, one after the other. A value that no program writes makes the row unsound, although the field
-/// that it becomes may have the right checksum.
+/// Reads the columns of a row, one after the other. A value that no program writes makes the row unsound, although the
+/// field that it becomes may have the right checksum.
 class Reader {
  public:
   explicit Reader(const Statement& statement) : statement_(&statement) {}

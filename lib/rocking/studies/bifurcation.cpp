@@ -41,7 +41,8 @@ std::vector<Chain> chains_of(std::vector<Diagram>& diagrams) {
 }
 
 DiagramStep step_of(const RealisationResult& result, bool continued, const Horizon& horizon) {
-  DiagramStep step{.continued = continued, .termination = result.termination, .classification = result.classification, .points = {}};
+  DiagramStep step{
+      .continued = continued, .termination = result.termination, .classification = result.classification, .points = {}};
   if (result.termination != dynamics::Termination::reached_horizon) return step;
   step.points.assign(result.strobe.end() - horizon.sampled_periods, result.strobe.end());
   return step;
@@ -86,9 +87,7 @@ class DiagramWorkers {
     }
   }
 
-  [[nodiscard]] bool is_to_stop() const {
-    return has_failed_ || options_->stop_requested.is_made();
-  }
+  [[nodiscard]] bool is_to_stop() const { return has_failed_ || options_->stop_requested.is_made(); }
 
   const Experiment* experiment_;
   random::Draws draws_;

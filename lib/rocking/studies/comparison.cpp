@@ -50,8 +50,7 @@ ConditionComparison compared(const Table& table, double confidence) {
 
 }  // namespace
 
-std::vector<ConditionComparison> compare(const Store& first, const Store& second,
-                                         std::span<const double> confidences) {
+std::vector<ConditionComparison> compare(const Store& first, const Store& second, std::span<const double> confidences) {
   std::vector<Table> tables(confidences.size());
   first.for_each([&](const RealisationKey& key, const Summary& summary) {
     if (key.condition >= tables.size()) return;

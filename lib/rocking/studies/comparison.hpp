@@ -16,13 +16,13 @@ namespace rocking {
 /// A response mode under two settings.
 struct ModeComparison {
   stats::PairedCounts counts;
-  double in_first = 0.0;                      ///< share of the realisations of the first run that have the mode
-  double in_second = 0.0;                     ///< the same of the second run
-  double difference = 0.0;                    ///< in_first - in_second
-  stats::Interval score;                      ///< of the difference: Tango's
-  stats::Interval exact;                      ///< of the difference: see stats::paired_difference_exact
-  stats::McNemar test;                        ///< of whether the difference is 0
-  std::optional<double> variance_reduction;   ///< by common random numbers; absent where no two realisations differ
+  double in_first = 0.0;                     ///< share of the realisations of the first run that have the mode
+  double in_second = 0.0;                    ///< the same of the second run
+  double difference = 0.0;                   ///< in_first - in_second
+  stats::Interval score;                     ///< of the difference: Tango's
+  stats::Interval exact;                     ///< of the difference: see stats::paired_difference_exact
+  stats::McNemar test;                       ///< of whether the difference is 0
+  std::optional<double> variance_reduction;  ///< by common random numbers; absent where no two realisations differ
 };
 
 /// One condition under two settings, realisation by realisation with common random numbers.

@@ -44,13 +44,13 @@ struct FragilityCurve {
 /// A curve with its estimates, intervals and fit; `levels` by growing intensity, at least one.
 [[nodiscard]] FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence);
 
-/// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/scale`; empty where it
-/// sweeps neither.
+/// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/scale`; empty where
+/// it sweeps neither.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
 
-/// A curve for each point of the grid of the other entries. An intensity of 0 has no logarithm and is left out. The experiment
-/// must sweep an intensity and fix the number of realisations (no `until`). Throws InputError where the run is not
-/// finished.
+/// A curve for each point of the grid of the other entries. An intensity of 0 has no logarithm and is left out. The
+/// experiment must sweep an intensity and fix the number of realisations (no `until`). Throws InputError where the run
+/// is not finished.
 [[nodiscard]] std::vector<FragilityCurve> fragility(const Experiment& experiment, const Store& store);
 
 }  // namespace rocking

@@ -69,7 +69,8 @@ class TemporaryFile {
   // The first free name of this process. mkstemp would deny access to users whom the umask allows.
   int make_in(const std::filesystem::path& folder) {
     for (int number = 0;; ++number) {
-      name_ = (folder / (std::string(temporary_name) + std::to_string(::getpid()) + '-' + std::to_string(number))).string();
+      name_ =
+          (folder / (std::string(temporary_name) + std::to_string(::getpid()) + '-' + std::to_string(number))).string();
       const int descriptor = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
       if (descriptor >= 0 || errno != EEXIST) return descriptor;
     }

@@ -11,8 +11,8 @@
 
 namespace rocking {
 
-/// All bytes of a regular file, but not much more than `most`: of a longer one at least `most` + 1. Throws base::InputError if
-/// the path does not lead to a regular file, std::system_error with the path if it cannot be read.
+/// All bytes of a regular file, but not much more than `most`: of a longer one at least `most` + 1. Throws
+/// base::InputError if the path does not lead to a regular file, std::system_error with the path if it cannot be read.
 [[nodiscard]] std::string read_file(const std::filesystem::path& path,
                                     std::size_t most = std::numeric_limits<std::size_t>::max());
 
@@ -22,9 +22,9 @@ using FileSource = std::function<std::string(const std::string& name, std::size_
 /// Files with paths relative to `folder`.
 [[nodiscard]] FileSource files_seen_from(const std::filesystem::path& folder);
 
-/// Replaces or creates a file atomically, so that readers see the old file or the complete new one, also after a power failure:
-/// a temporary file in the same folder is written, flushed to the disk and renamed. Throws std::system_error with the path;
-/// the temporary file is then gone.
+/// Replaces or creates a file atomically, so that readers see the old file or the complete new one, also after a power
+/// failure: a temporary file in the same folder is written, flushed to the disk and renamed. Throws std::system_error
+/// with the path; the temporary file is then gone.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 /// The same with content in pieces: write(sink) is called once.
 void write_atomically(const std::filesystem::path& path, const std::function<void(const TextSink& sink)>& write);

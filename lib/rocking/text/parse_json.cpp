@@ -97,8 +97,9 @@ class DocumentBuilder final : public nlohmann::json_sax<Json> {
   struct Frame {
     Json* node;
     std::string key;
-    bool is_rerun = false;                   ///< the key has a value already
-    std::unordered_set<std::string> keys = {};  ///< of an object; the search for a key in the document takes linear time
+    bool is_rerun = false;  ///< the key has a value already
+    /// Of an object; the search for a key in the document takes linear time.
+    std::unordered_set<std::string> keys = {};
   };
 
   // The message of the parser without its number, its place and the last token.

@@ -11,8 +11,9 @@ inline constexpr std::string_view report_format = "rocking.report/1";
 
 /// A JSON Schema (draft 07) of one of our formats, as in reports/schemas.
 struct Schema {
-  std::string_view name;  ///< `experiment`, `report`, `trajectory`, `check_normal`, `comparison`, `bifurcation`, `cost`,
-                          ///< `fragility`
+  std::string_view
+      name;  ///< `experiment`, `report`, `trajectory`, `check_normal`, `comparison`, `bifurcation`, `cost`,
+             ///< `fragility`
   std::string_view text;
 };
 

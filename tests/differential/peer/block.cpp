@@ -88,8 +88,8 @@ class Block final : private Equations {
     return g;
   }
 
-  /// `now`: forces of sticking. If sticking would need N <= 0, the block slips, provided that slip presses it on the base
-  /// and is accelerated.
+  /// `now`: forces of sticking. If sticking would need N <= 0, the block slips, provided that slip presses it on the
+  /// base and is accelerated.
   [[nodiscard]] bool grips(const Balance& now) const {
     if (!scene_.friction) return true;
     if (now.normal > 0.0) return std::abs(now.friction) <= friction_.at_rest * now.normal;

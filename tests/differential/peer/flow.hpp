@@ -40,8 +40,8 @@ class Flow {
  public:
   virtual ~Flow() = default;
 
-  /// Integrates from `start` for `duration`, or until the first guard falls through 0. The absolute tolerance is multiplied
-  /// by `smallness`.
+  /// Integrates from `start` for `duration`, or until the first guard falls through 0. The absolute tolerance is
+  /// multiplied by `smallness`.
   [[nodiscard]] virtual Stretch follow(const Vector& start, double duration, double smallness,
                                        const Equations& equations) = 0;
 };

@@ -30,7 +30,8 @@ struct Balance {
   double v_dot;
   double normal;
   double friction;
-  double determinant;  ///< derivative of the residual moment with respect to w'; the motion is determined while it is > 0
+  double
+      determinant;  ///< derivative of the residual moment with respect to w'; the motion is determined while it is > 0
 };
 
 /// The edge does not move relative to the base.

@@ -3,8 +3,9 @@
 #include <cstdint>
 #include <optional>
 
-/// A second implementation of lib/docs/model.md for comparison with ours: ordinary differential equations in theta, w, X,
-/// V, integrated by CVODE of SUNDIALS with its root finding. From the library it uses only the draws, which are an input.
+/// A second implementation of lib/docs/model.md for comparison with ours: ordinary differential equations in theta, w,
+/// X, V, integrated by CVODE of SUNDIALS with its root finding. From the library it uses only the draws, which are an
+/// input.
 namespace rocking::peer {
 
 /// Means of mu_s and mu_k.

@@ -49,8 +49,8 @@ class Attack {
   /// Copies the undamaged run to this name.
   void copy_sound_run(const std::string& name) const;
 
-  /// Runs `rocking`. Any other exit code is a finding; so are a signal, a hang, control characters for the terminal, and
-  /// messages too long to read.
+  /// Runs `rocking`. Any other exit code is a finding; so are a signal, a hang, control characters for the terminal,
+  /// and messages too long to read.
   Ending run(const std::vector<std::string>& arguments, const std::set<int>& allowed);
 
   /// Checks a page that the program wrote, if there is one.

@@ -23,13 +23,13 @@
 
 namespace {
 
+using rocking::Json;
 using rocking::analysis::Cell;
 using rocking::analysis::Figure;
-using rocking::analysis::run_report_of;
 using rocking::analysis::run_figures;
+using rocking::analysis::run_report_of;
 using rocking::analysis::RunReport;
 using rocking::analysis::Table;
-using rocking::Json;
 using rocking::support::sample_report;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

@@ -18,6 +18,7 @@
 
 namespace {
 
+using rocking::Json;
 using rocking::analysis::bifurcation_figures;
 using rocking::analysis::Cell;
 using rocking::analysis::cost_figures;
@@ -26,11 +27,10 @@ using rocking::analysis::LayerKind;
 using rocking::analysis::normal_histogram;
 using rocking::analysis::output_figures;
 using rocking::analysis::poincare;
-using rocking::analysis::run_report_of;
 using rocking::analysis::read_trajectory;
+using rocking::analysis::run_report_of;
 using rocking::analysis::Table;
 using rocking::analysis::TrajectoryFile;
-using rocking::Json;
 using rocking::support::sample_report;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

@@ -38,10 +38,8 @@ const char* hostile = "</title></script><script>alert(1)</script><img src=x oner
 
 Json report_of(const Json& question) {
   const auto experiment = rocking::read_experiment(question.dump(), {}, {});
-  const auto result =
-      rocking::run(experiment, {.threads = 1, .on_progress = {}, .stop_requested = nullptr});
-  return Json::parse(
-      rocking::report_text(experiment, result.value(), {.build = {}, .machine = "m", .start = "s"}));
+  const auto result = rocking::run(experiment, {.threads = 1, .on_progress = {}, .stop_requested = nullptr});
+  return Json::parse(rocking::report_text(experiment, result.value(), {.build = {}, .machine = "m", .start = "s"}));
 }
 
 /// One report for all tests: three conditions, four realisations each.
@@ -161,9 +159,9 @@ TEST(Page, SaysWhatTheReportSays) {
   const Json& condition = quick_report()["result"]["conditions"][2];
   for (const auto& [mode, probability] : condition["probabilities"].items()) {
     if (condition["counts"][mode] == 0) continue;
-    EXPECT_THAT(page,
-                HasSubstr(rocking::per_cent(probability["estimate"]) + " <span class=\"interval\">[" +
-                          rocking::per_cent(probability["simultaneous"][0]) + ", " + rocking::per_cent(probability["simultaneous"][1])));
+    EXPECT_THAT(page, HasSubstr(rocking::per_cent(probability["estimate"]) + " <span class=\"interval\">[" +
+                                rocking::per_cent(probability["simultaneous"][0]) + ", " +
+                                rocking::per_cent(probability["simultaneous"][1])));
   }
   for (const char* pointer : {"/result/digest", "/input/sha256", "/input/experiment/seed"}) {
     EXPECT_THAT(page, HasSubstr(quick_report()[Json::json_pointer(pointer)].get<std::string>()));

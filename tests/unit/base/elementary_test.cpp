@@ -1,5 +1,5 @@
-// The portable elementary functions, compared with 50-digit arithmetic. Errors are in units in the last place of the true
-// value.
+// The portable elementary functions, compared with 50-digit arithmetic. Errors are in units in the last place of the
+// true value.
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
-// How a block comes to rest: infinitely many impacts in finite time, ended at the tolerance (lib/docs/model.md, section 3).
-// H/B = 4 throughout, tan(psi) = 0.25.
+// How a block comes to rest: infinitely many impacts in finite time, ended at the tolerance (lib/docs/model.md, section
+// 3). H/B = 4 throughout, tan(psi) = 0.25.
 
 #include <algorithm>
 #include <cmath>
@@ -37,7 +37,8 @@ const LoggedEvent* find(const support::EventLog& log, EventKind kind) {
   return nullptr;
 }
 
-// The rates decrease by Housner's ratio: the remaining time after an impact is a geometric series up to the cubic terms.
+// The rates decrease by Housner's ratio: the remaining time after an impact is a geometric series up to the cubic
+// terms.
 TEST(Chatter, EndsBeforeTheLimitOfTheGeometricSeriesByNoMoreThanIsDocumented) {
   const Geometry block = Stage{}.geometry();
   const double ratio = 1.0 - 1.5 * block.sine * block.sine;
@@ -169,8 +170,8 @@ TEST(Chatter, ThatEndsInSlideTipsAtOnceWhereTheNewFrictionDoes) {
   EXPECT_EQ((end + 1)->tau, end->tau);
 }
 
-// An impact with w2 = 0 exactly, with slip and mu_k > tan(psi): the block tips over its leading edge. It must not land at
-// the same instant again and again.
+// An impact with w2 = 0 exactly, with slip and mu_k > tan(psi): the block tips over its leading edge. It must not land
+// at the same instant again and again.
 TEST(Chatter, ThatIsOneImpactGoesOnWhereKineticFrictionTips) {
   const Geometry block = Stage{}.geometry();
   const double mu_k = 0.3;

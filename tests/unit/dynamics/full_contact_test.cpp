@@ -75,8 +75,8 @@ TEST_P(Rest, WithoutFrictionLiftsAtTanPsi) {
   EXPECT_NEAR(run.log.events.front().tau, std::asin(0.25 / 0.3) / 10.0, 1e-15);
 }
 
-// theta'' = 0 at the threshold: theta grows as alpha' cos(psi) tau^3/6. There must be no false impact while tau^3 is of the
-// size of a rounding.
+// theta'' = 0 at the threshold: theta grows as alpha' cos(psi) tau^3/6. There must be no false impact while tau^3 is of
+// the size of a rounding.
 TEST_P(Rest, LiftsAtTheThresholdWithoutFallingBackByRounding) {
   for (const double excess : {1e-9, 1e-6, 1e-3, 0.1, 1.0}) {
     ScriptedRun run({}, {.amplitude_value = push() * peak(0.25 * (1.0 + excess))});
@@ -158,8 +158,8 @@ TEST_P(Slide, ReversesWhereTheBaseStillPushes) {
   EXPECT_EQ(run.log.events[0].state.contact, ContactState::slide);
 }
 
-// The base pushes in the direction of the slide, but not enough: the block stops. The new static friction cannot hold it,
-// and it continues in the same direction.
+// The base pushes in the direction of the slide, but not enough: the block stops. The new static friction cannot hold
+// it, and it continues in the same direction.
 TEST_P(Slide, GoesOnTheSameWayWhereTheNewFrictionCannotHold) {
   ScriptedRun run(sliding(-push() * 1e-3, phase()),
                   {.amplitude_value = peak(0.1), .statics = {0.22, 0.05}, .kinetics = {0.2}});

@@ -83,8 +83,10 @@ TEST(Impact, WithoutSlipKeepsHousnersRatio) {
 
 TEST(Impact, OfTheReferenceBlockKeeps0p912) {
   const Geometry block = geometry_of({.width = 1.0, .height = 4.0});
-  EXPECT_NEAR(sticking_tilt_rate({.tilt_rate = 1.0, .slip_rate = 0.0}, 0.0, block), 31.0 / 34.0, 1e-15) << "1 - (3/2)/17";
-  EXPECT_NEAR(sticking_tilt_rate({.tilt_rate = 1.0, .slip_rate = 0.0}, 31.0 / 34.0, block), 0.831, 5e-4) << "the paper's e in the paper's equation";
+  EXPECT_NEAR(sticking_tilt_rate({.tilt_rate = 1.0, .slip_rate = 0.0}, 0.0, block), 31.0 / 34.0, 1e-15)
+      << "1 - (3/2)/17";
+  EXPECT_NEAR(sticking_tilt_rate({.tilt_rate = 1.0, .slip_rate = 0.0}, 31.0 / 34.0, block), 0.831, 5e-4)
+      << "the paper's e in the paper's equation";
 }
 
 TEST(Impact, ObeysTheLawsOfMomentum) {
@@ -183,7 +185,8 @@ TEST(Impact, NeverGainsEnergyOutsideTheDocumentedCorner) {
   }
 }
 
-// e = 0: sticking is a plastic impact. It loses energy also if the rule `signed` allows it beyond the available friction.
+// e = 0: sticking is a plastic impact. It loses energy also if the rule `signed` allows it beyond the available
+// friction.
 TEST(Impact, NeverGainsEnergyUnderTheSignedRuleEither) {
   support::SplitMix draw(8);
   for (int i = 0; i < 200'000; ++i) {
@@ -201,8 +204,8 @@ TEST(SignedRule, SlipsInOneDirectionOnlyAndElseSticks) {
   int one_way = 0;
   for (int i = 0; i < 200'000; ++i) {
     const auto [block, before] = random_impact(draw);
-    const double w2 = sticking_tilt_rate({.tilt_rate = before.tilt_rate, .slip_rate = before.slip_rate},
-                                         before.restitution, block);
+    const double w2 =
+        sticking_tilt_rate({.tilt_rate = before.tilt_rate, .slip_rate = before.slip_rate}, before.restitution, block);
     const double delta = w2 / before.tilt_rate;
     const double lambda = before.slip_rate / (before.tilt_rate * block.cosine) - 1.0;
     const double below = block.tangent * (1.0 + delta + 2.0 * before.restitution);  // times H/B
@@ -311,7 +314,8 @@ TEST(InelasticRateRatio, IsThatOfAnImpactThatSticks) {
     const Geometry block = geometry_of({.width = 1.0, .height = height, .gravity = 9.81});
     for (const double restitution : {-0.5, 0.0, 0.912, 1.0}) {
       // A block that rocks about its edge without slip has V1 = 0. A few roundings of numbers up to 3.
-      EXPECT_NEAR(sticking_tilt_rate({.tilt_rate = 0.7, .slip_rate = 0.0}, restitution, block), 0.7 * inelastic_rate_ratio(block, restitution), 2e-15);
+      EXPECT_NEAR(sticking_tilt_rate({.tilt_rate = 0.7, .slip_rate = 0.0}, restitution, block),
+                  0.7 * inelastic_rate_ratio(block, restitution), 2e-15);
     }
   }
 }

@@ -158,8 +158,8 @@ Residuals residuals_of_rocking(const Start& start, bool slips, double h) {
   return found;
 }
 
-/// With Omega_h h <= 0.1 and D >= 0.06 the first neglected terms are below 1e-14 (order 9) and 1e-20 (order 14) times small
-/// factors; the rest is rounding of numbers up to about 30.
+/// With Omega_h h <= 0.1 and D >= 0.06 the first neglected terms are below 1e-14 (order 9) and 1e-20 (order 14) times
+/// small factors; the rest is rounding of numbers up to about 30.
 constexpr double order_9_bound = 2e-11;
 constexpr double order_14_bound = 5e-14;
 

@@ -78,8 +78,8 @@ TEST(RickerPulse, HasItsPredominantFrequencyAtTheFrequencyRatio) {
   EXPECT_GT(spectrum(1.0), spectrum(1.01));
 }
 
-// The first term left out, of order 15, is below 1.1 sqrt(17!) 2^-7.5 0.3^15/15! = 2e-15 (Cramer's bound for the derivatives of a
-// Gaussian); the rest is rounding.
+// The first term left out, of order 15, is below 1.1 sqrt(17!) 2^-7.5 0.3^15/15! = 2e-15 (Cramer's bound for the
+// derivatives of a Gaussian); the rest is rounding.
 TEST(Pulse, HasSeriesThatMeetItsValuesLater) {
   for (const PulseShape shape : pulse_shapes) {
     const PulseExcitation pulse(shape, clock_at_x(0.0));

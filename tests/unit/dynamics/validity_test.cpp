@@ -110,8 +110,8 @@ TEST(LossOfContact, IsNoneWhereTheBlockPressesOnTheBase) {
   EXPECT_EQ(run.motion.losses_of_contact(), 0U);
 }
 
-// While N <= 0 friction is not tested; once the block presses on the base again, it is. Thrown up at w^2 cos(phi) > 4/3 on
-// a base that pulls it back, the block is off the ground at first, then slips.
+// While N <= 0 friction is not tested; once the block presses on the base again, it is. Thrown up at w^2 cos(phi) > 4/3
+// on a base that pulls it back, the block is off the ground at first, then slips.
 TEST(LossOfContact, SuspendsTheTestOfFrictionUntilTheBlockPressesAgain) {
   const Stage stage{.start = {.tilt = 0.1 * psi, .tilt_rate = 1.3}, .periods = 1};
   ScriptedRun run(stage, {.amplitude_value = -stage.amplitude_for(6.0), .statics = {0.1}, .kinetics = {0.05}});
@@ -123,8 +123,8 @@ TEST(LossOfContact, SuspendsTheTestOfFrictionUntilTheBlockPressesAgain) {
   EXPECT_EQ(run.motion.first_loss_of_contact(), 0.0);
 }
 
-// The same with mu_k = mu_s. Where the block presses on the base again, N = 0 and the friction limit is far exceeded: V' is
-// not zero there, unlike where abs(F) reaches mu_s N.
+// The same with mu_k = mu_s. Where the block presses on the base again, N = 0 and the friction limit is far exceeded:
+// V' is not zero there, unlike where abs(F) reaches mu_s N.
 TEST(LossOfContact, EndsInASlipThatGoesOnWhereKineticFrictionIsTheStaticOne) {
   for (const double amplitude : {4.0, 7.0, 10.0}) {
     const Stage stage{.start = {.tilt = 0.1 * psi, .tilt_rate = -1.5}, .periods = 3};
@@ -137,8 +137,8 @@ TEST(LossOfContact, EndsInASlipThatGoesOnWhereKineticFrictionIsTheStaticOne) {
 }
 
 // Off the ground (w^2 cos(phi) > 4/3) and slipping against the tilt, the block moves towards the zero of D = 1/3 +
-// sin^2(phi) - mu_k sin(phi) cos(phi): w grows without bound in finite time. The run ends with its reason before infinities
-// spread.
+// sin^2(phi) - mu_k sin(phi) cos(phi): w grows without bound in finite time. The run ends with its reason before
+// infinities spread.
 TEST(Painleve, EndsTheRunWhereTheDeterminantVanishes) {
   for (const double side : {1.0, -1.0}) {
     ScriptedRun run({.start = {.tilt = side * 0.5 * psi, .tilt_rate = -1.2 * side, .slip_rate = -9.0 * side}},

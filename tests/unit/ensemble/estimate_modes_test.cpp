@@ -12,10 +12,7 @@ using namespace rocking;
 using section::ResponseKind;
 using section::ResponseMode;
 
-
-std::vector<ModeEstimate> estimates(const ModeTally& tally) {
-  return estimate_modes(tally, 0.95);
-}
+std::vector<ModeEstimate> estimates(const ModeTally& tally) { return estimate_modes(tally, 0.95); }
 
 Estimate of(const std::vector<ModeEstimate>& modes, const ResponseMode& wanted) {
   for (const auto& [mode, probability] : modes) {

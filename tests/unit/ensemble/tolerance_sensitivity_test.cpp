@@ -38,7 +38,8 @@ TEST(ToleranceSensitivity, IsAbsentWhereNothingWasRerun) {
   EXPECT_FALSE(tolerance_sensitivity(std::vector{ConditionResult{}, condition(0.1, {0, 0})}, 0.95).has_value());
 }
 
-// A fifth of 0.05 is 0.01: 0 of 1000 is shown to be below it, 0 of 100 is undecided, 30 of 1000 is shown to be above it.
+// A fifth of 0.05 is 0.01: 0 of 1000 is shown to be below it, 0 of 100 is undecided, 30 of 1000 is shown to be above
+// it.
 TEST(ToleranceSensitivity, IsJudgedByBothEndsOfItsInterval) {
   const auto noise = [](stats::Proportion flips) {
     return tolerance_sensitivity(std::vector{condition(0.05, flips)}, 0.95)->noise;

@@ -113,16 +113,16 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     RandomBlock, OneFault,
-    ::testing::Values(
-        Fault{"/block/width_m", R"({"uniform": [-0.1, 1.0]})", "/block/width_m/uniform/0",
-              "must be a positive number of metres", "1.0"},
-        Fault{"/block/width_m", R"({"uniform": [1.0, 0.5]})", "/block/width_m/uniform", "less than its second", "swap"},
-        Fault{"/block/height_m", R"({"normal": {"mean": 0.0, "sigma": 0.1}})", "/block/height_m/normal/mean",
-              "must be a positive number of metres", "1.0"},
-        Fault{"/block/height_m", R"({"normal": {"mean": 4.0, "sigma": -0.1}})", "/block/height_m/normal/sigma",
-              "must not be negative", "0.03"},
-        Fault{"/block/height_m", "{}", "", "has no distribution", "uniform"},
-        Fault{"/block/gravity_m_s2", R"({"uniform": [9.0, 10.0]})", "", "must be a number", ""}));
+    ::testing::Values(Fault{"/block/width_m", R"({"uniform": [-0.1, 1.0]})", "/block/width_m/uniform/0",
+                            "must be a positive number of metres", "1.0"},
+                      Fault{"/block/width_m", R"({"uniform": [1.0, 0.5]})", "/block/width_m/uniform",
+                            "less than its second", "swap"},
+                      Fault{"/block/height_m", R"({"normal": {"mean": 0.0, "sigma": 0.1}})",
+                            "/block/height_m/normal/mean", "must be a positive number of metres", "1.0"},
+                      Fault{"/block/height_m", R"({"normal": {"mean": 4.0, "sigma": -0.1}})",
+                            "/block/height_m/normal/sigma", "must not be negative", "0.03"},
+                      Fault{"/block/height_m", "{}", "", "has no distribution", "uniform"},
+                      Fault{"/block/gravity_m_s2", R"({"uniform": [9.0, 10.0]})", "", "must be a number", ""}));
 
 // The squattest block that the law can give decides: psi = atan(1/0.5) there.
 TEST(BadExperiment, HasATiltThatIsOverturnedForSomeOfItsBlocks) {
@@ -151,15 +151,14 @@ TEST(BadExperiment, HasFrictionThatIsTooLargeForSomeOfItsBlocks) {
 
 INSTANTIATE_TEST_SUITE_P(
     Until, OneFault,
-    ::testing::Values(
-        Fault{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 200}})", "/realisations/until/half_width",
-              "below 0.5", "0.02"},
-        Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 0}})", "/realisations/until/at_most",
-              "from 1", ""},
-        Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 9, "after": 1}})",
-              "/realisations/until/after", "is not a key", "at_most"},
-        Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
-        Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
+    ::testing::Values(Fault{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 200}})",
+                            "/realisations/until/half_width", "below 0.5", "0.02"},
+                      Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 0}})",
+                            "/realisations/until/at_most", "from 1", ""},
+                      Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 9, "after": 1}})",
+                            "/realisations/until/after", "is not a key", "at_most"},
+                      Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
+                      Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
 
 TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
   auto document = with(example_experiment(), "/block/width_m", "-1");
@@ -209,8 +208,7 @@ TEST(BadExperiment, NamesTheFlagThatReplacedTheKey) {
 }
 
 TEST(BadExperiment, KeepsAHugeValueOutOfTheMessage) {
-  const auto problems =
-      problems_of(with(least_experiment(), "/title", Json(std::vector<int>(10'000, 7)).dump()));
+  const auto problems = problems_of(with(least_experiment(), "/title", Json(std::vector<int>(10'000, 7)).dump()));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_LE(problems[0].value.size(), 60U);
 }

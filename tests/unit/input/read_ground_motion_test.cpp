@@ -116,11 +116,11 @@ INSTANTIATE_TEST_SUITE_P(
         BadGroundMotion{"0 1\n1\n", {}, "r.txt, line 2", "\"1\"", "1 column,", "same columns"},
         BadGroundMotion{"0 1\n1 1e7\n", {}, "r.txt, line 2", "\"1e7\"", "exceeds 1e6", "m/s^2"},
         BadGroundMotion{"0 1\n0.5 2\n0.4 3\n1 1",
-                  {},
-                  "r.txt, line 3",
-                  "\"0.4\"",
-                  "earlier than the time of the previous sample, 0.5",
-                  "order"},
+                        {},
+                        "r.txt, line 3",
+                        "\"0.4\"",
+                        "earlier than the time of the previous sample, 0.5",
+                        "order"},
         BadGroundMotion{"-1 1\n0 0\n1 1\n", {}, "r.txt, line 1", "\"-1\"", "not a time", "begin at 0"},
         BadGroundMotion{"0 1\n1e8 0\n", {}, "r.txt, line 2", "\"1e8\"", "not a time", "0"},
         BadGroundMotion{
@@ -130,7 +130,8 @@ INSTANTIATE_TEST_SUITE_P(Whole, GroundMotionFault,
                          ::testing::Values(BadGroundMotion{"", {}, "r.txt", "", "no sample", "one line"},
                                            BadGroundMotion{"# a\n\n  \n", 0.1, "r.txt", "", "no sample", "one line"},
                                            BadGroundMotion{"0 1", {}, "r.txt", "", "only one sample", "two"},
-                                           BadGroundMotion{"1 1\n1 2\n", {}, "r.txt", "", "duration of zero", "different"}));
+                                           BadGroundMotion{
+                                               "1 1\n1 2\n", {}, "r.txt", "", "duration of zero", "different"}));
 
 TEST(GroundMotionFault, OfTheColumnsPointsAtTheTimeStep) {
   EXPECT_THAT(problems_of_record("1\n2\n")[0].remedy, HasSubstr("set \"time_step_s\""));
@@ -145,8 +146,10 @@ TEST(GroundMotionFault, IsToldForEveryLineButNotForThousands) {
 }
 
 TEST(GroundMotionFault, QuotesNothingOfAFileThatHoldsNoNumbers) {
-  for (const char* secret : {"root:x:0:0:root:/root:/bin/sh\nsecret:y\n", "-----BEGIN KEY-----\nsecret\n",
-                             "secret\n", "\x7f" "ELF\x01 secret\n", "secret words stand here\n"}) {
+  for (const char* secret : {"root:x:0:0:root:/root:/bin/sh\nsecret:y\n", "-----BEGIN KEY-----\nsecret\n", "secret\n",
+                             "\x7f"
+                             "ELF\x01 secret\n",
+                             "secret words stand here\n"}) {
     const auto problems = problems_of_record(secret);
     ASSERT_EQ(problems.size(), 1U) << secret;
     EXPECT_EQ(problems[0].place, "r.txt");
@@ -175,9 +178,7 @@ std::string a_file(const std::string& name, std::size_t) {
   return name == "r.txt" ? record_text : "0 0 0\n0.5 3 1\n1 0 0\n";
 }
 
-Experiment experiment_of(const Json& document) {
-  return read_experiment(document.dump(), {}, {.files = a_file});
-}
+Experiment experiment_of(const Json& document) { return read_experiment(document.dump(), {}, {.files = a_file}); }
 
 Json recorded(const std::string& excitation = R"({"kind": "recorded", "file": "r.txt"})") {
   return with(support::least_experiment(), "/excitation", excitation);
@@ -251,9 +252,9 @@ TEST(RecordedExcitation, IsReadOnceForAllConditions) {
   const auto document =
       with(recorded(), "/sweep", R"([{"parameter": "/excitation/scale", "from": 0, "to": 10, "step": 0.1}])");
   const auto experiment = read_experiment(document.dump(), {}, {.files = [&](const std::string&, std::size_t) {
-                                                    ++opened;
-                                                    return std::string(record_text);
-                                                  }});
+                                            ++opened;
+                                            return std::string(record_text);
+                                          }});
   EXPECT_EQ(opened, 1);
   EXPECT_EQ(support::recorded(experiment.conditions.front().scene).ground_motion,
             support::recorded(experiment.conditions.back().scene).ground_motion);

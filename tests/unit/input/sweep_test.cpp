@@ -33,7 +33,8 @@ TEST(Sweep, HasBothEndsAndNoRunningSum) {
   const auto experiment = read_experiment(example_experiment().dump());
   ASSERT_EQ(experiment.conditions.size(), 21U);
   for (std::size_t i = 0; i < 21; ++i) {
-    const double expected = static_cast<double>(30 + i) / 10.0;  // 3.3 is read as the nearest double, and so is this quotient
+    const double expected =
+        static_cast<double>(30 + i) / 10.0;  // 3.3 is read as the nearest double, and so is this quotient
     EXPECT_EQ(support::harmonic(experiment.conditions[i].scene).amplitude, expected);
     EXPECT_EQ(Json::parse(experiment.conditions[i].parameters[0].value).get<double>(), expected);
   }

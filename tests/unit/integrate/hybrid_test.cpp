@@ -16,8 +16,8 @@ namespace {
 
 using ::testing::ElementsAre;
 
-/// Guards that fire at given instants, breakpoints and strobes at others. All are dyadic, so that times are exact. Writes
-/// down the calls of the loop.
+/// Guards that fire at given instants, breakpoints and strobes at others. All are dyadic, so that times are exact.
+/// Writes down the calls of the loop.
 struct Timetable {
   std::vector<double> instants{};     ///< of guard 0, 1, ...; each fires once
   std::vector<double> breakpoints{};  ///< in order

@@ -14,8 +14,8 @@ namespace {
 /// Largest error of using the bits of a double as its binary logarithm: max of log2(1 + f) - f.
 constexpr double bits_error = 0.08608;
 
-// Read as a logarithm the bits are too small by up to 0.0861, for numerator and denominator alike (divided by the degree).
-// Read as an exponential they are too large by up to as much.
+// Read as a logarithm the bits are too small by up to 0.0861, for numerator and denominator alike (divided by the
+// degree). Read as an exponential they are too large by up to as much.
 TEST(RoughRoot, IsWithinItsBoundsOverTheWholeRangeOfDoubles) {
   support::SplitMix draw(1);
   for (int i = 0; i < 1'000'000; ++i) {
@@ -31,7 +31,8 @@ TEST(RoughRoot, IsWithinItsBoundsOverTheWholeRangeOfDoubles) {
 
 TEST(RoughRoot, IsExactAtPowersOfItsDegree) {
   for (int exponent = -60; exponent <= 60; ++exponent) {
-    EXPECT_EQ(rough_root(std::ldexp(1.0, 7 * exponent), std::ldexp(-1.0, -7 * exponent), 14), std::ldexp(1.0, exponent));
+    EXPECT_EQ(rough_root(std::ldexp(1.0, 7 * exponent), std::ldexp(-1.0, -7 * exponent), 14),
+              std::ldexp(1.0, exponent));
   }
 }
 

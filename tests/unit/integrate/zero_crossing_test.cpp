@@ -30,8 +30,8 @@ double sum_of_sizes(std::span<const double> c) {
   return sum;
 }
 
-/// Bound of the rounding error of a value on [0, 1]. Each of the n additions and multiplications of an evaluation, the n of
-/// the change of basis and the n of each of up to 52 bisections has an error of at most one unit of sum |c|; most
+/// Bound of the rounding error of a value on [0, 1]. Each of the n additions and multiplications of an evaluation, the
+/// n of the change of basis and the n of each of up to 52 bisections has an error of at most one unit of sum |c|; most
 /// evaluations have a much smaller one.
 double slack(std::span<const double> c) {
   return (4.0 + 52.0) * static_cast<double>(c.size()) * unit_rounding * sum_of_sizes(c);
@@ -79,8 +79,8 @@ TEST(ZeroCrossing, IsFoundBehindAStartAtZeroThatLeavesUpwards) {
   EXPECT_EQ(*crossing, 0.375);
 }
 
-// p = t q(t), where q has the Bernstein coefficients 1, -3, -1, -1: Newton's step from 1/2 leads exactly to the root at 0,
-// which is no zero crossing (p rises there).
+// p = t q(t), where q has the Bernstein coefficients 1, -3, -1, -1: Newton's step from 1/2 leads exactly to the root at
+// 0, which is no zero crossing (p rises there).
 TEST(ZeroCrossing, IsNotTheZeroAtTheStartThatNewtonsStepLeadsTo) {
   const Polynomial p = product({0.0, 1.0}, {1.0, -12.0, 18.0, -8.0});
   const auto crossing = first_zero_crossing(p);

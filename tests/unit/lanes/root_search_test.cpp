@@ -1,4 +1,5 @@
-// The lanes find the same zero crossings as the search for one polynomial, to the bit, or report that the case is unclear.
+// The lanes find the same zero crossings as the search for one polynomial, to the bit, or report that the case is
+// unclear.
 
 #include "rocking/lanes/root_search.hpp"
 

@@ -20,8 +20,7 @@ using section::ResponseMode;
 struct Made {
   std::vector<TableRow> rows;
 
-  void add(std::vector<Parameter> parameters,
-           const std::vector<std::pair<ResponseMode, std::uint64_t>>& counts) {
+  void add(std::vector<Parameter> parameters, const std::vector<std::pair<ResponseMode, std::uint64_t>>& counts) {
     TableRow row;
     row.parameters = std::move(parameters);
     for (const auto& [mode, count] : counts) row.realisations += count;
@@ -146,8 +145,7 @@ TEST(ModeTable, KeepsToTheWidthThatThereIs) {
         EXPECT_LE(letters_in(line), width) << line;
     }
   }
-  EXPECT_THAT(made.lines({.width = 300, .bars = Letters::ascii})[1],
-              ::testing::EndsWith("  ##--%%==oo.............."));
+  EXPECT_THAT(made.lines({.width = 300, .bars = Letters::ascii})[1], ::testing::EndsWith("  ##--%%==oo.............."));
 }
 
 TEST(ShareBar, HasALetterForWhatIsThereAtAllAndIsNoLongerForIt) {

@@ -83,8 +83,8 @@ TEST(BoxMuller, HasARadiusForEveryStepOfTheUniformNumber) {
   }
 }
 
-// Roundings in units of 2^-53 of the result: logarithm 2, halved by the root; root 1; angle 1 and pi/2 itself 0.4, with a
-// condition number of at most 1; sine or cosine 2; product 1: together 6.4.
+// Roundings in units of 2^-53 of the result: logarithm 2, halved by the root; root 1; angle 1 and pi/2 itself 0.4, with
+// a condition number of at most 1; sine or cosine 2; product 1: together 6.4.
 TEST(BoxMuller, IsRightToItsRoundings) {
   for (std::uint32_t i = 0; i < 5000; ++i) {
     const Words block = philox({i, 0, 0, 0}, 2012);

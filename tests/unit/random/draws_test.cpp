@@ -34,8 +34,8 @@ TEST(Draws, LayOutTheCounterAsDocumented) {
   EXPECT_EQ(draws.standard_normal(Source::restitution, index + 1), box_muller(block).sine);
 }
 
-// Bits of `rocking.draws/1`. Each is within 2 units in the last place of the value from 60-digit arithmetic for its words
-// (mpmath); the last bits are those of the project's own logarithm, sine and cosine.
+// Bits of `rocking.draws/1`. Each is within 2 units in the last place of the value from 60-digit arithmetic for its
+// words (mpmath); the last bits are those of the project's own logarithm, sine and cosine.
 TEST(Draws, HaveTheBitsOfVersionOne) {
   EXPECT_EQ(Draws(0x2012, 0).standard_normal(Source::kinetic_friction, 0), 0x1.3a476944c8834p-1);
   EXPECT_EQ(Draws(0x2012, 0).standard_normal(Source::kinetic_friction, 1), 0x1.5f7bc52354d9ep+0);

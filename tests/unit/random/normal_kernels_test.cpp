@@ -83,8 +83,8 @@ TEST(NormalKernels, MakeTheNormalsOfOneByOne) {
   }
 }
 
-// Where the logarithm is zero or changes its exponent, and at and next to every eighth of a turn, including the signs of
-// zeros; each in every lane.
+// Where the logarithm is zero or changes its exponent, and at and next to every eighth of a turn, including the signs
+// of zeros; each in every lane.
 TEST(NormalKernels, MakeTheNormalsOfOneByOneAtEveryEdge) {
   std::vector<std::uint64_t> radii = {0, 2047, 2048, every_bit, every_bit - 2047, every_bit - 2048};
   for (unsigned exponent = 12; exponent < 64; ++exponent) {

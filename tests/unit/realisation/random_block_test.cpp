@@ -1,5 +1,5 @@
-// A block whose width and height are drawn: from the laws that were asked for, once a realisation, and otherwise the same
-// realisation as that of a block of this size.
+// A block whose width and height are drawn: from the laws that were asked for, once a realisation, and otherwise the
+// same realisation as that of a block of this size.
 
 #include <algorithm>
 #include <cmath>
@@ -50,9 +50,9 @@ TEST(RandomBlock, HasTheMomentsOfItsLaws) {
     products += u * z;
   }
   support::FalseAlarms alarms;
-  for (const double s : {score(width, 0.0, 1.0 / 3.0, n), score(width_squares, 1.0 / 3.0, 4.0 / 45.0, n),
-                         score(height, 0.0, 1.0, n), score(height_squares, 1.0, 2.0, n),
-                         score(products, 0.0, 1.0 / 3.0, n)}) {
+  for (const double s :
+       {score(width, 0.0, 1.0 / 3.0, n), score(width_squares, 1.0 / 3.0, 4.0 / 45.0, n), score(height, 0.0, 1.0, n),
+        score(height_squares, 1.0, 2.0, n), score(products, 0.0, 1.0 / 3.0, n)}) {
     EXPECT_LT(std::abs(s), alarms.score());
   }
 }
@@ -63,7 +63,8 @@ std::vector<Condition> random_blocks() {
   harmonic.scene.block = {.width = Uniform{0.5, 1.5}, .height = Normal{4.0, 0.3}};
   support::harmonic(harmonic.scene) = {.amplitude = 6.0, .frequency_ratio = 10.0, .phase = Uniform{0.0, 6.0}};
   harmonic.scene.friction = Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
-  harmonic.scene.fluctuation = {.static_friction = 0.03, .kinetic_friction = 0.03, .restitution = 0.02, .amplitude = 0.2};
+  harmonic.scene.fluctuation = {
+      .static_friction = 0.03, .kinetic_friction = 0.03, .restitution = 0.02, .amplitude = 0.2};
   harmonic.scene.initial.tilt = Uniform{-0.4, 0.4};
   harmonic.horizon = {.transient_periods = 20, .sampled_periods = 20};
   Condition jy25 = harmonic;

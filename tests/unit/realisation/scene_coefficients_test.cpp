@@ -157,8 +157,8 @@ TEST(KineticFriction, IsDrawnAndClampedOnlyWhereItIsUsed) {
   EXPECT_EQ(coefficients.clamps().kinetic_at_static + coefficients.clamps().kinetic_at_zero, 0U);
 }
 
-// A source that announces the coming intervals, and is told afterwards how many have passed, has the same state as one that
-// was asked in each of them.
+// A source that announces the coming intervals, and is told afterwards how many have passed, has the same state as one
+// that was asked in each of them.
 TEST(KineticFriction, IsAnnouncedAsItWillBe) {
   const Scene scene = scene_with({.kinetic_friction = 0.3}, 0.35, 0.3);
   for (const double phase : {0.0, 2.5}) {
@@ -293,7 +293,8 @@ TEST(Restitution, IsHeldWithinWhatTheModelAllows) {
   EXPECT_EQ(coefficients.clamps().restitution, clamped);
 }
 
-// Amplitudes are constant between zeros of the sine, so that alpha has no jump; the part before the first zero has index 0.
+// Amplitudes are constant between zeros of the sine, so that alpha has no jump; the part before the first zero has
+// index 0.
 TEST(Amplitude, ChangesAtTheZerosOfTheSine) {
   const Scene scene = scene_with({.amplitude = 0.5});
   const auto expected = [](std::uint64_t index) {

@@ -137,8 +137,8 @@ double distance(const RealisationResult& a, const RealisationResult& b, std::siz
   return largest;
 }
 
-// Another tolerance makes other steps, but has common random numbers at the same instants: the motions differ by the error
-// of the steps only, while independent random numbers make them diverge.
+// Another tolerance makes other steps, but has common random numbers at the same instants: the motions differ by the
+// error of the steps only, while independent random numbers make them diverge.
 TEST(Replay, AtAnotherToleranceHasCommonRandomNumbers) {
   Condition slides = fluctuating(with_friction(shaken(7.0), 0.2, 0.15), 0.01);  // slides all the time: no chaos
   Condition finer = slides;

@@ -1,5 +1,5 @@
-// A condition that comes from C++ gets the checks of an experiment file: the same thing done to both is told at the same
-// place, with the same reason and remedy.
+// A condition that comes from C++ gets the checks of an experiment file: the same thing done to both is told at the
+// same place, with the same reason and remedy.
 
 #include <functional>
 #include <limits>

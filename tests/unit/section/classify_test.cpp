@@ -110,7 +110,8 @@ TEST(Classify, FindsThePeriodsOfTheLogisticMap) {
 
 TEST(Classify, DistinguishesResponsesOfEqualPeriodByTheirRocks) {
   CountedExponent exponent;
-  for (const int m : {1, 2, 3, 4}) EXPECT_EQ(exponent.classification_of(noisy(3, m, 1e-4, 9), true).mode, periodic(m, 3));
+  for (const int m : {1, 2, 3, 4})
+    EXPECT_EQ(exponent.classification_of(noisy(3, m, 1e-4, 9), true).mode, periodic(m, 3));
 }
 
 TEST(Classify, ClassifiesNoisySlidingByItsSlipRate) {
@@ -165,7 +166,8 @@ TEST(Classify, SeesAShiftInMidWindowThatTheNoiseNearlyHides) {
     for (std::size_t k = 120; k < 240; ++k) periods[k].point.tilt += 5.0 * 0.02;
     CountedExponent exponent{clearly_negative};
     const Classification classification = exponent.classification_of(periods, true);
-    EXPECT_TRUE(classification.reason == Reason::not_stationary || classification.reason == Reason::changed_regime) << seed;
+    EXPECT_TRUE(classification.reason == Reason::not_stationary || classification.reason == Reason::changed_regime)
+        << seed;
     EXPECT_TRUE(classification.in_transient) << seed;
   }
 }

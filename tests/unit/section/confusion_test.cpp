@@ -1,5 +1,5 @@
-// Frequency of wrong labels on synthetic responses with known labels. The tables are in lib/docs/methods-classification.md;
-// this program makes them.
+// Frequency of wrong labels on synthetic responses with known labels. The tables are in
+// lib/docs/methods-classification.md; this program makes them.
 
 #include <cmath>
 #include <cstdio>
@@ -49,9 +49,9 @@ std::string row(const char* what, int n, std::size_t count) {
 
 constexpr ExponentEstimate contracting{-0.2, 0.01};
 
-// Separate clouds: the distance of any two is at least 7 scatters, mostly far more; the scatter is stretched by 0.5 to 3,
-// the memory per cycle is anything up to what Housner's impact allows, with rotation by any angle; half of the series have
-// 2 % strays at ten scatters.
+// Separate clouds: the distance of any two is at least 7 scatters, mostly far more; the scatter is stretched by 0.5 to
+// 3, the memory per cycle is anything up to what Housner's impact allows, with rotation by any angle; half of the
+// series have 2 % strays at ten scatters.
 Score separated(int n, std::size_t count, int series) {
   Score score;
   support::SplitMix draw(1000 * count + static_cast<std::uint64_t>(n));
@@ -102,8 +102,8 @@ TEST(Confusion, SplitsNoWideCloud) {
   }
 }
 
-// If deviations of a (1,3) response change sign from cycle to cycle and decay as slowly as Housner's impact allows, they
-// look like a period doubling for a while. If there are few cycles, clouds must be far apart to be taken for six.
+// If deviations of a (1,3) response change sign from cycle to cycle and decay as slowly as Housner's impact allows,
+// they look like a period doubling for a while. If there are few cycles, clouds must be far apart to be taken for six.
 TEST(Confusion, TakesNoNoiseWithLongMemoryForADoubling) {
   for (const std::size_t count : {60U, 120U}) {
     Score score;
@@ -183,7 +183,8 @@ TEST(Confusion, ClassifiesChaosAsChaoticHoweverItsPointsLie) {
   }
 }
 
-// Phase copies of a (1,3) response that change at random times: right is (1,3) if it lasted for all but 5 %, or unresolved.
+// Phase copies of a (1,3) response that change at random times: right is (1,3) if it lasted for all but 5 %, or
+// unresolved.
 TEST(Confusion, ClassifiesNoResponseThatJumpsBetweenItsPhases) {
   for (const int jumps : {1, 2, 5, 20}) {
     Score score;
@@ -215,8 +216,9 @@ TEST(Confusion, ClassifiesNoQuasiPeriodicResponse) {
     score.judge(periods, {}, {-0.002, 0.003});
   }
   score.print("quasi-periodic");
-  // A rotation so near 2 pi j/n that the clouds move by no more than their noise within the window cannot be distinguished
-  // from (n,n): 23 fractions, each with 2 x 0.6e-3 of the range pi (1.4 x 0.005/0.2 x 2/120 rad), make 0.9 %.
+  // A rotation so near 2 pi j/n that the clouds move by no more than their noise within the window cannot be
+  // distinguished from (n,n): 23 fractions, each with 2 x 0.6e-3 of the range pi (1.4 x 0.005/0.2 x 2/120 rad), make
+  // 0.9 %.
   EXPECT_LT(score.wrong, 0.02 * score.series);
 }
 

@@ -92,7 +92,8 @@ TEST(LateSettling, IsNotSeenInASteadyDrift) {
       auto periods = response(1, 1, 1e-3, seed);
       for (std::size_t k = 0; k < window; ++k) periods[k].point.tilt += drift * static_cast<double>(k);
       const Classification classification = classification_of(periods);
-      EXPECT_TRUE(classification.mode.kind == ResponseKind::unresolved || classification.held == 1.0) << seed << ' ' << drift;
+      EXPECT_TRUE(classification.mode.kind == ResponseKind::unresolved || classification.held == 1.0)
+          << seed << ' ' << drift;
     }
   }
 }
@@ -169,7 +170,8 @@ TEST(Interruption, IsNotSeenInASlowTurn) {
 }
 
 TEST(Regimes, AreNotLookedForWhereTheWholeIsOne) {
-  for (std::uint64_t seed = 1; seed <= 50; ++seed) EXPECT_EQ(classification_of(response(3, 1, 1e-3, seed)).held, 1.0) << seed;
+  for (std::uint64_t seed = 1; seed <= 50; ++seed)
+    EXPECT_EQ(classification_of(response(3, 1, 1e-3, seed)).held, 1.0) << seed;
 }
 
 }  // namespace

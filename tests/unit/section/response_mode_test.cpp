@@ -20,8 +20,13 @@ TEST(ResponseMode, IsSpelledAsInReports) {
 }
 
 TEST(ResponseMode, SortsByPeriodsThenRocksThenKind) {
-  const std::vector<ResponseMode> sorted{periodic(1, 1), periodic(2, 2), periodic(1, 3), periodic(3, 3),
-                                         {ResponseKind::chaotic, 0, 0}, {ResponseKind::rest, 0, 0}, {}};
+  const std::vector<ResponseMode> sorted{periodic(1, 1),
+                                         periodic(2, 2),
+                                         periodic(1, 3),
+                                         periodic(3, 3),
+                                         {ResponseKind::chaotic, 0, 0},
+                                         {ResponseKind::rest, 0, 0},
+                                         {}};
   std::vector<ResponseMode> shuffled(sorted.rbegin(), sorted.rend());
   std::ranges::sort(shuffled);
   EXPECT_EQ(shuffled, sorted);

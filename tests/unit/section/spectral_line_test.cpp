@@ -30,8 +30,8 @@ TEST(StrongestLine, IsLookedForAtTwentyThreeFractions) {
   EXPECT_EQ(fractions, line_count);
 }
 
-// The chance of the strongest of 23 lines is the smallest of 23 nearly independent uniform numbers. In 20000 series 23 x
-// 20000 x 1e-3 = 460 are expected below 1e-3 (dependence reduces this), 46 below 1e-4. False-alarm probability of the
+// The chance of the strongest of 23 lines is the smallest of 23 nearly independent uniform numbers. In 20000 series 23
+// x 20000 x 1e-3 = 460 are expected below 1e-3 (dependence reduces this), 46 below 1e-4. False-alarm probability of the
 // bounds below: 1e-6 (Poisson).
 TEST(StrongestLine, HasTheChanceItStatesUnderWhiteNoise) {
   support::SplitMix draw(11);
@@ -74,9 +74,9 @@ TEST(StrongestLine, IsNotLookedForWhereTheCloudsAlreadyHaveIt) {
   }
 }
 
-// The spectrum of noise that rotates by a third of a turn per period and decays as slowly as Housner's impact allows has a
-// broad maximum at 1/3, but no line. Compared with white noise of the same variance, nearly every one of these series would
-// have a line.
+// The spectrum of noise that rotates by a third of a turn per period and decays as slowly as Housner's impact allows
+// has a broad maximum at 1/3, but no line. Compared with white noise of the same variance, nearly every one of these
+// series would have a line.
 TEST(StrongestLine, IsDistinguishedFromTheBroadMaximumOfNoiseWithLongMemory) {
   support::SplitMix draw(14);
   const double c = 0.83 * std::cos(2.0 * std::numbers::pi / 3.0);

@@ -73,7 +73,8 @@ TEST(RawInterval, MissesTheTruthWhereLabelsAreWrong) {
 }
 
 TEST(CorrectedEstimate, AddsWhatWasGainedAndTakesAwayWhatWasLost) {
-  EXPECT_DOUBLE_EQ(corrected_estimate({.classified = {9, 20}, .checked = 20, .gained = 2, .lost = 1}), 0.45 + 0.1 - 0.05);
+  EXPECT_DOUBLE_EQ(corrected_estimate({.classified = {9, 20}, .checked = 20, .gained = 2, .lost = 1}),
+                   0.45 + 0.1 - 0.05);
 }
 
 TEST(CorrectedInterval, KnowsNothingWhereNothingWasChecked) {

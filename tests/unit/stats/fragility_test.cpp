@@ -109,7 +109,8 @@ TEST(Fragility, HasNoLawWhereTrialsDifferInOneWayAtMost) {
 }
 
 TEST(Fragility, HasALawOfPositiveWidthWhereTrialsDifferInTwoWays) {
-  std::vector<IntensityLevel> levels = levels_of({"100000000000", "000000000000", "110111101111", std::string(12, '1')});
+  std::vector<IntensityLevel> levels =
+      levels_of({"100000000000", "000000000000", "110111101111", std::string(12, '1')});
   levels[3].intensity = levels[2].intensity * (1.0 + 1e-6);  // levels that nearly coincide
   levels[1].intensity = levels[0].intensity * (1.0 + 1e-6);
   const auto law = fit_lognormal(levels).law;

@@ -20,8 +20,8 @@ struct Known {
   Interval clopper_pearson;
 };
 
-// From 40-digit arithmetic (mpmath), by bisection of the sums of binomial probabilities. The first four rows agree with the
-// four decimals printed by Newcombe (1998), Stat. Med. 17, 857-872, Table I.
+// From 40-digit arithmetic (mpmath), by bisection of the sums of binomial probabilities. The first four rows agree with
+// the four decimals printed by Newcombe (1998), Stat. Med. 17, 857-872, Table I.
 const std::vector<Known> known_intervals{
     {{81, 263}, 0.95, {0.25528851987827423, 0.36620957698280007}, {0.25273674558527116, 0.36762192260135136}},
     {{15, 148}, 0.95, {0.06238639953073628, 0.16048724172330804}, {0.057844010083448559, 0.16165049034947901}},
@@ -141,7 +141,8 @@ TEST(ExactInterval, LeavesBothTailsTheSignificanceLevelAtItsEnds) {
       const Interval interval = exact_interval({k, n}, significance);
       const boost::math::binomial_distribution<double> at_low(trials, interval.low), at_high(trials, interval.high);
       // To 2^-40 of an end, which changes a tail by less than n times that.
-      EXPECT_NEAR(cdf(complement(at_low, static_cast<double>(k - 1))), 0.5 * significance.at(interval.low), 1e-12 * trials);
+      EXPECT_NEAR(cdf(complement(at_low, static_cast<double>(k - 1))), 0.5 * significance.at(interval.low),
+                  1e-12 * trials);
       EXPECT_NEAR(cdf(at_high, static_cast<double>(k)), 0.5 * significance.at(interval.high), 1e-12 * trials);
     }
   }
@@ -154,7 +155,8 @@ TEST(ExactInterval, LiesInRangeAroundItsEstimateWhereTheSignificanceLevelIsPropo
       const double estimate = static_cast<double>(k) / static_cast<double>(n);
       EXPECT_TRUE(0.0 <= interval.low && interval.low <= estimate) << k << "/" << n;
       EXPECT_TRUE(estimate <= interval.high && interval.high <= 1.0) << k << "/" << n;
-      EXPECT_EQ(interval.low == 0.0, k <= 1) << k << "/" << n;  // some of many rare categories are expected to occur once
+      EXPECT_EQ(interval.low == 0.0, k <= 1)
+          << k << "/" << n;  // some of many rare categories are expected to occur once
       EXPECT_EQ(interval.high == 1.0, k == n) << k << "/" << n;
     }
   }
@@ -184,8 +186,8 @@ double probability_of(const std::vector<std::uint64_t>& counts, const std::vecto
 }
 
 // nu(c) is the probability of a box, which can be summed. The width is a step function of c, and the expansion of the
-// authors has an error below a hundredth here: the boxes of c and c + 1, and those between, may differ from the confidence
-// by this much.
+// authors has an error below a hundredth here: the boxes of c and c + 1, and those between, may differ from the
+// confidence by this much.
 TEST(SisonGlaz, TakesTheBoxThatHoldsTheConfidence) {
   for (const std::vector<std::uint64_t>& observed :
        {std::vector<std::uint64_t>{20, 10, 10}, {14, 14, 12}, {30, 5, 5}, {8, 30, 2}}) {

@@ -17,8 +17,8 @@ namespace {
 using namespace rocking::stats;
 using Sample = std::vector<double>;
 
-/// Scores at which the distribution function of the law is exactly evenly spaced: as near to a normal law as n numbers can
-/// be.
+/// Scores at which the distribution function of the law is exactly evenly spaced: as near to a normal law as n numbers
+/// can be.
 Sample evenly_spread(std::size_t n) {
   Sample sample;
   for (std::size_t i = 0; i < n; ++i) {
@@ -52,8 +52,8 @@ TEST(JarqueBera, GivesTheKnownStatistic) {
   EXPECT_DOUBLE_EQ(jarque_bera(whole_numbers(20)).p_value, std::exp(-0.5 * 1.2120602257523508));
 }
 
-// The scores 3.57177 of the skewness and -1.70581 of the kurtosis are the examples of SciPy's skewtest and kurtosistest;
-// the others and the sums are from 40-digit arithmetic (mpmath).
+// The scores 3.57177 of the skewness and -1.70581 of the kurtosis are the examples of SciPy's skewtest and
+// kurtosistest; the others and the sums are from 40-digit arithmetic (mpmath).
 TEST(DAgostinoPearson, GivesTheKnownStatistic) {
   EXPECT_NEAR(dagostino_pearson(whole_numbers(20)).statistic, 1.7058104152122049 * 1.7058104152122049, 1e-13);
   EXPECT_NEAR(dagostino_pearson(Sample{1, 2, 3, 4, 5, 6, 7, 8000}).statistic, 22.957410548037796, 1e-12);
@@ -78,8 +78,8 @@ TEST(ShapeScores, AreThoseOfTheKnownExamples) {
   EXPECT_NEAR(kurtosis_score(central_moments(whole_numbers(20)).kurtosis(), 20), -1.7058104152122062, 1e-12);
 }
 
-// Percentage points of A^2 for a given law: Stephens (1974), J. Am. Stat. Assoc. 69, 730-737, Table 1. The density is at
-// most 0.1, and the table is accurate to half a unit of its third decimal; at 3.857 it is known to be wrong by 2 %.
+// Percentage points of A^2 for a given law: Stephens (1974), J. Am. Stat. Assoc. 69, 730-737, Table 1. The density is
+// at most 0.1, and the table is accurate to half a unit of its third decimal; at 3.857 it is known to be wrong by 2 %.
 TEST(AndersonDarling, HasThePublishedPercentPoints) {
   EXPECT_NEAR(anderson_darling_p_value(1.933, 1000000), 0.100, 5e-5);
   EXPECT_NEAR(anderson_darling_p_value(2.492, 1000000), 0.050, 5e-5);

@@ -20,7 +20,8 @@ const Json& oracle() {
   return json;
 }
 
-/// Both ends agree to ten digits, relative to 0 or to 1, except for rounding; statsmodels' Wilson gives 4e-18 instead of 0.
+/// Both ends agree to ten digits, relative to 0 or to 1, except for rounding; statsmodels' Wilson gives 4e-18 instead
+/// of 0.
 void expect_agrees(const Interval& found, const Json& known, const Json& where, double rounding = 1e-15) {
   const auto tolerance = [&](double x) { return 4e-18 + rounding * x + 1e-10 * std::min(x, 1.0 - x); };
   const double low = known.at(0);
@@ -40,8 +41,8 @@ TEST(Oracle, AgreesOnTheIntervalsOfOneProportion) {
   }
 }
 
-// statsmodels leaves the ends at the quantiles; ours extend to 0 and 1 (Brown, Cai, DasGupta 2001), since otherwise p near
-// 0 and 1 would never be covered.
+// statsmodels leaves the ends at the quantiles; ours extend to 0 and 1 (Brown, Cai, DasGupta 2001), since otherwise p
+// near 0 and 1 would never be covered.
 TEST(Oracle, AgreesOnJeffreysButAtTheEnds) {
   for (const Json& row : oracle()["proportions"]) {
     const Proportion counts{row["k"], row["n"]};

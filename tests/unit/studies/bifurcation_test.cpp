@@ -30,8 +30,7 @@ Condition fluctuating_condition(double amplitude, double friction = 0.35) {
   condition.scene.block = {.width = 1.0, .height = 4.0, .gravity = 9.81};
   support::harmonic(condition.scene).amplitude = amplitude;
   support::harmonic(condition.scene).frequency_ratio = 10.0;
-  condition.scene.friction =
-      Friction{.static_coefficient = friction, .kinetic_coefficient = friction - 0.05};
+  condition.scene.friction = Friction{.static_coefficient = friction, .kinetic_coefficient = friction - 0.05};
   condition.scene.fluctuation = {.static_friction = 0.05,
                                  .kinetic_friction = 0.05,
                                  .refreshes_per_period = 20,
@@ -53,8 +52,8 @@ std::vector<StrobePoint> one_long_run(const Condition& condition, std::uint64_t 
   const random::Draws draws(seed, realisation);
   const int stretch = condition.horizon.transient_periods + condition.horizon.sampled_periods;
   StrobeRecorder recorder(dynamics::geometry_of(mean_block(condition.scene)).shape_angle, stretch * stretches);
-  const auto beginning = begin_realisation(condition, draws, start_of(condition.scene, draws),
-                                                       Strobe::poincare, stretch);
+  const auto beginning =
+      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, stretch);
   Motion motion = motion_of(condition.scene, beginning, recorder);
   integrate::advance(motion);
   for (int i = 1; i < stretches; ++i) {
@@ -96,8 +95,8 @@ TEST(Continuation, IsOneLongRunToTheBitWhileTheParameterStays) {
   EXPECT_EQ(handed_on.size(), 4U) << "rest, slide, rock and rock_slide are to be handed on";
 }
 
-// A run without these ends has other Taylor steps. A strobe point of an attracting response is accurate to 1000 tolerances,
-// which the classifier also assumes.
+// A run without these ends has other Taylor steps. A strobe point of an attracting response is accurate to 1000
+// tolerances, which the classifier also assumes.
 TEST(Continuation, GivesThePointsOfARunThatIsNotCut) {
   Condition condition = fluctuating_condition(3.0);
   condition.scene.fluctuation = {};
@@ -179,8 +178,8 @@ std::vector<std::string> modes_of(const Diagram& diagram, Branch branch) {
   return modes;
 }
 
-// Without sliding a (1,1) response coexists with a (1,3) one near A_h = 4.5. From rest the block reaches (1,3) there and
-// (1,1) at 3.5.
+// Without sliding a (1,1) response coexists with a (1,3) one near A_h = 4.5. From rest the block reaches (1,3) there
+// and (1,1) at 3.5.
 TEST(Diagram, ShowsCoexistingResponsesOnDifferentBranches) {
   const auto diagrams = drawn(
       experiment_from(swept(R"([{ "parameter": "/excitation/amplitude", "from": 3.5, "to": 4.5, "step": 0.1 }])")));

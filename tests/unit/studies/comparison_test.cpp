@@ -52,8 +52,7 @@ TEST(Comparison, CountsForEachModeWhereItWasMet) {
 TEST(Comparison, TakesOnlyWhatBothRunsHold) {
   const auto one = periodic(1, 1);
   const std::array confidences{0.95, 0.95};
-  const auto compared =
-      compare(store_of({{one, one, one}, {one}}), store_of({{one, chaotic}, {}, {one}}), confidences);
+  const auto compared = compare(store_of({{one, one, one}, {one}}), store_of({{one, chaotic}, {}, {one}}), confidences);
   ASSERT_EQ(compared.size(), 2U);
   EXPECT_EQ(compared[0].realisations, 2U);
   EXPECT_EQ(compared[0].changed.successes, 1U);

@@ -215,7 +215,7 @@ TEST(ToleranceLadder, HasEveryDecadeAndTheExperimentsOwnOnce) {
 }
 
 MeasuredCost cost_with(const Experiment& experiment, const std::vector<ToleranceCost>& curve,
-                               const Yardstick& yardstick) {
+                       const Yardstick& yardstick) {
   Cost cost;
   cost.sample = curve.front().departure->flips.trials;
   cost.sampled_conditions = experiment.conditions.size();
@@ -256,8 +256,7 @@ TEST(CostWords, OfTooFewRealisationsSayHowManyWouldDo) {
 TEST(CostWords, OfEverythingSpeakOfNoInterval) {
   const Experiment experiment = experiment_of({false});
   const auto measured = cost_with(experiment, curve_of({1, 0, 0, 0}, 91), {.half_width = {}, .is_everything = true});
-  EXPECT_THAT(cost_recommendation(measured),
-              HasSubstr("0 of 91 response modes change (0 at 1e-12), of all"));
+  EXPECT_THAT(cost_recommendation(measured), HasSubstr("0 of 91 response modes change (0 at 1e-12), of all"));
   EXPECT_THAT(cost_table(measured), HasSubstr("nothing is random"));
   EXPECT_THAT(cost_table(measured), Not(HasSubstr("[0.00")));
 }
@@ -283,10 +282,9 @@ TEST(CostText, DiffersInSystemOnlyWhereTimesDo) {
   auto measured = two_conditions();
   CostTiming timing{.seconds_per_period = {1.0, 2.0, 3.0}, .realisations = 1, .periods = 1};
   const auto text = [&] {
-    auto json = Json::parse(
-        cost_text({.experiment = &experiment,
-                           .cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured, timing),
-                           .system = {}}));
+    auto json = Json::parse(cost_text({.experiment = &experiment,
+                                       .cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured, timing),
+                                       .system = {}}));
     json.erase("system");
     return json.dump();
   };

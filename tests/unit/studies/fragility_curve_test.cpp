@@ -32,7 +32,8 @@ TEST(FragilityCurve, StatesEstimateAndIntervalsAtEachLevel) {
   EXPECT_EQ(curve.missed_levels(), 0U);
 }
 
-// Of 400 trials at each level: the share falls where the function can only rise, so its dispersion is too large at the ends.
+// Of 400 trials at each level: the share falls where the function can only rise, so its dispersion is too large at the
+// ends.
 TEST(FragilityCurve, CountsLevelsThatTheFunctionMisses) {
   const FragilityCurve curve =
       fragility_curve({level(1.0, 40, 400), level(2.0, 280, 400), level(3.0, 120, 400), level(4.0, 360, 400)}, 0.95);

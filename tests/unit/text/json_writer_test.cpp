@@ -11,8 +11,8 @@
 namespace rocking {
 namespace {
 
-/// Writes a value with a writer that enters every object and list that contains a value, `depth` levels deep, and writes
-/// the rest as a whole.
+/// Writes a value with a writer that enters every object and list that contains a value, `depth` levels deep, and
+/// writes the rest as a whole.
 class Walk {
  public:
   explicit Walk(JsonWriter& writer) : writer_(&writer) {}

@@ -12,9 +12,9 @@
 
 namespace {
 
+using rocking::lines_of;
 using rocking::base::cut_to;
 using rocking::base::printable;
-using rocking::lines_of;
 using ::testing::ElementsAre;
 
 constexpr const char* lines_text = R"(
@@ -47,14 +47,17 @@ TEST(Lines, OfWhatIsNotThereAreThoseOfTheInnermostValueOnTheWay) {
 }
 
 TEST(Lines, AreFoundInTextThatIsNoJson) {
-  for (const char* torn : {"", "{", "{\"a\"", "{\"a\":", "{\"a\": \"", "[", "[1,", "\"", "{\"a\\", "}}]]", "{,,}", "{{{{"}) {
+  for (const char* torn :
+       {"", "{", "{\"a\"", "{\"a\":", "{\"a\": \"", "[", "[1,", "\"", "{\"a\\", "}}]]", "{,,}", "{{{{"}) {
     EXPECT_EQ(lines_of(torn, "/a/0/b").size(), 1U) << torn;
   }
 }
 
 TEST(Printable, ShowsControlCharactersAndBytesThatAreNotUtf8) {
   EXPECT_EQ(printable("a\x1b[31mb\x07\x7f\tc\n"), "a\\x1b[31mb\\x07\\x7f\\x09c\n");
-  EXPECT_EQ(printable("\xc2\x9b" "31m"), "\\x9b31m");
+  EXPECT_EQ(printable("\xc2\x9b"
+                      "31m"),
+            "\\x9b31m");
   EXPECT_EQ(printable("\xff\xc0\x80\xed\xa0\x80"), "\\xff\\xc0\\x80\\xed\\xa0\\x80");
   EXPECT_EQ(printable("Ω μ_s █ \xf0\x9f\x98\x80"), "Ω μ_s █ \xf0\x9f\x98\x80");
   EXPECT_EQ(printable("\xe2\x96"), "\\xe2\\x96");
@@ -71,7 +74,8 @@ TEST(Messages, CutLongPlacesAndValuesBetweenLetters) {
   EXPECT_EQ(cut_to("abcdefg", 6), "abc...");
   EXPECT_EQ(cut_to("abΩdefg", 6), "ab...");
   const std::string long_text(1'000'000, 'x');
-  EXPECT_LT(to_string(rocking::base::Problem{.place = '/' + long_text, .value = long_text, .reason = "r", .remedy = ""}).size(),
+  EXPECT_LT(to_string(rocking::base::Problem{.place = '/' + long_text, .value = long_text, .reason = "r", .remedy = ""})
+                .size(),
             300U);
 }
 

@@ -9,10 +9,10 @@
 
 namespace {
 
-using rocking::base::InputError;
-using rocking::base::Problem;
 using rocking::Json;
 using rocking::parse_json;
+using rocking::base::InputError;
+using rocking::base::Problem;
 
 /// The only problem for which the text is refused.
 Problem refusal_of(const std::string& text) {

@@ -17,7 +17,8 @@ namespace rocking::dynamics {
 template <class Kind, base::Lane Real>
 using Piece = std::array<Real, Kind::piece_numbers>;
 
-/// What each kind of base motion offers. Values are base accelerations over g; `amplitude` is the one in force times `unit`.
+/// What each kind of base motion offers. Values are base accelerations over g; `amplitude` is the one in force times
+/// `unit`.
 template <class Kind>
 concept BaseExcitation = requires(Kind kind, const Clock& clock, const Geometry& block, double amplitude,
                                   const Moment<double>& now, MotionSeries<double>& series) {

@@ -30,14 +30,14 @@ inline constexpr double ricker_half_length = 1.3251763074617886;
 ///     cosine   f = cos(x)                          the same; f jumps from 0 to 1 and back
 ///     ricker   f = (1 - x^2/2) exp(-x^2/4)         x = Omega_h tau - 2 pi ricker_half_length, cut at both ends
 ///
-/// The spectrum of ricker, proportional to omega^2 exp(-(omega/Omega_h)^2), has its peak at Omega_h. With the time t since x = 0
-/// all of them solve f'' + Omega_h^2 (c t f' + q f) = 0, c = 0 and q = 1, or c = 1/2 and q = 3/2 for ricker, from
-/// which the Taylor coefficients follow:
+/// The spectrum of ricker, proportional to omega^2 exp(-(omega/Omega_h)^2), has its peak at Omega_h. With the time t
+/// since x = 0 all of them solve f'' + Omega_h^2 (c t f' + q f) = 0, c = 0 and q = 1, or c = 1/2 and q = 3/2 for
+/// ricker, from which the Taylor coefficients follow:
 ///
 ///     f_{k+2} = -Omega_h^2 (c t f_{k+1}/(k + 2) + (c k + q) f_k/((k + 1) (k + 2)))
 ///
-/// Source: Zhang & Makris (2001), J. Eng. Mech. 127(5) 473-483 (sine and cosine); Ricker (1943), Bull. Seismol. Soc. Am. 33(3)
-/// 197-228, in the form of Makris & Vassiliou (2013), Earthq. Eng. Struct. Dyn. 42(3) 431-449.
+/// Source: Zhang & Makris (2001), J. Eng. Mech. 127(5) 473-483 (sine and cosine); Ricker (1943), Bull. Seismol. Soc.
+/// Am. 33(3) 197-228, in the form of Makris & Vassiliou (2013), Earthq. Eng. Struct. Dyn. 42(3) 431-449.
 class PulseExcitation {
  public:
   static constexpr bool is_periodic = false;

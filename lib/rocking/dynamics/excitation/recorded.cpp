@@ -16,8 +16,8 @@ Knot at_rest(const Instant& instant) { return {.instant = instant, .horizontal =
 
 }  // namespace
 
-NormalisedGroundMotion::NormalisedGroundMotion(const std::vector<GroundMotionSample>& samples, double frequency_parameter,
-                               const Clock& clock) {
+NormalisedGroundMotion::NormalisedGroundMotion(const std::vector<GroundMotionSample>& samples,
+                                               double frequency_parameter, const Clock& clock) {
   constexpr Instant never{.period = 0, .time = std::numeric_limits<double>::infinity()};
   knots_.reserve(samples.size() + 4);
   knots_.push_back(at_rest({.period = -2, .time = 0.0}));

@@ -28,12 +28,13 @@ struct Knot {
   double vertical;
 };
 
-/// A recorded base motion on a run's clock: linear between samples, at rest before the first and after the last. Samples
-/// need not be evenly spaced. Every sample is a breakpoint, so that a step never crosses a kink.
+/// A recorded base motion on a run's clock: linear between samples, at rest before the first and after the last.
+/// Samples need not be evenly spaced. Every sample is a breakpoint, so that a step never crosses a kink.
 class NormalisedGroundMotion {
  public:
   /// `frequency_parameter`: p, which turns seconds into normalised time.
-  NormalisedGroundMotion(const std::vector<GroundMotionSample>& samples, double frequency_parameter, const Clock& clock);
+  NormalisedGroundMotion(const std::vector<GroundMotionSample>& samples, double frequency_parameter,
+                         const Clock& clock);
 
   /// The last knot that is reached; the piece goes from it to the knot behind it, which never is the last of all.
   [[nodiscard]] const Knot* last_reached(const Clock& clock) const;

@@ -11,7 +11,8 @@
 #include "rocking/studies/cost/recommendation.hpp"
 #include "rocking/studies/cost/timing.hpp"
 
-/// Cost of accuracy: error, changed response modes and time by tolerance; half-width and time by number of realisations.
+/// Cost of accuracy: error, changed response modes and time by tolerance; half-width and time by number of
+/// realisations.
 namespace rocking {
 
 /// Every decade from 1e-4 to 1e-14, and the tolerance of the experiment's first condition: falling.
@@ -52,8 +53,8 @@ struct Cost {
   [[nodiscard]] const ToleranceCost& floor() const { return curve[curve.size() - 2]; }
 };
 
-/// `tolerances` are those of the measurements and include that of the first condition. All but the timing is a function of the
-/// experiment, the tolerances and how many realisations are measured.
+/// `tolerances` are those of the measurements and include that of the first condition. All but the timing is a function
+/// of the experiment, the tolerances and how many realisations are measured.
 [[nodiscard]] Cost cost_of(const Experiment& experiment, std::span<const double> tolerances,
                            std::span<const MeasuredRealisation> measured, CostTiming timing);
 

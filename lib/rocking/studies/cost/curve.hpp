@@ -24,14 +24,15 @@ struct Departure {
   std::uint64_t moving = 0;             ///< realisations that have an error
   std::optional<double> median_error;   ///< absent if none moves; of two middle values the lower one
   std::optional<double> largest_error;  ///< the same
-  std::uint64_t diverged = 0;             ///< realisations that diverged from the reference before the horizon
+  std::uint64_t diverged = 0;           ///< realisations that diverged from the reference before the horizon
   stats::Proportion flips;              ///< response modes that differ
   stats::Interval flips_interval;       ///< Clopper-Pearson
   /// Flips here and at the floor, the second tightest tolerance: `first_only` flip only here. Flips at the floor are
   /// attributed to rounding. Absent at the floor.
   std::optional<stats::PairedCounts> beside_tolerance_sensitivity;
-  std::optional<stats::Interval> beyond_floor;  ///< exact, of the excess over the flips at the floor; absent at the floor
-  std::vector<Flip> first_flips;                ///< at most `flips_kept`
+  std::optional<stats::Interval>
+      beyond_floor;               ///< exact, of the excess over the flips at the floor; absent at the floor
+  std::vector<Flip> first_flips;  ///< at most `flips_kept`
 };
 inline constexpr std::size_t flips_kept = 5;
 

@@ -43,8 +43,8 @@ class HalfWidthForecast {
   /// realisations. Absent if empty.
   [[nodiscard]] std::optional<double> aim() const;
 
-  /// Of simultaneous intervals, each at the confidence of its condition; `at_most` at the highest of these. Not empty. At
-  /// most `most_needed`.
+  /// Of simultaneous intervals, each at the confidence of its condition; `at_most` at the highest of these. Not empty.
+  /// At most `most_needed`.
   [[nodiscard]] RealisationsNeeded needed(double half_width) const;
   static constexpr std::uint64_t most_needed = 1'000'000'000;
 

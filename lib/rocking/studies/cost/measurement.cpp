@@ -30,7 +30,7 @@ double distance(const section::StrobePoint& a, const section::StrobePoint& b) {
 class MeasurementInProgress {
  public:
   MeasurementInProgress(const Condition& condition, std::span<const double> tolerances, std::uint64_t index,
-          const RealisationKey& key)
+                        const RealisationKey& key)
       : index_(index), key_(key), conditions_(tolerances.size(), condition), results_(tolerances.size()) {
     for (std::size_t i = 0; i < tolerances.size(); ++i) {
       conditions_[i].tolerance = tolerances[i];
@@ -105,7 +105,8 @@ class CostWorkers {
         const auto index = next(scheduler.is_idle());
         if (!index) break;
         const RealisationKey key = sample_.at(*index);
-        scheduler.start(std::make_unique<MeasurementInProgress>(experiment_->conditions[key.condition], plan_->tolerances, *index, key));
+        scheduler.start(std::make_unique<MeasurementInProgress>(experiment_->conditions[key.condition],
+                                                                plan_->tolerances, *index, key));
       }
       if (scheduler.is_idle() || has_failed_ || options_->stop_requested.is_made()) return;
       for (const auto& group : scheduler.work()) accept(*group);

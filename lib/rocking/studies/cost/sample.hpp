@@ -10,12 +10,12 @@
 
 namespace rocking {
 
-/// Realisations with which the cost of an experiment is measured, in an order whose every initial part covers the conditions
-/// evenly: rounds of all conditions, each in the order of their reversed bits (0, 1/2, 1/4, 3/4, ... of the way along the
-/// grid).
+/// Realisations with which the cost of an experiment is measured, in an order whose every initial part covers the
+/// conditions evenly: rounds of all conditions, each in the order of their reversed bits (0, 1/2, 1/4, 3/4, ... of the
+/// way along the grid).
 ///
-/// Each has a different number, so that they use independent random numbers and are independent trials. A condition in which
-/// nothing is random takes part in the first round only, because all its realisations are equal.
+/// Each has a different number, so that they use independent random numbers and are independent trials. A condition in
+/// which nothing is random takes part in the first round only, because all its realisations are equal.
 class CostSample {
  public:
   explicit CostSample(const Experiment& experiment);

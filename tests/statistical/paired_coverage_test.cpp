@@ -1,5 +1,5 @@
-// Tests and intervals for paired trials, from the sum of the probabilities of all outcomes: no simulation, no false
-// alarm.
+// Tests and intervals for paired trials, from the sum of the probabilities of all outcomes: without simulation there is
+// no false alarm.
 
 #include <algorithm>
 #include <array>

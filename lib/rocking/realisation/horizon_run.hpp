@@ -90,7 +90,7 @@ class HorizonRun {
 
   /// To be called when go_on() has returned false. Classifies the response, unless that needs the exponent. In that
   /// case returns the pair of trajectories, which the caller runs to its end.
-  [[nodiscard]] PerturbedPair* name();
+  [[nodiscard]] PerturbedPair* classify();
 
   /// The result, to be called when everything has been run.
   [[nodiscard]] RealisationResult finish();
@@ -107,7 +107,7 @@ class HorizonRun {
   std::optional<PerturbedPair> perturbed_pair_;
 };
 
-inline PerturbedPair* HorizonRun::name() {
+inline PerturbedPair* HorizonRun::classify() {
   add(result_.operations, counts_);
   collect(result_, motion_, recorder_);
   if (result_.termination == dynamics::Termination::overturned) {
@@ -144,7 +144,7 @@ inline RealisationResult HorizonRun::finish() {
     stop.check();
     integrate::step(run.motion(), run.counts());
   }
-  if (PerturbedPair* perturbed_pair = run.name()) run_alone(*perturbed_pair, stop);
+  if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair, stop);
   return run.finish();
 }
 

@@ -101,7 +101,7 @@ class RealisationScheduler::Implementation {
   void go_on(const MotionInProgress& motion) {
     RealisationInProgress& run = *motion.run;
     if (&motion == &run.itself) {
-      run.perturbed_pair = run.name();
+      run.perturbed_pair = run.classify();
       if (run.perturbed_pair == nullptr) return finish(run);
       run.pair = {MotionInProgress{&run, &run.perturbed_pair->reference(), &run.perturbed_counts},
                   MotionInProgress{&run, &run.perturbed_pair->perturbed(), &run.perturbed_counts}};

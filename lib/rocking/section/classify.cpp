@@ -44,7 +44,7 @@ PendingClassification by_exponent(const ClassifierInput& input, Decide decide) {
           }};
 }
 
-PendingClassification named(const Classification& classification) {
+PendingClassification classified(const Classification& classification) {
   return {.classification = classification, .with_exponent = {}};
 }
 
@@ -53,9 +53,9 @@ Classification chaotic(const ExponentFinding& exponent) {
 }
 
 PendingClassification classify_noise_free(const ClassifierInput& input) {
-  if (input.periods.size() < fewest_noise_free) return named(unresolved(Reason::too_few_points));
+  if (input.periods.size() < fewest_noise_free) return classified(unresolved(Reason::too_few_points));
   if (const auto classification = find_recurrence(input.periods, input.resolution, input.thresholds))
-    return named(*classification);
+    return classified(*classification);
   return by_exponent(input, [](const ExponentFinding& judged) {
     switch (judged.sign) {
       case Sign::positive: return chaotic(judged);
@@ -70,11 +70,11 @@ PendingClassification classify_noise_free(const ClassifierInput& input) {
 PendingClassification classify_unsteady(const ClassifierInput& input, const Finding& finding) {
   // If the clouds persist and only the impacts are irregular, no part shows more than the whole window.
   const bool clouds_stay = finding.classification.reason == Reason::impacts_irregular;
-  const ChangeOfMind change =
-      clouds_stay ? ChangeOfMind{} : find_regimes(input.periods, input.resolution, input.thresholds);
+  const RegimeChange change =
+      clouds_stay ? RegimeChange{} : find_regimes(input.periods, input.resolution, input.thresholds);
   Classification fallback = finding.classification;
   if (change.reason) fallback = unresolved(*change.reason, *change.reason == Reason::changed_regime);
-  if (!change.last_regime && finding.need == ExponentNeed::none) return named(fallback);
+  if (!change.last_regime && finding.need == ExponentNeed::none) return classified(fallback);
   return by_exponent(input, [fallback, need = finding.need, last = change.last_regime](const ExponentFinding& judged) {
     if (judged.sign == Sign::positive && need == ExponentNeed::to_find_chaos) return chaotic(judged);
     if (judged.sign != Sign::negative || !last) return fallback;
@@ -85,10 +85,10 @@ PendingClassification classify_unsteady(const ClassifierInput& input, const Find
 }
 
 PendingClassification classify_random(const ClassifierInput& input) {
-  if (input.periods.size() < fewest_random) return named(unresolved(Reason::too_few_points));
+  if (input.periods.size() < fewest_random) return classified(unresolved(Reason::too_few_points));
   const Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
   if (finding.classification.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding);
-  if (finding.need == ExponentNeed::none) return named(finding.classification);
+  if (finding.need == ExponentNeed::none) return classified(finding.classification);
   return by_exponent(input, [classification = finding.classification](const ExponentFinding& judged) {
     if (judged.sign == Sign::positive) return chaotic(judged);
     if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, classification.in_transient);
@@ -136,7 +136,7 @@ PendingClassification classify(const ClassifierInput& input) {
   ROCKING_EXPECT(input.resolution > 0.0);
   const bool moved = std::ranges::any_of(input.periods, [](const Period& p) { return p.moved || p.impacts != 0; });
   if (!moved && !input.periods.empty()) {
-    return named({{ResponseKind::rest, 0, 0}, Reason::never_moved, false, largest_margin});
+    return classified({{ResponseKind::rest, 0, 0}, Reason::never_moved, false, largest_margin});
   }
   return input.random ? classify_random(input) : classify_noise_free(input);
 }

@@ -97,7 +97,7 @@ bool is_interrupted(std::span<const PlanePoint> points, double resolution) {
 
 }  // namespace
 
-ChangeOfMind find_regimes(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
+RegimeChange find_regimes(std::span<const Period> periods, double resolution, const Thresholds& thresholds) {
   const std::vector<PlanePoint> points = plane_points(periods);
   // The response has changed if more points are away from a regime than a window may have strays. Otherwise the regime
   // is part of a slower motion, or of one that the whole window shows better.

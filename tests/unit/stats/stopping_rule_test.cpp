@@ -71,7 +71,7 @@ TEST(StoppingRule, HeedsTheCategoriesThatWereNotPrespecified) {
   EXPECT_FALSE(rule.narrow_enough({.trials = 200, .prespecified = {0, 200, 0}, .others = {}}));
 }
 
-TEST(StoppingRule, GivesTheUnforeseenWiderIntervals) {
+TEST(StoppingRule, GivesWiderIntervalsToModesThatAreNotPrespecified) {
   const StoppingRule rule(goal);
   for (const std::uint64_t k : {0U, 1U, 2U, 50U, 500U, 1000U}) {
     EXPECT_LE(rule.interval_of_others({k, 1000}).low, rule.interval_of_prespecified({k, 1000}).low) << k;

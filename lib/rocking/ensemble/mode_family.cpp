@@ -17,6 +17,9 @@ constexpr std::array prespecified_modes{section::periodic(1, 1),
                                         section::ResponseMode{.kind = ResponseKind::rest},
                                         section::ResponseMode{.kind = ResponseKind::unresolved}};
 
+/// So many of them, from the first on, are listed in a report also where they did not occur.
+constexpr std::size_t first_listed = 4;
+
 }  // namespace
 
 std::vector<section::ResponseMode> most_frequent(const ModeTally& tally, std::size_t most) {
@@ -28,6 +31,8 @@ std::vector<section::ResponseMode> most_frequent(const ModeTally& tally, std::si
   std::ranges::sort(modes);
   return modes;
 }
+
+std::span<const section::ResponseMode> always_listed() { return std::span(prespecified_modes).first<first_listed>(); }
 
 bool is_prespecified(const section::ResponseMode& mode) {
   return std::find(prespecified_modes.begin(), prespecified_modes.end(), mode) != prespecified_modes.end();

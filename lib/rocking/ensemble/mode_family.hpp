@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "rocking/section/response_mode.hpp"
@@ -20,6 +21,9 @@ using ModeTally = std::map<section::ResponseMode, std::uint64_t>;
 /// Whether statements are made about a response mode in every condition, whatever its data: (1,1), (1,3), chaotic,
 /// overturned, rest, unresolved. Statements about another (m,n) are made only where it occurs.
 [[nodiscard]] bool is_prespecified(const section::ResponseMode& mode);
+
+/// The modes that a report lists in every condition, also where they did not occur: (1,1), (1,3), chaotic, overturned.
+[[nodiscard]] std::span<const section::ResponseMode> always_listed();
 
 /// The family of all response modes; statements about them hold at once with probability `confidence`.
 [[nodiscard]] stats::Family mode_family(double confidence);

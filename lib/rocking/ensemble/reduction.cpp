@@ -87,10 +87,7 @@ void Reduction::add_corrected(std::vector<ModeEstimate>& modes) const {
 
 ModeTally Reduction::listed_modes() const {
   ModeTally listed = modes_;
-  listed.insert({{section::periodic(1, 1), 0},
-                 {section::periodic(1, 3), 0},
-                 {{.kind = ResponseKind::chaotic}, 0},
-                 {{.kind = ResponseKind::overturned}, 0}});
+  for (const auto& mode : always_listed()) listed.insert({mode, 0});
   for (const auto& [names, count] : checked_) listed.insert({names.second, 0});
   return listed;
 }

@@ -34,7 +34,8 @@ inline double slipping_normal(const dynamics::State& state, const Scene& scene, 
 /// Forces of rocking without slip.
 inline dynamics::Forces sticking_forces(const dynamics::State& state, const Scene& scene, double tau) {
   const auto ground = scene.ground(tau);
-  return dynamics::rocking_forces(state, {.horizontal = ground.alpha, .weight = ground.weight}, scene.stage.geometry());
+  return dynamics::rocking_forces(state, {.horizontal = ground.alpha, .weight = ground.weight},
+                                  equation_constants(scene.stage.setting()));
 }
 
 inline bool slips(const dynamics::State& state) {

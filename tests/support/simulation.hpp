@@ -29,6 +29,9 @@ struct Stage {
   std::int64_t periods = 1;
 
   [[nodiscard]] dynamics::Geometry geometry() const { return dynamics::geometry_of(block); }
+  [[nodiscard]] dynamics::Setting setting() const {
+    return {.block = geometry(), .inertia = inertia, .impact_slip_rule = rule, .tolerance = tolerance};
+  }
   [[nodiscard]] double period_length() const { return 2.0 * std::numbers::pi / frequency; }
 
   /// A_h psi sin(Omega_h tau + Phi).
@@ -51,11 +54,7 @@ class Simulation {
   using Motion = dynamics::BlockMotion<Coefficients, TaylorSteps>;
 
   Simulation(const Stage& stage, const Coefficients& coefficients, const dynamics::Excitation& excitation = {})
-      : motion(dynamics::Setting{.block = stage.geometry(),
-                                 .inertia = stage.inertia,
-                                 .impact_slip_rule = stage.rule,
-                                 .tolerance = stage.tolerance},
-               dynamics::Clock(stage.frequency, stage.phase), coefficients, stage.start,
+      : motion(stage.setting(), dynamics::Clock(stage.frequency, stage.phase), coefficients, stage.start,
                dynamics::Schedule{.first_strobe = {.period = 1, .time = stage.phase / stage.frequency},
                                   .strobes = stage.periods},
                log, excitation) {}

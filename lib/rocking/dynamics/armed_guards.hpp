@@ -16,12 +16,11 @@ namespace rocking::dynamics {
 /// counterpart is lanes::OrdinaryGuards.
 struct ArmedGuards {
   const State& state;
-  const Geometry& block;
+  const Setting& setting;
   const KnownAtStart& known;
   int order;             ///< of the series
   double side;           ///< sign of the frame of the series
   double mu_s;           ///< static friction in force
-  double J;              ///< inertia
   bool is_past_balance;  ///< abs(Theta) has been 1 before
   bool off_ground;       ///< N <= 0
   bool has_friction;
@@ -59,10 +58,9 @@ struct ArmedGuards {
     return !slips() && has_friction && !off_ground && !known.sticks_beyond_friction;
   }
   [[nodiscard]] bool determinant_may_vanish() const { return slips() && determinant_can_vanish; }
-  [[nodiscard]] double shape_angle() const { return block.shape_angle; }
+  [[nodiscard]] EquationConstants<double> constants() const { return equation_constants(setting); }
   [[nodiscard]] double slip_sign() const { return side * state.slip_direction; }
   [[nodiscard]] double static_friction() const { return mu_s; }
-  [[nodiscard]] double inertia() const { return J; }
   [[nodiscard]] double seen_from_ground(double normal) const { return off_ground ? -normal : normal; }
 };
 
@@ -75,9 +73,9 @@ void for_each_full_contact_guard(const MotionSeries<double>& m, const ArmedGuard
         .guard = guard, .out_of_reach = false, .length = order + 1, .zeros = zeros};
   };
   if (armed.state.contact == ContactState::rest) {
-    const bool slides_first = armed.mu_s <= armed.block.tangent;
-    const double threshold = slides_first ? armed.mu_s : armed.block.sine;
-    const double lever = armed.side * (slides_first ? 1.0 : armed.block.cosine);
+    const bool slides_first = armed.mu_s <= armed.setting.block.tangent;
+    const double threshold = slides_first ? armed.mu_s : armed.setting.block.sine;
+    const double lever = armed.side * (slides_first ? 1.0 : armed.setting.block.cosine);
     const auto hold = [&](std::size_t k) {
       if (armed.vertical) return threshold * m.weight[k];
       return k == 0 ? threshold : 0.0;

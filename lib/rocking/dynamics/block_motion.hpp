@@ -51,12 +51,11 @@ class BlockMotion : public MotionProgress<Coefficients> {
   /// Which guards are armed over the coming step.
   [[nodiscard]] ArmedGuards armed_guards() const {
     return {.state = state_,
-            .block = setting_.block,
+            .setting = setting_,
             .known = known_,
             .order = series_.order(),
             .side = frame_side(state_),
             .mu_s = coefficients_.static_friction(),
-            .J = setting_.inertia,
             .is_past_balance = this->was_past_balance(),
             .off_ground = this->is_off_ground(),
             .has_friction = coefficients_.has_friction(),
@@ -149,9 +148,8 @@ class BlockMotion : public MotionProgress<Coefficients> {
     return out_of_reach<double>({.tilt = state_.side * state_.tilt,
                                  .tilt_rate = state_.side * state_.tilt_rate,
                                  .base_amplitude = excitation_.most_horizontal(this->base_amplitude()),
-                                 .length = length,
-                                 .shape_angle = setting_.block.shape_angle,
-                                 .sine = setting_.block.sine});
+                                 .length = length},
+                                equation_constants(setting_));
   }
 
   /// A reset makes the forces jump: whether the block still presses on the base, and the equations still have a

@@ -42,10 +42,10 @@ class ContactRules {
     return base_acceleration_;
   }
 
-  /// A hop without slip whose initial rate exceeds this bound is not too small, because abs(w') <= abs(alpha) + 1. The
-  /// bound is below the rate after nearly every impact, and does not need the base acceleration.
+  /// A hop without slip whose initial rate exceeds this bound is not too small, from the bound of abs(w'). It is
+  /// below the rate after nearly every impact, and does not need the base acceleration.
   [[nodiscard]] double fastest_small_hop() {
-    return hop_limit() * (excitation_.most_horizontal(base_amplitude()) + 1.0);
+    return hop_limit() * largest_acceleration(excitation_.most_horizontal(base_amplitude()));
   }
 
   /// Whether D can vanish at some tilt: the smallest D over all phi is J + 1/2 - sqrt(1 + mu_k^2)/2.
@@ -66,7 +66,7 @@ class ContactRules {
   [[nodiscard]] double hop_limit() const { return std::max(setting_.tolerance, clock_.resolution()); }
 
   /// Forces of rocking without slip.
-  [[nodiscard]] Forces sticking_forces() { return rocking_forces(state_, base_motion(), setting_.block); }
+  [[nodiscard]] Forces sticking_forces() { return rocking_forces(state_, base_motion(), equation_constants(setting_)); }
 
   /// Whether a rocking block sticks, given the forces that sticking needs. Where sticking needs N <= 0, the block
   /// sticks unless slip keeps it on the base.
@@ -125,8 +125,7 @@ class ContactRules {
   [[nodiscard]] SlippingRates rates_of_slip(double direction) {
     State slipping = state_;
     slipping.slip_direction = direction;
-    return slipping_rates(slipping, base_motion(),
-                          {.inertia = setting_.inertia, .kinetic_friction = kinetic_friction_now()}, setting_.block);
+    return slipping_rates(slipping, base_motion(), kinetic_friction_now(), equation_constants(setting_));
   }
 
   std::optional<Instant> accelerated_at_;  ///< instant of the base acceleration below

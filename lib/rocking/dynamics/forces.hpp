@@ -5,6 +5,7 @@
 #include "rocking/base/elementary.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/edge_angle.hpp"
 
 namespace rocking::dynamics {
 
@@ -21,11 +22,9 @@ struct Forces {
   double acceleration;  ///< w'
 };
 
-/// sin and cos of phi = psi - abs(theta), the angle of the edge-to-centre line from the vertical.
-[[nodiscard]] inline base::SinCos<double> edge_angle(const State& state, const Geometry& block) {
-  if (state.tilt == 0.0) return {block.sine, block.cosine};
-  const double angle = block.shape_angle - state.side * state.tilt;
-  return std::abs(angle) < base::almost_quarter_pi ? base::reduced_sin_cos(angle) : base::sin_cos(angle);
+/// Bound of abs(w') of a block that rocks and sticks, whatever its shape: w' = beta c - s.
+[[nodiscard]] inline double largest_acceleration(double largest_base_acceleration) {
+  return largest_base_acceleration + 1.0;
 }
 
 /// Whether a block in full contact stays on both edges: abs(alpha) <= tan(psi) (1 + alpha_v).
@@ -77,8 +76,9 @@ template <base::Lane Real>
 }
 
 /// Forces of rocking without slip, of a state.
-[[nodiscard]] inline Forces rocking_forces(const State& state, const BaseMotion& base, const Geometry& block) {
-  const auto [normal, friction, acceleration] = forces_without_slip<double>({.edge = edge_angle(state, block),
+[[nodiscard]] inline Forces rocking_forces(const State& state, const BaseMotion& base,
+                                           const EquationConstants<double>& constants) {
+  const auto [normal, friction, acceleration] = forces_without_slip<double>({.edge = edge_angle(state, constants),
                                                                              .omega = state.side * state.tilt_rate,
                                                                              .beta = state.side * base.horizontal,
                                                                              .weight = base.weight});
@@ -92,21 +92,15 @@ struct SlippingRates {
   double normal;             ///< N = J (G - w^2 cos(phi))/D
 };
 
-/// What the equations with slip depend on besides the block.
-struct SlipLaw {
-  double inertia;           ///< J
-  double kinetic_friction;  ///< mu_k
-};
-
 /// The rates of a state: bit for bit the first coefficients of the series that `expand_rock_slide` computes.
-[[nodiscard]] inline SlippingRates slipping_rates(const State& state, const BaseMotion& base, const SlipLaw& law,
-                                                  const Geometry& block) {
-  const auto [s, c] = edge_angle(state, block);
+[[nodiscard]] inline SlippingRates slipping_rates(const State& state, const BaseMotion& base, double kinetic_friction,
+                                                  const EquationConstants<double>& constants) {
+  const auto [s, c] = edge_angle(state, constants);
   const double omega = state.side * state.tilt_rate;
-  const double drag = state.side * state.slip_direction * law.kinetic_friction;
+  const double drag = state.side * state.slip_direction * kinetic_friction;
   const double arm = std::fma(drag, c, s);
   const double load = 4.0 / 3.0 * base.weight - omega * (omega * c);
-  const double rate = load * arm * (-1.0 / std::fma(s, arm, law.inertia));
+  const double rate = load * arm * (-1.0 / std::fma(s, arm, constants.inertia));
   const double normal = std::fma(rate, s, load);
   const double force = std::fma(drag, normal, 4.0 / 3.0 * (state.side * base.horizontal));
   return {.tilt_acceleration = state.side * rate,

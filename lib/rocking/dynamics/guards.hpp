@@ -39,8 +39,6 @@ struct ReachOfStep {
   Real tilt_rate;       ///< S w
   Real base_amplitude;  ///< a bound of abs(beta) is its magnitude
   Real length;          ///< of the step
-  Real shape_angle;     ///< psi
-  Real sine;            ///< sin(psi)
 };
 
 /// Over a step without vertical base motion that begins at a tilt between contact and balance. Until one of the two is
@@ -48,16 +46,16 @@ struct ReachOfStep {
 /// 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave
 /// room for the rounding and the tolerance of the series.
 template <base::Lane Real>
-[[nodiscard]] auto out_of_reach(const ReachOfStep<Real>& step) {
+[[nodiscard]] auto out_of_reach(const ReachOfStep<Real>& step, const EquationConstants<Real>& constants) {
   using base::fused, base::magnitude;
   const Real zero(0.0);
   const Real most = magnitude(step.base_amplitude);
   const Real rate = magnitude(step.tilt_rate);
   using Truth = decltype(step.tilt < zero);
-  const Truth below = fused(fused(most, step.length, rate), step.length, step.tilt) < step.shape_angle;
-  const Real acceleration = most + step.sine;
+  const Truth below = fused(fused(most, step.length, rate), step.length, step.tilt) < constants.shape_angle;
+  const Real acceleration = most + constants.sine;
   const Real fastest = fused(acceleration, step.length, rate);
-  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, step.sine, Real(1.25)));
+  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, constants.sine, Real(1.25)));
   return OutOfReach<Truth>{.past_balance = below, .normal = below && presses};
 }
 
@@ -105,7 +103,7 @@ inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& arm
     visit(row(Guard::overturn, armed.in_reach(), plus<2>(order), armed.no_zeros()), below(Real(half_pi)));
   } else {
     visit(row(Guard::past_balance, armed.past_balance_out_of_reach(), plus<2>(order), armed.no_zeros()),
-          below(armed.shape_angle()));
+          below(armed.constants().shape_angle));
   }
   visit(row(Guard::normal, armed.normal_out_of_reach(), order, armed.normal_zeros()),
         [&](std::size_t k) { return armed.seen_from_ground(m.normal[k]); });
@@ -126,7 +124,7 @@ inline void for_each_rocking_guard(const MotionSeries<Real>& m, const Armed& arm
   }
   if (armed.determinant_may_vanish()) {
     visit(row(Guard::determinant, armed.in_reach(), plus<1>(order), armed.no_zeros()), [&](std::size_t k) {
-      Real sum = k == 0 ? armed.inertia() : Real(0.0);
+      Real sum = k == 0 ? armed.constants().inertia : Real(0.0);
       for (std::size_t i = 0; i <= k; ++i) sum = sum + m.sine[i] * m.arm[k - i];
       return sum;
     });

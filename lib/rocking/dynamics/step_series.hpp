@@ -75,8 +75,8 @@ class StepSeries {
     constexpr bool vertical = Kind::has_vertical;
     Kind::template expand<order>(rows_, excitation.piece(start.clock), side * start.amplitude, moment_of(start.clock));
     const double largest = start.setting.tolerance * start.setting.block.shape_angle;
-    const SlipParameters<double> slip{.inertia = start.setting.inertia,
-                                      .drag = side * state.slip_direction * start.kinetic_friction,
+    const EquationConstants<double> constants = equation_constants(start.setting);
+    const SlipParameters<double> slip{.drag = side * state.slip_direction * start.kinetic_friction,
                                       .first_rate_gate = start.slip_starts_flat ? 0.0 : 1.0};
     const auto length = [this, largest](const auto& row) { return steps_(row[order - 1], row[order], order, largest); };
     rows_.slip_rate[0] = side * state.slip_rate;
@@ -85,13 +85,13 @@ class StepSeries {
       case ContactState::rest: return length(rows_.base);
       case ContactState::slide: expand_slide<order, vertical>(rows_, slip); return length(rows_.slip_rate);
       case ContactState::rock:
-        begin_rocking(state, start.setting.block);
-        expand_rock<order, vertical>(rows_, start.lift_starts_flat ? 0.0 : 1.0);
+        begin_rocking(state);
+        expand_rock<order, vertical>(rows_, constants, start.lift_starts_flat ? 0.0 : 1.0);
         expand_normal<order, vertical>(rows_);
         return length(rows_.tilt_rate);
       case ContactState::rock_slide:
-        begin_rocking(state, start.setting.block);
-        expand_rock_slide<order, vertical>(rows_, slip);
+        begin_rocking(state);
+        expand_rock_slide<order, vertical>(rows_, constants, slip);
         return std::min(length(rows_.tilt_rate), length(rows_.slip_rate));
       case ContactState::overturned: break;
     }
@@ -105,12 +105,9 @@ class StepSeries {
     return sum;
   }
 
-  void begin_rocking(const State& state, const Geometry& block) {
-    const auto [sine, cosine] = edge_angle(state, block);
+  void begin_rocking(const State& state) {
     rows_.tilt[0] = state.side * state.tilt;
     rows_.tilt_rate[0] = state.side * state.tilt_rate;
-    rows_.sine[0] = sine;
-    rows_.cosine[0] = cosine;
   }
 
   MotionSeries<double> rows_{};

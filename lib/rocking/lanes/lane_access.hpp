@@ -35,6 +35,11 @@ class LaneAccess {
   static constexpr std::size_t order = order_of(kind);
 
   [[nodiscard]] Real load(const LaneRow& row) const { return Row<Real>::load(row.data() + first_); }
+  [[nodiscard]] dynamics::EquationConstants<Real> constants() const {
+    dynamics::EquationConstants<Real> loaded;
+    dynamics::for_each_constant(loaded, b_.constants, [this](Real& to, const LaneRow& row) { to = load(row); });
+    return loaded;
+  }
   void store(LaneRow& row, const Real& value) const { Row<Real>::store(value, row.data() + first_); }
 
   /// Puts the truth values of these lanes among those of all lanes.

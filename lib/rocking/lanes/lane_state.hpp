@@ -7,6 +7,7 @@
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/guards.hpp"
+#include "rocking/dynamics/setting.hpp"
 
 namespace rocking::lanes {
 
@@ -33,20 +34,17 @@ struct alignas(64) LaneState {
   LaneRow root_isolations;  ///< in those steps, and in the last one if the motion completes it
 
   // What is constant without an event.
-  LaneRow occupied;          ///< 1 in the lanes that have a run, else 0
-  LaneRow strobe_time;       ///< within its period
-  LaneRow break_period;      ///< of the next breakpoint
-  LaneRow break_time;        ///< within its period; infinite if there is none
-  LaneRow amplitude;         ///< of S alpha
-  LaneRow frequency;         ///< Omega_h
-  LaneRow period_length;     ///< 2 pi/Omega_h
-  LaneRow resolution;        ///< instants closer than this are one
-  LaneRow shape_angle;       ///< psi
-  LaneRow sine;              ///< of psi
-  LaneRow cosine;            ///< of psi
+  LaneRow occupied;       ///< 1 in the lanes that have a run, else 0
+  LaneRow strobe_time;    ///< within its period
+  LaneRow break_period;   ///< of the next breakpoint
+  LaneRow break_time;     ///< within its period; infinite if there is none
+  LaneRow amplitude;      ///< of S alpha
+  LaneRow frequency;      ///< Omega_h
+  LaneRow period_length;  ///< 2 pi/Omega_h
+  LaneRow resolution;     ///< instants closer than this are one
+  dynamics::EquationConstants<LaneRow> constants;
   LaneRow largest;           ///< largest last term of a series: tolerance times psi
   LaneRow static_friction;   ///< mu_s
-  LaneRow inertia;           ///< J
   LaneRow kinetic_friction;  ///< mu_k
   LaneRow restitution;       ///< e; NaN if it fluctuates: then no impact is computed here
   LaneRow impact_loss;       ///< of the tilt rate, as a share, in a sticking impact

@@ -51,10 +51,9 @@ class OrdinaryGuards {
   static constexpr NeverZero outward_zeros() { return {}; }
   Truth tilt_zeros() const { return m_.tilt[0] == Real(0.0); }
   Truth slip_zeros() const { return m_.slip_rate[0] == Real(0.0); }
-  Real shape_angle() const { return lanes_.load(b_.shape_angle); }
+  dynamics::EquationConstants<Real> constants() const { return lanes_.constants(); }
   Real slip_sign() const { return lanes_.load(b_.slip_sign); }
   Real static_friction() const { return lanes_.load(b_.static_friction); }
-  Real inertia() const { return lanes_.load(b_.inertia); }
   static const Real& seen_from_ground(const Real& normal) { return normal; }
 
  private:

@@ -41,10 +41,11 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
     return {.tilt_rate = end_.tilt_rate, .slip_rate = Real(0.0)};
   }
   [[nodiscard]] dynamics::LandingEdge<Real> landing_edge() const {
+    const auto constants = this->constants();
     return {.restitution = load(b_.restitution),
             .loss = load(b_.impact_loss),
-            .sine = load(b_.sine),
-            .cosine = load(b_.cosine)};
+            .sine = constants.sine,
+            .cosine = constants.cosine};
   }
 
   /// Whether friction holds the block during the impact and after it. False within 1 % of the limit: there the motion

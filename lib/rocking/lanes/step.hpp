@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <type_traits>
 
-#include "rocking/base/elementary.hpp"
 #include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 #include "rocking/integrate/step_length.hpp"
@@ -35,7 +34,6 @@ class Step : public LaneAccess<kind, Shaking, Real> {
 
   /// The state of the base and the block at the start.
   [[gnu::noinline]] void begin() {
-    using base::select;
     time_ = load(b_.time);
     period_ = load(b_.period);
     period_length_ = load(b_.period_length);
@@ -44,10 +42,6 @@ class Step : public LaneAccess<kind, Shaking, Real> {
     Shaking::template expand<order_of(kind)>(m_, piece, load(b_.amplitude), moment());
     m_.tilt[0] = load(b_.tilt);
     m_.tilt_rate[0] = load(b_.tilt_rate);
-    const auto angle = sin_cos_of_edge(load(b_.shape_angle) - m_.tilt[0]);
-    const auto starts_flat = m_.tilt[0] == Real(0.0);
-    m_.sine[0] = select(starts_flat, load(b_.sine), angle.sine);
-    m_.cosine[0] = select(starts_flat, load(b_.cosine), angle.cosine);
   }
 
   /// The series from there, and the length of the step.
@@ -57,12 +51,10 @@ class Step : public LaneAccess<kind, Shaking, Real> {
       m_.slip_rate[0] = load(b_.slip_rate);
       m_.slip[0] = load(b_.slip);
       dynamics::expand_rock_slide<order_of(kind), Shaking::has_vertical>(
-          m_, {.inertia = load(b_.inertia),
-               .drag = load(b_.slip_sign) * this->kinetic_friction(),
-               .first_rate_gate = Real(1.0)});
+          m_, this->constants(), {.drag = load(b_.slip_sign) * this->kinetic_friction(), .first_rate_gate = Real(1.0)});
       length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
     } else {
-      dynamics::expand_rock<order_of(kind), Shaking::has_vertical>(m_, Real(1.0));
+      dynamics::expand_rock<order_of(kind), Shaking::has_vertical>(m_, this->constants(), Real(1.0));
       length_ = length_of(m_.tilt_rate);
     }
     reach_ = until(load(b_.break_period), load(b_.break_time));
@@ -77,12 +69,9 @@ class Step : public LaneAccess<kind, Shaking, Real> {
       length_ = smaller(period_length_, smaller(reach_, length_));
     }
     if constexpr (Access::knows_reach) {
-      out_of_reach_ = dynamics::out_of_reach<Real>({.tilt = m_.tilt[0],
-                                                    .tilt_rate = m_.tilt_rate[0],
-                                                    .base_amplitude = load(b_.amplitude),
-                                                    .length = length_,
-                                                    .shape_angle = load(b_.shape_angle),
-                                                    .sine = load(b_.sine)});
+      out_of_reach_ = dynamics::out_of_reach<Real>(
+          {.tilt = m_.tilt[0], .tilt_rate = m_.tilt_rate[0], .base_amplitude = load(b_.amplitude), .length = length_},
+          this->constants());
       presses_ = out_of_reach_.normal;
       // Without a friction guard, the series of N is needed by its own guard only.
       if (!Access::tests_friction && bits_of(!presses_) == 0) return;
@@ -133,12 +122,6 @@ class Step : public LaneAccess<kind, Shaking, Real> {
   dynamics::OutOfReach<TruthOf<Real>> out_of_reach_;  ///< without slip
 
  private:
-  /// base::sin_cos, without the reduction if no lane needs it.
-  [[nodiscard]] static base::SinCos<Real> sin_cos_of_edge(const Real& angle) {
-    const auto reduced = Real(-base::almost_quarter_pi) < angle && angle < Real(base::almost_quarter_pi);
-    return bits_of(!reduced) == 0 ? base::reduced_sin_cos(angle) : base::sin_cos(angle);
-  }
-
   [[nodiscard]] Real length_of(const typename MotionSeries<Real>::Row& row) const {
     return integrate::step_length(row[order - 1], row[order], static_cast<int>(order), load(b_.largest));
   }

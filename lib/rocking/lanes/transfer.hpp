@@ -73,17 +73,14 @@ inline void load_intervals(LaneState& block, std::size_t lane, const dynamics::K
 inline void load(LaneState& block, std::size_t lane, const ComingStep& step) {
   load_step(block, lane, step);
   const dynamics::Clock& clock = *step.clock;
-  const dynamics::Geometry& geometry = step.setting->block;
+  const auto constants = dynamics::equation_constants(*step.setting);
   block.occupied[lane] = 1.0;
   block.strobe_time[lane] = step.next_strobe.time;
   block.frequency[lane] = clock.frequency();
   block.period_length[lane] = clock.period_length();
   block.resolution[lane] = clock.resolution();
-  block.shape_angle[lane] = geometry.shape_angle;
-  block.sine[lane] = geometry.sine;
-  block.cosine[lane] = geometry.cosine;
-  block.largest[lane] = step.setting->tolerance * geometry.shape_angle;
-  block.inertia[lane] = step.setting->inertia;
+  block.largest[lane] = step.setting->tolerance * constants.shape_angle;
+  dynamics::for_each_constant(block.constants, constants, [lane](LaneRow& row, double number) { row[lane] = number; });
 }
 
 /// The state at the strobe instant that a lane has passed.

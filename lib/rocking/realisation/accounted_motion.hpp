@@ -5,7 +5,6 @@
 
 #include <boost/math/quadrature/gauss.hpp>
 
-#include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/setting.hpp"
@@ -15,8 +14,9 @@ namespace rocking {
 
 /// Kinetic energy relative to the base plus the potential energy of the weight, over m R^2 p^2. By Koenig's theorem
 /// with the inertia 1/3 about the centre of mass: (2/3) w^2 + V^2/2 - V w cos(phi) + (4/3) cos(phi).
-[[nodiscard]] inline double energy_of(const dynamics::State& state, const dynamics::Geometry& block) {
-  const double cosine = edge_angle(state, block).cosine;
+[[nodiscard]] inline double energy_of(const dynamics::State& state,
+                                      const dynamics::EquationConstants<double>& constants) {
+  const double cosine = edge_angle(state, constants).cosine;
   const double w = state.tilt_rate;
   const double v = state.slip_rate;
   return 2.0 / 3.0 * w * w + 0.5 * v * v - v * w * cosine + 4.0 / 3.0 * cosine;
@@ -28,8 +28,8 @@ template <class Motion>
 class AccountedMotion : public Motion {
  public:
   AccountedMotion(Motion motion, const dynamics::Setting& setting)
-      : Motion(std::move(motion)), block_(setting.block), inertia_(setting.inertia) {
-    account_.at_start = account_.at_end = energy_of(this->state(), block_);
+      : Motion(std::move(motion)), constants_(equation_constants(setting)) {
+    account_.at_start = account_.at_end = energy_of(this->state(), constants_);
   }
 
   [[nodiscard]] const EnergyAccount& account() const { return account_; }
@@ -47,7 +47,7 @@ class AccountedMotion : public Motion {
   template <class Fired>
   void reset(const Fired& fired, bool at_breakpoint) {
     Motion::reset(fired, at_breakpoint);
-    const double after = energy_of(this->state(), block_);
+    const double after = energy_of(this->state(), constants_);
     (after < account_.at_end ? account_.lost_in_impacts : account_.gained_in_impacts) +=
         std::abs(after - account_.at_end);
     account_.at_end = after;
@@ -61,13 +61,13 @@ class AccountedMotion : public Motion {
       if (this->slips())
         account_.friction_work += Rule::integrate([this](double t) { return friction_power(t); }, 0.0, x);
     }
-    account_.at_end = energy_of(this->state_at(x), block_);
+    account_.at_end = energy_of(this->state_at(x), constants_);
   }
 
   [[nodiscard]] double base_power(double x) const {
     const dynamics::State state = this->state_at(x);
     const auto [alpha, weight] = this->base_at(x);
-    const auto [sine, cosine] = edge_angle(state, block_);
+    const auto [sine, cosine] = edge_angle(state, constants_);
     const double along = state.slip_rate - state.tilt_rate * cosine;
     const double upwards = state.side * state.tilt_rate * sine;
     return -4.0 / 3.0 * (alpha * along + (weight - 1.0) * upwards);
@@ -78,16 +78,14 @@ class AccountedMotion : public Motion {
     const dynamics::BaseMotion base = this->base_at(x);
     double normal = 4.0 / 3.0 * base.weight;
     if (state.contact == dynamics::ContactState::rock_slide) {
-      const auto [sine, cosine] = edge_angle(state, block_);
-      const auto rates =
-          slipping_rates(state, base, {.inertia = inertia_, .kinetic_friction = this->kinetic_friction()}, block_);
+      const auto [sine, cosine] = edge_angle(state, constants_);
+      const auto rates = slipping_rates(state, base, this->kinetic_friction(), constants_);
       normal += state.side * rates.tilt_acceleration * sine - state.tilt_rate * state.tilt_rate * cosine;
     }
     return -state.slip_direction * this->kinetic_friction() * normal * state.slip_rate;
   }
 
-  dynamics::Geometry block_;
-  double inertia_;  ///< J
+  dynamics::EquationConstants<double> constants_;
   EnergyAccount account_;
 };
 

@@ -81,10 +81,7 @@ Beginning begin_realisation(const Condition& condition, const random::Draws& dra
   const Scene& scene = condition.scene;
   const dynamics::Clock clock(own_frequency_ratio(scene, start.geometry), start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
-  return {.setting = {.block = start.geometry,
-                      .inertia = dynamics::inertia_ratio(scene.slide_inertia),
-                      .impact_slip_rule = scene.impact_slip_rule,
-                      .tolerance = condition.tolerance},
+  return {.setting = setting_of(condition, start.geometry),
           .clock = clock,
           .coefficients = SceneCoefficients(scene, draws, restitution_of(scene, start.geometry)),
           .state = start.state,

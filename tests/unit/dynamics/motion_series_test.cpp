@@ -8,6 +8,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/dynamics/excitation/harmonic.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/guards.hpp"
 #include "support/split_mix.hpp"
@@ -65,21 +66,24 @@ Start lifted(Start start, support::SplitMix& draw) {
 template <int order>
 void begin(Series& m, const Start& start) {
   expand_harmonic<order>(m.base, start.side * start.amplitude, start.frequency, base::sin_cos(start.angle));
-  const auto [sine, cosine] = base::sin_cos(start.block.shape_angle - start.side * start.tilt);
   m.weight.fill(0.0);
   m.weight[0] = start.weight;
   m.weight[1] = start.weight_slope;
   m.tilt[0] = start.side * start.tilt;
   m.tilt_rate[0] = start.side * start.tilt_rate;
-  m.sine[0] = sine;
-  m.cosine[0] = cosine;
   m.slip_rate[0] = start.side * start.slip_rate;
   m.slip[0] = 0.0;
 }
 
+EquationConstants<double> constants_of(const Start& start) {
+  return {.shape_angle = start.block.shape_angle,
+          .sine = start.block.sine,
+          .cosine = start.block.cosine,
+          .inertia = start.inertia};
+}
+
 SlipParameters<double> slip_of(const Start& start) {
-  return {
-      .inertia = start.inertia, .drag = start.side * start.direction * start.kinetic_friction, .first_rate_gate = 1.0};
+  return {.drag = start.side * start.direction * start.kinetic_friction, .first_rate_gate = 1.0};
 }
 
 double value(const Series::Row& row, int degree, double x) {
@@ -122,10 +126,10 @@ Residuals residuals_of_rocking(const Start& start, bool slips, double h) {
   Series m{};
   begin<order>(m, start);
   if (slips) {
-    expand_rock_slide<order, vertical>(m, slip_of(start));
+    expand_rock_slide<order, vertical>(m, constants_of(start), slip_of(start));
   } else {
     m.slip_rate = {};
-    expand_rock<order, vertical>(m, 1.0);
+    expand_rock<order, vertical>(m, constants_of(start), 1.0);
     expand_normal<order, vertical>(m);
   }
   Residuals found;
@@ -246,8 +250,8 @@ TEST(MotionSeries, GivesTheSameLowCoefficientsAtEveryOrder) {
     Series high{};
     begin<9>(low, start);
     begin<14>(high, start);
-    expand_rock_slide<9, false>(low, slip_of(start));
-    expand_rock_slide<14, false>(high, slip_of(start));
+    expand_rock_slide<9, false>(low, constants_of(start), slip_of(start));
+    expand_rock_slide<14, false>(high, constants_of(start), slip_of(start));
     for (std::size_t k = 0; k <= 9; ++k) {
       ASSERT_EQ(low.tilt_rate[k], high.tilt_rate[k]);
       ASSERT_EQ(low.slip_rate[k], high.slip_rate[k]);
@@ -268,8 +272,8 @@ TEST(MotionSeries, OfTheMirrorImageIsTheSameToTheBit) {
     Series other{};
     begin<14>(one, start);
     begin<14>(other, mirrored);
-    expand_rock_slide<14, false>(one, slip_of(start));
-    expand_rock_slide<14, false>(other, slip_of(mirrored));
+    expand_rock_slide<14, false>(one, constants_of(start), slip_of(start));
+    expand_rock_slide<14, false>(other, constants_of(mirrored), slip_of(mirrored));
     ASSERT_EQ(one.tilt_rate, other.tilt_rate);
     ASSERT_EQ(one.slip_rate, other.slip_rate);
     ASSERT_EQ(one.normal, other.normal);
@@ -290,7 +294,7 @@ TEST(MotionSeries, HasFirstRatesThatAreZeroExactlyBehindAGate) {
                  .angle = 1.5};
   Series m{};
   begin<14>(m, start);
-  expand_rock<14, false>(m, 0.0);
+  expand_rock<14, false>(m, constants_of(start), 0.0);
   EXPECT_EQ(m.tilt_rate[1], 0.0);
   EXPECT_GT(m.tilt_rate[2], 0.0) << "beta' cos(psi)/2";
   SlipParameters<double> slip = slip_of(start);
@@ -306,10 +310,11 @@ TEST(RockingForces, AreThoseOfTheSeriesToTheBit) {
     const Start start = random_start(draw);
     Series m{};
     begin<14>(m, start);
-    expand_rock<14, false>(m, 1.0);
+    expand_rock<14, false>(m, constants_of(start), 1.0);
     expand_normal<14, false>(m);
     const State state{.tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side};
-    const Forces forces = rocking_forces(state, {.horizontal = start.side * m.base[0], .weight = 1.0}, start.block);
+    const Forces forces =
+        rocking_forces(state, {.horizontal = start.side * m.base[0], .weight = 1.0}, constants_of(start));
     ASSERT_EQ(forces.normal, m.normal[0]);
     ASSERT_EQ(forces.acceleration, start.side * m.tilt_rate[1]);
     ASSERT_EQ(start.side * forces.friction, 4.0 / 3.0 * m.base[0] - m.rate_cosine[1]);
@@ -337,14 +342,11 @@ TEST(OutOfReach, IsOnlyWhatASeriesDoesNotReach) {
     const double length = std::exp2(draw.uniform(-8.0, -1.0)) / start.frequency;
     Series m{};
     begin<14>(m, start);
-    expand_rock<14, false>(m, 1.0);
+    expand_rock<14, false>(m, constants_of(start), 1.0);
     expand_normal<14, false>(m);
-    const auto out = out_of_reach<double>({.tilt = m.tilt[0],
-                                           .tilt_rate = m.tilt_rate[0],
-                                           .base_amplitude = start.amplitude,
-                                           .length = length,
-                                           .shape_angle = balance,
-                                           .sine = start.block.sine});
+    const auto out = out_of_reach<double>(
+        {.tilt = m.tilt[0], .tilt_rate = m.tilt_rate[0], .base_amplitude = start.amplitude, .length = length},
+        constants_of(start));
     if (least_on(m.tilt, 15, length) < 0.0) continue;
     Series::Row until_balance = m.tilt;
     for (double& coefficient : until_balance) coefficient = -coefficient;
@@ -368,12 +370,11 @@ TEST(SlippingRates, AreThoseOfTheSeriesToTheBit) {
     const Start start = random_start(draw);
     Series m{};
     begin<14>(m, start);
-    expand_rock_slide<14, false>(m, slip_of(start));
+    expand_rock_slide<14, false>(m, constants_of(start), slip_of(start));
     const State state{
         .tilt = start.tilt, .tilt_rate = start.tilt_rate, .side = start.side, .slip_direction = start.direction};
-    const SlippingRates rates =
-        slipping_rates(state, {.horizontal = start.side * m.base[0], .weight = 1.0},
-                       {.inertia = start.inertia, .kinetic_friction = start.kinetic_friction}, start.block);
+    const SlippingRates rates = slipping_rates(state, {.horizontal = start.side * m.base[0], .weight = 1.0},
+                                               start.kinetic_friction, constants_of(start));
     ASSERT_EQ(rates.tilt_acceleration, start.side * m.tilt_rate[1]);
     ASSERT_EQ(rates.slip_acceleration, start.side * m.slip_rate[1]);
   }

@@ -17,6 +17,12 @@ namespace {
 
 using namespace rocking;
 
+std::array<std::uint64_t, 4> bits_of_peaks(const RealisationResult& result) {
+  const PeakValues& peaks = result.peaks;
+  return {std::bit_cast<std::uint64_t>(peaks.tilt), std::bit_cast<std::uint64_t>(peaks.tilt_rate),
+          std::bit_cast<std::uint64_t>(peaks.slip), std::bit_cast<std::uint64_t>(peaks.final_slip)};
+}
+
 void print(const RealisationResult& result) {
   std::printf("%s %s %" PRIu64 "\n", std::string(to_string(result.termination)).c_str(),
               to_string(result.classification.mode).c_str(),
@@ -27,7 +33,8 @@ void print(const RealisationResult& result) {
     }
     std::printf("\n");
   }
-  std::printf("%" PRIu64 " steps, %" PRIu64 " isolations, events", result.operations.steps,
+  for (const std::uint64_t bits : bits_of_peaks(result)) std::printf(" %016" PRIx64, bits);
+  std::printf("\n%" PRIu64 " steps, %" PRIu64 " isolations, events", result.operations.steps,
               result.operations.root_isolations);
   for (const std::uint64_t count : result.operations.events) std::printf(" %" PRIu64, count);
   std::printf("\n");
@@ -41,7 +48,8 @@ bool have_same_bits(const RealisationResult& a, const RealisationResult& b) {
                       std::bit_cast<std::uint64_t>(p.slip_rate)};
   };
   return a.termination == b.termination && a.operations.steps == b.operations.steps &&
-         a.operations.events == b.operations.events && std::ranges::equal(a.strobe, b.strobe, {}, bits, bits);
+         a.operations.events == b.operations.events && bits_of_peaks(a) == bits_of_peaks(b) &&
+         std::ranges::equal(a.strobe, b.strobe, {}, bits, bits);
 }
 
 /// Whether realisations advanced together in lanes differ in a bit from those advanced alone.

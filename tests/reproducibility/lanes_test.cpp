@@ -1,6 +1,7 @@
 // A realisation has the same bits as alone, whatever the other realisations, the number of lanes and the instruction
 // set.
 
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -191,6 +192,16 @@ std::vector<RequestedRun> mixed(const std::vector<Condition>& conditions) {
 
 constexpr std::uint64_t seed = 0x2012;
 
+/// The bits of the peaks, which the digest does not cover.
+std::string spelled(const PeakValues& peaks) {
+  std::string text;
+  for (const double value :
+       {peaks.tilt, peaks.tilt_rate, peaks.slip, peaks.slip_m, peaks.final_slip, peaks.final_slip_m}) {
+    text += ' ' + std::to_string(std::bit_cast<std::uint64_t>(value));
+  }
+  return text;
+}
+
 /// All parts of a result as text, including the counts of work.
 std::string spelled(const RealisationResult& result) {
   const OperationCounts& operations = result.operations;
@@ -200,7 +211,8 @@ std::string spelled(const RealisationResult& result) {
          std::to_string(operations.kinetic_friction_draws) + " draws, " +
          std::to_string(operations.perturbed_pair_periods) + " periods of perturbed pairs, " +
          std::to_string(result.losses_of_contact) + " losses, " + std::to_string(result.contradictions) +
-         " contradictions, margin " + std::to_string(result.classification.margin);
+         " contradictions, margin " + std::to_string(result.classification.margin) + ", peaks" + spelled(result.peaks) +
+         ", " + std::to_string(result.losses_before_fall) + " losses before the fall";
 }
 
 std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<RequestedRun>& tasks) {

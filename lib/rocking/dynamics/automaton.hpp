@@ -33,6 +33,12 @@ class Automaton : public Landing<Coefficients> {
   [[nodiscard]] bool was_past_balance() const { return was_past_balance_; }
   [[nodiscard]] bool is_off_ground() const { return contact_.is_off_ground(); }  ///< N <= 0
   [[nodiscard]] std::uint64_t losses_of_contact() const { return contact_.losses(); }
+  /// Of these, the losses before the final fall. That fall begins when abs(Theta) exceeds 1 for the last time in a motion
+  /// that overturns; a loss of contact in it cannot change what follows any more.
+  [[nodiscard]] std::uint64_t losses_before_fall() const {
+    const bool has_fallen = this->termination() == Termination::overturned;
+    return contact_.losses() - (has_fallen ? contact_.since_balance() : 0);
+  }
   [[nodiscard]] double first_loss_of_contact() const { return contact_.first(); }  ///< tau; meaningless without a loss
 
  protected:
@@ -81,9 +87,16 @@ class Automaton : public Landing<Coefficients> {
     if (has_fired(Guard::past_balance)) pass_balance();
   }
 
-  void set_off_ground(bool off_ground) { contact_.set(off_ground, this->clock_.tau()); }
+  void set_off_ground(bool off_ground) { contact_.set(off_ground, this->clock_.tau(), is_beyond_balance()); }
+
+  /// To be called at the end of each step in which abs(Theta) may have come back to 1.
+  void note_balance() {
+    if (contact_.since_balance() > 0 && !is_beyond_balance()) contact_.return_within_balance();
+  }
 
  private:
+  [[nodiscard]] bool is_beyond_balance() const { return std::abs(state_.tilt) > setting_.block.shape_angle; }
+
   void overturn() {
     state_.contact = ContactState::overturned;
     this->end(Termination::overturned);

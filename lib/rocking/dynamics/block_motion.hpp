@@ -8,6 +8,7 @@
 #include "rocking/dynamics/armed_guards.hpp"
 #include "rocking/dynamics/displacement.hpp"
 #include "rocking/dynamics/motion_progress.hpp"
+#include "rocking/dynamics/peaks.hpp"
 #include "rocking/dynamics/step_series.hpp"
 
 namespace rocking::dynamics {
@@ -76,6 +77,7 @@ class BlockMotion : public MotionProgress<Coefficients> {
     const State sample = state_at(x);
     if (!is_finite(sample)) return end_without_step();
     this->pass_strobe(sample);
+    if (this->ended()) note_peaks(x, sample);
   }
 
   /// Ends the step at its time x.
@@ -83,6 +85,7 @@ class BlockMotion : public MotionProgress<Coefficients> {
     if (!(x > 0.0)) return this->stand_still();
     const State next = state_at(x);
     if (!is_finite(next)) return end_without_step();
+    note_peaks(x, next);
     this->end_step(x, next);
   }
 
@@ -115,6 +118,15 @@ class BlockMotion : public MotionProgress<Coefficients> {
   }
 
  private:
+  /// The motion goes to the state `next` at time x of the step.
+  void note_peaks(double x, const State& next) {
+    if (!is_rocking(state_.contact)) return;
+    this->set_peaks(
+        peaks_after<double>(series_.rows(), static_cast<std::size_t>(series_.order()),
+                            {.length = x, .tilt = state_.side * next.tilt, .tilt_rate = state_.side * next.tilt_rate},
+                            {.tilt = this->peaks().tilt, .tilt_rate = this->peaks().tilt_rate}));
+  }
+
   [[nodiscard]] static bool is_finite(const State& state) {
     return std::isfinite(state.tilt) && std::isfinite(state.tilt_rate) && std::isfinite(state.slip) &&
            std::isfinite(state.slip_rate);

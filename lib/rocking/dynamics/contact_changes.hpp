@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 
 #include "rocking/dynamics/contact_rules.hpp"
 #include "rocking/dynamics/known_at_start.hpp"
 #include "rocking/dynamics/observer.hpp"
+#include "rocking/dynamics/peaks.hpp"
 #include "rocking/dynamics/termination.hpp"
 
 namespace rocking::dynamics {
@@ -30,6 +32,15 @@ class ContactChanges : public ContactRules<Coefficients> {
 
   /// How often the block stuck although friction does not suffice; see start_slipping.
   [[nodiscard]] std::uint64_t contradictions() const { return contradictions_; }
+
+  /// The largest values so far. Those of a slip in progress are not in them.
+  [[nodiscard]] const Peaks& peaks() const { return peaks_; }
+  void set_peaks(const TiltPeaks<double>& peaks) {
+    peaks_.tilt = peaks.tilt;
+    peaks_.tilt_rate = peaks.tilt_rate;
+  }
+  /// From now on, looks for no peaks.
+  void ignore_peaks() { peaks_ = Peaks::unwanted(); }
 
  protected:
   [[nodiscard]] Observer& observer() const { return *observer_; }
@@ -98,9 +109,13 @@ class ContactChanges : public ContactRules<Coefficients> {
     record(EventKind::slip_start);
   }
 
+  /// V may have changed its sign: abs(X) is largest where it does, or at the end of the motion.
+  void note_slip() { peaks_.slip = peaks::larger(peaks_.slip, std::abs(state_.slip)); }
+
   /// V has become 0.
   void stop_slipping() {
     state_.slip_rate = 0.0;
+    note_slip();
     coefficients_.stop();
     if (state_.contact == ContactState::slide) return stop_sliding();
     const Forces forces = this->sticking_forces();
@@ -140,6 +155,7 @@ class ContactChanges : public ContactRules<Coefficients> {
   }
 
   KnownAtStart known_;  ///< of the coming step
+  Peaks peaks_;
 
  private:
   void tip() {

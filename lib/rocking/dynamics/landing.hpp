@@ -21,6 +21,7 @@ class Landing : public ContactChanges<Coefficients> {
   /// theta has become 0. `slip_ended`: V has become 0 at the same instant.
   void land(bool slip_ended) {
     state_.tilt = 0.0;
+    this->note_slip();
     if (slip_ended) state_.slip_rate = 0.0;
     bool is_stop = slip_ended;
     const double side_before = state_.side;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -29,7 +30,7 @@ template <CoefficientSource Coefficients>
 class MotionProgress : public Automaton<Coefficients> {
  protected:
   using Base = Automaton<Coefficients>;
-  using Base::clock_, Base::coefficients_, Base::excitation_, Base::known_, Base::setting_, Base::state_;
+  using Base::clock_, Base::coefficients_, Base::excitation_, Base::known_, Base::peaks_, Base::setting_, Base::state_;
 
  public:
   MotionProgress(const Setting& setting, const Clock& clock, const Coefficients& coefficients,
@@ -45,6 +46,11 @@ class MotionProgress : public Automaton<Coefficients> {
   [[nodiscard]] const std::optional<Instant>& breakpoint() const { return breakpoint_; }
   [[nodiscard]] std::uint64_t slip_steps() const { return slip_steps_; }
   [[nodiscard]] std::uint64_t segments_looked_up() const { return segments_; }  ///< pieces of a ground motion expanded
+
+  /// X at the end of the motion: at the last strobe instant, or where it ended before.
+  [[nodiscard]] double final_slip() const {
+    return this->termination() == Termination::reached_horizon ? slip_at_horizon_ : state_.slip;
+  }
 
   /// mu_k in force over the coming step while the block slips; else 0.
   [[nodiscard]] double kinetic_friction() const { return kinetic_friction_; }
@@ -68,13 +74,16 @@ class MotionProgress : public Automaton<Coefficients> {
     clock_.advance(duration);
     continuity_ = Continuity::after_a_step();
     known_ = known_.after_a_step();
+    this->note_balance();
   }
 
   /// The block passes a strobe instant in this state.
   void pass_strobe(const State& sample) {
     this->observer().strobe(sample);
     strobes_.pass();
-    if (strobes_.left() == 0) this->end(Termination::reached_horizon);
+    if (strobes_.left() > 0) return;
+    slip_at_horizon_ = sample.slip;
+    this->end(Termination::reached_horizon);
   }
 
   /// What follows at the end of a step. `fired` is indexed by Guard.
@@ -132,6 +141,8 @@ class MotionProgress : public Automaton<Coefficients> {
 
   /// After events: finds the friction in force and the next breakpoint.
   void settle() {
+    this->set_peaks({.tilt = peaks::larger(peaks_.tilt, std::abs(state_.tilt)),
+                     .tilt_rate = peaks::larger(peaks_.tilt_rate, std::abs(state_.tilt_rate))});
     if (this->ended()) return;
     kinetic_friction_ = this->slips() ? coefficients_.kinetic_friction(clock_) : 0.0;
     breakpoint_ = earlier(coefficients_.next_change(clock_, this->slips()), excitation_.next_change(clock_));
@@ -153,6 +164,7 @@ class MotionProgress : public Automaton<Coefficients> {
   std::uint64_t segments_ = 0;
   std::optional<Instant> breakpoint_;  ///< the equations hold until then
   double kinetic_friction_ = 0.0;
+  double slip_at_horizon_ = 0.0;
 };
 
 }  // namespace rocking::dynamics

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <span>
 
+#include "rocking/base/jet.hpp"
 #include "rocking/base/lane.hpp"
 
 namespace rocking::integrate {
@@ -21,28 +22,8 @@ template <base::Lane Real>
   return value;
 }
 
-/// The Taylor coefficients p(x), p'(x), p''(x)/2, p'''(x)/6.
-template <base::Lane Real>
-struct Jet {
-  Real value;
-  Real first;
-  Real second;
-  Real third;
-};
-
-/// The jet of sum c[k] x^k, k < count, by Horner's rule, all four coefficients in one loop.
-template <base::Lane Real>
-[[nodiscard]] inline Jet<Real> jet_at(const Real* c, std::size_t count, const Real& x) {
-  using base::fused;
-  Jet<Real> jet{c[count - 1], Real(0.0), Real(0.0), Real(0.0)};
-  for (std::size_t k = count - 1; k-- > 0;) {
-    jet.third = fused(jet.third, x, jet.second);
-    jet.second = fused(jet.second, x, jet.first);
-    jet.first = fused(jet.first, x, jet.value);
-    jet.value = fused(jet.value, x, c[k]);
-  }
-  return jet;
-}
+using base::Jet;
+using base::jet_at;
 [[nodiscard]] inline Jet<double> jet_at(std::span<const double> c, double x) { return jet_at(c.data(), c.size(), x); }
 
 /// The same polynomial in t = x/length: coefficients c[k] length^k, so that the step is t in [0, 1].

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "rocking/dynamics/peaks.hpp"
 #include "rocking/lanes/breakpoints.hpp"
 
 namespace rocking::lanes {
@@ -17,7 +18,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
   using Base::b_, Base::duration_, Base::end_, Base::isolations_, Base::load, Base::crossings_, Base::crosses_,
       Base::m_, Base::mark, Base::may_land, Base::occupied_, Base::on_grid, Base::passes_breakpoints, Base::period_,
       Base::period_length_, Base::presses_, Base::reach_, Base::rebound_, Base::slips, Base::store, Base::time_,
-      Base::uncleared_, Base::undecided_;
+      Base::uncleared_, Base::undecided_, Base::waits_;
   using typename Base::Strobing, typename Base::Truth;
 
  public:
@@ -52,6 +53,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
     }
     const Truth at_last_strobe = strobed && strobing.is_last;
     mark(b_.at_last_strobe, bits_of(at_last_strobe));
+    note_peaks(fits && !waits_, at_last_strobe, this->time_of(strobing, resolution));
     fits = fits && !at_last_strobe;
     Truth lands = crossings_[0];
     if (may_land && bits_of(lands) != 0) lands = this->find_rebounds(fits);
@@ -60,6 +62,21 @@ class Advance : Breakpoints<kind, Shaking, Real> {
   }
 
  private:
+  /// The steps of the lanes `computed` go to their ends, or to the last strobe instant.
+  void note_peaks(const Truth& computed, const Truth& at_last_strobe, const Real& last_strobe) {
+    using base::select;
+    dynamics::StepFinish<Real> end{.length = duration_, .tilt = end_.tilt, .tilt_rate = end_.tilt_rate};
+    if (bits_of(at_last_strobe) != 0) {
+      end = {.length = select(at_last_strobe, last_strobe, duration_),
+             .tilt = select(at_last_strobe, load(b_.strobe_tilt), end_.tilt),
+             .tilt_rate = select(at_last_strobe, load(b_.strobe_tilt_rate), end_.tilt_rate)};
+    }
+    const dynamics::TiltPeaks<Real> before{.tilt = load(b_.peak_tilt), .tilt_rate = load(b_.peak_tilt_rate)};
+    const dynamics::TiltPeaks<Real> after = dynamics::peaks_after<Real>(m_, Base::order, end, before);
+    store(b_.peak_tilt, select(computed, after.tilt, before.tilt));
+    store(b_.peak_tilt_rate, select(computed, after.tilt_rate, before.tilt_rate));
+  }
+
   /// Moves on the lanes without a crossing and those that land, unless they reach the end of what holds for them: a
   /// breakpoint that is not passed here, or the end of the period.
   void move(const Truth& without_crossing, const Truth& lands, const Truth& strobed, const Real& steps_since) {
@@ -92,6 +109,8 @@ class Advance : Breakpoints<kind, Shaking, Real> {
       pass(b_.tilt_rate, select(landed, rebound_, end_.tilt_rate), m_.tilt_rate[0]);
       const Real amplitude = load(b_.amplitude);
       store(b_.amplitude, select(landed, -amplitude, amplitude));
+      const Real peak = load(b_.peak_tilt_rate);
+      store(b_.peak_tilt_rate, select(landed, dynamics::peaks::larger(peak, base::magnitude(rebound_)), peak));
     } else {
       pass(b_.tilt, end_.tilt, m_.tilt[0]);
       pass(b_.tilt_rate, end_.tilt_rate, m_.tilt_rate[0]);

@@ -71,7 +71,8 @@ class Crossings : public StepPoints<kind, Shaking, Real> {
     undecided_ = crosses_ = Real(0.0) < Real(0.0);
     crossings_.fill(crosses_);
     const bool waits = search.size() == 0;
-    mark(b_.held, waits ? bits_of(uncleared_) : 0);
+    waits_ = waits ? uncleared_ : crosses_;
+    mark(b_.held, bits_of(waits_));
     if (waits) {
       crosses_ = uncleared_;
     } else {
@@ -91,6 +92,7 @@ class Crossings : public StepPoints<kind, Shaking, Real> {
   Real duration_;                        ///< until the first crossing, or the end of the step
   Point end_;                            ///< the state then
   Truth crosses_;                        ///< lanes with a crossing, and lanes that wait for a search
+  Truth waits_;                          ///< lanes that wait for a search
   Truth undecided_;                      ///< lanes with a guard for which the search gave no result
   std::array<Truth, guards> crossings_;  ///< lanes with a crossing, by guard
   std::array<Real, guards> instants_;    ///< of the crossings

@@ -31,6 +31,8 @@ struct alignas(64) LaneState {
   LaneRow strobes_left;   ///< until the run ends
   LaneRow steps;          ///< computed in this lane
   LaneRow steps_since_strobe;
+  LaneRow peak_tilt;        ///< largest S theta so far
+  LaneRow peak_tilt_rate;   ///< largest abs(w) so far
   LaneRow root_isolations;  ///< in those steps, and in the last one if the motion completes it
 
   // What is constant without an event.

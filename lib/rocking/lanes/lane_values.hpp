@@ -6,6 +6,7 @@
 
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/excitation/excitation.hpp"
+#include "rocking/dynamics/peaks.hpp"
 #include "rocking/dynamics/setting.hpp"
 
 /// What lanes and motions exchange, in the frame of the block's side S.
@@ -38,6 +39,7 @@ struct ComingStep {
   dynamics::Instant breakpoint;           ///< the equations hold until then
   dynamics::Instant coefficients_change;  ///< the earliest breakpoint that is not the base motion's
   const dynamics::Excitation* excitation;
+  dynamics::TiltPeaks<double> peaks;  ///< so far
 };
 
 /// End of a step in which an event may occur.
@@ -53,6 +55,7 @@ struct LaneProgress {
   dynamics::Instant now;
   std::uint64_t steps;
   std::int64_t steps_since_strobe;
+  dynamics::TiltPeaks<double> peaks;
   std::uint64_t breakpoints = 0;  ///< passed in those steps, the last one at their end
   std::uint64_t intervals = 0;    ///< of the friction grid that began at those breakpoints and were known beforehand
   bool at_breakpoint = false;     ///< the last breakpoint is now, and the motion must check its contact

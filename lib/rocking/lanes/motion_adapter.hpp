@@ -45,7 +45,8 @@ class MotionAdapter {
             .steps_since_strobe = motion_.strobes().steps_since_last(),
             .breakpoint = motion_.breakpoint().value_or(never),
             .coefficients_change = coefficients_change(),
-            .excitation = &motion_.excitation()};
+            .excitation = &motion_.excitation(),
+            .peaks = {.tilt = motion_.peaks().tilt, .tilt_rate = motion_.peaks().tilt_rate}};
   }
 
   /// The coming intervals of the friction grid, if the steps of a rock-slide stay ordinary and brief in them; else
@@ -77,6 +78,7 @@ class MotionAdapter {
 
   /// The motion continues where its lane has come to.
   void catch_up(const LaneProgress& progress) {
+    motion_.set_peaks(progress.peaks);
     motion_.take_over({.state = from_frame(progress.state),
                        .now = progress.now,
                        .count = progress.steps,

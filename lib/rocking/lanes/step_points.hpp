@@ -76,10 +76,15 @@ class StepPoints : public Step<kind, Shaking, Real> {
     return {instant, strobes, is_last, is_only || !strobes};
   }
 
+  /// The time of the step at which the state is that of the strobe point.
+  [[nodiscard]] static Real time_of(const Strobing& strobing, const Real& resolution) {
+    using base::select;
+    return select(resolution < strobing.instant, strobing.instant, Real(0.0));
+  }
+
   /// Stores the state at the strobe instant; true in the lanes where it is finite.
   TruthOf<Real> store_strobe(const Strobing& strobing, const Real& resolution) {
-    using base::select;
-    const Point p = point(select(resolution < strobing.instant, strobing.instant, Real(0.0)));
+    const Point p = point(time_of(strobing, resolution));
     store(b_.strobe_tilt, p.tilt);
     store(b_.strobe_tilt_rate, p.tilt_rate);
     if constexpr (slips) {

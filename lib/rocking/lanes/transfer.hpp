@@ -41,6 +41,8 @@ inline void load_step(LaneState& block, std::size_t lane, const ComingStep& step
   block.strobes_left[lane] = static_cast<double>(step.strobes_left);
   block.steps[lane] = 0.0;
   block.root_isolations[lane] = 0.0;
+  block.peak_tilt[lane] = step.peaks.tilt;
+  block.peak_tilt_rate[lane] = step.peaks.tilt_rate;
   block.steps_since_strobe[lane] = static_cast<double>(step.steps_since_strobe);
   block.break_period[lane] = static_cast<double>(step.breakpoint.period);
   block.break_time[lane] = step.breakpoint.time;
@@ -104,7 +106,8 @@ inline void load(LaneState& block, std::size_t lane, const ComingStep& step) {
                     .slip_rate = block.slip_rate[lane]},
           .now = {.period = static_cast<std::int64_t>(block.period[lane]), .time = block.time[lane]},
           .steps = count(block.steps[lane]),
-          .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane])};
+          .steps_since_strobe = static_cast<std::int64_t>(block.steps_since_strobe[lane]),
+          .peaks = {.tilt = block.peak_tilt[lane], .tilt_rate = block.peak_tilt_rate[lane]}};
 }
 
 /// End of the step that a lane has computed and not moved on.

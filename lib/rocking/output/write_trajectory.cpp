@@ -51,8 +51,20 @@ Json validity_of(const Trajectory& trajectory) {
   validity["losses_of_contact"] = trajectory.losses_of_contact;
   validity["first_loss_of_contact"] = nullptr;
   if (trajectory.first_loss_of_contact) validity["first_loss_of_contact"] = *trajectory.first_loss_of_contact;
+  validity["losses_before_fall"] = trajectory.losses_before_fall;
   validity["contradictions"] = trajectory.contradictions;
   return validity;
+}
+
+Json json_of(const PeakValues& peaks) {
+  Json json = Json::object();
+  json["tilt"] = peaks.tilt;
+  json["tilt_rate"] = peaks.tilt_rate;
+  json["slip"] = peaks.slip;
+  json["slip_m"] = peaks.slip_m;
+  json["final_slip"] = peaks.final_slip;
+  json["final_slip_m"] = peaks.final_slip_m;
+  return json;
 }
 
 Json account_of(const EnergyAccount& energy) {
@@ -91,6 +103,7 @@ std::string trajectory_text(const RealisationKey& key, const Trajectory& traject
     text += ",\n  \"samples_per_period\": " + std::to_string(trajectory.samples_per_period);
     text += ",\n  \"history\": " + list_of(trajectory.history);
   }
+  text += ",\n  \"peaks\": " + json_of(trajectory.peaks).dump();
   text += ",\n  \"validity\": " + validity_of(trajectory).dump();
   text += ",\n  \"energy\": " + account_of(trajectory.energy).dump();
   text += ",\n  \"termination\": " + Json(to_string(trajectory.termination)).dump();

@@ -57,6 +57,7 @@ PerturbedPair::PerturbedPair(const Motion& from, double shape_angle, std::int64_
       goal_(periods),
       direction_{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0} {
   reference_.observe_with(reference_strobe_);
+  reference_.ignore_peaks();  // so are those of its copy, the perturbed trajectory
   begin_period();
 }
 

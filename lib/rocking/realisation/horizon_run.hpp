@@ -29,9 +29,11 @@ inline double resolution_of(double tolerance) { return std::max(1e-9, 1e3 * tole
 inline void collect(RealisationResult& result, const Motion& motion, const StrobeRecorder& recorder) {
   result.termination = motion.termination().value_or(dynamics::Termination::stopped);
   result.losses_of_contact = motion.losses_of_contact();
+  result.losses_before_fall = motion.losses_before_fall();
   result.first_loss_of_contact = motion.first_loss_of_contact();
   result.was_past_balance = motion.was_past_balance();
   result.contradictions = motion.contradictions();
+  result.peaks = peaks_of(motion, motion.setting().block);
   result.operations.slip_steps = motion.slip_steps();
   result.operations.events = recorder.events();
   motion.coefficients().add_to(result.operations);

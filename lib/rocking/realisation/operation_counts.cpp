@@ -17,6 +17,12 @@ OperationCounts& OperationCounts::operator+=(const OperationCounts& other) {
   return *this;
 }
 
+std::uint64_t Clamps::all() const {
+  std::uint64_t sum = 0;
+  for (const ClampKind& kind : clamp_kinds) sum += this->*kind.count;
+  return sum;
+}
+
 Clamps& Clamps::operator+=(const Clamps& other) {
   for (const ClampKind& kind : clamp_kinds) this->*kind.count += other.*kind.count;
   return *this;

@@ -24,10 +24,17 @@ struct OperationCounts {
   std::array<std::uint64_t, dynamics::event_kind_count> events{};  ///< by EventKind
 
   OperationCounts& operator+=(const OperationCounts& other);
+  /// Random numbers of all sources.
+  [[nodiscard]] std::uint64_t draws() const {
+    return static_friction_draws + kinetic_friction_draws + restitution_draws + amplitude_draws + initial_draws;
+  }
 };
 
 /// How often a draw was clamped when its value was used.
 struct Clamps {
+  /// Of all kinds.
+  [[nodiscard]] std::uint64_t all() const;
+
   std::uint64_t kinetic_at_zero = 0;
   std::uint64_t kinetic_at_static = 0;  ///< mu_k limited to the mu_s in force
   std::uint64_t static_at_zero = 0;

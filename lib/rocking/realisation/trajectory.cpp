@@ -89,6 +89,8 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   trajectory.termination = motion.termination().value_or(Termination::stopped);
   trajectory.losses_of_contact = motion.losses_of_contact();
   if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();
+  trajectory.losses_before_fall = motion.losses_before_fall();
+  trajectory.peaks = peaks_of(motion, beginning.setting.block);
   trajectory.contradictions = motion.contradictions();
   trajectory.energy = motion.account();
   trajectory.samples_per_period = extent.samples_per_period;

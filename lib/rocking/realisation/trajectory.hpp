@@ -8,6 +8,7 @@
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/termination.hpp"
 #include "rocking/realisation/energy_account.hpp"
+#include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {
@@ -52,6 +53,8 @@ struct Trajectory {
   int samples_per_period = 0;                   ///< of the history
   std::uint64_t losses_of_contact = 0;          ///< downward crossings of N = 0
   std::optional<double> first_loss_of_contact;  ///< tau, if there was one
+  std::uint64_t losses_before_fall = 0;         ///< of them, without those of the final fall
+  PeakValues peaks;
   std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
   EnergyAccount energy;
   Termination termination = Termination::reached_horizon;

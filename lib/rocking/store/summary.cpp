@@ -1,5 +1,4 @@
 #include "rocking/store/summary.hpp"
-#include "rocking/realisation/realisation_digest.hpp"
 
 #include <algorithm>
 
@@ -27,7 +26,14 @@ Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
           .rerun_diverged = std::nullopt,
           .long_mode = std::nullopt,
           .operations = result.operations,
-          .clamps = result.clamps};
+          .clamps = result.clamps,
+          .left_ground_before_fall = result.losses_before_fall > 0,
+          .peaks = {.tilt = result.peaks.tilt,
+                    .tilt_rate = result.peaks.tilt_rate,
+                    .slip = result.peaks.slip,
+                    .slip_m = result.peaks.slip_m,
+                    .final_slip = result.peaks.final_slip,
+                    .final_slip_m = result.peaks.final_slip_m}};
 }
 
 }  // namespace rocking

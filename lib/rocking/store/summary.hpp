@@ -18,6 +18,18 @@ struct RealisationKey {
   friend auto operator<=>(const RealisationKey&, const RealisationKey&) = default;
 };
 
+/// PeakValues as they are stored: all absent in rows of layouts before 4.
+struct StoredPeaks {
+  std::optional<double> tilt;
+  std::optional<double> tilt_rate;
+  std::optional<double> slip;
+  std::optional<double> slip_m;
+  std::optional<double> final_slip;
+  std::optional<double> final_slip_m;
+
+  [[nodiscard]] bool are_present() const { return tilt.has_value(); }
+};
+
 /// The part of a result that is stored, after the comparison with the neighbouring realisation: a few hundred bytes,
 /// whatever the horizon.
 struct Summary {
@@ -40,6 +52,9 @@ struct Summary {
   std::optional<section::ResponseMode> long_mode;
   OperationCounts operations;
   Clamps clamps;
+  /// Whether contact was lost before a final fall (Automaton::losses_before_fall).
+  std::optional<bool> left_ground_before_fall;
+  StoredPeaks peaks;
 
   [[nodiscard]] bool was_clamped() const;
 };
@@ -78,6 +93,14 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
     visit("event_" + std::string(to_string(static_cast<dynamics::EventKind>(kind))), operations.events[kind]);
   }
   for (const ClampKind& kind : clamp_kinds) visit(std::string(kind.column), summary.clamps.*kind.count);
+  visit("left_ground_before_fall", summary.left_ground_before_fall);
+  auto& peaks = summary.peaks;
+  visit("peak_tilt", peaks.tilt);
+  visit("peak_tilt_rate", peaks.tilt_rate);
+  visit("peak_slip", peaks.slip);
+  visit("peak_slip_m", peaks.slip_m);
+  visit("final_slip", peaks.final_slip);
+  visit("final_slip_m", peaks.final_slip_m);
 }
 
 }  // namespace rocking

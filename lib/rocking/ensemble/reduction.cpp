@@ -29,10 +29,18 @@ DivergenceTimes DivergenceTally::times() const {
 
 void Reduction::add(const Summary& summary) {
   if (is_complete()) return;
+  count(summary);
+  if (!is_complete()) return;
+  peak_quantiles_ = peaks_.quantiles(*condition_);
+  peaks_ = {};  // the rows of the next condition follow
+}
+
+void Reduction::count(const Summary& summary) {
   ++modes_[summary.mode];
   add_to_validity(summary);
   add_to_pairs(summary);
   if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
+  peaks_.add(summary);
   operations_ += summary.operations;
   validity_.clamps += summary.clamps;
   digest_.add(summary.digest);
@@ -43,6 +51,7 @@ void Reduction::add(const Summary& summary) {
 void Reduction::add_to_validity(const Summary& summary) {
   const std::uint64_t number = realisations_;
   if (summary.left_ground) validity_.left_ground.add(number);
+  if (summary.left_ground_before_fall.value_or(summary.left_ground)) validity_.left_ground_before_fall.add(number);
   if (summary.termination == dynamics::Termination::painleve) validity_.painleve.add(number);
   if (summary.termination == dynamics::Termination::stopped) validity_.stopped.add(number);
   if (summary.in_transient) validity_.in_transient.add(number);
@@ -123,6 +132,7 @@ ConditionResult Reduction::result() const {
   result.realisations = realisations_;
   result.modes = estimate_modes(listed_modes(), condition_->confidence);
   if (realisations_ >= 2) result.non_recurrence = non_recurrence();
+  result.peaks = is_complete() ? peak_quantiles_ : peaks_.quantiles(*condition_);
   result.validity = validity_;
   result.operations = operations_;
   add_corrected(result.modes);

@@ -8,6 +8,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/mode_family.hpp"
+#include "rocking/ensemble/peak_tally.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -28,7 +29,7 @@ class DivergenceTally {
 };
 
 /// Counts, probabilities, non-recurrence and validity of one condition, from its realisations in order. Memory is
-/// proportional to the horizon, not to the number of realisations.
+/// proportional to the horizon, plus 48 bytes for each realisation, until the condition is complete.
 class Reduction {
  public:
   explicit Reduction(const Condition& condition) : condition_(&condition), target_(first_target(condition)) {}
@@ -44,6 +45,7 @@ class Reduction {
   [[nodiscard]] base::Sha256 digest() { return digest_.finish(); }
 
  private:
+  void count(const Summary& summary);
   void add_to_validity(const Summary& summary);
   void add_to_pairs(const Summary& summary);
   [[nodiscard]] ModeTally listed_modes() const;
@@ -53,9 +55,11 @@ class Reduction {
 
   const Condition* condition_;
   Target target_;
+  std::optional<PeakQuantiles> peak_quantiles_;  ///< of a complete condition
   std::uint64_t realisations_ = 0;
   ModeTally modes_;
   Validity validity_;
+  PeakTally peaks_;
   OperationCounts operations_;
   base::Sha256Builder digest_;
   Summary first_of_pair_;

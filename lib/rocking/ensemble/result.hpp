@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/base/digest.hpp"
+#include "rocking/ensemble/peak_tally.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/ensemble/tolerance_sensitivity.hpp"
 #include "rocking/realisation/operation_counts.hpp"
@@ -31,7 +32,10 @@ struct Cases {
 
 /// Realisations that left the range of the model or whose classification is uncertain.
 struct Validity {
-  Cases left_ground;        ///< reached N <= 0
+  Cases left_ground;  ///< reached N <= 0
+  /// Of these, the ones that reached it before their final fall (Automaton::losses_before_fall). Rows of former layouts
+  /// do not tell; they count here.
+  Cases left_ground_before_fall;
   Cases painleve;           ///< ended because D <= 0 or 1 + 3q <= 0
   Cases stopped;            ///< ended because the budget of events or steps was exhausted
   Cases in_transient;       ///< not settled at the end of the sampled periods
@@ -95,6 +99,8 @@ struct ConditionResult {
   std::uint64_t realisations = 0;
   std::vector<ModeEstimate> modes;              ///< in order; (1,1), (1,3), chaotic and overturned are always present
   std::optional<NonRecurrence> non_recurrence;  ///< absent for fewer than two realisations
+  /// Absent if the store has rows of a layout without them.
+  std::optional<PeakQuantiles> peaks = std::nullopt;
   Validity validity;
   OperationCounts operations;
   StoppedBecause stopped_because = StoppedBecause::all_realisations_done;

@@ -88,6 +88,37 @@ Json non_recurrence_json(const ConditionResult& result) {
   return json;
 }
 
+Json quantiles_json(const std::vector<stats::QuantileEstimate>& levels) {
+  Json json = Json::array();
+  for (const stats::QuantileEstimate& quantile : levels) {
+    json.push_back(Json::array({number(quantile.level), optional_number(quantile.value), optional_number(quantile.low),
+                                optional_number(quantile.high)}));
+  }
+  return json;
+}
+
+Json quantiles_json(const Quantiles& quantiles) {
+  Json json = Json::object();
+  json["realisations"] = quantiles.realisations;
+  json["beyond"] = quantiles.beyond;
+  json["quantiles"] = quantiles_json(quantiles.levels);
+  return json;
+}
+
+Json slip_json(const std::optional<PeakQuantiles::Slip>& slip) {
+  if (!slip) return {};
+  Json json = quantiles_json(slip->over_half_diagonal);
+  json["quantiles_m"] = quantiles_json(slip->metres.levels);
+  return json;
+}
+
+void add_peaks(Json& json, const std::optional<PeakQuantiles>& peaks) {
+  json["peak_tilt"] = peaks ? quantiles_json(peaks->tilt) : Json();
+  json["peak_tilt_rate"] = peaks ? quantiles_json(peaks->tilt_rate) : Json();
+  json["peak_slip"] = peaks ? slip_json(peaks->slip) : Json();
+  json["final_slip"] = peaks ? slip_json(peaks->final_slip) : Json();
+}
+
 Json clamps_json(const Clamps& clamps) {
   Json json = Json::object();
   for (const ClampKind& kind : clamp_kinds) {
@@ -97,7 +128,7 @@ Json clamps_json(const Clamps& clamps) {
   return json;
 }
 
-Json validity_json(const Validity& validity) {
+Json validity_json(const Validity& validity, const OperationCounts& operations) {
   Json json = Json::object();
   Json first = Json::object();
   const auto add = [&first](Json& counts, const std::string& name, const Cases& cases) {
@@ -105,6 +136,7 @@ Json validity_json(const Validity& validity) {
     if (cases.count > 0) first[name] = cases.first;
   };
   add(json, "left_ground", validity.left_ground);
+  add(json, "left_ground_before_fall", validity.left_ground_before_fall);
   add(json, "painleve", validity.painleve);
   add(json, "stopped", validity.stopped);
   add(json, "in_transient", validity.in_transient);
@@ -116,6 +148,7 @@ Json validity_json(const Validity& validity) {
   Json& unresolved = json["unresolved"] = Json::object();
   for (const auto& [reason, cases] : validity.unresolved) add(unresolved, std::string(to_string(reason)), cases);
   json["clamped_draws"] = clamps_json(validity.clamps);
+  json["draws"] = operations.draws();
   json["first_realisations"] = std::move(first);
   return json;
 }
@@ -129,7 +162,8 @@ Json condition_json(const Condition& condition, const ConditionResult& result) {
   json["counts"] = counts_json(result);
   json["probabilities"] = probabilities_json(result);
   json["non_recurrence"] = non_recurrence_json(result);
-  json["validity"] = validity_json(result.validity);
+  add_peaks(json, result.peaks);
+  json["validity"] = validity_json(result.validity, result.operations);
   json["stopped_because"] = to_string(result.stopped_because);
   return json;
 }

@@ -1,0 +1,67 @@
+#include "rocking/stats/quantile_interval.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include <boost/math/special_functions/beta.hpp>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking::stats {
+namespace {
+
+/// P(K >= k) for K binomial (n, p).
+double at_least(std::uint64_t k, std::uint64_t n, double p) {
+  if (k == 0) return 1.0;
+  if (k > n) return 0.0;
+  return boost::math::ibeta(static_cast<double>(k), static_cast<double>(n - k + 1), p);
+}
+
+/// P(K < k).
+double below(std::uint64_t k, std::uint64_t n, double p) {
+  if (k == 0) return 0.0;
+  if (k > n) return 1.0;
+  return boost::math::ibetac(static_cast<double>(k), static_cast<double>(n - k + 1), p);
+}
+
+/// Nearest rank (Hyndman & Fan 1996, definition 1), from 1. Level and product are rounded, see censored_quantile.
+std::uint64_t nearest_rank(std::uint64_t n, double level) {
+  const double rank = std::ceil(level * static_cast<double>(n) * (1.0 - 0x1p-51));
+  return std::clamp<std::uint64_t>(static_cast<std::uint64_t>(rank), 1, n);
+}
+
+}  // namespace
+
+QuantileRanks quantile_ranks(std::uint64_t n, double level, double confidence) {
+  ROCKING_EXPECT(0.0 < level && level < 1.0);
+  ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
+  const double tail = 0.5 * (1.0 - confidence);
+  const auto ranks = std::views::iota(std::uint64_t{1}, n + 1);
+  const auto after_low =
+      std::ranges::partition_point(ranks, [&](std::uint64_t rank) { return below(rank, n, level) <= tail; });
+  const auto high =
+      std::ranges::partition_point(ranks, [&](std::uint64_t rank) { return at_least(rank, n, level) > tail; });
+  QuantileRanks result;
+  if (after_low != ranks.begin()) result.low = *after_low - 1;
+  if (high != ranks.end()) result.high = *high;
+  return result;
+}
+
+QuantileEstimate quantile_estimate(std::span<const double> ascending, std::uint64_t beyond, double level,
+                                   double confidence) {
+  ROCKING_EXPECT(std::ranges::is_sorted(ascending));
+  const std::uint64_t n = ascending.size() + beyond;
+  QuantileEstimate estimate{.level = level, .value = {}, .low = {}, .high = {}};
+  if (n == 0) return estimate;
+  const auto value_of = [&](const std::optional<std::uint64_t>& rank) {
+    return rank && *rank <= ascending.size() ? std::optional(ascending[*rank - 1]) : std::nullopt;
+  };
+  const QuantileRanks ranks = quantile_ranks(n, level, confidence);
+  estimate.value = value_of(nearest_rank(n, level));
+  estimate.low = value_of(ranks.low);
+  estimate.high = value_of(ranks.high);
+  return estimate;
+}
+
+}  // namespace rocking::stats

@@ -59,7 +59,7 @@ Condition recorded(bool has_vertical) {
                               has_vertical ? 0.1 * std::sin(2.0 * frequency * time) : 0.0});
   }
   condition.scene.excitation =
-      rocking::support::recorded_by(std::move(motion), frequency_ratio(condition.scene.excitation));
+      rocking::support::recorded_by(std::move(motion), rocking::support::mean_frequency_ratio(condition.scene));
   condition.realisations = 20;
   return condition;
 }

@@ -41,7 +41,7 @@ EndState end_of(const peer::Story& story) {
 }
 
 peer::FlowAccuracy accuracy_of(const Question& question, double tolerance) {
-  const double period = 2.0 * std::numbers::pi / frequency_ratio(question.condition.scene.excitation);
+  const double period = 2.0 * std::numbers::pi / support::mean_frequency_ratio(question.condition.scene);
   return {.relative = tolerance, .absolute = tolerance, .longest_step = period / 16.0};
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr double useless = 1e-3;  ///< displacements that have grown to this size allow no comparison
 
 double period_of(const Question& question) {
-  return 2.0 * std::numbers::pi / frequency_ratio(question.condition.scene.excitation);
+  return 2.0 * std::numbers::pi / support::mean_frequency_ratio(question.condition.scene);
 }
 
 Account our_account(const Question& question) {
@@ -37,7 +37,7 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
   scene.block.height = nudge(mean_block(scene).height);
   support::harmonic(scene).amplitude = nudge(support::harmonic(scene).amplitude);
   support::harmonic(scene).phase = nudge(std::get<double>(support::harmonic(scene).phase));
-  scene.restitution = nudge(scene.restitution);
+  scene.restitution = nudge(std::get<double>(scene.restitution));
   if (scene.friction) {
     auto& [mu_s, mu_k] = *scene.friction;
     const bool equal = mu_s == mu_k;

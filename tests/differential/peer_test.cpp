@@ -79,7 +79,7 @@ TEST(Differential, ItsScenesKnowEveryKindOfEvent) {
 }
 
 TEST(Differential, NoticesARestitutionThatIsOffByATenMillionth) {
-  const auto change = [](Scene& scene) { scene.restitution += 1e-7; };
+  const auto change = [](Scene& scene) { std::get<double>(scene.restitution) += 1e-7; };
   EXPECT_GE(noticed(20, change), 5);
 }
 

@@ -25,7 +25,7 @@ peer::Scene peer_scene(const Question& question) {
                    .amplitude = support::harmonic(scene).amplitude,
                    .frequency = support::harmonic(scene).frequency_ratio,
                    .phase = phase - turn * std::floor(phase / turn),
-                   .restitution = scene.restitution,
+                   .restitution = std::get<double>(scene.restitution),
                    .friction = std::nullopt,
                    .edge_inertia = scene.slide_inertia == dynamics::SlideInertia::edge,
                    .signed_impact_rule = scene.impact_slip_rule == dynamics::ImpactSlipRule::signed_ratio,

@@ -244,6 +244,27 @@ std::vector<Place> places() {
       {"/restitution", [](auto& c, double x) { c.scene.restitution = x; }, true},
       {"/excitation/amplitude", [](auto& c, double x) { support::harmonic(c.scene).amplitude = x; }, true},
       {"/excitation/frequency_ratio", [](auto& c, double x) { support::harmonic(c.scene).frequency_ratio = x; }, false},
+      {"/excitation/amplitude_g",
+       [](auto& c, double x) {
+         support::harmonic(c.scene).physical_amplitude = PhysicalAmplitude{x, AccelerationUnit::gravity};
+       },
+       true},
+      {"/excitation/amplitude_m_s2",
+       [](auto& c, double x) {
+         support::harmonic(c.scene).physical_amplitude = PhysicalAmplitude{x, AccelerationUnit::m_s2};
+       },
+       true},
+      {"/excitation/frequency_hz",
+       [](auto& c, double x) {
+         support::harmonic(c.scene).physical_frequency = PhysicalFrequency{x, FrequencyUnit::hertz};
+       },
+       false},
+      {"/excitation/period_s",
+       [](auto& c, double x) {
+         support::harmonic(c.scene).physical_frequency = PhysicalFrequency{x, FrequencyUnit::period_s};
+       },
+       false},
+      {"/restitution/rate_ratio", [](auto& c, double x) { c.scene.restitution = RateRatio{x}; }, false},
       {"/excitation/phase_rad", [](auto& c, double x) { support::harmonic(c.scene).phase = x; }, true},
       {"/friction/static",
        [](auto& c, double x) {  // kinetic friction is not above it

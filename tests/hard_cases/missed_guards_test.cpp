@@ -43,7 +43,7 @@ constexpr std::uint64_t watched_steps = 1'000'000;
 GroundMotion random_ground_motion(const Scene& scene, SplitMix& draw) {
   GroundMotion motion{.samples = {}, .has_vertical = draw.below(3) != 0};
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
-  const double period = 2.0 * std::numbers::pi / frequency_ratio(scene.excitation) / block.frequency_parameter;
+  const double period = 2.0 * std::numbers::pi / support::mean_frequency_ratio(scene) / block.frequency_parameter;
   const double strongest = draw.uniform(0.05, 0.4);
   for (double time = 0.0; time < horizon_periods * period;) {
     motion.samples.push_back({time, block.shape_angle * draw.uniform(-1.0, 1.0), draw.uniform(-strongest, strongest)});
@@ -75,7 +75,7 @@ Condition random_condition(std::uint64_t number) {
   scene.fluctuation.refreshes_per_period = std::array{1, 8, 100, 200}[static_cast<std::size_t>(draw.below(4))];
   if (draw.below(8) == 0) throw_over(scene, draw);
   if (draw.below(4) == 0) {
-    const double frequency = frequency_ratio(scene.excitation);
+    const double frequency = support::mean_frequency_ratio(scene);
     scene.excitation = support::recorded_by(random_ground_motion(scene, draw), frequency, size_of(scene.excitation));
   }
   return condition;

@@ -42,12 +42,12 @@ Condition random_condition(std::uint64_t number, std::int64_t periods) {
   if (base == Base::harmonic) return condition;
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(scene));
   GroundMotion motion{.samples = {}, .has_vertical = base == Base::recorded_with_vertical};
-  const double period = 2.0 * std::numbers::pi / frequency_ratio(scene.excitation);
+  const double period = 2.0 * std::numbers::pi / support::mean_frequency_ratio(scene);
   for (double tau = 0.0; tau < period * static_cast<double>(periods); tau += draw.uniform(0.05, 0.4) * period) {
     motion.samples.push_back(
         {tau / block.frequency_parameter, 5.0 * block.shape_angle * draw.uniform(-1.0, 1.0), draw.uniform(-0.6, 0.6)});
   }
-  scene.excitation = support::recorded_by(std::move(motion), frequency_ratio(scene.excitation));
+  scene.excitation = support::recorded_by(std::move(motion), support::mean_frequency_ratio(scene));
   return condition;
 }
 

@@ -16,6 +16,11 @@ inline const Recorded& recorded(const Scene& scene) { return std::get<Recorded>(
 
 inline Harmonic harmonic(Scene&& scene) { return std::get<Harmonic>(scene.excitation); }
 
+/// Omega_h for the mean block.
+inline double mean_frequency_ratio(const Scene& scene) {
+  return frequency_ratio_for(scene, dynamics::geometry_of(mean_block(scene)));
+}
+
 /// A scene's excitation by a ground motion.
 inline Recorded recorded_by(GroundMotion motion, double frequency_ratio, double scale = 1.0) {
   return {.ground_motion = std::make_shared<const GroundMotion>(std::move(motion)),

@@ -12,6 +12,10 @@ double inelastic_rate_ratio(const Geometry& block, double restitution) {
   return 1.0 - 1.5 * (1.0 + restitution) * block.sine * block.sine;
 }
 
+double restitution_of_rate_ratio(const Geometry& block, double rate_ratio) {
+  return (1.0 - rate_ratio) / (1.5 * block.sine * block.sine) - 1.0;
+}
+
 namespace {
 
 LandingEdge<double> landing_edge(double restitution, const Geometry& block) {

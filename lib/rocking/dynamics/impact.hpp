@@ -49,6 +49,13 @@ struct ImpactOutcome {
 /// Source: Housner (1963), BSSA 53(2) 403-417; Jeong & Yang (2012) Eq. 25.
 [[nodiscard]] double inelastic_rate_ratio(const Geometry& block, double restitution = 0.0);
 
+/// The restitution e with which inelastic_rate_ratio is `rate_ratio`, its inverse:
+///
+///     e = (1 - delta)/((3/2) sin^2(psi)) - 1
+///
+/// Below -1 for a ratio above 1, and above 1 for one below 1 - 3 sin^2(psi).
+[[nodiscard]] double restitution_of_rate_ratio(const Geometry& block, double rate_ratio);
+
 /// Share of the tilt rate that a sticking impact takes where the block did not slip before.
 [[nodiscard]] double impact_loss(double restitution, const Geometry& block);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "rocking/scene/relations.hpp"
 #include "rocking/scene/rules.hpp"
@@ -45,7 +46,7 @@ class FluctuationReader {
     read_friction();
     if (in_.has("restitution")) {
       in_.object("restitution", [this](ObjectReader& keys) {
-        scene_.fluctuation.restitution = sigma_about(scene_.restitution, read_scatter(keys), keys);
+        scene_.fluctuation.restitution = sigma_about(mean_restitution(), read_scatter(keys), keys);
       });
     }
     if (in_.has("amplitude")) {
@@ -76,6 +77,14 @@ class FluctuationReader {
             keys.integer("refreshes_per_period", rules::refreshes.with_default(fluctuation.refreshes_per_period)));
       });
     }
+  }
+
+  /// As it is given; under `jy25` e of the mean block.
+  double mean_restitution() const {
+    if (const auto* ratio = std::get_if<RateRatio>(&scene_.restitution)) return ratio->value;
+    const dynamics::Block block = mean_block(scene_);
+    const bool is_sound = block.width > 0.0 && block.height > 0.0;  // else it is already reported
+    return is_sound ? restitution_of(scene_, dynamics::geometry_of(block)) : 0.0;
   }
 
   void check_may_stand(std::string_view key) {

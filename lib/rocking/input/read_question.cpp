@@ -37,7 +37,7 @@ Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spell
     if (standard.sampled_periods > rules::sampled_periods.high && !keys.has("sampled_periods")) {
       keys.reject("sampled_periods",
                   "would be " + std::to_string(standard.sampled_periods) + ", until the block rests after the shaking",
-                  "lower \"frequency_ratio\", so that strobe periods are longer, or give at most 1000000");
+                  "lower the frequency, so that strobe periods are longer, or give at most 1000000");
       return;
     }
     horizon.sampled_periods = static_cast<int>(

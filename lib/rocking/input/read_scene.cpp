@@ -3,8 +3,8 @@
 #include <array>
 #include <string>
 #include <string_view>
+#include <variant>
 
-#include "rocking/dynamics/impact.hpp"
 #include "rocking/input/read_excitation.hpp"
 #include "rocking/input/read_fluctuation.hpp"
 #include "rocking/input/read_quantity.hpp"
@@ -33,25 +33,26 @@ SceneBlock read_block(ObjectReader& in) {
   return block;
 }
 
-void set_jy25_restitution(Scene& scene) {
-  const dynamics::Block block = mean_block(scene);
-  if (!(block.width > 0.0 && block.height > 0.0)) return;  // already reported
-  scene.jy25_restitution = true;
-  scene.restitution = dynamics::inelastic_rate_ratio(dynamics::geometry_of(block));
-}
-
-void read_restitution(ObjectReader& in, Scene& scene, bool jy25_by_default) {
+Restitution read_restitution(ObjectReader& in, bool jy25_by_default) {
   const Json* found = in.value("restitution");
   if (found == nullptr ? jy25_by_default : *found == jy25) {
     in.write("restitution", jy25);
-    return set_jy25_restitution(scene);
+    return Jy25Restitution{};
+  }
+  if (found != nullptr && found->is_object()) {
+    RateRatio ratio;
+    in.object("restitution",
+              [&ratio](ObjectReader& keys) { ratio.value = keys.number("rate_ratio", rules::rate_ratio); });
+    return ratio;
   }
   if (found != nullptr && found->is_string()) {
     in.reject("restitution", std::string(rules::restitution.demand),
-              "write a number, or \"jy25\" for 1 - 1.5 sin^2(psi)");
-    return;
+              "write a number, \"jy25\" for 1 - 1.5 sin^2(psi), or {\"rate_ratio\": 0.93} for a measured ratio of the "
+              "tilt rates");
+    return Scene{}.restitution;
   }
-  scene.restitution = in.number("restitution", rules::restitution.with_default(Scene{}.restitution));
+  const double standard = std::get<double>(Scene{}.restitution);
+  return in.number("restitution", rules::restitution.with_default(standard));
 }
 
 void read_formulation(ObjectReader& in, Scene& scene, DefaultSpelling spelling) {
@@ -68,9 +69,9 @@ void read_formulation(ObjectReader& in, Scene& scene, DefaultSpelling spelling) 
     scene.slide_inertia = static_cast<SlideInertia>(in.choice("slide_inertia", slide_inertia_names, standard));
   }
   if (write_out("restitution")) {
-    read_restitution(in, scene, options.is_jy25);
+    scene.restitution = read_restitution(in, options.is_jy25);
   } else if (options.is_jy25) {
-    set_jy25_restitution(scene);
+    scene.restitution = Jy25Restitution{};
   }
   if (write_out("impact_slip_rule")) {
     const auto standard = static_cast<std::size_t>(options.impact_slip_rule);

@@ -1,6 +1,7 @@
 #include "rocking/input/sweep.hpp"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -38,6 +39,28 @@ std::vector<std::string> pointers_into(const Json& document) {
   return pointers;
 }
 
+/// Keys of which a file has one, in different units.
+constexpr std::array<std::array<std::string_view, 3>, 2> alternatives{
+    {{"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
+     {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"}}};
+
+/// What to do about a place that the file has in another form: the other unit of a number, or a restitution.
+std::optional<std::string> advice_on_form(const std::string& pointer, const Json& document) {
+  const auto advice = [](std::string_view has, const std::string& instead) {
+    return "the file has \"" + std::string(has) + "\": sweep that, or write " + instead + " in its place";
+  };
+  if (pointer == "/restitution/rate_ratio" && document.contains("restitution"))
+    return advice("/restitution", "{\"rate_ratio\": 0.93}");
+  for (const auto& places : alternatives) {
+    if (std::ranges::find(places, pointer) == places.end()) continue;
+    for (const std::string_view place : places) {
+      if (document.contains(Json::json_pointer(std::string(place))))
+        return advice(place, '"' + last_key(pointer) + '"');
+    }
+  }
+  return std::nullopt;
+}
+
 constexpr std::size_t most_axes = 100;
 
 class AxisReader {
@@ -72,8 +95,10 @@ class AxisReader {
     if (is_text && (pointer.empty() || !leads_somewhere(pointer))) {
       const auto known = pointers_into(base_);
       const auto nearest = nearest_word(pointer, known);
+      const std::string otherwise =
+          nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"";
       in_.reject("parameter", "is not a value of this file that a sweep may change",
-                 nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"");
+                 advice_on_form(pointer, base_).value_or(otherwise));
     }
     if (pointer == "/excitation/file") {
       in_.reject("parameter", "changes a file without its digest, by which a report identifies it",

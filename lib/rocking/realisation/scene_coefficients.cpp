@@ -21,14 +21,16 @@ bool redraws_amplitude(const Scene& scene) {
 
 }  // namespace
 
-SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& draws, double restitution_mean)
+SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& draws, const dynamics::Geometry& own)
     : friction_(scene.friction),
       fluctuation_(scene.fluctuation),
-      restitution_mean_(restitution_mean),
-      amplitude_mean_(size_of(scene.excitation)),
+      restitution_mean_(restitution_of(scene, own)),
+      amplitude_mean_(amplitude_for(scene, own)),
       redraws_amplitude_(redraws_amplitude(scene)),
       draws_(draws),
       static_friction_(std::numeric_limits<double>::infinity()) {
+  fluctuation_.restitution /= restitution_unit(scene, own);
+  fluctuation_.amplitude /= amplitude_unit(scene, own);
   if (friction_) draw_static_friction();
 }
 

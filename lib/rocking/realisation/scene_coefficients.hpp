@@ -23,9 +23,11 @@ namespace rocking {
 /// static friction after it is the first draw of the new count.
 class SceneCoefficients {
  public:
-  SceneCoefficients(const Scene& scene, const random::Draws& draws, double restitution_mean);
+  /// `own`: the block of the realisation, in whose units A_h and e are.
+  SceneCoefficients(const Scene& scene, const random::Draws& draws, const dynamics::Geometry& own);
+  /// Of the mean block.
   SceneCoefficients(const Scene& scene, const random::Draws& draws)
-      : SceneCoefficients(scene, draws, scene.restitution) {}
+      : SceneCoefficients(scene, draws, dynamics::geometry_of(mean_block(scene))) {}
 
   [[nodiscard]] bool has_friction() const { return friction_.has_value(); }
   [[nodiscard]] double static_friction() const { return static_friction_; }
@@ -67,7 +69,7 @@ class SceneCoefficients {
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
 
   std::optional<Friction> friction_;
-  Fluctuation fluctuation_;
+  Fluctuation fluctuation_;  ///< of A_h (or the scale) and of e, whatever the units in which they are given
   double restitution_mean_;
   double amplitude_mean_;
   bool redraws_amplitude_;  ///< at each excitation period

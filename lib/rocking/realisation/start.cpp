@@ -49,14 +49,6 @@ double wrapped(double angle) {
   return rest < two_pi && rest >= 0.0 ? rest : 0.0;
 }
 
-/// Omega_h in units of p of the realisation's own block. A ground motion does not change with the block, and neither do
-/// its strobe instants in seconds: their ratio is in units of p of the mean block.
-double own_frequency_ratio(const Scene& scene, const dynamics::Geometry& own) {
-  const double ratio = frequency_ratio(scene.excitation);
-  if (!std::holds_alternative<Recorded>(scene.excitation)) return ratio;
-  return ratio * (dynamics::geometry_of(mean_block(scene)).frequency_parameter / own.frequency_parameter);
-}
-
 }  // namespace
 
 Start start_of(const Scene& scene, const random::Draws& draws) {
@@ -79,11 +71,11 @@ Start start_of(const Scene& scene, const random::Draws& draws) {
 Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start, Strobe strobe,
                             std::int64_t periods) {
   const Scene& scene = condition.scene;
-  const dynamics::Clock clock(own_frequency_ratio(scene, start.geometry), start.phase);
+  const dynamics::Clock clock(frequency_ratio_for(scene, start.geometry), start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
   return {.setting = setting_of(condition, start.geometry),
           .clock = clock,
-          .coefficients = SceneCoefficients(scene, draws, restitution_of(scene, start.geometry)),
+          .coefficients = SceneCoefficients(scene, draws, start.geometry),
           .state = start.state,
           .schedule = {.first_strobe = {.period = 1, .time = first}, .strobes = periods},
           .draws = start.draws,

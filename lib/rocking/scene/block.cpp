@@ -27,4 +27,12 @@ ShapeRange shapes_of(const SceneBlock& block) {
       .squattest = dynamics::geometry_of({.width = width.largest, .height = height.least, .gravity = block.gravity})};
 }
 
+SizeRange sizes_of(const SceneBlock& block) {
+  const Reach width = reach_of_length(block.width);
+  const Reach height = reach_of_length(block.height);
+  return {
+      .smallest = dynamics::geometry_of({.width = width.least, .height = height.least, .gravity = block.gravity}),
+      .largest = dynamics::geometry_of({.width = width.largest, .height = height.largest, .gravity = block.gravity})};
+}
+
 }  // namespace rocking

@@ -23,9 +23,16 @@ struct ShapeRange {
   dynamics::Geometry squattest;     ///< largest B/H
 };
 
+/// Two sizes between which every block of a scene lies.
+struct SizeRange {
+  dynamics::Geometry smallest;  ///< smallest R
+  dynamics::Geometry largest;   ///< largest R
+};
+
 /// The block with the mean width and the mean height.
 [[nodiscard]] dynamics::Block mean_of(const SceneBlock& block);
 
 [[nodiscard]] ShapeRange shapes_of(const SceneBlock& block);
+[[nodiscard]] SizeRange sizes_of(const SceneBlock& block);
 
 }  // namespace rocking

@@ -18,7 +18,9 @@ void check_scene_numbers(const Scene& scene, const NumberChecker& check) {
   check("/block/width_m", scene.block.width, rules::length);
   check("/block/height_m", scene.block.height, rules::length);
   check("/block/gravity_m_s2", scene.block.gravity, rules::gravity);
-  check("/restitution", scene.restitution, rules::restitution);
+  if (const auto* number = std::get_if<double>(&scene.restitution)) check("/restitution", *number, rules::restitution);
+  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution))
+    check("/restitution/rate_ratio", ratio->value, rules::rate_ratio);
   std::visit([&check](const auto& kind) { kind.check(check); }, scene.excitation);
   if (scene.friction) {
     check("/friction/static", scene.friction->static_coefficient, rules::friction_coefficient);

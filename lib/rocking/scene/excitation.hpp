@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <variant>
@@ -25,6 +26,59 @@ struct GroundMotion {
 /// of the amplitude is not allowed.
 enum class AmplitudeDraws : std::uint8_t { each_period, once, refused };
 
+/// Unit of a physical amplitude: the block's gravity g (SceneBlock::gravity), or m/s^2.
+enum class AccelerationUnit : std::uint8_t { gravity, m_s2 };
+
+/// Amplitude of the base acceleration, the same for blocks of every size; A_h follows from each block.
+struct PhysicalAmplitude {
+  double value = 0.0;
+  AccelerationUnit unit = AccelerationUnit::gravity;
+  friend bool operator==(const PhysicalAmplitude&, const PhysicalAmplitude&) = default;
+};
+
+/// Whether a physical frequency is given in Hz, or by its period in s.
+enum class FrequencyUnit : std::uint8_t { hertz, period_s };
+
+/// Frequency of the base motion, the same for blocks of every size; Omega_h follows from each block.
+struct PhysicalFrequency {
+  double value = 1.0;
+  FrequencyUnit unit = FrequencyUnit::hertz;
+  friend bool operator==(const PhysicalFrequency&, const PhysicalFrequency&) = default;
+};
+
+/// psi g of a block in the unit of the amplitude: the amplitude over it is A_h. 1 where A_h itself is given.
+[[nodiscard]] inline double amplitude_unit(const std::optional<PhysicalAmplitude>& physical,
+                                           const dynamics::Geometry& block, double gravity) {
+  if (!physical) return 1.0;
+  return physical->unit == AccelerationUnit::gravity ? block.shape_angle : block.shape_angle * gravity;
+}
+
+/// Omega_h of a block under a physical frequency.
+[[nodiscard]] inline double frequency_ratio(const PhysicalFrequency& physical, const dynamics::Geometry& block) {
+  constexpr double two_pi = 0x1.921fb54442d18p+2;
+  return physical.unit == FrequencyUnit::hertz ? two_pi * physical.value / block.frequency_parameter
+                                               : two_pi / (physical.value * block.frequency_parameter);
+}
+
+/// Checks the amplitude and the frequency of a kind that has them, each in the unit in which it is given.
+template <class Kind, class Check>
+void check_amplitude_and_frequency(const Kind& kind, const Check& number) {
+  if (!kind.physical_amplitude) {
+    number("/excitation/amplitude", kind.amplitude, rules::amplitude);
+  } else if (kind.physical_amplitude->unit == AccelerationUnit::gravity) {
+    number("/excitation/amplitude_g", kind.physical_amplitude->value, rules::amplitude_g);
+  } else {
+    number("/excitation/amplitude_m_s2", kind.physical_amplitude->value, rules::amplitude_m_s2);
+  }
+  if (!kind.physical_frequency) {
+    number("/excitation/frequency_ratio", kind.frequency_ratio, rules::frequency_ratio);
+  } else if (kind.physical_frequency->unit == FrequencyUnit::hertz) {
+    number("/excitation/frequency_hz", kind.physical_frequency->value, rules::frequency_hz);
+  } else {
+    number("/excitation/period_s", kind.physical_frequency->value, rules::period_s);
+  }
+}
+
 /// Harmonic excitation as asked for: a_h/g = A_h psi sin(Omega_h tau + Phi).
 struct Harmonic {
   static constexpr std::string_view name = "harmonic";
@@ -32,26 +86,35 @@ struct Harmonic {
   static constexpr bool is_periodic = true;
   static constexpr AmplitudeDraws amplitude_draws = AmplitudeDraws::each_period;
 
-  double amplitude = 0.0;        ///< A_h [-]
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]
+  double amplitude = 0.0;        ///< A_h [-]; not used with a physical amplitude
+  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]; not used with a physical frequency
   Quantity phase = 0.0;          ///< Phi [rad]
+  std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_h
+  std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_h
 
   friend bool operator==(const Harmonic&, const Harmonic&) = default;
 
   /// The default horizon depends on the kind only.
   static constexpr std::array<std::string_view, 1> horizon_follows_from{"/excitation/kind"};
 
-  [[nodiscard]] double size() const { return amplitude; }
+  [[nodiscard]] double size() const { return physical_amplitude ? physical_amplitude->value : amplitude; }
+  [[nodiscard]] double size_unit(const dynamics::Geometry& own, double gravity) const {
+    return amplitude_unit(physical_amplitude, own, gravity);
+  }
+  [[nodiscard]] double frequency_ratio_for(const dynamics::Geometry& own, const dynamics::Geometry&) const {
+    return physical_frequency ? rocking::frequency_ratio(*physical_frequency, own) : frequency_ratio;
+  }
   [[nodiscard]] const Quantity& start_phase() const { return phase; }
-  [[nodiscard]] static double end_of_shaking(double) { return std::numeric_limits<double>::infinity(); }
+  [[nodiscard]] static double end_of_shaking(const dynamics::Geometry&) {
+    return std::numeric_limits<double>::infinity();
+  }
   [[nodiscard]] std::vector<std::string_view> effects() const { return {}; }
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry&, const dynamics::Clock&) const {
     return dynamics::HarmonicExcitation{};
   }
   template <class Check>
   void check(const Check& number) const {
-    number("/excitation/amplitude", amplitude, rules::amplitude);
-    number("/excitation/frequency_ratio", frequency_ratio, rules::frequency_ratio);
+    check_amplitude_and_frequency(*this, number);
     number("/excitation/phase_rad", phase, rules::phase);
   }
 };
@@ -77,9 +140,13 @@ struct Recorded {
                                                                         "/excitation/frequency_ratio"};
 
   [[nodiscard]] double size() const { return scale; }
+  [[nodiscard]] static double size_unit(const dynamics::Geometry&, double) { return 1.0; }
+  [[nodiscard]] double frequency_ratio_for(const dynamics::Geometry& own, const dynamics::Geometry& mean) const {
+    return frequency_ratio * (mean.frequency_parameter / own.frequency_parameter);
+  }
   [[nodiscard]] static Quantity start_phase() { return 0.0; }
-  [[nodiscard]] double end_of_shaking(double frequency_parameter) const {
-    return ground_motion ? ground_motion->samples.back().time * frequency_parameter : 0.0;
+  [[nodiscard]] double end_of_shaking(const dynamics::Geometry& block) const {
+    return ground_motion ? ground_motion->samples.back().time * block.frequency_parameter : 0.0;
   }
   [[nodiscard]] std::vector<std::string_view> effects() const {
     std::vector<std::string_view> names{"recorded horizontal motion of the base"};
@@ -106,20 +173,34 @@ struct Pulse {
   static constexpr std::string_view in_words = "moves in one pulse";
   static constexpr bool is_periodic = false;
   static constexpr AmplitudeDraws amplitude_draws = AmplitudeDraws::once;
-  static constexpr std::array<std::string_view, 6> horizon_follows_from{
-      "/block", "/formulation", "/restitution", "/excitation/kind", "/excitation/shape", "/excitation/frequency_ratio"};
+  static constexpr std::array<std::string_view, 8> horizon_follows_from{"/block",
+                                                                        "/formulation",
+                                                                        "/restitution",
+                                                                        "/excitation/kind",
+                                                                        "/excitation/shape",
+                                                                        "/excitation/frequency_ratio",
+                                                                        "/excitation/frequency_hz",
+                                                                        "/excitation/period_s"};
 
   dynamics::PulseShape shape = dynamics::PulseShape::sine;
-  double amplitude = 0.0;        ///< A_h [-]
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p, of the pulse and the strobe [-]
+  double amplitude = 0.0;        ///< A_h [-]; not used with a physical amplitude
+  double frequency_ratio = 1.0;  ///< Omega_h = omega/p, of the pulse and the strobe [-]; likewise
+  std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_h
+  std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_h
 
   friend bool operator==(const Pulse&, const Pulse&) = default;
 
-  [[nodiscard]] double size() const { return amplitude; }
+  [[nodiscard]] double size() const { return physical_amplitude ? physical_amplitude->value : amplitude; }
+  [[nodiscard]] double size_unit(const dynamics::Geometry& own, double gravity) const {
+    return amplitude_unit(physical_amplitude, own, gravity);
+  }
+  [[nodiscard]] double frequency_ratio_for(const dynamics::Geometry& own, const dynamics::Geometry&) const {
+    return physical_frequency ? rocking::frequency_ratio(*physical_frequency, own) : frequency_ratio;
+  }
   [[nodiscard]] static Quantity start_phase() { return 0.0; }
-  [[nodiscard]] double end_of_shaking(double) const {
+  [[nodiscard]] double end_of_shaking(const dynamics::Geometry& block) const {
     constexpr double two_pi = 0x1.921fb54442d18p+2;
-    return dynamics::pulse_length(shape) * two_pi / frequency_ratio;
+    return dynamics::pulse_length(shape) * two_pi / frequency_ratio_for(block, block);
   }
   [[nodiscard]] static std::vector<std::string_view> effects() { return {"one pulse of the base"}; }
   [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry&, const dynamics::Clock& clock) const {
@@ -127,16 +208,17 @@ struct Pulse {
   }
   template <class Check>
   void check(const Check& number) const {
-    number("/excitation/amplitude", amplitude, rules::amplitude);
-    number("/excitation/frequency_ratio", frequency_ratio, rules::frequency_ratio);
+    check_amplitude_and_frequency(*this, number);
   }
 };
 
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
-/// `amplitude_draws`; `frequency_ratio` of the clock and the strobe [-]; `horizon_follows_from`, the places of the file
-/// from which the default horizon is computed; size(), the mean of a fluctuating amplitude [-]; start_phase() [rad];
-/// end_of_shaking(p), a normalised time; effects() as described to users; motion() of a realisation; and check(), which
-/// hands each number with its place and rule to a NumberChecker.
+/// `amplitude_draws`; `horizon_follows_from`, the places of the file from which the default horizon is computed; size(),
+/// the mean of a fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so that the
+/// quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
+/// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block), a
+/// normalised time; effects() as described to users; motion() of a realisation; and check(), which hands each number
+/// with its place and rule to a NumberChecker.
 using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 
 [[nodiscard]] inline std::string_view name_of(const Excitation& excitation) {
@@ -151,9 +233,6 @@ using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 [[nodiscard]] inline std::span<const std::string_view> horizon_follows_from(const Excitation& excitation) {
   return std::visit([](const auto& kind) { return std::span<const std::string_view>(kind.horizon_follows_from); },
                     excitation);
-}
-[[nodiscard]] inline double frequency_ratio(const Excitation& excitation) {
-  return std::visit([](const auto& kind) { return kind.frequency_ratio; }, excitation);
 }
 [[nodiscard]] inline double size_of(const Excitation& excitation) {
   return std::visit([](const auto& kind) { return kind.size(); }, excitation);

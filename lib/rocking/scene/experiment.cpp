@@ -7,7 +7,27 @@
 namespace rocking {
 
 double restitution_of(const Scene& scene, const dynamics::Geometry& block) {
-  return scene.jy25_restitution ? dynamics::inelastic_rate_ratio(block) : scene.restitution;
+  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution))
+    return dynamics::restitution_of_rate_ratio(block, ratio->value);
+  const auto* number = std::get_if<double>(&scene.restitution);
+  return number != nullptr ? *number : dynamics::inelastic_rate_ratio(block);
+}
+
+double restitution_unit(const Scene& scene, const dynamics::Geometry& block) {
+  return std::holds_alternative<RateRatio>(scene.restitution) ? dynamics::impact_loss(0.0, block) : 1.0;
+}
+
+double amplitude_unit(const Scene& scene, const dynamics::Geometry& block) {
+  return std::visit([&](const auto& kind) { return kind.size_unit(block, scene.block.gravity); }, scene.excitation);
+}
+
+double amplitude_for(const Scene& scene, const dynamics::Geometry& block) {
+  return size_of(scene.excitation) / amplitude_unit(scene, block);
+}
+
+double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block) {
+  const dynamics::Geometry mean = dynamics::geometry_of(mean_block(scene));
+  return std::visit([&](const auto& kind) { return kind.frequency_ratio_for(block, mean); }, scene.excitation);
 }
 
 bool is_random(const Scene& scene) {

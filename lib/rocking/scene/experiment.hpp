@@ -10,6 +10,7 @@
 #include "rocking/dynamics/setting.hpp"
 #include "rocking/scene/block.hpp"
 #include "rocking/scene/excitation.hpp"
+#include "rocking/scene/restitution.hpp"
 
 namespace rocking {
 
@@ -18,7 +19,9 @@ struct Friction {
   double kinetic_coefficient = 0.0;  ///< mean of mu_k [-]
 };
 
-/// Standard deviations, in the unit of the mean. If one is 0, its source is off and no number is drawn for it.
+/// Standard deviations, in the unit in which the mean is given: that of `amplitude` in g where the amplitude is, that of
+/// `restitution` as a rate ratio where the restitution is (`jy25`: of e). If one is 0, its source is off and no number
+/// is drawn for it.
 struct Fluctuation {
   double static_friction = 0.0;
   double kinetic_friction = 0.0;
@@ -38,8 +41,7 @@ struct Scene {
   SceneBlock block;
   dynamics::SlideInertia slide_inertia = dynamics::SlideInertia::centroidal;
   dynamics::ImpactSlipRule impact_slip_rule = dynamics::ImpactSlipRule::absolute;
-  double restitution = 0.0;       ///< mean of e [-]; with `jy25_restitution` that of the mean block
-  bool jy25_restitution = false;  ///< the mean of e is dynamics::inelastic_rate_ratio of the block of a realisation
+  Restitution restitution = 0.0;  ///< its mean
   Excitation excitation;
   std::optional<Friction> friction;  ///< absent: the block cannot slide
   Fluctuation fluctuation;
@@ -115,6 +117,19 @@ void for_each_quantity(const Scene& scene, Visit&& visit) {
 
 /// Mean of e for a block of this shape.
 [[nodiscard]] double restitution_of(const Scene& scene, const dynamics::Geometry& block);
+
+/// Change of the restitution, as it is given, for a change of e by 1: 1, or 1.5 sin^2(psi) of a rate ratio.
+[[nodiscard]] double restitution_unit(const Scene& scene, const dynamics::Geometry& block);
+
+/// Mean A_h for a block; under a ground motion the scale [-].
+[[nodiscard]] double amplitude_for(const Scene& scene, const dynamics::Geometry& block);
+
+/// psi g of a block in the unit in which the amplitude is given; 1 for A_h and for the scale of a ground motion.
+[[nodiscard]] double amplitude_unit(const Scene& scene, const dynamics::Geometry& block);
+
+/// Omega_h of the clock and the strobe for a block. Physical motions and their strobe do not change with the block: a
+/// ground motion's ratio is given in units of p of the mean block, and a physical frequency in Hz or by its period.
+[[nodiscard]] double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block);
 
 /// Whether any quantity of the scene is random. If not, all realisations are equal and one suffices.
 [[nodiscard]] bool is_random(const Scene& scene);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "rocking/base/number_text.hpp"
+#include "rocking/dynamics/impact.hpp"
 #include "rocking/dynamics/validity.hpp"
 #include "rocking/scene/check_numbers.hpp"
 #include "rocking/scene/rules.hpp"
@@ -78,6 +79,80 @@ std::optional<Refusal> fluctuating_amplitude_without_period(const Condition& con
   return relations::no_period_to_fluctuate();
 }
 
+/// The physical amplitude of an excitation that is given in this unit.
+std::optional<double> amplitude_in(AccelerationUnit unit, const Scene& scene) {
+  return std::visit(
+      [unit]<class Kind>(const Kind& kind) -> std::optional<double> {
+        if constexpr (requires { kind.physical_amplitude; }) {
+          if (kind.physical_amplitude && kind.physical_amplitude->unit == unit) return kind.physical_amplitude->value;
+        }
+        return std::nullopt;
+      },
+      scene.excitation);
+}
+
+std::optional<double> frequency_in(FrequencyUnit unit, const Scene& scene) {
+  return std::visit(
+      [unit]<class Kind>(const Kind& kind) -> std::optional<double> {
+        if constexpr (requires { kind.physical_frequency; }) {
+          if (kind.physical_frequency && kind.physical_frequency->unit == unit) return kind.physical_frequency->value;
+        }
+        return std::nullopt;
+      },
+      scene.excitation);
+}
+
+/// The amplitude that is the largest A_h of the most slender block, in the unit in which it is given.
+double largest_amplitude(const Scene& scene) {
+  return rules::largest_amplitude * amplitude_unit(scene, shapes_of(scene.block).most_slender);
+}
+
+template <AccelerationUnit unit>
+std::optional<Refusal> amplitude_beyond_bounds(const Condition& condition) {
+  const auto amplitude = amplitude_in(unit, condition.scene);
+  const double largest = largest_amplitude(condition.scene);
+  if (!amplitude || *amplitude <= largest) return std::nullopt;
+  return Refusal{"makes A_h = " + shown(*amplitude / largest * rules::largest_amplitude) + " for this block, above 1e6",
+                 "give at most " + shown(largest)};
+}
+
+std::optional<Refusal> amplitude_sigma_beyond_bounds(const Condition& condition) {
+  const double largest = largest_amplitude(condition.scene);
+  if (condition.scene.fluctuation.amplitude <= largest) return std::nullopt;
+  return Refusal{"makes a standard deviation of A_h above 1e6 for this block",
+                 "give a standard deviation of at most " + shown(largest)};
+}
+
+template <FrequencyUnit unit>
+std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
+  const auto value = frequency_in(unit, condition.scene);
+  if (!value) return std::nullopt;
+  constexpr double two_pi = 2.0 * std::numbers::pi;
+  const auto [smallest, largest] = sizes_of(condition.scene.block);
+  const PhysicalFrequency given{.value = *value, .unit = unit};
+  const double low = frequency_ratio(given, smallest);
+  const double high = frequency_ratio(given, largest);
+  if (rules::frequency_ratio.allows(low) && rules::frequency_ratio.allows(high)) return std::nullopt;
+  const double least = rules::least_frequency_ratio * smallest.frequency_parameter / two_pi;
+  const double most = rules::largest_frequency_ratio * largest.frequency_parameter / two_pi;
+  const bool in_hertz = unit == FrequencyUnit::hertz;
+  return Refusal{"makes Omega_h = " + shown(rules::frequency_ratio.allows(low) ? high : low) +
+                     " for this block, which must lie from 0.001 to 1e6",
+                 "give from " + shown(in_hertz ? least : 1.0 / most) + " to " + shown(in_hertz ? most : 1.0 / least)};
+}
+
+std::optional<Refusal> rate_ratio_beyond_restitution(const Condition& condition) {
+  const Scene& scene = condition.scene;
+  if (!std::holds_alternative<RateRatio>(scene.restitution)) return std::nullopt;
+  const auto [slender, squat] = shapes_of(scene.block);
+  const double largest = restitution_of(scene, slender);
+  if (rules::restitution.allows(largest) && rules::restitution.allows(restitution_of(scene, squat)))
+    return std::nullopt;
+  const double least_ratio = std::max(0.0, dynamics::inelastic_rate_ratio(slender, 1.0));
+  return Refusal{"needs a restitution e = " + shown(largest) + " for this block, which must be above -1 and at most 1",
+                 "give at least 1 - 3 sin^2(psi) = " + shown(least_ratio) + " and less than 1"};
+}
+
 std::string no_value(const Condition&) { return ""; }
 
 struct Relation {
@@ -88,7 +163,7 @@ struct Relation {
 };
 
 /// In the order in which the problems of a file are told.
-constexpr std::array<Relation, 9> all_relations{{
+constexpr std::array<Relation, 15> all_relations{{
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
      static_fluctuation_without_friction,
@@ -122,6 +197,30 @@ constexpr std::array<Relation, 9> all_relations{{
      {"/initial/slip_rate"},
      slip_without_friction,
      [](const Condition& c) { return text_of(c.scene.initial.slip_rate); }},
+    {"/excitation/amplitude_g",
+     {"/block", "/excitation"},
+     amplitude_beyond_bounds<AccelerationUnit::gravity>,
+     [](const Condition& c) { return base::shortest(size_of(c.scene.excitation)); }},
+    {"/excitation/amplitude_m_s2",
+     {"/block", "/excitation"},
+     amplitude_beyond_bounds<AccelerationUnit::m_s2>,
+     [](const Condition& c) { return base::shortest(size_of(c.scene.excitation)); }},
+    {"/excitation/frequency_hz",
+     {"/block", "/excitation"},
+     frequency_beyond_bounds<FrequencyUnit::hertz>,
+     [](const Condition& c) { return base::shortest(*frequency_in(FrequencyUnit::hertz, c.scene)); }},
+    {"/excitation/period_s",
+     {"/block", "/excitation"},
+     frequency_beyond_bounds<FrequencyUnit::period_s>,
+     [](const Condition& c) { return base::shortest(*frequency_in(FrequencyUnit::period_s, c.scene)); }},
+    {"/fluctuation/amplitude",
+     {"/block", "/excitation", "/fluctuation/amplitude"},
+     amplitude_sigma_beyond_bounds,
+     no_value},
+    {"/restitution/rate_ratio",
+     {"/block", "/restitution"},
+     rate_ratio_beyond_restitution,
+     [](const Condition& c) { return base::shortest(std::get<RateRatio>(c.scene.restitution).value); }},
 }};
 
 /// Whether a problem of what stands at `place`, or within it, is told.

@@ -11,7 +11,8 @@ namespace rocking {
 /// Adds a problem for each demand that values of a condition do not meet of each other: static friction not below
 /// kinetic, no Painleve paradox at the means, a tilt short of overturned, a slip rate and fluctuating friction only
 /// where sliding is possible, a fluctuating amplitude only where the excitation has periods, a label check only of a
-/// fixed number of realisations and of no more periods than a realisation may have.
+/// fixed number of realisations and of no more periods than a realisation may have; a physical amplitude or frequency
+/// only within the bounds of A_h and Omega_h for every block that can be drawn, and a rate ratio within those of e.
 ///
 /// A demand is left out where `problems` already tells of one of its values. Values are shown as JSON text.
 void check_relations(const Condition& condition, Problems& problems);

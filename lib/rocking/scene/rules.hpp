@@ -14,16 +14,29 @@ inline constexpr NumberRule length{.allows = [](double x) { return least_length 
 inline constexpr NumberRule gravity{.allows = [](double x) { return 1e-6 <= x && x <= 1e6; },
                                     .demand = "must be a positive number of m/s^2, from 1e-6 to 1e6",
                                     .example = "9.81"};
+inline constexpr double largest_amplitude = 1e6;  ///< A_h
 inline constexpr NumberRule amplitude{
-    .allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+    .allows = [](double x) { return 0.0 <= x && x <= largest_amplitude; },
     .demand = "must be a number from 0 to 1e6: A_h, in units of the shape angle times gravity",
     .example = "4.2"};
+inline constexpr NumberRule amplitude_g{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                        .demand = "must be a number from 0 to 1e6: the base acceleration over gravity",
+                                        .example = "0.4"};
+inline constexpr NumberRule amplitude_m_s2{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                           .demand = "must be a number of m/s^2 from 0 to 1e6",
+                                           .example = "4.0"};
 inline constexpr double least_frequency_ratio = 1e-3;
 inline constexpr double largest_frequency_ratio = 1e6;
 inline constexpr NumberRule frequency_ratio{
     .allows = [](double x) { return least_frequency_ratio <= x && x <= largest_frequency_ratio; },
     .demand = "must be a positive number from 0.001 to 1e6: Omega_h = omega/p",
     .example = "10.0"};
+inline constexpr NumberRule frequency_hz{.allows = [](double x) { return 1e-6 <= x && x <= 1e6; },
+                                         .demand = "must be a positive number of Hz, from 1e-6 to 1e6",
+                                         .example = "3.0"};
+inline constexpr NumberRule period_s{.allows = [](double x) { return 1e-6 <= x && x <= 1e6; },
+                                     .demand = "must be a positive number of seconds, from 1e-6 to 1e6",
+                                     .example = "0.5"};
 inline constexpr NumberRule scale{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
                                   .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
                                   .example = "1.0"};
@@ -36,6 +49,10 @@ inline constexpr NumberRule friction_coefficient{.allows = [](double x) { return
 inline constexpr NumberRule restitution{.allows = [](double x) { return -1.0 < x && x <= 1.0; },
                                         .demand = "must be above -1 and at most 1, or be \"jy25\"",
                                         .example = "0.0"};
+inline constexpr NumberRule rate_ratio{
+    .allows = [](double x) { return 0.0 <= x && x < 1.0; },
+    .demand = "must be a number from 0 to below 1: the ratio abs(w2/w1) of the tilt rates across an impact",
+    .example = "0.93"};
 inline constexpr NumberRule sigma{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
                                   .demand = "must not be negative or above 1e6: a standard deviation",
                                   .example = "0.03"};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include <boost/math/quadrature/gauss_kronrod.hpp>
@@ -68,14 +70,20 @@ std::vector<Condition> random_blocks() {
   harmonic.scene.initial.tilt = Uniform{-0.4, 0.4};
   harmonic.horizon = {.transient_periods = 20, .sampled_periods = 20};
   Condition jy25 = harmonic;
-  jy25.scene.jy25_restitution = true;
+  jy25.scene.restitution = Jy25Restitution{};
   Condition recorded = harmonic;
   GroundMotion motion{.samples = {}, .has_vertical = false};
   for (int i = 0; i < 200; ++i) motion.samples.push_back({0.05 * i, 0.5 * std::sin(0.4 * i) * std::sin(0.03 * i), 0.0});
   recorded.scene.excitation = support::recorded_by(motion, 4.0);
   recorded.scene.fluctuation.amplitude = 0.0;
   recorded.horizon = {.transient_periods = 0, .sampled_periods = 25};
-  return {harmonic, jy25, recorded};
+  Condition physical = harmonic;
+  support::harmonic(physical.scene).physical_amplitude = PhysicalAmplitude{0.45, AccelerationUnit::gravity};
+  support::harmonic(physical.scene).physical_frequency = PhysicalFrequency{0.4, FrequencyUnit::period_s};
+  physical.scene.restitution = RateRatio{0.985};
+  physical.scene.fluctuation.restitution = 0.002;
+  physical.scene.fluctuation.amplitude = 0.05;
+  return {harmonic, jy25, recorded, physical};
 }
 
 /// The same with the size that a realisation draws.
@@ -84,8 +92,8 @@ Condition of_fixed_size(Condition condition, std::uint64_t realisation) {
   const double mean_p = dynamics::geometry_of(mean_block(scene)).frequency_parameter;
   const dynamics::Block block = block_of(scene, realisation);
   scene.block = {.width = block.width, .height = block.height, .gravity = block.gravity};
-  scene.restitution = restitution_of(scene, dynamics::geometry_of(block));
-  scene.jy25_restitution = false;
+  if (std::holds_alternative<Jy25Restitution>(scene.restitution))
+    scene.restitution = restitution_of(scene, dynamics::geometry_of(block));
   auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded != nullptr) recorded->frequency_ratio *= mean_p / dynamics::geometry_of(block).frequency_parameter;
   return condition;
@@ -128,16 +136,60 @@ TEST(RandomBlock, HasInLanesTheBitsThatItHasAlone) {
   }
 }
 
-// A ground motion is in seconds. Each block is run until the same second, whatever its p.
-TEST(RandomBlock, KeepsTheStrobeOfAGroundMotionInSeconds) {
-  const Condition condition = random_blocks()[2];
-  const double mean_p = dynamics::geometry_of(mean_block(condition.scene)).frequency_parameter;
-  for (std::uint64_t realisation = 0; realisation < 20; ++realisation) {
-    const random::Draws draws(block_seed, realisation);
-    const Start start = start_of(condition.scene, draws);
-    const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, 1);
-    const double seconds = beginning.clock.period_length() / start.geometry.frequency_parameter;
-    EXPECT_NEAR(seconds, 2.0 * std::numbers::pi / 4.0 / mean_p, 8.0 * 0x1p-52 * seconds);  // eight roundings
+// A ground motion is in seconds, and so is a physical period. Each block is run until the same second, whatever its p.
+TEST(RandomBlock, KeepsThePhysicalStrobeInSeconds) {
+  const Condition recorded = random_blocks()[2];
+  const double mean_p = dynamics::geometry_of(mean_block(recorded.scene)).frequency_parameter;
+  const Condition in_seconds = random_blocks()[3];
+  Condition in_hertz = in_seconds;
+  support::harmonic(in_hertz.scene).physical_frequency = PhysicalFrequency{3.2, FrequencyUnit::hertz};
+  for (const auto& [condition, expected] : {std::pair{recorded, 2.0 * std::numbers::pi / 4.0 / mean_p},
+                                            std::pair{in_seconds, 0.4}, std::pair{in_hertz, 1.0 / 3.2}}) {
+    for (std::uint64_t realisation = 0; realisation < 20; ++realisation) {
+      const random::Draws draws(block_seed, realisation);
+      const Start start = start_of(condition.scene, draws);
+      const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, 1);
+      const double seconds = beginning.clock.period_length() / start.geometry.frequency_parameter;
+      EXPECT_NEAR(seconds, expected, 8.0 * 0x1p-52 * seconds);  // eight roundings
+    }
+  }
+}
+
+// The base acceleration over g, A_h psi, and its standard deviation are those that were asked for.
+TEST(RandomBlock, MeetsTheSamePhysicalAcceleration) {
+  Condition condition = random_blocks()[3];
+  for (const auto& [unit, value] :
+       {std::pair{AccelerationUnit::gravity, 0.45}, std::pair{AccelerationUnit::m_s2, 0.45 * 9.81}}) {
+    support::harmonic(condition.scene).physical_amplitude = PhysicalAmplitude{value, unit};
+    for (const double sigma : {0.0, value / 9.0}) {
+      condition.scene.fluctuation.amplitude = sigma;
+      for (std::uint64_t realisation = 0; realisation < 20; ++realisation) {
+        const random::Draws draws(block_seed, realisation);
+        const Start start = start_of(condition.scene, draws);
+        Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, 1);
+        const double z = sigma > 0.0 ? draws.standard_normal(random::Source::amplitude, 0) : 0.0;
+        const double acceleration = beginning.coefficients.amplitude(beginning.clock) * start.geometry.shape_angle;
+        EXPECT_NEAR(acceleration, std::max(0.0, 0.45 * (1.0 + z / 9.0)), 16.0 * 0x1p-52);  // sixteen roundings
+      }
+    }
+  }
+}
+
+// The measured ratio of the tilt rates, delta = 1 - 1.5 (1 + e) sin^2(psi), and its standard deviation.
+TEST(RandomBlock, LosesTheMeasuredShareInAnImpact) {
+  Condition condition = random_blocks()[3];
+  for (const double sigma : {0.0, 0.001}) {
+    condition.scene.fluctuation.restitution = sigma;
+    for (std::uint64_t realisation = 0; realisation < 20; ++realisation) {
+      const random::Draws draws(block_seed, realisation);
+      const Start start = start_of(condition.scene, draws);
+      Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, 1);
+      const double e = beginning.coefficients.restitution();
+      const double z = sigma > 0.0 ? draws.standard_normal(random::Source::restitution, 0) : 0.0;
+      if (e == -0.999 || e == 1.0) continue;  // clamped
+      const double sine = start.geometry.sine;
+      EXPECT_NEAR(1.0 - 1.5 * (1.0 + e) * sine * sine, 0.985 - sigma * z, 16.0 * 0x1p-52);  // sixteen roundings
+    }
   }
 }
 

@@ -119,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
         number("/block/width_m", "-0.1", [](auto& c) { c.scene.block.width = -0.1; }),
         number("/block/height_m", "1e7", [](auto& c) { c.scene.block.height = 1e7; }),
         number("/block/gravity_m_s2", "0", [](auto& c) { c.scene.block.gravity = 0; }),
-        number("/restitution", "-1", [](auto& c) { c.scene.restitution = -1; }),
+        number("/restitution", "-1", [](auto& c) { c.scene.restitution = -1.0; }),
         number("/restitution", "1.5", [](auto& c) { c.scene.restitution = 1.5; }),
         number("/excitation/amplitude", "-1", [](auto& c) { harmonic(c.scene).amplitude = -1; }),
         number("/excitation/frequency_ratio", "0", [](auto& c) { harmonic(c.scene).frequency_ratio = 0; }),
@@ -223,6 +223,85 @@ INSTANTIATE_TEST_SUITE_P(
                       Change{{{"/check_labels/times_longer", "1000"}, {"/horizon/sampled_periods", "1001"}},
                              [](auto& c) { c.label_check->times_longer = 1000, c.horizon.sampled_periods = 1001; },
                              {"/check_labels"}}));
+
+/// Physical units in place of A_h, Omega_h and e, of the same file.
+Json physical_document() {
+  auto document = full_document();
+  document["excitation"] = Json::parse(R"({"amplitude_g": 1.0, "frequency_hz": 3.0, "phase_rad": 0.5})");
+  document["restitution"] = Json::parse(R"({"rate_ratio": 0.9})");
+  return document;
+}
+
+void set(Condition& condition, double amplitude, AccelerationUnit unit) {
+  harmonic(condition.scene).physical_amplitude = PhysicalAmplitude{amplitude, unit};
+}
+void set(Condition& condition, double frequency, FrequencyUnit unit) {
+  harmonic(condition.scene).physical_frequency = PhysicalFrequency{frequency, unit};
+}
+
+/// Another unit in place of the one of the file.
+Change in_unit(const std::string& key, const std::string& value, std::function<void(Condition&)> put) {
+  const std::string old = key.starts_with("amplitude") ? "/excitation/amplitude_g" : "/excitation/frequency_hz";
+  const std::string place = "/excitation/" + key;
+  return {{{old, ""}, {place, value}}, std::move(put), {place}};
+}
+
+class PhysicalChange : public ::testing::TestWithParam<Change> {};
+TEST_P(PhysicalChange, IsToldOfAConditionAsOfAFile) { expect_equal_problems(physical_document(), GetParam()); }
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbers, PhysicalChange,
+    ::testing::Values(
+        number("/excitation/amplitude_g", "-0.1", [](auto& c) { set(c, -0.1, AccelerationUnit::gravity); }),
+        number("/excitation/amplitude_g", "1.1e6", [](auto& c) { set(c, 1.1e6, AccelerationUnit::gravity); }),
+        in_unit("amplitude_m_s2", "-1e-9", [](auto& c) { set(c, -1e-9, AccelerationUnit::m_s2); }),
+        number("/excitation/frequency_hz", "0", [](auto& c) { set(c, 0.0, FrequencyUnit::hertz); }),
+        in_unit("period_s", "-2", [](auto& c) { set(c, -2.0, FrequencyUnit::period_s); }),
+        number("/restitution/rate_ratio", "1", [](auto& c) { c.scene.restitution = RateRatio{1.0}; }),
+        number("/restitution/rate_ratio", "-0.9", [](auto& c) { c.scene.restitution = RateRatio{-0.9}; })));
+
+// psi is 0.245, and p 1.889 rad/s: A_h = 1e6 is 0.245e6 g, Omega_h = 0.001 is 3.01e-4 Hz. e = 1 is the ratio 0.8235.
+INSTANTIATE_TEST_SUITE_P(
+    Relations, PhysicalChange,
+    ::testing::Values(
+        number("/excitation/amplitude_g", "245000", [](auto& c) { set(c, 245000, AccelerationUnit::gravity); }),
+        Change{{{"/block/width_m", "1e-6"}, {"/restitution", "0"}, {"/excitation/amplitude_g", "10"}},
+               [](auto& c) {
+                 c.scene.block.width = 1e-6;
+                 c.scene.restitution = 0.0;
+                 set(c, 10.0, AccelerationUnit::gravity);
+               },
+               {"/excitation/amplitude_g"}},
+        Change{{{"/fluctuation/amplitude/sigma", "245000"}},
+               [](auto& c) { c.scene.fluctuation.amplitude = 245000; },
+               {"/fluctuation/amplitude"}},
+        number("/excitation/frequency_hz", "3e-4", [](auto& c) { set(c, 3e-4, FrequencyUnit::hertz); }),
+        number("/excitation/frequency_hz", "302000", [](auto& c) { set(c, 302000, FrequencyUnit::hertz); }),
+        in_unit("period_s", "3350", [](auto& c) { set(c, 3350, FrequencyUnit::period_s); }),
+        in_unit("period_s", "3e-6", [](auto& c) { set(c, 3e-6, FrequencyUnit::period_s); }),
+        number("/restitution/rate_ratio", "0.823", [](auto& c) { c.scene.restitution = RateRatio{0.823}; })));
+
+// The limits that a remedy names are allowed, and a little beyond them is not.
+TEST(PhysicalUnits, AreAllowedUpToTheLimitsOfEveryBlockThatCanBeDrawn) {
+  Condition condition = read(physical_document()).conditions.at(0);
+  const auto is_sound = [&condition] { return problems_of([&] { check_condition(condition); }).empty(); };
+  condition.scene.block.width = Uniform{1.0, 2.0};
+  condition.scene.restitution = RateRatio{0.8236};
+  EXPECT_TRUE(is_sound());
+  condition.scene.block.width = Uniform{0.99, 2.0};
+  EXPECT_FALSE(is_sound()) << "the most slender block needs e > 1";
+  condition.scene.restitution = 0.0;
+  set(condition, 0.24e6, AccelerationUnit::gravity);
+  EXPECT_TRUE(is_sound());
+  condition.scene.block.width = Uniform{0.97, 2.0};
+  EXPECT_FALSE(is_sound()) << "A_h of the most slender block";
+  set(condition, 1.0, AccelerationUnit::gravity);
+  condition.scene.block.width = 1.0;
+  set(condition, 3.01e-4, FrequencyUnit::hertz);
+  EXPECT_TRUE(is_sound());
+  condition.scene.block.height = Uniform{3.9, 4.1};
+  EXPECT_FALSE(is_sound()) << "Omega_h of the smallest block";
+}
 
 INSTANTIATE_TEST_SUITE_P(Numbers, RecordedChange,
                          ::testing::Values(number("/excitation/scale", "-1",

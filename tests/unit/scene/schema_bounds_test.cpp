@@ -30,8 +30,13 @@ void add_quantity(std::map<std::string, Rule>& all, const std::string& place, co
 std::map<std::string, Rule> rules_by_place() {
   std::map<std::string, Rule> all{{"/block/gravity_m_s2", rules::gravity},
                                   {"/restitution", rules::restitution},
+                                  {"/restitution/rate_ratio", rules::rate_ratio},
                                   {"/excitation/amplitude", rules::amplitude},
+                                  {"/excitation/amplitude_g", rules::amplitude_g},
+                                  {"/excitation/amplitude_m_s2", rules::amplitude_m_s2},
                                   {"/excitation/frequency_ratio", rules::frequency_ratio},
+                                  {"/excitation/frequency_hz", rules::frequency_hz},
+                                  {"/excitation/period_s", rules::period_s},
                                   {"/excitation/scale", rules::scale},
                                   {"/excitation/time_step_s", rules::time_step},
                                   {"/friction/static", rules::friction_coefficient},

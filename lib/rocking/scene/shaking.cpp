@@ -1,0 +1,54 @@
+#include "rocking/scene/shaking.hpp"
+
+#include <variant>
+
+namespace rocking {
+namespace {
+
+constexpr double two_pi = 0x1.921fb54442d18p+2;
+
+/// Sets the amplitudes that do not stand in the scene.
+void add_amplitudes(const std::optional<PhysicalAmplitude>& physical, const SceneBlock& block, double psi,
+                    Shaking& shaking) {
+  if (!physical) {
+    shaking.amplitude_g = shaking.amplitude * psi;
+    shaking.amplitude_m_s2 = shaking.amplitude_g * block.gravity;
+    return;
+  }
+  const bool in_g = physical->unit == AccelerationUnit::gravity;
+  shaking.given_amplitude = shaking_numbers[in_g ? 1 : 2].key;
+  shaking.amplitude_g = in_g ? physical->value : physical->value / block.gravity;
+  shaking.amplitude_m_s2 = in_g ? physical->value * block.gravity : physical->value;
+}
+
+void add_frequencies(const std::optional<PhysicalFrequency>& physical, double p, Shaking& shaking) {
+  if (!physical) {
+    shaking.frequency_hz = shaking.frequency_ratio * p / two_pi;
+    shaking.period_s = two_pi / (shaking.frequency_ratio * p);
+    return;
+  }
+  const bool in_hertz = physical->unit == FrequencyUnit::hertz;
+  shaking.given_frequency = shaking_numbers[in_hertz ? 4 : 5].key;
+  shaking.frequency_hz = in_hertz ? physical->value : 1.0 / physical->value;
+  shaking.period_s = in_hertz ? 1.0 / physical->value : physical->value;
+}
+
+}  // namespace
+
+std::optional<Shaking> shaking_of(const Scene& scene) {
+  const dynamics::Geometry mean = dynamics::geometry_of(mean_block(scene));
+  Shaking shaking{.amplitude = amplitude_for(scene, mean), .frequency_ratio = frequency_ratio_for(scene, mean)};
+  return std::visit(
+      [&]<class Kind>(const Kind& kind) -> std::optional<Shaking> {
+        if constexpr (requires { kind.physical_amplitude; }) {
+          add_amplitudes(kind.physical_amplitude, scene.block, mean.shape_angle, shaking);
+          add_frequencies(kind.physical_frequency, mean.frequency_parameter, shaking);
+          return shaking;
+        } else {
+          return std::nullopt;
+        }
+      },
+      scene.excitation);
+}
+
+}  // namespace rocking

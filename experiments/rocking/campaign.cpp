@@ -20,6 +20,7 @@
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/output/write_report.hpp"
+#include "rocking/output/unreached_precision.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "running_estimate.hpp"
@@ -92,6 +93,7 @@ std::string summary_of(const Experiment& experiment, const ExperimentResult& res
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
   text += late_settling_of(result);
+  text += unreached_precision(experiment, result);
   return text + noise_line(result.tolerance_sensitivity);
 }
 

@@ -62,6 +62,44 @@ TEST(Until, StopsWhereEveryIntervalIsNarrowEnoughAndNotBefore) {
   EXPECT_EQ(before.conditions[0].realisations, last_but_one);
 }
 
+const section::ResponseMode overturned{.kind = section::ResponseKind::overturned};
+
+double half_width_of(const ConditionResult& condition, const section::ResponseMode& mode) {
+  const auto found = std::ranges::find(condition.modes, mode, &ModeEstimate::mode);
+  return 0.5 * (found->probability.anytime->high - found->probability.anytime->low);
+}
+
+TEST(Until, AimsAtOneModeAndLeavesTheOthersAsTheyAre) {
+  Experiment one = experiment(0.1, 5000);
+  for (Condition& condition : one.conditions) condition.until->mode = overturned;
+  const ConditionResult of_one = result_with(one, 2).conditions[1];
+  const ConditionResult of_all = result_with(experiment(0.1, 5000), 2).conditions[1];
+  EXPECT_EQ(of_one.stopped_because, StoppedBecause::half_width_reached);
+  EXPECT_LE(half_width_of(of_one, overturned), 0.1);
+  EXPECT_LE(of_one.realisations, of_all.realisations);
+  one.conditions[1].until->mode = section::periodic(2, 5);  // does not occur
+  const ConditionResult of_absent = result_with(one, 2).conditions[1];
+  EXPECT_EQ(of_absent.stopped_because, StoppedBecause::half_width_reached);
+  EXPECT_LE(of_absent.realisations, of_all.realisations);
+}
+
+TEST(Until, MeasuresTheHalfWidthRelativeToTheEstimateOfTheMode) {
+  Experiment question = experiment(0.1, 5000);
+  for (Condition& condition : question.conditions) {
+    condition.until = Until{.relative_half_width = 0.2, .mode = overturned};
+  }
+  const ExperimentResult result = result_with(question, 2);
+  const ConditionResult& even_odds = result.conditions[0];
+  const auto found = std::ranges::find(even_odds.modes, overturned, &ModeEstimate::mode);
+  EXPECT_EQ(even_odds.stopped_because, StoppedBecause::half_width_reached);
+  EXPECT_LE(half_width_of(even_odds, overturned), 0.2 * found->probability.estimate);
+  EXPECT_GT(half_width_of(even_odds, overturned), 0.1 * found->probability.estimate)
+      << "it stopped long after it could";
+  question.conditions[0].until->mode = section::periodic(2, 5);  // does not occur
+  question.conditions[0].realisations = 200;
+  EXPECT_EQ(result_with(question, 2).conditions[0].stopped_because, StoppedBecause::at_most_reached);
+}
+
 TEST(Until, SaysThatOneRunSaysAllWhereNothingIsRandom) {
   const ExperimentResult result = result_with(experiment(0.1, 5000), 1);
   EXPECT_EQ(result.conditions[2].stopped_because, StoppedBecause::deterministic);

@@ -122,8 +122,7 @@ NonRecurrence Reduction::non_recurrence() const {
 void Reduction::add_anytime_intervals(std::vector<ModeEstimate>& modes) const {
   const stats::StoppingRule rule = stopping_rule(*condition_);
   for (auto& [mode, probability] : modes) {
-    probability.anytime = is_prespecified(mode) ? rule.interval_of_prespecified(probability.counts)
-                                                : rule.interval_of_others(probability.counts);
+    probability.anytime = anytime_interval(rule, mode, probability.counts);
   }
 }
 

@@ -13,7 +13,7 @@ namespace rocking {
 enum class StoppedBecause : std::uint8_t {
   deterministic,          ///< nothing is random: one realisation suffices
   all_realisations_done,  ///< the requested number
-  half_width_reached,     ///< all intervals are as narrow as requested
+  half_width_reached,     ///< all intervals, or that of the requested mode, are as narrow as requested
   at_most_reached,        ///< they are not, but the largest allowed number was reached
 };
 
@@ -35,5 +35,10 @@ struct Target {
 
 /// The stopping rule of a condition with `until`.
 [[nodiscard]] stats::StoppingRule stopping_rule(const Condition& condition);
+
+/// The interval of a mode that the rule uses. The intervals of all modes hold at once, whenever and for whatever reason
+/// the run stops.
+[[nodiscard]] stats::Interval anytime_interval(const stats::StoppingRule& rule, const section::ResponseMode& mode,
+                                               const stats::Proportion& counts);
 
 }  // namespace rocking

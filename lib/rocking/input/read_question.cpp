@@ -46,12 +46,44 @@ Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spell
   return horizon;
 }
 
+std::optional<section::ResponseMode> read_mode(ObjectReader& in) {
+  const Json* found = in.value("mode");
+  if (found == nullptr) return std::nullopt;
+  const auto mode = found->is_string() ? section::response_mode_named(found->get<std::string>()) : std::nullopt;
+  const bool exists =
+      mode && (mode->kind != section::ResponseKind::periodic || (mode->rocks >= 0 && mode->periods > 0));
+  if (!exists) {
+    in.reject("mode", "is not the name of a response mode",
+              "give \"overturned\", \"rest\", \"chaotic\", \"unresolved\", or (m,n) such as \"(1,3)\"");
+    return std::nullopt;
+  }
+  in.write("mode", to_string(*mode));
+  return mode;
+}
+
+Until read_goal(ObjectReader& in) {
+  Until until;
+  if (in.has("half_width")) until.half_width = in.number("half_width", rules::half_width);
+  if (in.has("relative_half_width")) {
+    until.relative_half_width = in.number("relative_half_width", rules::relative_half_width);
+  }
+  until.mode = read_mode(in);
+  return until;
+}
+
 void read_until(ObjectReader& in, Condition& condition) {
   in.object("realisations", [&condition](ObjectReader& keys) {
     keys.object("until", [&condition](ObjectReader& goal) {
-      condition.until = Until{.half_width = goal.number("half_width", rules::half_width)};
+      condition.until = read_goal(goal);
       condition.realisations = static_cast<std::uint64_t>(goal.integer("at_most", rules::at_most));
+      auto refusal = relations::relative_half_width_of_every_mode(condition);
+      if (refusal && !goal.has("mode")) goal.reject("mode", std::move(refusal->reason), std::move(refusal->remedy));
     });
+    const Json* goal = keys.value("until");
+    auto refusal = relations::one_half_width(condition);
+    if (refusal && (goal == nullptr || goal->is_object())) {
+      keys.reject("until", std::move(refusal->reason), std::move(refusal->remedy));
+    }
   });
 }
 

@@ -34,7 +34,9 @@ void check_scene_numbers(const Scene& scene, const NumberChecker& check) {
 
 void check_realisations(const Condition& condition, const NumberChecker& check) {
   if (condition.until) {
-    check("/realisations/until/half_width", condition.until->half_width, rules::half_width);
+    const auto& [half_width, relative, mode] = *condition.until;
+    if (half_width) check("/realisations/until/half_width", *half_width, rules::half_width);
+    if (relative) check("/realisations/until/relative_half_width", *relative, rules::relative_half_width);
     check("/realisations/until/at_most", condition.realisations, rules::at_most);
   } else {
     check("/realisations", condition.realisations, rules::realisations.with_default(Condition{}.realisations));

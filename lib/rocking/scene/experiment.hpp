@@ -11,6 +11,7 @@
 #include "rocking/scene/block.hpp"
 #include "rocking/scene/excitation.hpp"
 #include "rocking/scene/restitution.hpp"
+#include "rocking/section/response_mode.hpp"
 
 namespace rocking {
 
@@ -59,9 +60,12 @@ struct Parameter {
   std::string value;
 };
 
-/// Sampling continues until the interval of every mode is narrow enough.
+/// Sampling continues until the interval of every mode, or that of one, is narrow enough. Exactly one of the two
+/// half-widths is given; the relative one needs a mode.
 struct Until {
-  double half_width = 0.0;  ///< of every interval, in (0, 1/2)
+  std::optional<double> half_width = std::nullopt;           ///< in (0, 1/2)
+  std::optional<double> relative_half_width = std::nullopt;  ///< relative to the estimate k/n, in (0, 1)
+  std::optional<section::ResponseMode> mode = std::nullopt;  ///< whose interval is looked at; absent: every one
 };
 
 /// Some realisations are classified again by a longer run, whose result is taken as the true response mode.

@@ -163,7 +163,7 @@ struct Relation {
 };
 
 /// In the order in which the problems of a file are told.
-constexpr std::array<Relation, 15> all_relations{{
+constexpr std::array<Relation, 17> all_relations{{
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
      static_fluctuation_without_friction,
@@ -176,6 +176,8 @@ constexpr std::array<Relation, 15> all_relations{{
      {"/excitation", "/fluctuation/amplitude"},
      fluctuating_amplitude_without_period,
      no_value},
+    {"/realisations/until", {"/realisations"}, relations::one_half_width, no_value},
+    {"/realisations/until/mode", {"/realisations"}, relations::relative_half_width_of_every_mode, no_value},
     {"/check_labels", {}, relations::label_check_of_open_number, no_value},
     {"/check_labels",
      {"/horizon/sampled_periods", "/check_labels/times_longer"},
@@ -267,6 +269,21 @@ std::optional<Refusal> relations::label_check_of_open_number(const Condition& co
   if (!condition.label_check || !condition.until) return std::nullopt;
   return Refusal{"has no valid correction if the data determine the number of realisations",
                  "give a number of realisations"};
+}
+
+std::optional<Refusal> relations::one_half_width(const Condition& condition) {
+  if (!condition.until || condition.until->half_width.has_value() != condition.until->relative_half_width.has_value()) {
+    return std::nullopt;
+  }
+  return Refusal{condition.until->half_width ? "has two half-widths, of which only one can end a run"
+                                             : "has no half-width at which to stop",
+                 "give \"half_width\": 0.02, or \"mode\" and \"relative_half_width\": 0.1"};
+}
+
+std::optional<Refusal> relations::relative_half_width_of_every_mode(const Condition& condition) {
+  if (!condition.until || !condition.until->relative_half_width || condition.until->mode) return std::nullopt;
+  return Refusal{"is missing: no half-width is narrow relative to the probability of a mode that does not occur",
+                 "add \"mode\": \"overturned\", or another response mode"};
 }
 
 std::optional<Refusal> relations::label_check_too_long(const Condition& condition) {

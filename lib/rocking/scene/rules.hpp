@@ -73,9 +73,14 @@ inline constexpr IntegerRule realisations{.low = 1, .high = 1'000'000'000};
 inline constexpr IntegerRule check_every{.low = 1, .high = 1'000'000'000};
 inline constexpr IntegerRule times_longer{.low = 2, .high = 1'000};
 inline constexpr IntegerRule at_most{.low = 1, .high = 1'000'000'000};
-inline constexpr NumberRule half_width{.allows = [](double x) { return 1e-4 <= x && x < 0.5; },
-                                       .demand = "must be a number from 0.0001 to below 0.5: of every mode's interval",
-                                       .example = "0.02"};
+inline constexpr NumberRule half_width{
+    .allows = [](double x) { return 1e-4 <= x && x < 0.5; },
+    .demand = "must be a number from 0.0001 to below 0.5: half the width of a mode's interval",
+    .example = "0.02"};
+inline constexpr NumberRule relative_half_width{
+    .allows = [](double x) { return 1e-3 <= x && x < 1.0; },
+    .demand = "must be a number from 0.001 to below 1: relative to the probability of the mode",
+    .example = "0.1"};
 inline constexpr NumberRule confidence{
     .allows = [](double x) { return 0.0 < x && x < 1.0; }, .demand = "must be above 0 and below 1", .example = "0.95"};
 

@@ -13,6 +13,7 @@ constexpr const char* features[] = {
          "sweep": [ { "parameter": "/excitation/scale", "values": [0.1, 10.0] } ], "horizon": null })",
     R"({ "initial": { "tilt": { "uniform": [-0.5, 0.5] }, "tilt_rate": { "normal": { "mean": 0, "sigma": 0.1 } } } })",
     R"({ "realisations": { "until": { "half_width": 0.2, "at_most": 40 } } })",
+    R"json({ "realisations": { "until": { "relative_half_width": 0.5, "mode": "(1,3)", "at_most": 40 } } })json",
     R"({ "sweep": [ { "parameter": "/excitation/amplitude", "from": 2.0, "to": 4.0, "step": 1.0 },
                     { "parameter": "/friction", "values": [ { "static": 0.4, "kinetic": 0.3 } ] } ] })",
     R"({ "formulation": "as-printed", "accuracy": { "tolerance": 1e-8 }, "confidence": 0.9 })",

@@ -151,14 +151,30 @@ TEST(BadExperiment, HasFrictionThatIsTooLargeForSomeOfItsBlocks) {
 
 INSTANTIATE_TEST_SUITE_P(
     Until, OneFault,
-    ::testing::Values(Fault{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 200}})",
-                            "/realisations/until/half_width", "below 0.5", "0.02"},
-                      Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 0}})",
-                            "/realisations/until/at_most", "from 1", ""},
-                      Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 9, "after": 1}})",
-                            "/realisations/until/after", "is not a key", "at_most"},
-                      Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
-                      Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
+    ::testing::Values(
+        Fault{"/realisations", R"({"until": {"half_width": 0.5, "at_most": 200}})", "/realisations/until/half_width",
+              "below 0.5", "0.02"},
+        Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 0}})", "/realisations/until/at_most",
+              "from 1", ""},
+        Fault{"/realisations", R"({"until": {"half_width": 0.02, "at_most": 9, "after": 1}})",
+              "/realisations/until/after", "is not a key", "at_most"},
+        Fault{"/realisations", R"({"until": {"at_most": 9}})", "/realisations/until", "no half-width",
+              "relative_half_width"},
+        Fault{"/realisations",
+              R"({"until": {"half_width": 0.02, "relative_half_width": 0.1, "mode": "rest", "at_most": 9}})",
+              "/realisations/until", "two half-widths", "half_width"},
+        Fault{"/realisations", R"({"until": {"relative_half_width": 0.1, "at_most": 9}})", "/realisations/until/mode",
+              "is missing", "overturned"},
+        Fault{"/realisations", R"({"until": {"relative_half_width": 1, "mode": "rest", "at_most": 9}})",
+              "/realisations/until/relative_half_width", "below 1", "0.1"},
+        Fault{"/realisations", R"({"until": {"half_width": 0.1, "mode": "overturn", "at_most": 9}})",
+              "/realisations/until/mode", "not the name of a response mode", "(1,3)"},
+        Fault{"/realisations", R"json({"until": {"half_width": 0.1, "mode": "(1,0)", "at_most": 9}})json",
+              "/realisations/until/mode", "not the name of a response mode", "(1,3)"},
+        Fault{"/realisations", R"({"until": {"half_width": 0.1, "mode": 7, "at_most": 9}})", "/realisations/until/mode",
+              "not the name of a response mode", "(1,3)"},
+        Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
+        Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
 
 TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
   auto document = with(example_experiment(), "/block/width_m", "-1");

@@ -28,6 +28,8 @@ TEST(CanonicalText, IsItsOwnCanonicalText) {
            example_experiment(), "/sweep",
            R"([{"parameter": "/block/height_m", "values": [4, 3e0]}, {"parameter": "/realisations", "from": 10, "to": 30, "step": 10}])"),
        with(least_experiment(), "/realisations", R"({"until": {"at_most": 900, "half_width": 2e-2}})"),
+       with(least_experiment(), "/realisations",
+            R"json({"until": {"at_most": 900, "mode": "(1,3)", "relative_half_width": 0.1}})json"),
        with(least_experiment(), "/check_labels", R"({"every": 5})"),
        with(least_experiment(), "/initial/tilt", R"({"normal": {"mean": 0.1, "sigma": 0.01}})")}) {
     const std::string once = canonical(document);

@@ -156,7 +156,21 @@ INSTANTIATE_TEST_SUITE_P(
                {"/realisations/until/half_width"}},
         Change{{{"/realisations", R"({"until": {"half_width": 0.1, "at_most": 0}})"}, {"/check_labels", ""}},
                [](auto& c) { c.realisations = 0, c.until = Until{0.1}, c.label_check.reset(); },
-               {"/realisations/until/at_most"}}));
+               {"/realisations/until/at_most"}},
+        Change{{{"/realisations", R"({"until": {"relative_half_width": 1, "mode": "rest", "at_most": 9}})"},
+                {"/check_labels", ""}},
+               [](auto& c) {
+                 c.realisations = 9, c.label_check.reset();
+                 c.until =
+                     Until{.relative_half_width = 1.0, .mode = section::ResponseMode{section::ResponseKind::rest}};
+               },
+               {"/realisations/until/relative_half_width"}},
+        Change{{{"/realisations", R"({"until": {"at_most": 9}})"}, {"/check_labels", ""}},
+               [](auto& c) { c.realisations = 9, c.until = Until{}, c.label_check.reset(); },
+               {"/realisations/until"}},
+        Change{{{"/realisations", R"({"until": {"relative_half_width": 0.1, "at_most": 9}})"}, {"/check_labels", ""}},
+               [](auto& c) { c.realisations = 9, c.until = Until{.relative_half_width = 0.1}, c.label_check.reset(); },
+               {"/realisations/until/mode"}}));
 
 INSTANTIATE_TEST_SUITE_P(
     Laws, HarmonicChange,

@@ -49,6 +49,7 @@ std::map<std::string, Rule> rules_by_place() {
                                   {"/accuracy/repeat_every", rules::rerun_every},
                                   {"/realisations", rules::realisations},
                                   {"/realisations/until/half_width", rules::half_width},
+                                  {"/realisations/until/relative_half_width", rules::relative_half_width},
                                   {"/realisations/until/at_most", rules::at_most},
                                   {"/check_labels/every", rules::check_every},
                                   {"/check_labels/times_longer", rules::times_longer},

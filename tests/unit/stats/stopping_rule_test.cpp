@@ -1,5 +1,6 @@
 #include "rocking/stats/stopping_rule.hpp"
 
+#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -56,6 +57,37 @@ TEST(StoppingRule, StopsWhenEveryIntervalIsNarrowEnoughAndNotBefore) {
   }
   EXPECT_FALSE(rule.narrow_enough({.trials = 7000, .prespecified = {3500, 3500, 0}, .others = {}}));
   EXPECT_TRUE(rule.narrow_enough({.trials = 9000, .prespecified = {4500, 4500, 0}, .others = {}}));
+}
+
+TEST(StoppingRule, MeasuresARelativeHalfWidthByTheEstimate) {
+  const StoppingRule rule(
+      {.half_width = 0.2, .scale = HalfWidthScale::relative, .at_most = 20000, .family = goal.family});
+  EXPECT_TRUE(rule.narrow_enough({50, 100}, {0.4, 0.6}));
+  EXPECT_FALSE(rule.narrow_enough({49, 100}, {0.4, 0.6}));
+  EXPECT_TRUE(rule.narrow_enough({500, 10000}, {0.04, 0.06}));
+  EXPECT_FALSE(rule.narrow_enough({0, 10000}, {0.0, 0.0}));
+  EXPECT_FALSE(StoppingRule(goal).narrow_enough({50, 100}, {0.4, 0.6}));
+  EXPECT_TRUE(StoppingRule(goal).narrow_enough({0, 10000}, {0.0, 0.04}));
+}
+
+// A wider interval at the expected end would cost realisations: the concentration is tuned for each aim.
+TEST(StoppingRule, NeedsAtMostAFifthMoreTrialsForARareCategoryThanARuleTunedToItsProbability) {
+  const auto trials_needed = [](const StoppingRule& rule, double p, double r) {
+    std::uint64_t n = 1000;
+    for (;; n += n / 50) {
+      const Proportion counts{static_cast<std::uint64_t>(p * static_cast<double>(n)), n};
+      const Interval interval = rule.interval_of_prespecified(counts);
+      if (0.5 * (interval.high - interval.low) <= r * p) return n;
+    }
+  };
+  for (const double p : {0.003, 0.01, 0.05, 0.3}) {
+    const StoppingRule rule(
+        {.half_width = 0.1, .scale = HalfWidthScale::relative, .at_most = 100'000'000, .family = goal.family});
+    const StoppingRule tuned(
+        {.half_width = 0.05 * std::sqrt(p / (1.0 - p)) * 2.0, .at_most = 100'000'000, .family = goal.family});
+    EXPECT_LE(static_cast<double>(trials_needed(rule, p, 0.1)), 1.2 * static_cast<double>(trials_needed(tuned, p, 0.1)))
+        << p;
+  }
 }
 
 TEST(StoppingRule, NeedsFewTrialsWhereAllAreAlike) {

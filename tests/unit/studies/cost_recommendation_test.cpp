@@ -179,6 +179,20 @@ TEST(HalfWidthForecast, AimsAtTheHalfWidthThatTheExperimentNames) {
   EXPECT_DOUBLE_EQ(HalfWidthForecast(experiment, measured).aim().value(), 0.02);
 }
 
+TEST(HalfWidthForecast, TakesARelativeHalfWidthOfTheShareOfItsMode) {
+  auto experiment = experiment_of({true, false, true});
+  const auto measured = two_conditions();
+  const double without = HalfWidthForecast(experiment, measured).aim().value();
+  for (Condition& condition : experiment.conditions) {
+    condition.until = Until{.relative_half_width = 0.1, .mode = one};
+  }
+  const double mean_share = HalfWidthForecast(experiment, measured).aim().value() / 0.1;
+  EXPECT_GT(mean_share, 0.0);
+  EXPECT_LE(mean_share, 1.0);
+  for (Condition& condition : experiment.conditions) condition.until->mode = section::periodic(7, 9);
+  EXPECT_DOUBLE_EQ(HalfWidthForecast(experiment, measured).aim().value(), without) << "it did not occur";
+}
+
 TEST(HalfWidthForecast, KnowsHowManyRealisationsAreNeeded) {
   const auto measured = two_conditions();
   const Experiment experiment = experiment_of({true, false, true});

@@ -40,6 +40,14 @@ Share widest_of(const std::vector<Share>& shares, std::uint64_t realisations) {
   return *std::ranges::max_element(shares, {}, [&](const Share& share) { return half_width_of(share, realisations); });
 }
 
+/// That of `until`; a relative one is multiplied by the share of its mode. Absent if that mode did not occur.
+std::optional<double> intended_half_width(const Until& until, const ModeTally& modes, std::uint64_t trials) {
+  if (until.half_width) return until.half_width;
+  const auto found = modes.find(*until.mode);
+  if (found == modes.end()) return std::nullopt;
+  return *until.relative_half_width * static_cast<double>(found->second) / static_cast<double>(trials);
+}
+
 /// Smallest number of realisations with this half-width. Counts are whole numbers, so it may be off by one or two.
 std::uint64_t needed_for(const Share& share, double half_width, std::uint64_t most) {
   std::uint64_t too_few = 0;
@@ -93,8 +101,8 @@ std::optional<double> HalfWidthForecast::aim() const {
   double sum = 0.0;
   for (const auto& [condition, modes, trials] : tallies_) {
     const std::uint64_t n = condition->realisations;
-    sum += condition->until ? condition->until->half_width
-                            : half_width_of(widest_of(shares_of(modes, trials, condition->confidence), n), n);
+    const auto intended = condition->until ? intended_half_width(*condition->until, modes, trials) : std::nullopt;
+    sum += intended ? *intended : half_width_of(widest_of(shares_of(modes, trials, condition->confidence), n), n);
   }
   return sum / static_cast<double>(tallies_.size());
 }

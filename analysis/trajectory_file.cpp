@@ -30,7 +30,34 @@ std::vector<ContactSpan> spans_of(const std::string& initial, const std::vector<
   return spans;
 }
 
-void read_history(const Json& output, TrajectoryFile& file) {
+/// Names of the quantities in a file, and the units of a normalised trajectory in those of the file.
+struct FileUnits {
+  const char* time = "tau";
+  const char* tilt = "tilt";
+  const char* tilt_rate = "tilt_rate";
+  const char* slip = "slip";
+  double shape_angle = 1.0, frequency_parameter = 1.0, half_diagonal = 1.0;
+
+  [[nodiscard]] double tilt_of(const Json& state) const { return state.at(tilt).get<double>() / shape_angle; }
+  [[nodiscard]] double tilt_rate_of(const Json& state) const {
+    return state.at(tilt_rate).get<double>() / (shape_angle * frequency_parameter);
+  }
+  [[nodiscard]] double slip_of(const Json& state) const { return state.at(slip).get<double>() / half_diagonal; }
+};
+
+FileUnits units_of(const Json& output) {
+  if (output.value("units", "normalised") != "si") return {};
+  const Json& block = output.at("block");
+  return {.time = "time_s",
+          .tilt = "tilt_rad",
+          .tilt_rate = "tilt_rate_rad_s",
+          .slip = "slip_m",
+          .shape_angle = block.at("shape_angle_rad"),
+          .frequency_parameter = block.at("frequency_parameter_rad_s"),
+          .half_diagonal = block.at("half_diagonal_m")};
+}
+
+void read_history(const Json& output, const FileUnits& units, TrajectoryFile& file) {
   const Json& history = output.at("history");
   const auto samples = output.at("samples_per_period").get<std::size_t>();
   if (samples == 0 || history.size() <= samples) {
@@ -39,12 +66,12 @@ void read_history(const Json& output, TrajectoryFile& file) {
                                          .reason = "is shorter than one period",
                                          .remedy = "run `rocking trajectory` over at least one period"});
   }
-  const double period = history.at(samples).at("tau").get<double>();  // 2 pi/Omega_h
-  const auto add = [&file, period](const Json& state) {
-    file.history.push_back({.time = state.at("tau").get<double>() / period,
-                            .tilt = state.at("tilt"),
-                            .tilt_rate = state.at("tilt_rate"),
-                            .slip = state.at("slip")});
+  const double period = history.at(samples).at(units.time).get<double>();  // 2 pi/Omega_h, or that over p
+  const auto add = [&file, &units, period](const Json& state) {
+    file.history.push_back({.time = state.at(units.time).get<double>() / period,
+                            .tilt = units.tilt_of(state),
+                            .tilt_rate = units.tilt_rate_of(state),
+                            .slip = units.slip_of(state)});
   };
   for (const Json& sample : history) add(sample);
   for (const Json& event : output.at("events")) {
@@ -64,11 +91,12 @@ TrajectoryFile read_trajectory(const Json& output, const std::string& name) {
   read_or_refuse(output, [&] {
     file.condition = output.at("condition");
     file.realisation = output.at("realisation");
+    const FileUnits units = units_of(output);
     for (const Json& point : output.at("strobe")) {
       file.strobe.push_back(
-          {.period = point.at("period"), .tilt = point.at("tilt"), .tilt_rate = point.at("tilt_rate")});
+          {.period = point.at("period"), .tilt = units.tilt_of(point), .tilt_rate = units.tilt_rate_of(point)});
     }
-    if (output.contains("history")) read_history(output, file);
+    if (output.contains("history")) read_history(output, units, file);
   });
   return file;
 }

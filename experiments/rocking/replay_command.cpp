@@ -6,12 +6,12 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/output/write_trajectory.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "run_folder.hpp"
+#include "trajectory_output.hpp"
 
 namespace rocking::program {
 namespace {
@@ -19,10 +19,12 @@ namespace {
 struct ReplayRequest {
   std::string folder;
   RealisationKey key;
+  TrajectoryOutput output;
   Loudness loudness;
 };
 
 ExitCode replay(const ReplayRequest& request) {
+  expect_consistent(request.output, request.loudness);
   const auto& [condition_number, number] = request.key;
   const RunFolder folder(request.folder);
   const Store store = folder.open_store(sqlite::Access::read);
@@ -43,7 +45,7 @@ ExitCode replay(const ReplayRequest& request) {
     return ExitCode::check_failed;
   }
   const std::int64_t periods = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-  print_result(trajectory_text(request.key, trajectory_of(condition, experiment.seed, number, periods)));
+  print_result(text_of(request.key, trajectory_of(condition, experiment.seed, number, periods), request.output));
   return ExitCode::done;
 }
 
@@ -66,6 +68,7 @@ void add_replay(CLI::App& app, Action& action) {
       ->required()
       ->check(whole_number(0, random::realisation_limit - 1))
       ->type_name("K");
+  add_trajectory_output(*command, request->output);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return replay(*request); }; });
 }

@@ -6,10 +6,10 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/output/write_trajectory.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/text/number_text.hpp"
+#include "trajectory_output.hpp"
 
 namespace rocking::program {
 namespace {
@@ -20,10 +20,12 @@ struct TrajectoryRequest {
   std::optional<std::int64_t> periods;
   int samples = 0;
   Overrides overrides;
+  TrajectoryOutput output;
   Loudness loudness;
 };
 
 ExitCode print_trajectory(const TrajectoryRequest& request) {
+  expect_consistent(request.output, request.loudness);
   const Experiment experiment = load_experiment(request.file, request.overrides);
   const std::size_t conditions = experiment.conditions.size();
   if (request.key.condition >= conditions) {
@@ -34,7 +36,7 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
   const auto trajectory = trajectory_of(condition, experiment.seed, request.key.realisation,
                                         TrajectoryExtent(request.periods.value_or(horizon), request.samples));
-  print_result(trajectory_text(request.key, trajectory));
+  print_result(text_of(request.key, trajectory, request.output));
   return ExitCode::done;
 }
 
@@ -42,11 +44,12 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
 
 void add_trajectory(CLI::App& app, Action& action) {
   const auto request = std::make_shared<TrajectoryRequest>();
-  CLI::App* command = app.add_subcommand("trajectory", "Print the events and states of one realisation as JSON");
+  CLI::App* command = app.add_subcommand("trajectory", "Print the events and states of one realisation");
   command->footer(
       "Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
-      "prints the fourth realisation of the thirteenth condition over 20 periods. Numbers start at 0.");
-  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
+      "prints the fourth realisation of the thirteenth condition over 20 periods. Numbers start at 0. With\n"
+      "`--format csv --units si` it prints a table for a spreadsheet, in seconds, radians and metres.");
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); -: standard input")->required();
   command->add_option("--condition", request->key.condition, "Number of the condition, from 0")
       ->check(whole_number(0, random::realisation_limit - 1))
       ->capture_default_str()
@@ -66,6 +69,7 @@ void add_trajectory(CLI::App& app, Action& action) {
       ->add_option("--seed", request->overrides.seed,
                    "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");
+  add_trajectory_output(*command, request->output);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return print_trajectory(*request); }; });
 }

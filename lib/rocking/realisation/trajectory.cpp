@@ -86,6 +86,7 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   run(motion, beginning, extent.samples_per_period, history);
   Trajectory& trajectory = recorder.trajectory;
   trajectory.block = start.block;
+  trajectory.period_length = beginning.clock.period_length();
   trajectory.termination = motion.termination().value_or(Termination::stopped);
   trajectory.losses_of_contact = motion.losses_of_contact();
   if (motion.losses_of_contact() > 0) trajectory.first_loss_of_contact = motion.first_loss_of_contact();

@@ -46,7 +46,8 @@ struct HistorySample {
 };
 
 struct Trajectory {
-  dynamics::Block block;  ///< of this realisation
+  dynamics::Block block;       ///< of this realisation
+  double period_length = 0.0;  ///< 2 pi/Omega_h: tau between two strobe points
   std::vector<TrajectorySample> strobe;
   std::vector<TrajectoryEvent> events;
   std::vector<HistorySample> history;           ///< from tau = 0 on; empty if none was requested

@@ -1,0 +1,32 @@
+#include "trajectory_output.hpp"
+
+#include "exit_code.hpp"
+#include "rocking/output/write_trajectory.hpp"
+#include "usage.hpp"
+
+namespace rocking::program {
+
+void add_trajectory_output(CLI::App& command, TrajectoryOutput& output) {
+  command.add_option("--format", output.format, "Text to print")
+      ->check(one_of({"json", "csv"}))
+      ->capture_default_str()
+      ->type_name("NAME");
+  command
+      .add_option("--units", output.units,
+                  "Units of states and times: Theta, X and tau of the equations, or radians, metres and seconds")
+      ->check(one_of({"normalised", "si"}))
+      ->capture_default_str()
+      ->type_name("NAME");
+}
+
+void expect_consistent(const TrajectoryOutput& output, const Loudness& loudness) {
+  if (output.format == "csv" && loudness.json)
+    throw UsageError("--json: the result is a table with `--format csv`; omit one of them");
+}
+
+std::string text_of(const RealisationKey& key, const Trajectory& trajectory, const TrajectoryOutput& output) {
+  const TrajectoryUnits units = output.units == "si" ? TrajectoryUnits::si : TrajectoryUnits::normalised;
+  return output.format == "csv" ? trajectory_csv(key, trajectory, units) : trajectory_text(key, trajectory, units);
+}
+
+}  // namespace rocking::program

@@ -51,17 +51,18 @@ std::optional<std::vector<Diagram>> draw(const Experiment& experiment, const Bif
 }
 
 /// Throws InputError, with the file and the line, where the experiment has no diagram.
-void refuse_without_diagrams(const Experiment& experiment, const std::string& file) {
+void refuse_without_diagrams(const Experiment& experiment, const ExperimentText& source) {
   try {
     static_cast<void>(diagrams_of(experiment));
   } catch (const base::InputError& error) {
-    throw located(error, read_file(file), file);
+    throw located(error, source.text, source.name);
   }
 }
 
 ExitCode bifurcation(const BifurcationRequest& request) {
-  const Experiment experiment = load_experiment(request.file, request.overrides);
-  refuse_without_diagrams(experiment, request.file);  // before any file is written
+  const ExperimentText source = load_experiment_text(request.file);
+  const Experiment experiment = load_experiment(source, request.overrides);
+  refuse_without_diagrams(experiment, source);  // before any file is written
   const std::filesystem::path path(request.folder);
   const DiagramFiles files{.json = path / "bifurcation.json", .csv = path / "bifurcation.csv"};
   RunFolder folder(path);

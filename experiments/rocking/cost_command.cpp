@@ -150,7 +150,7 @@ void add_cost(CLI::App& app, Action& action) {
       "of the intervals and the time; and a recommended tolerance. `-o` saves the numbers in out/cost.json. Times are "
       "processor\n"
       "times of this machine.");
-  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); -: standard input")->required();
   command->add_option("-o,--output", request->folder, "Folder for cost.json; created if necessary")->type_name("DIR");
   add_budget(*command, *request);
   add_threads(*command, request->execution);

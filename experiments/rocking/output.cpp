@@ -32,6 +32,22 @@ std::string with_escaped_controls(std::string_view text) {
   return escaped;
 }
 
+// To its end, but not much more than an experiment may have.
+std::string text_on_standard_input() {
+  std::string text;
+  char buffer[65536];
+  while (text.size() <= most_experiment_bytes) {
+    const std::size_t count = std::fread(buffer, 1, sizeof buffer, stdin);
+    text.append(buffer, count);
+    if (count == sizeof buffer) continue;
+    if (std::ferror(stdin) != 0) {
+      throw std::system_error(errno, std::generic_category(), "standard input: cannot be read");
+    }
+    break;
+  }
+  return text;
+}
+
 }  // namespace
 
 void add_loudness(CLI::App& command, Loudness& loudness) {
@@ -60,12 +76,25 @@ void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
 
-Experiment load_experiment(const std::string& path, const Overrides& overrides) {
+ExperimentText load_experiment_text(const std::string& path) {
   try {
-    return read_experiment_file(path, overrides);
+    if (path == standard_input) return {.text = text_on_standard_input(), .name = "standard input", .folder = "."};
+    return experiment_text_of(path);
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }
+}
+
+Experiment load_experiment(const ExperimentText& source, const Overrides& overrides) {
+  try {
+    return read_experiment(source, overrides);
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
+
+Experiment load_experiment(const std::string& path, const Overrides& overrides) {
+  return load_experiment(load_experiment_text(path), overrides);
 }
 
 std::string listed_problems(const base::InputError& error) {

@@ -43,7 +43,16 @@ void print_notice(std::string_view text);
 /// Writes to standard error. Errors of the write are ignored, so that a run continues.
 void print_aside(const std::string& text);
 
-/// Reads an experiment file. Throws base::InputError, or MissingInput where the file cannot be read.
+/// Name of the argument that means standard input.
+inline constexpr std::string_view standard_input = "-";
+
+/// Reads a file or, if the path is `-`, standard input to its end; file names in the latter are relative to the current
+/// folder. Throws MissingInput where it cannot be read.
+[[nodiscard]] ExperimentText load_experiment_text(const std::string& path);
+
+/// Reads the experiment in it. Throws base::InputError, or MissingInput where it, or a file that it names, cannot be
+/// read.
+[[nodiscard]] Experiment load_experiment(const ExperimentText& source, const Overrides& overrides);
 [[nodiscard]] Experiment load_experiment(const std::string& path, const Overrides& overrides);
 
 /// `FILE: 2 problems` and a line for each.

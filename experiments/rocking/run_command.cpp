@@ -113,7 +113,9 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
       "simulates every realisation of every condition, stores them in out/realisations.sqlite, writes out/report.json "
       "and\n"
       "out/report.html, and prints a table of the responses.");
-  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON); `rocking schema experiment` describes it")
+  command
+      ->add_option("EXPERIMENT", request->file,
+                   "Experiment file (JSON); -: standard input. `rocking schema experiment` describes it")
       ->required();
   const auto folder =
       command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")

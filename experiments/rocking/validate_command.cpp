@@ -18,12 +18,13 @@ struct ValidateRequest {
 
 ExitCode validate(const ValidateRequest& request) {
   try {
-    const Experiment experiment = load_experiment(request.file, {});
+    const ExperimentText source = load_experiment_text(request.file);
+    const Experiment experiment = load_experiment(source, {});
     if (request.loudness.json) {
       print_result(validation_text(experiment));
     } else if (!request.loudness.quiet) {
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
-      print_result(base::printable(fmt::format("{}: valid: {}\n", request.file, to_text(plan))));
+      print_result(base::printable(fmt::format("{}: valid: {}\n", source.name, to_text(plan))));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {
@@ -43,7 +44,7 @@ void add_validate(CLI::App& app, Action& action) {
       "prints all problems together, each with its place, value and remedy; with --json it prints the experiment with "
       "every\n"
       "default written out.");
-  command->add_option("FILE", request->file, "Experiment file (JSON)")->required();
+  command->add_option("FILE", request->file, "Experiment file (JSON); -: standard input")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return validate(*request); }; });
 }

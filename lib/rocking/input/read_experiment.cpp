@@ -14,7 +14,6 @@
 namespace rocking {
 namespace {
 
-constexpr std::size_t most_bytes = 64'000'000;
 constexpr std::size_t enough_problems = 10;  // of a file without its sweep: the sweep is then left aside
 constexpr std::size_t most_problems = 20;    // a bad sweep must not bury its first message
 
@@ -198,19 +197,26 @@ Experiment read_experiment(std::string_view text, const Overrides& overrides, co
   return ExperimentBuilder(std::move(document), surroundings, std::move(problems)).build(overrides);
 }
 
-Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides) {
-  const std::string text = read_file(path, most_bytes);
-  if (text.size() > most_bytes) {
-    throw base::InputError({.place = path.string(),
+ExperimentText experiment_text_of(const std::filesystem::path& path) {
+  return {.text = read_file(path, most_experiment_bytes), .name = path.string(), .folder = path.parent_path()};
+}
+
+Experiment read_experiment(const ExperimentText& source, const Overrides& overrides) {
+  if (source.text.size() > most_experiment_bytes) {
+    throw base::InputError({.place = source.name,
                             .value = "",
                             .reason = "is longer than 64 MB",
                             .remedy = "give a range instead of a list of values"});
   }
   try {
-    return read_experiment(text, overrides, {.files = files_seen_from(path.parent_path())});
+    return read_experiment(source.text, overrides, {.files = files_seen_from(source.folder)});
   } catch (const base::InputError& error) {
-    throw located(error, text, path.string());
+    throw located(error, source.text, source.name);
   }
+}
+
+Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides) {
+  return read_experiment(experiment_text_of(path), overrides);
 }
 
 }  // namespace rocking

@@ -31,6 +31,22 @@ struct Surroundings {
 [[nodiscard]] Experiment read_experiment(std::string_view text, const Overrides& overrides = {},
                                          const Surroundings& surroundings = {});
 
+/// The text of an experiment, as it was given.
+struct ExperimentText {
+  std::string text;
+  std::string name;              ///< of the file, for messages
+  std::filesystem::path folder;  ///< to which the file names in the text are relative
+};
+
+/// Largest size of an experiment file. A reader of its text need not read more than one byte beyond it.
+inline constexpr std::size_t most_experiment_bytes = 64'000'000;
+
+/// The text of a file. Throws std::system_error with the path where it cannot be read.
+[[nodiscard]] ExperimentText experiment_text_of(const std::filesystem::path& path);
+
+/// The same of a text; problems have the name and the line.
+[[nodiscard]] Experiment read_experiment(const ExperimentText& source, const Overrides& overrides);
+
 /// The same from a file, from whose folder the files that it names are seen. Throws std::system_error with the path
 /// where it cannot be read.
 [[nodiscard]] Experiment read_experiment_file(const std::filesystem::path& path, const Overrides& overrides = {});

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <system_error>
 #include <utility>
@@ -19,8 +20,8 @@
 #include "rocking/ensemble/run.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
-#include "rocking/output/write_report.hpp"
 #include "rocking/output/unreached_precision.hpp"
+#include "rocking/output/write_report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "running_estimate.hpp"
@@ -92,8 +93,8 @@ std::string summary_of(const Experiment& experiment, const ExperimentResult& res
                       level_of(experiment), experiment.conditions.front().until ? ", valid whenever the run stops" : "",
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
-  text += late_settling_of(result);
   text += unreached_precision(experiment, result);
+  text += late_settling_of(result);
   return text + noise_line(result.tolerance_sensitivity);
 }
 
@@ -171,6 +172,18 @@ void write_unless_stopped(const std::filesystem::path& path, const std::function
   });
 }
 
+/// Announces the page and the time that it took, because a user may wonder what a finished run still does.
+DrawingFailures draw_page(const RunFolder& folder, const analysis::RunReport& report, const Loudness& loudness) {
+  if (!loudness.quiet) print_notice("drawing the page; --no-page omits it");
+  const Clock::time_point start = Clock::now();
+  DrawingFailures failures = write_page(folder, report);
+  if (!loudness.quiet) {
+    const std::chrono::duration<double> took = Clock::now() - start;
+    print_notice(fmt::format("page drawn in {}", spoken_duration(took.count())));
+  }
+  return failures;
+}
+
 /// The system error that `act` throws; null if none. The caller prints the table before it reports the error.
 std::exception_ptr failure_of(const std::function<void()>& act) {
   try {
@@ -195,6 +208,11 @@ void add_max_time(CLI::App& command, ExecutionOptions& execution) {
                "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
 }
 
+void add_page_choice(CLI::App& command, PageChoice& page) {
+  command.add_flag_callback(
+      "--no-page", [&page] { page = PageChoice::omitted; }, "Draw no page; `rocking report DIR` draws it later");
+}
+
 ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment, const Store& store) {
   if (auto result = result_of(experiment, store, stop_on_signal())) return std::move(*result);
   throw sqlite::UnusableFile(
@@ -211,7 +229,11 @@ ExitCode conclude(RunFolder& folder, const Experiment& experiment, const Experim
   try {
     write_unless_stopped(folder.report_path(), write);
     failure = failure_of([&] {
-      failures = write_page(folder, analysis::run_report_of(experiment, result, how.system));
+      if (how.page == PageChoice::drawn) {
+        failures = draw_page(folder, analysis::run_report_of(experiment, result, how.system), how.loudness);
+      } else {
+        std::filesystem::remove(folder.page_path());
+      }
       folder.install_replacement();
     });
   } catch (const base::Stopped&) {
@@ -224,8 +246,8 @@ ExitCode conclude(RunFolder& folder, const Experiment& experiment, const Experim
   if (how.loudness.json) {
     print_result(write);
   } else {
-    const std::string where =
-        fmt::format("report: {}\npage: {}\n", folder.report_path().string(), folder.page_path().string());
+    std::string where = fmt::format("report: {}\n", folder.report_path().string());
+    if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
     print_result(base::printable(summary_of(experiment, result) + where));
   }
   if (failure) std::rethrow_exception(failure);
@@ -257,7 +279,8 @@ ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& s
   } catch (const base::Stopped&) {
     return explain_stop(folder, completeness(experiment, store));
   }
-  const ExitCode code = conclude(folder, experiment, *result, {.system = system, .loudness = execution.loudness});
+  const ExitCode code =
+      conclude(folder, experiment, *result, {.system = system, .loudness = execution.loudness, .page = execution.page});
   if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }

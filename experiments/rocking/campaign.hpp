@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include <CLI/CLI.hpp>
@@ -15,27 +16,34 @@
 
 namespace rocking::program {
 
+/// Whether a run ends with a page, report.html.
+enum class PageChoice : std::uint8_t { drawn, omitted };
+
 /// Options that `run`, `resume` and `verify` have in common.
 struct ExecutionOptions {
   unsigned threads = 1;
   std::optional<double> max_time;  ///< stop cleanly after this long [s]
   Loudness loudness;
   ProcessPool pool = {};
+  PageChoice page = PageChoice::drawn;
 };
 
 /// Adds `-j`, and `--max-time` for commands whose run can be resumed.
 void add_threads(CLI::App& command, ExecutionOptions& execution);
 void add_max_time(CLI::App& command, ExecutionOptions& execution);
+/// Adds `--no-page`.
+void add_page_choice(CLI::App& command, PageChoice& page);
 
 /// Runs the realisations that the store lacks. If all are then present, writes the report and prints the table;
 /// otherwise prints how to continue.
 [[nodiscard]] ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& store,
                                      const ExecutionOptions& execution);
 
-/// The `system` part of a report, and how much is printed.
+/// The `system` part of a report, how much is printed, and whether there is a page.
 struct Conclusion {
   SystemFacts system;
   Loudness loudness;
+  PageChoice page = PageChoice::drawn;
 };
 
 /// Facts of this process, at this time.
@@ -46,7 +54,8 @@ struct Conclusion {
 [[nodiscard]] ExperimentResult complete_result(const RunFolder& folder, const Experiment& experiment,
                                                const Store& store);
 
-/// Writes the report and its page, replaces an earlier run by them, and prints the table.
+/// Writes the report and its page, replaces an earlier run by them, and prints the table. Without a page, that of an
+/// earlier report in the folder is removed.
 [[nodiscard]] ExitCode conclude(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
                                 const Conclusion& how);
 

@@ -24,6 +24,7 @@ struct MergeRequest {
   std::string folder;
   std::vector<std::string> shards;
   Loudness loudness;
+  PageChoice page = PageChoice::drawn;
   bool overwrite = false;
 };
 
@@ -147,7 +148,7 @@ ExitCode merge(const MergeRequest& request) {
   const auto found = completeness(experiment, whole);
   if (found.done < found.all) return explain_missing(folder, found);
   return conclude(folder, experiment, complete_result(folder, experiment, whole),
-                  {.system = system, .loudness = request.loudness});
+                  {.system = system, .loudness = request.loudness, .page = request.page});
 }
 
 }  // namespace
@@ -163,6 +164,7 @@ void add_merge(CLI::App& app, Action& action) {
   command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, after all shards are joined");
+  add_page_choice(*command, request->page);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return merge(*request); }; });
 }

@@ -49,6 +49,15 @@ void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>
   }
 }
 
+std::string time_text(const Plan& plan) {
+  if (!plan.time) return "";
+  const auto& [seconds, realisations, share] = *plan.time;
+  const std::string horizons =
+      share < 1.0 ? fmt::format(" over the first {} % of their periods", significant(100.0 * share, 2)) : "";
+  return fmt::format("{} {}, from a sample of {}{}\n", plan.at_most ? "at most" : "about", spoken_duration(seconds),
+                     counted(realisations, "realisation"), horizons);
+}
+
 }  // namespace
 
 Plan plan_of(const Experiment& experiment, const Means& means) {
@@ -88,6 +97,7 @@ std::string to_text(const Plan& plan) {
                       plan.has_record ? "strobe" : "excitation");
   text += fmt::format("{} {} of disk space, {} of memory\n", plan.at_most ? "at most" : "about",
                       spoken_size(plan.needs.disk_bytes), spoken_size(plan.needs.memory_bytes));
+  text += time_text(plan);
   if (plan.effects.empty()) return text + "rocking only: no sliding, and nothing is random\n";
   text += "in addition to rocking:\n";
   for (const std::string& effect : plan.effects) text += "  " + effect + '\n';
@@ -95,9 +105,16 @@ std::string to_text(const Plan& plan) {
 }
 
 std::vector<Fact> facts_of(const Plan& plan) {
-  return {{"title", plan.title},     {"conditions", plan.conditions},       {"realisations", plan.realisations},
-          {"periods", plan.periods}, {"disk_bytes", plan.needs.disk_bytes}, {"memory_bytes", plan.needs.memory_bytes},
-          {"effects", plan.effects}};
+  std::vector<Fact> facts{
+      {"title", plan.title},     {"conditions", plan.conditions},       {"realisations", plan.realisations},
+      {"periods", plan.periods}, {"disk_bytes", plan.needs.disk_bytes}, {"memory_bytes", plan.needs.memory_bytes},
+      {"effects", plan.effects}};
+  if (plan.time) {
+    facts.push_back({"seconds", plan.time->seconds});
+    facts.push_back({"sampled_realisations", plan.time->realisations});
+    facts.push_back({"sampled_share_of_horizon", plan.time->horizon_share});
+  }
+  return facts;
 }
 
 }  // namespace rocking::program

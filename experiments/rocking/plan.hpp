@@ -1,12 +1,14 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "needs.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "time_estimate.hpp"
 
 namespace rocking::program {
 
@@ -19,6 +21,7 @@ struct Plan {
   std::uint64_t periods = 0;       ///< of all realisations together
   bool has_record = false;         ///< periods are those of the strobe, not of an excitation
   Needs needs;
+  std::optional<TimeEstimate> time;  ///< absent: not measured, or not to be had
   std::vector<std::string> effects;  ///< that are on in at least one condition
 };
 

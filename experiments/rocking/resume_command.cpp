@@ -98,3 +98,4 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
 }
 
 }  // namespace rocking::program
+  add_page_choice(*command, request->execution.page);

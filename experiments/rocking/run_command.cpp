@@ -7,9 +7,11 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "interrupt.hpp"
 #include "output.hpp"
 #include "plan.hpp"
 #include "run_folder.hpp"
+#include "time_estimate.hpp"
 
 namespace rocking::program {
 namespace {
@@ -48,7 +50,13 @@ Means means_of(const RunRequest& request) {
 }
 
 ExitCode show_plan(const RunRequest& request, const Experiment& experiment) {
-  const Plan plan = plan_of(experiment, means_of(request));
+  const Means means = means_of(request);
+  Plan plan = plan_of(experiment, means);
+  plan.time = estimate_time(experiment, means);
+  if (why_stopped() == StopReason::signal) return ExitCode::interrupted;
+  if (plan.time) plan.time->seconds /= request.execution.pool.processes;
+  if (!plan.time)
+    print_notice(fmt::format("the time is not known: no realisation was finished within {:g} s", longest_sample_s));
   print_result(request.execution.loudness.json ? facts_text(facts_of(plan)) : base::printable(to_text(plan)));
   return ExitCode::done;
 }
@@ -132,8 +140,9 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   command->add_option("--shard", request->shard, "Run only the i-th of n parts; `rocking merge` joins them")
       ->type_name("I/N");
   add_max_time(*command, request->execution);
-  const auto dry_run =
-      command->add_flag("--dry-run", request->dry_run, "Print what would be done, and stop; writes nothing");
+  add_page_choice(*command, request->execution.page);
+  const auto dry_run = command->add_flag("--dry-run", request->dry_run,
+                                         "Print what would be done, with the time, and stop; writes nothing");
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder when this one is complete");
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request, folder, dry_run] {

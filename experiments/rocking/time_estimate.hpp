@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "needs.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking::program {
+
+/// Longest time that a sample for an estimate takes [s].
+inline constexpr double longest_sample_s = 2.0;
+
+/// Measured speed of a run, from a sample of its realisations.
+struct TimeEstimate {
+  double seconds = 0.0;            ///< that the run will take, by wall clock
+  std::uint64_t realisations = 0;  ///< of the sample
+  double horizon_share = 1.0;      ///< share of their periods that the sample ran; 1: all
+};
+
+/// Runs a sample of the pairs of realisations, with reruns and label checks, on as many threads as the run will have,
+/// for at most `longest_sample_s`, and extrapolates by the number of periods. The sample is spread evenly over the
+/// conditions. If full horizons take too long, the sample has shorter ones. Absent if not even the shortest sample was
+/// finished in that time, or if a signal asks to stop. With `until` the estimate is that of the largest number of
+/// realisations.
+[[nodiscard]] std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Means& means);
+
+}  // namespace rocking::program

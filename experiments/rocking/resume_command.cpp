@@ -1,4 +1,7 @@
+#include <algorithm>
 #include <memory>
+#include <optional>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,6 +11,7 @@
 #include "output.hpp"
 #include "plan.hpp"
 #include "realisation_list.hpp"
+#include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/store/salvage.hpp"
@@ -19,6 +23,7 @@ namespace {
 
 struct ResumeRequest {
   std::string folder;
+  std::optional<std::string> realisations;  ///< of the extended run
   ExecutionOptions execution;
 };
 
@@ -57,6 +62,42 @@ Store usable_store(const RunFolder& folder, const Experiment& experiment, Store 
   return renewed;
 }
 
+void expect_extensible(const RunFolder& folder, const Store& store, const Experiment& extension) {
+  if (store.identity().shard) {
+    throw UsageError(folder.name() +
+                     ": is a shard, and the shards of a longer run have other realisations; merge the shards, then "
+                     "extend the whole");
+  }
+  const std::uint64_t stored = most_stored_realisations(store);
+  std::uint64_t wanted = 0;
+  for (const Condition& condition : extension.conditions) wanted = std::max(wanted, condition.realisations);
+  if (stored <= wanted) return;
+  throw UsageError(fmt::format("--realisations {}: {} already has conditions with {}; give at least {}", wanted,
+                               folder.name(), counted(stored, "realisation"), stored));
+}
+
+// A finished run stays in its folder until the extended one is complete. An unfinished one has no report yet, and its
+// store is extended in place.
+Store extended_store(RunFolder& folder, const Experiment& experiment, const Experiment& extension, Store store,
+                     const Loudness& loudness) {
+  if (folder.is_replacement() || !folder.has_report()) {
+    folder.extend_store(std::move(store), experiment, extension);
+    return folder.open_store(sqlite::Access::write);
+  }
+  if (!loudness.quiet) {
+    print_notice(
+        "the intervals of the extended run cover as often as stated if the earlier result did not determine its "
+        "length; "
+        "for a run that is extended until its intervals are narrow enough, use `until`");
+  }
+  store.close_up();
+  folder.begin_replacement();
+  Store whole = folder.create_store(extended_identity(store.identity(), extension));
+  copy_common_realisations(store, experiment, extension, whole);
+  whole.commit();
+  return whole;
+}
+
 ExitCode resume(const ResumeRequest& request) {
   if (!holds_run(RunFolder(request.folder))) {
     throw MissingInput(request.folder + ": contains no run to resume (realisations.sqlite is missing or empty)");
@@ -68,8 +109,16 @@ ExitCode resume(const ResumeRequest& request) {
   count_pages_again(folder.store_path());
   Store store = folder.open_store(sqlite::Access::write);
   expect_known_results(folder, store.identity());
-  const Experiment experiment = experiment_of(store.identity());
+  Experiment experiment = experiment_of(store.identity());
   store = usable_store(folder, experiment, std::move(store), request.execution.loudness);
+  if (request.realisations) {
+    Experiment extension = experiment_of(store.identity(), {.seed = {}, .realisations = request.realisations});
+    if (extension.canonical_text != experiment.canonical_text) {
+      expect_extensible(folder, store, extension);
+      store = extended_store(folder, experiment, extension, std::move(store), request.execution.loudness);
+      experiment = std::move(extension);
+    }
+  }
   const Plan plan = plan_of(experiment, {.threads = request.execution.threads,
                                          .shard = store.identity().shard,
                                          .stored = completeness(experiment, store).done});
@@ -83,19 +132,24 @@ ExitCode resume(const ResumeRequest& request) {
 void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   const auto request = std::make_shared<ResumeRequest>();
   request->execution = {.threads = pool.threads, .max_time = {}, .loudness = {}, .pool = pool};
-  CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped");
+  CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped, or extend one");
   command->footer(
       "Example: rocking resume out\n"
       "runs the realisations that are missing in out/realisations.sqlite and writes the report, with the same bytes as "
       "that of\n"
       "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under "
-      "another name.");
+      "another name.\n"
+      "With --realisations N it extends the run: the report has the bytes of one run of N.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
+  command
+      ->add_option("--realisations", request->realisations,
+                   "Extend the run, finished or not, to N realisations per condition")
+      ->type_name("N");
   add_threads(*command, request->execution);
   add_max_time(*command, request->execution);
+  add_page_choice(*command, request->execution.page);
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return resume(*request); }; });
 }
 
 }  // namespace rocking::program
-  add_page_choice(*command, request->execution.page);

@@ -16,7 +16,7 @@
 #include "output.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/input/read_experiment.hpp"
+#include "rocking/ensemble/extension.hpp"
 #include "rocking/store/salvage.hpp"
 #include "rocking/text/files.hpp"
 
@@ -171,6 +171,17 @@ RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experi
   return renewal;
 }
 
+void RunFolder::extend_store(Store former, const Experiment& experiment, const Experiment& extension) const {
+  {
+    Store store = Store::create(renewed_path(), extended_identity(former.identity(), extension));
+    copy_common_realisations(former, experiment, extension, store);
+    store.close_up();
+  }
+  { const Store closed = std::move(former); }
+  sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
+  std::filesystem::rename(renewed_path(), store_path());
+}
+
 // Keeps the file under another name, with its logs.
 std::filesystem::path RunFolder::keep_store_file() const {
   std::filesystem::path kept = first_free_name(path_);
@@ -225,9 +236,15 @@ std::string code_identity() {
   return fmt::format("{} {}", build.version, build.revision);
 }
 
-Experiment experiment_of(const Identity& identity) {
+Identity extended_identity(Identity identity, const Experiment& extension) {
+  identity.experiment = extension.canonical_text;
+  identity.code = code_identity();
+  return identity;
+}
+
+Experiment experiment_of(const Identity& identity, const Overrides& overrides) {
   try {
-    return read_experiment(identity.experiment, {}, {.files = files_seen_from(identity.files)});
+    return read_experiment(identity.experiment, overrides, {.files = files_seen_from(identity.files)});
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }

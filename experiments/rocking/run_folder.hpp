@@ -5,6 +5,7 @@
 #include <string>
 
 #include "replacement.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/store/store.hpp"
 
 namespace rocking::program {
@@ -63,6 +64,8 @@ class RunFolder {
   /// sound and have the bits of this program. Throws sqlite::UnusableFile if no row is sound, because the identity may
   /// then be wrong too.
   Renewal renew_store(Store former, const Experiment& experiment, FormerFile file) const;
+  /// Replaces the store by one of an extension of its experiment, with the realisations that the two have in common.
+  void extend_store(Store former, const Experiment& experiment, const Experiment& extension) const;
 
   [[nodiscard]] std::string name() const { return path_.string(); }
   [[nodiscard]] std::filesystem::path store_path() const { return files_.store(); }
@@ -87,8 +90,11 @@ class RunFolder {
 /// Version and revision of this program, as a store records them.
 [[nodiscard]] std::string code_identity();
 
+/// The identity of a store of an extension of its experiment.
+[[nodiscard]] Identity extended_identity(Identity identity, const Experiment& extension);
+
 /// The experiment of a store. Throws InputError or MissingInput if a file that the experiment names has changed or is
 /// missing.
-[[nodiscard]] Experiment experiment_of(const Identity& identity);
+[[nodiscard]] Experiment experiment_of(const Identity& identity, const Overrides& overrides = {});
 
 }  // namespace rocking::program

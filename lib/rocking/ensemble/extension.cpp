@@ -1,0 +1,31 @@
+#include "rocking/ensemble/extension.hpp"
+
+#include <algorithm>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking {
+
+bool has_same_conditions(const Experiment& experiment, const Experiment& extension) {
+  return experiment.seed == extension.seed && experiment.conditions.size() == extension.conditions.size();
+}
+
+std::uint64_t most_stored_realisations(const Store& store) {
+  std::uint64_t most = 0;
+  store.for_each_key([&most](const RealisationKey& key) { most = std::max(most, key.realisation + 1); });
+  return most;
+}
+
+void copy_common_realisations(const Store& former, const Experiment& experiment, const Experiment& extension,
+                              Store& into) {
+  ROCKING_EXPECT(has_same_conditions(experiment, extension));
+  former.for_each([&](const RealisationKey& key, const Summary& summary) {
+    const std::uint64_t before = effective_realisations(experiment.conditions.at(key.condition));
+    const std::uint64_t after = effective_realisations(extension.conditions.at(key.condition));
+    const bool was_alone = key.realisation % 2 == 0 && key.realisation + 1 == before;
+    if (key.realisation >= after || (was_alone && before < after)) return;
+    into.add(key, summary);
+  });
+}
+
+}  // namespace rocking

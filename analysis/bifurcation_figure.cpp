@@ -11,6 +11,7 @@
 #include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/output/parameter_names.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
@@ -146,7 +147,6 @@ void widen(Range& range) {
 
 Figure figure_of(Diagram diagram, const std::string& pointer, const std::string& others) {
   Figure figure;
-  figure.name = "bifurcation";
   figure.title = "Coexisting responses";
   figure.subtitle = others;
   figure.arrangement = Arrangement::stacked;
@@ -193,16 +193,31 @@ std::string others_in_words(const Json& others) {
   return words;
 }
 
+/// Names of the figures, as of the tables of points (output/write_bifurcation.hpp).
+std::vector<std::string> names_of(const Json& diagrams) {
+  if (diagrams.size() < 2) return std::vector<std::string>(diagrams.size(), "bifurcation");
+  std::vector<std::vector<Parameter>> parts;
+  for (const Json& diagram : diagrams) {
+    auto& part = parts.emplace_back();
+    for (const auto& [pointer, value] : diagram.at("others").items()) part.push_back({pointer, value.dump()});
+  }
+  std::vector<std::string> names = parameter_names(parts);
+  for (std::string& name : names) name.insert(0, "bifurcation_");
+  return names;
+}
+
 }  // namespace
 
 std::vector<Figure> bifurcation_figures(const Json& output) {
   std::vector<Figure> figures;
   read_or_refuse(output, [&] {
     const std::string title = output.at("input").at("experiment").at("title");
+    const std::vector<std::string> names = names_of(output.at("diagrams"));
     for (const Json& diagram : output.at("diagrams")) {
       const std::string others = others_in_words(diagram.at("others"));
       const std::string subtitle = title + (title.empty() || others.empty() ? "" : "; ") + others;
       figures.push_back(figure_of(diagram_from(diagram), output.at("parameter"), subtitle));
+      figures.back().name = names[figures.size() - 1];
     }
   });
   return figures;

@@ -24,11 +24,22 @@ std::string size_of(const Layout& layout, double scale) {
          number_text(std::round(scale * layout.height * 100.0) / 100.0);
 }
 
+/// The name of a figure in the scripts of an SVG, where gnuplot allows letters, digits and _ only.
+std::string script_name(const Figure& figure) {
+  const auto is_refused = [](char c) {
+    return !(('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z') || ('0' <= c && c <= '9') || c == '_');
+  };
+  std::string name = figure.name;
+  std::ranges::replace_if(name, is_refused, '_');
+  return name;
+}
+
 // Fonts and sizes are given explicitly and no date or machine name is used, so that equal data give equal bytes.
 std::string terminals(const Figure& figure, const Layout& layout) {
   const std::string stem = quoted(figure.name);
   return "  if (format eq 'svg') {\n    set terminal svg enhanced size " + size_of(layout, 1.0) +
-         " font 'DejaVu Sans,12' background '#ffffff' name " + stem +
+         " font 'DejaVu Sans,12' background '#ffffff' name " +
+         quoted(script_name(figure)) +
          "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " + size_of(layout, 2.0) +
          " font 'DejaVu Sans,9' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'"
          "\n  }\n  if (format eq 'pdf') {\n    set terminal pdfcairo enhanced size " +

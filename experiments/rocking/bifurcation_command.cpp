@@ -1,6 +1,8 @@
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -32,10 +34,24 @@ struct BifurcationRequest {
 struct DiagramFiles {
   std::filesystem::path json;
   std::filesystem::path csv;
+  std::vector<std::filesystem::path> tables;  ///< of the diagrams of a grid
 };
 
+/// Of an experiment with diagrams.
+DiagramFiles files_in(const std::filesystem::path& folder, const Experiment& experiment) {
+  DiagramFiles files{.json = folder / (std::string(bifurcation_file) + ".json"),
+                     .csv = folder / (std::string(bifurcation_file) + ".csv"),
+                     .tables = {}};
+  const std::vector<Diagram> diagrams = diagrams_of(experiment);
+  if (diagrams.size() < 2) return files;
+  for (const std::string& name : diagram_names(experiment, diagrams)) files.tables.push_back(folder / (name + ".csv"));
+  return files;
+}
+
 void expect_room(const DiagramFiles& files, bool overwrite) {
-  for (const auto& path : {files.json, files.csv}) {
+  std::vector<std::filesystem::path> all{files.json, files.csv};
+  all.insert(all.end(), files.tables.begin(), files.tables.end());
+  for (const auto& path : all) {
     if (overwrite || !std::filesystem::exists(path)) continue;
     throw InTheWay(path.string() + ": already exists; choose another folder, or add --overwrite to replace it");
   }
@@ -64,7 +80,7 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   const Experiment experiment = load_experiment(source, request.overrides);
   refuse_without_diagrams(experiment, source);  // before any file is written
   const std::filesystem::path path(request.folder);
-  const DiagramFiles files{.json = path / "bifurcation.json", .csv = path / "bifurcation.csv"};
+  const DiagramFiles files = files_in(path, experiment);
   RunFolder folder(path);
   folder.claim();
   expect_room(files, request.overwrite);
@@ -78,9 +94,12 @@ ExitCode bifurcation(const BifurcationRequest& request) {
       .experiment = &experiment, .realisation = request.realisation, .diagrams = std::move(*diagrams)};
   const std::string text = bifurcation_text(drawn);
   write_atomically(files.csv, bifurcation_csv(drawn));
+  const std::vector<DiagramTable> tables = diagram_tables(drawn);
+  for (std::size_t i = 0; i < tables.size(); ++i) write_atomically(files.tables[i], tables[i].csv);
   write_atomically(files.json, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  const std::string where = fmt::format("points: {}, {}\n", files.json.string(), files.csv.string());
+  std::string where = fmt::format("points: {}, {}\n", files.json.string(), files.csv.string());
+  for (const auto& table : files.tables) where += fmt::format("        {}\n", table.string());
   print_result(request.execution.loudness.json ? text : base::printable(title + bifurcation_table(drawn) + where));
   return ExitCode::done;
 }
@@ -97,8 +116,11 @@ void add_bifurcation(CLI::App& app, Action& action) {
       "and\n"
       "downwards. Writes the strobe points to out/bifurcation.json and out/bifurcation.csv and prints the responses. "
       "In a\n"
-      "grid there is one diagram for each combination of values of the entries after the first.");
-  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON) with a sweep")->required();
+      "grid there is one diagram for each combination of values of the entries after the first; its points are also "
+      "in a\n"
+      "file named by these values, such as out/bifurcation_static_0.35.csv.");
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON) with a sweep; -: standard input")
+      ->required();
   command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
       ->required()
       ->type_name("DIR");

@@ -4,6 +4,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/parameter_names.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 
@@ -73,6 +74,20 @@ std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram) {
   return aligned(rows);
 }
 
+const std::string csv_header = "parameter,branch,tilt,tilt_rate,diagram\n";
+
+std::string csv_rows(const DrawnDiagrams& drawn, std::size_t diagram) {
+  std::string text;
+  for_each_step(drawn.diagrams[diagram], [&](const DiagramStep& step, Branch branch) {
+    const std::string start = parameters_of(drawn, step.condition).front().value + ',' + std::string(to_string(branch));
+    for (const auto& point : step.points) {
+      text += start + ',' + Json(point.tilt).dump() + ',' + Json(point.tilt_rate).dump() + ',' +
+              std::to_string(diagram) + '\n';
+    }
+  });
+  return text;
+}
+
 }  // namespace
 
 std::string bifurcation_text(const DrawnDiagrams& drawn) {
@@ -89,18 +104,31 @@ std::string bifurcation_text(const DrawnDiagrams& drawn) {
 }
 
 std::string bifurcation_csv(const DrawnDiagrams& drawn) {
-  std::string text = "parameter,branch,tilt,tilt_rate,diagram\n";
-  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
-    for_each_step(drawn.diagrams[i], [&](const DiagramStep& step, Branch branch) {
-      const std::string start =
-          parameters_of(drawn, step.condition).front().value + ',' + std::string(to_string(branch));
-      for (const auto& point : step.points) {
-        text +=
-            start + ',' + Json(point.tilt).dump() + ',' + Json(point.tilt_rate).dump() + ',' + std::to_string(i) + '\n';
-      }
-    });
-  }
+  std::string text = csv_header;
+  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) text += csv_rows(drawn, i);
   return text;
+}
+
+std::vector<DiagramTable> diagram_tables(const DrawnDiagrams& drawn) {
+  if (drawn.diagrams.size() < 2) return {};
+  const std::vector<std::string> names = diagram_names(*drawn.experiment, drawn.diagrams);
+  std::vector<DiagramTable> tables;
+  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
+    tables.push_back({.name = names[i], .csv = csv_header + csv_rows(drawn, i)});
+  }
+  return tables;
+}
+
+std::vector<std::string> diagram_names(const Experiment& experiment, std::span<const Diagram> diagrams) {
+  if (diagrams.size() < 2) return std::vector<std::string>(diagrams.size(), bifurcation_file);
+  std::vector<std::vector<Parameter>> others;
+  for (const Diagram& diagram : diagrams) {
+    const auto& parameters = experiment.conditions[diagram.conditions.front()].parameters;
+    others.emplace_back(parameters.begin() + 1, parameters.end());
+  }
+  std::vector<std::string> names = parameter_names(others);
+  for (std::string& name : names) name.insert(0, std::string(bifurcation_file) + '_');
+  return names;
 }
 
 std::string bifurcation_table(const DrawnDiagrams& drawn) {

@@ -27,6 +27,13 @@ std::string spoken(double number) { return significant(number, 3); }
 
 double own_tolerance(const Json& output) { return output.at("input").at("experiment").at("accuracy").at("tolerance"); }
 
+std::string own_tolerance_in_words(const Json& output) {
+  for (const Json& entry : output.at("input").at("experiment").value("sweep", Json::array())) {
+    if (entry.at("parameter") == "/accuracy/tolerance") return "The experiment sweeps its tolerance.";
+  }
+  return "The experiment's own tolerance is " + spoken(own_tolerance(output)) + ".";
+}
+
 /// Processor time per period for tolerance number `i` [us].
 double time_of(const Json& output, std::size_t i) {
   return micro * output.at("system").at("processor_s_per_period").at(i).get<double>();
@@ -106,8 +113,7 @@ Figure cost_tolerance(const Json& output) {
        .layers = {curve(0, {0, 6}, "")}}};
   figure.caption = "Error: largest difference from the tightest tolerance in Θ, Θ′, V over the first " +
                    std::to_string(output.at("result").at("error_periods").get<std::int64_t>()) +
-                   " periods. Changed modes with the exact interval of a sample. The experiment's own tolerance is " +
-                   spoken(own_tolerance(output)) + ".";
+                   " periods. Changed modes with the exact interval of a sample. " + own_tolerance_in_words(output);
   add_title(figure, output);
   return figure;
 }
@@ -144,11 +150,16 @@ Table realisations_table(const Json& output) {
   for (std::size_t i = 0; i < tolerances.size(); ++i) {
     if (tolerances.at(i).at("tolerance") == own_tolerance(output)) time = time_of(output, i) / micro;
   }
-  for (const Json& planned : output.at("result").at("realisations")) {
+  const Json& system = output.at("system");
+  const Json& all_planned = output.at("result").at("realisations");
+  for (std::size_t i = 0; i < all_planned.size(); ++i) {
+    const Json& planned = all_planned.at(i);
     const double periods = planned.at("periods");
-    table.rows.push_back({planned.at("factor").get<double>(), periods, time * periods,
-                          share(planned.at("half_width_mean")), share(planned.at("half_width_widest")),
-                          share(planned.at("wilson_widest"))});
+    // Files of earlier versions lack the time of the run.
+    const double run_time =
+        system.contains("planned_processor_s") ? system.at("planned_processor_s").at(i).get<double>() : time * periods;
+    table.rows.push_back({planned.at("factor").get<double>(), periods, run_time, share(planned.at("half_width_mean")),
+                          share(planned.at("half_width_widest")), share(planned.at("wilson_widest"))});
   }
   return table;
 }

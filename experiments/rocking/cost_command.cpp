@@ -40,7 +40,8 @@ struct CostRequest {
 std::vector<double> tolerances_of(const CostRequest& request, const Experiment& experiment) {
   if (request.tolerances.empty()) return tolerance_ladder(experiment);
   std::set<double, std::greater<>> all(request.tolerances.begin(), request.tolerances.end());
-  all.insert(experiment.conditions.front().tolerance);
+  const std::vector<double> own = own_tolerances(experiment);
+  all.insert(own.begin(), own.end());
   if (all.size() < 3) {
     throw UsageError(
         "--tolerances: with the experiment's own these are fewer than three; the tightest is the reference and the "

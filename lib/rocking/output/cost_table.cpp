@@ -1,5 +1,6 @@
 #include "rocking/output/cost_table.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -17,7 +18,7 @@ std::string error_cell(const std::optional<double>& error) { return error ? sign
 
 TextRow row_of(const Cost& cost, std::size_t place) {
   const ToleranceCost& tolerance = cost.curve[place];
-  TextRow row{tolerance_name(tolerance) + (place == cost.own ? " *" : "  ")};
+  TextRow row{tolerance_name(tolerance) + (cost.is_own(place) ? " *" : "  ")};
   if (const auto& departure = tolerance.departure) {
     row.insert(
         row.end(),
@@ -41,21 +42,26 @@ std::string spoken_time(double seconds) {
   return significant(std::round(seconds / 86400.0), 6) + " d";
 }
 
+/// `800`, or `40 to 800` if the conditions have different numbers.
+std::string realisations_asked_for(const Experiment& experiment, std::uint64_t factor) {
+  const auto [least, most] = std::ranges::minmax_element(experiment.conditions, {}, &Condition::realisations);
+  const std::string largest = std::to_string(factor * most->realisations);
+  return least->realisations == most->realisations ? largest
+                                                   : std::to_string(factor * least->realisations) + " to " + largest;
+}
+
 std::string realisations_table(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   if (cost.planned.empty()) return "nothing is random: one realisation of each condition is sufficient\n";
-  const double time = cost.seconds_per_period(cost.own);
-  const auto run_time = [&](std::uint64_t periods) { return spoken_time(static_cast<double>(periods) * time); };
-  const std::uint64_t asked_for = measured.experiment->conditions.front().realisations;
   std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
-  for (const auto& [factor, widths, periods] : cost.planned) {
-    rows.push_back({std::to_string(factor * asked_for), per_cent(widths.mean, 2), per_cent(widths.widest, 2),
-                    per_cent(widths.widest_wilson, 2), run_time(periods)});
+  for (const auto& [factor, widths, periods, seconds] : cost.planned) {
+    rows.push_back({realisations_asked_for(*measured.experiment, factor), per_cent(widths.mean, 2),
+                    per_cent(widths.widest, 2), per_cent(widths.widest_wilson, 2), spoken_time(seconds)});
   }
   std::string text = aligned(rows);
-  for (const auto& [half_width, needed, periods] : cost.goals) {
+  for (const auto& [half_width, needed, periods, seconds] : cost.goals) {
     text += "for " + significant(100.0 * half_width, 3) + " % in every condition: " + std::to_string(needed.by_shares) +
-            " realisations, " + run_time(periods) +
+            " realisations, " + spoken_time(seconds) +
             "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
   }
   return text +
@@ -83,9 +89,12 @@ std::string changes(const Cost& cost, const Departure& departure) {
 }
 
 std::string speed_words(const Cost& cost, std::size_t place) {
-  if (place == cost.own) return "It is the tolerance of the experiment.";
+  if (cost.is_own(place)) {
+    return cost.own.size() == 1 ? "It is the tolerance of the experiment." : "It is a tolerance of the experiment.";
+  }
   const double speed = cost.speed(place);
-  const std::string own = tolerance_name(cost.curve[cost.own]) + ", the tolerance of the experiment";
+  const std::string own = tolerance_name(cost.curve[cost.own.back()]) + ", the " +
+                          (cost.own.size() == 1 ? "" : "tightest ") + "tolerance of the experiment";
   if (speed >= 1.005) return "It is " + fixed_point(speed, 2) + " times faster than " + own + '.';
   return "It takes " + fixed_point(1.0 / speed, 2) + " times as long as " + own + '.';
 }
@@ -160,8 +169,9 @@ std::string cost_table(const MeasuredCost& measured) {
          "processor "
          "time per period, with\n" +
          std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
-         " periods on each thread; speed relative to that at the tolerance of the experiment (*)\n\n" +
-         realisations_table(measured) + '\n' + cost_recommendation(measured) + '\n';
+         " periods on each thread; speed relative to that at the " + (cost.own.size() == 1 ? "" : "tightest ") +
+         "tolerance of the experiment (*)\n\n" + realisations_table(measured) + '\n' + cost_recommendation(measured) +
+         '\n';
 }
 
 }  // namespace rocking

@@ -73,7 +73,7 @@ Json result_json(const Cost& cost) {
   Json& tolerances = json["tolerances"] = Json::array();
   for (const ToleranceCost& tolerance : cost.curve) tolerances.push_back(tolerance_json(tolerance));
   Json& planned = json["realisations"] = Json::array();
-  for (const auto& [factor, widths, periods] : cost.planned) {
+  for (const auto& [factor, widths, periods, seconds] : cost.planned) {
     planned.push_back({{"factor", factor},
                        {"half_width_mean", widths.mean},
                        {"half_width_widest", widths.widest},
@@ -81,7 +81,7 @@ Json result_json(const Cost& cost) {
                        {"periods", periods}});
   }
   Json& goals = json["goals"] = Json::array();
-  for (const auto& [half_width, needed, periods] : cost.goals) {
+  for (const auto& [half_width, needed, periods, seconds] : cost.goals) {
     goals.push_back({{"half_width", half_width},
                      {"realisations", needed.by_shares},
                      {"at_most", needed.at_most},
@@ -95,6 +95,8 @@ Json times_json(const MeasuredCost& measured) {
   Json json = system_json(measured.system);
   const CostTiming& timing = measured.cost.timing;
   json["processor_s_per_period"] = timing.seconds_per_period;
+  Json& planned = json["planned_processor_s"] = Json::array();
+  for (const PlannedRealisations& plan : measured.cost.planned) planned.push_back(plan.seconds);
   json["timed"] = {{"realisations", timing.realisations}, {"periods", timing.periods}};
   json["recommendation"] = cost_recommendation(measured);
   return json;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "rocking/base/error.hpp"
 
@@ -21,6 +22,13 @@ std::optional<double> censored_quantile(const std::map<std::int64_t, std::uint64
     if (static_cast<double>(passed) >= rank) return static_cast<double>(value);
   }
   return std::nullopt;
+}
+
+std::optional<double> lower_median(std::vector<double> values) {
+  if (values.empty()) return std::nullopt;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
+  std::ranges::nth_element(values, middle);
+  return *middle;
 }
 
 }  // namespace rocking::stats

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <vector>
 
 namespace rocking::stats {
 
@@ -14,5 +15,9 @@ namespace rocking::stats {
 /// (1996), Am. Stat. 50, 361-365, definition 1.
 [[nodiscard]] std::optional<double> censored_quantile(const std::map<std::int64_t, std::uint64_t>& tally,
                                                       std::uint64_t later, double level);
+
+/// The median of some values; of two middle values the lower one, so that it is always a value that occurred. Absent
+/// without values. Source: Hyndman & Fan (1996), definition 1, at level 1/2.
+[[nodiscard]] std::optional<double> lower_median(std::vector<double> values);
 
 }  // namespace rocking::stats

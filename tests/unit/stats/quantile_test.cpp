@@ -57,4 +57,12 @@ TEST(CensoredQuantile, IsAbsentWhereThereIsNothingToSee) {
   EXPECT_EQ(censored_quantile({}, 5, 0.01), std::nullopt);
 }
 
+TEST(LowerMedian, IsAValueThatOccurred) {
+  EXPECT_FALSE(lower_median({}).has_value());
+  EXPECT_EQ(lower_median({3.0}), 3.0);
+  EXPECT_EQ(lower_median({4.0, 1.0}), 1.0);
+  EXPECT_EQ(lower_median({9.0, 1.0, 4.0}), 4.0);
+  EXPECT_EQ(lower_median({9.0, 4.0, 1.0, 2.0}), 2.0);
+}
+
 }  // namespace

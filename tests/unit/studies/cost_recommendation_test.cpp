@@ -228,13 +228,46 @@ TEST(ToleranceLadder, HasEveryDecadeAndTheExperimentsOwnOnce) {
   EXPECT_TRUE(std::ranges::is_sorted(with_own, std::ranges::greater{}));
 }
 
+TEST(ToleranceLadder, HasEveryToleranceOfASweep) {
+  Experiment experiment = experiment_of({true, true, true});
+  experiment.conditions[0].tolerance = 1e-6;
+  experiment.conditions[1].tolerance = 3e-9;
+  experiment.conditions[2].tolerance = 3e-9;
+  EXPECT_EQ(own_tolerances(experiment), (std::vector{1e-6, 3e-9}));
+  EXPECT_EQ(tolerance_ladder(experiment).size(), 12U);
+  EXPECT_THAT(tolerance_ladder(experiment), ::testing::Contains(3e-9));
+}
+
+TEST(Cost, OfASweepOfTolerancesAndNumbersCountsEachConditionByItsOwn) {
+  Experiment experiment = experiment_of({true, false, true});
+  experiment.conditions[0].tolerance = experiment.conditions[1].tolerance = 1e-8;
+  experiment.conditions[2].tolerance = 1e-4;
+  experiment.conditions[0].realisations = 40;
+  experiment.conditions[2].realisations = 100;
+  for (Condition& condition : experiment.conditions) {
+    condition.horizon = {.transient_periods = 1, .sampled_periods = 9};
+  }
+  const auto measured = two_conditions();
+  const CostTiming times{.seconds_per_period = {1e-6, 2e-6, 4e-6}, .realisations = 1, .periods = 1};
+  const Cost cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured, times);
+  EXPECT_EQ(cost.own, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(cost.speed(0), 2.0) << "relative to the tightest of its own";
+  EXPECT_EQ(cost.planned[1].periods, 10U * (4 * 40 + 1 + 4 * 100));
+  EXPECT_DOUBLE_EQ(cost.planned[1].seconds, 10.0 * ((4 * 40 + 1) * 2e-6 + 4 * 100 * 1e-6));
+  const double needed = static_cast<double>(cost.goals[0].needed.by_shares);
+  EXPECT_DOUBLE_EQ(cost.goals[0].seconds, 10.0 * ((needed + 1.0) * 2e-6 + needed * 1e-6));
+  const std::string table = cost_table({.experiment = &experiment, .cost = cost, .system = {}});
+  EXPECT_THAT(table, ::testing::AllOf(HasSubstr("160 to 400"), HasSubstr("0.0001 *"), HasSubstr("1e-08 *"),
+                                      HasSubstr("at the tightest tolerance of the experiment")));
+}
+
 MeasuredCost cost_with(const Experiment& experiment, const std::vector<ToleranceCost>& curve,
                        const Yardstick& yardstick) {
   Cost cost;
   cost.sample = curve.front().departure->flips.trials;
   cost.sampled_conditions = experiment.conditions.size();
   cost.curve = curve;
-  cost.own = 3;
+  cost.own = {3};
   cost.timing = support::timing_of(curve);
   cost.yardstick = yardstick;
   cost.recommendation = recommend(curve, yardstick, 0.95);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rocking/base/error.hpp"
+#include "rocking/stats/quantile.hpp"
 
 namespace rocking {
 namespace {
@@ -11,13 +12,10 @@ bool is_flipped(const MeasuredRealisation& realisation, std::size_t tolerance) {
   return realisation.runs[tolerance].mode != realisation.runs.back().mode;
 }
 
-void add_errors(Departure& departure, std::vector<double> errors) {
+void add_errors(Departure& departure, const std::vector<double>& errors) {
   departure.moving = errors.size();
-  if (errors.empty()) return;
-  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>((errors.size() - 1) / 2);
-  std::ranges::nth_element(errors, middle);
-  departure.median_error = *middle;
-  departure.largest_error = *std::ranges::max_element(errors);
+  departure.median_error = stats::lower_median(errors);
+  if (!errors.empty()) departure.largest_error = *std::ranges::max_element(errors);
 }
 
 void add_flips(Departure& departure, std::span<const MeasuredRealisation> measured, std::size_t tolerance) {
@@ -49,7 +47,7 @@ Departure departure_of(std::span<const MeasuredRealisation> measured, std::size_
     if (run.error) errors.push_back(*run.error);
     if (run.diverged) ++departure.diverged;
   }
-  add_errors(departure, std::move(errors));
+  add_errors(departure, errors);
   add_flips(departure, measured, tolerance);
   departure.flips_interval = stats::clopper_pearson(departure.flips, confidence);
   const std::size_t floor = measured.front().runs.size() - 2;

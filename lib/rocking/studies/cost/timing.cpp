@@ -10,6 +10,7 @@
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/stats/quantile.hpp"
 #include "rocking/studies/cost/sample.hpp"
 
 namespace rocking {
@@ -53,14 +54,6 @@ Horizon shortened(const Horizon& horizon, double share) {
           .sampled_periods = std::max(1, part(horizon.sampled_periods))};
 }
 
-/// Of two middle values the lower one; 0 without values.
-double median_of(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>((values.size() - 1) / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
-
 class Timekeeper {
  public:
   Timekeeper(const Experiment& experiment, std::span<const double> tolerances, const TimingPlan& plan,
@@ -87,7 +80,9 @@ class Timekeeper {
         },
         [] {});
     CostTiming timing{.seconds_per_period = {}, .realisations = size_.realisations, .periods = size_.periods};
-    for (const std::vector<double>& times : times_) timing.seconds_per_period.push_back(median_of(times));
+    for (const std::vector<double>& times : times_) {
+      timing.seconds_per_period.push_back(stats::lower_median(times).value_or(0.0));
+    }
     return timing;
   }
 

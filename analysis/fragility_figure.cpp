@@ -1,5 +1,6 @@
 #include "analysis/fragility_figure.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -18,10 +19,13 @@ constexpr int points_of_a_law = 120;
 
 stats::LognormalFragility law_from(const Json& json) {
   const Json& covariance = json.at("covariance");
-  return {.centre = json.at("centre"),
-          .intercept = json.at("intercept"),
-          .slope = json.at("slope"),
-          .covariance = {.aa = covariance.at(0), .ab = covariance.at(1), .bb = covariance.at(2)}};
+  stats::LognormalFragility law{.centre = json.at("centre"),
+                                .intercept = json.at("intercept"),
+                                .slope = json.at("slope"),
+                                .covariance = {.aa = covariance.at(0), .ab = covariance.at(1), .bb = covariance.at(2)}};
+  // Files of former versions have none: their intervals use the normal distribution.
+  if (json.contains("degrees_of_freedom")) law.degrees_of_freedom = json.at("degrees_of_freedom");
+  return law;
 }
 
 std::string name_of(const Json& curve) {
@@ -71,6 +75,44 @@ Table law_table(const Json& curve, const std::string& name) {
   return table;
 }
 
+/// Whether the curve has the isotonic estimate; files of former versions have none.
+bool is_isotonic(const Json& curve) {
+  const Json& level = curve.at("levels").front();
+  return level.contains("isotonic") && !level.at("isotonic").is_null();
+}
+
+/// Columns: intensity, next intensity, probability, low, high. Between two levels a probability that does not decrease is
+/// at least the lower end of the band at the first and at most its upper end at the second.
+Table isotonic_table(const Json& curve, const std::string& name) {
+  const std::string level = level_text(curve.at("confidence")) + " % band of all levels at once";
+  Table table{.name = "isotonic estimate of " + name,
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"next", "the next intensity"},
+                          {"isotonic", "most likely probability that does not decrease"},
+                          {"isotonic_low", "lower edge, up to the next intensity, of its " + level},
+                          {"isotonic_high", "upper edge, up to the next intensity, of it"}},
+              .rows = {}};
+  const Json& rows = curve.at("levels");
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Json& next = rows.at(std::min(i + 1, rows.size() - 1));
+    table.rows.push_back({rows.at(i).at("intensity").get<double>(), next.at("intensity").get<double>(),
+                          rows.at(i).at("isotonic").get<double>(), rows.at(i).at("band").at(0).get<double>(),
+                          next.at("band").at(1).get<double>()});
+  }
+  return table;
+}
+
+void add_isotonic(const Json& curve, const std::string& name, const Style& style, Figure& figure) {
+  const std::size_t table = figure.tables.size();
+  figure.tables.push_back(isotonic_table(curve, name));
+  Style band = style;
+  band.hatch = 0;
+  band.opacity = 0.2;
+  std::vector<Layer>& layers = figure.panels.back().layers;
+  layers.push_back({.kind = LayerKind::boxes, .table = table, .columns = {0, 1, 3, 4}, .style = band});
+  layers.push_back({.kind = LayerKind::steps, .table = table, .columns = {0, 2}, .style = style});
+}
+
 void add_curve(const Json& curve, std::size_t number, Figure& figure) {
   Panel& panel = figure.panels.back();
   const std::string name = name_of(curve).empty() ? curve.at("title").get<std::string>() : name_of(curve);
@@ -86,6 +128,7 @@ void add_curve(const Json& curve, std::size_t number, Figure& figure) {
     panel.layers.push_back({.kind = LayerKind::ribbon, .table = law, .columns = {0, 2, 3}, .style = ribbon});
     panel.layers.push_back({.kind = LayerKind::line, .table = law, .columns = {0, 1}, .style = line});
   }
+  if (is_isotonic(curve)) add_isotonic(curve, name, style, figure);
   figure.tables.push_back(level_table(curve, name));
   panel.layers.push_back({.kind = LayerKind::error_bars,
                           .table = figure.tables.size() - 1,
@@ -105,24 +148,45 @@ Panel panel_for(const Json& curve) {
 std::string value_and_interval(const Json& bounded) {
   const Json& interval = bounded.at("interval");
   return significant(bounded.at("value"), 3) + " [" + significant(interval.at(0), 3) + ", " +
-         significant(interval.at(1), 3) + ']';
+         (interval.at(1).is_null() ? "unbounded" : significant(interval.at(1), 3)) + ']';
+}
+
+std::string median_of(const Json& curve) {
+  const Json& median = curve.at("law").at("median");
+  const bool is_extrapolated = median.contains("extrapolated") && median.at("extrapolated").get<bool>();
+  return value_and_interval(median) + (is_extrapolated ? " (extrapolated beyond the levels)" : "");
 }
 
 std::string description_of(const Json& curve) {
   std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve));
+  if (is_isotonic(curve)) return text + ": the lognormal function is rejected; isotonic estimate.";
   if (curve.at("law").is_null()) return text + ": no function fitted (" + curve.at("outcome").get<std::string>() + ").";
-  return text + ": median " + value_and_interval(curve.at("law").at("median")) + ", dispersion " +
+  return text + ": median " + median_of(curve) + ", dispersion " +
          value_and_interval(curve.at("law").at("dispersion")) + '.';
+}
+
+/// How to read the lines, as far as the figure has them.
+std::string caption_of(const Json& curves) {
+  std::string caption = "Markers: share of the realisations that overturned, with its exact interval.";
+  const auto has = [&curves](const auto& is_so) {
+    return std::any_of(curves.begin(), curves.end(),
+                       [&is_so](const Json& curve) { return !curve.at("levels").empty() && is_so(curve); });
+  };
+  if (has([](const Json& curve) { return !curve.at("law").is_null(); })) {
+    caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";
+  }
+  if (has(is_isotonic)) {
+    caption +=
+        " Steps and boxes: the most likely probabilities that do not decrease, with a band for all levels at once.";
+  }
+  return caption;
 }
 
 Figure drawn(const Json& output) {
   Figure figure;
   figure.name = "fragility";
   figure.title = "Probability of overturning as a function of intensity";
-  figure.caption =
-      "Markers: share of the realisations that overturned, with its exact interval. Lines and ribbons: the lognormal "
-      "function "
-      "of maximum likelihood, with its confidence band.";
+  figure.caption = caption_of(output.at("curves"));
   std::string run;
   std::size_t number = 0;
   for (const Json& curve : output.at("curves")) {

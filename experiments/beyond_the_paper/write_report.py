@@ -142,7 +142,10 @@ def fragility_words(curves):
             a, b = max(pairs, key=lambda pair: pair[0]["estimate"] - pair[1]["estimate"])
             falls.append(f"{who(curve)}: {per_cent(a['estimate'])} % at {a['intensity']:g}, "
                          f"{per_cent(b['estimate'])} % at {b['intensity']:g}")
-    text = f"The lognormal fit misses levels of {len(missed)} of the {len(fitted)} fitted curves."
+    rejected = [c for c in curves if c["outcome"] in ("rejected", "not_monotone")]
+    text = f"The test rejects the lognormal function for {len(rejected)} of the {len(curves)} curves."
+    if fitted:
+        text += f" It misses levels of {len(missed)} of the {len(fitted)} curves for which it stands."
     if not falls:
         return text + " No curve decreases detectably."
     text += (" The probability of overturning does not always increase with the intensity. The largest decreases between levels "
@@ -157,11 +160,12 @@ def fragility_tables(curves):
         for level in curve["levels"]:
             row = [f"{level['intensity']:g}", f"{level['overturned']} of {level['realisations']}",
                    "[" + ", ".join(per_cent(end, 1) for end in level["exact"]) + "]"]
-            if curve["law"]:
-                row += [per_cent(level["fitted"], 1), "[" + ", ".join(per_cent(end, 1) for end in level["band"]) + "]"]
+            kind = "fitted" if curve["law"] else "isotonic"
+            if level.get(kind) is not None:
+                row += [per_cent(level[kind], 1), "[" + ", ".join(per_cent(end, 1) for end in level["band"]) + "]"]
             rows.append(row)
         head = [curve["parameter"].rsplit("/", 1)[1], "overturned", "exact, %"]
-        head += ["fit, %", "band, %"] if curve["law"] else []
+        head += [f"{kind}, %", "band, %"] if len(rows[0]) > len(head) else []
         parts.append(f"<details><summary>{curve['title']}</summary>\n\n{table(head, rows)}\n\n</details>")
     return "\n\n".join(parts)
 

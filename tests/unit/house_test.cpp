@@ -37,7 +37,8 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"realisation", {"base", "random", "dynamics", "integrate", "lanes", "section", "scene"}},
     {"store", {"base", "random", "dynamics", "section", "scene", "realisation"}},
     {"ensemble", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store"}},
-    {"studies", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
+    {"studies",
+     {"base", "random", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
     {"text", {"base", "stats"}},  // its intervals
     {"input", {"base", "dynamics", "section", "text", "scene"}},
     {"output",

@@ -20,6 +20,7 @@ enum class Source : std::uint8_t {
   check_normal = 9,
   block_width = 10,
   block_height = 11,
+  fragility_bootstrap = 12,
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Source source) {
@@ -35,6 +36,7 @@ enum class Source : std::uint8_t {
     case Source::check_normal: return "check_normal";
     case Source::block_width: return "block_width";
     case Source::block_height: return "block_height";
+    case Source::fragility_bootstrap: return "fragility_bootstrap";
   }
   return {};
 }

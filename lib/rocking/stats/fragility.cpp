@@ -3,109 +3,25 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+#include <map>
 
 #include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/students_t.hpp>
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
+#include "rocking/stats/probit.hpp"
 
 namespace rocking::stats {
 namespace {
 
-constexpr int most_steps = 100;
-
 // A slope that is not significantly positive, or a dispersion of powers of ten, is reported as no law: its median would
 // be arbitrary.
-constexpr double least_standard_errors = 2.0;
+constexpr double least_confidence = 0.95;
 constexpr double largest_dispersion = 10.0;
 
-/// Contribution of one trial to the log-likelihood, as a function of eta = a + b u.
-struct Term {
-  double value = 0.0;
-  double slope = 0.0;      ///< first derivative
-  double curvature = 0.0;  ///< minus the second derivative: >= 0
-};
-
-/// ln Phi(eta) and its derivatives; for a trial without the event those at -eta, with the opposite slope.
-Term term_of(bool happened, double eta) {
-  const double side = happened ? 1.0 : -1.0;
-  const double z = side * eta;
-  const double value = log_normal_cdf(z);
-  const double hazard = std::exp(-0.5 * z * z - value) / std::sqrt(2.0 * std::numbers::pi);
-  return {.value = value, .slope = side * hazard, .curvature = std::max(0.0, hazard * (z + hazard))};
-}
-
-/// A symmetric 2 x 2 matrix.
-struct Matrix {
-  double aa = 0.0, ab = 0.0, bb = 0.0;
-
-  void add_square(double a, double b, double weight) {
-    aa += weight * a * a;
-    ab += weight * a * b;
-    bb += weight * b * b;
-  }
-  [[nodiscard]] Matrix inverse() const {
-    const double determinant = aa * bb - ab * ab;
-    return {.aa = bb / determinant, .ab = -ab / determinant, .bb = aa / determinant};
-  }
-  [[nodiscard]] std::array<double, 2> times(double a, double b) const { return {aa * a + ab * b, ab * a + bb * b}; }
-};
-
-struct Likelihood {
-  double value = 0.0;
-  double a = 0.0, b = 0.0;  ///< first derivatives
-  Matrix information;       ///< minus the second derivatives
-};
-
-struct Level {
-  double u = 0.0;
-  double happened = 0.0;
-  double did_not = 0.0;
-};
-
-Likelihood likelihood_at(const std::vector<Level>& levels, double a, double b) {
-  Likelihood sum;
-  for (const Level& level : levels) {
-    for (const bool happened : {true, false}) {
-      const double trials = happened ? level.happened : level.did_not;
-      if (trials == 0.0) continue;
-      const Term term = term_of(happened, a + b * level.u);
-      sum.value += trials * term.value;
-      sum.a += trials * term.slope;
-      sum.b += trials * term.slope * level.u;
-      sum.information.add_square(1.0, level.u, trials * term.curvature);
-    }
-  }
-  return sum;
-}
-
-/// The (a, b) of the maximum likelihood, which must exist. A Newton step is halved until the likelihood increases. Near
-/// the maximum, where rounding would hide the increase, full steps are taken; the method converges there without
-/// halving.
-std::array<double, 2> largest_likelihood(const std::vector<Level>& levels) {
-  double a = 0.0;
-  double b = 0.0;
-  Likelihood here = likelihood_at(levels, a, b);
-  for (int step = 0; step < most_steps; ++step) {
-    const auto [da, db] = here.information.inverse().times(here.a, here.b);
-    const bool is_near = here.a * da + here.b * db < 1e-6;
-    double length = 1.0;
-    Likelihood there = likelihood_at(levels, a + da, b + db);
-    while (!is_near && !(there.value > here.value) && length > 1e-9) {  // also true for NaN
-      length *= 0.5;
-      there = likelihood_at(levels, a + length * da, b + length * db);
-    }
-    a += length * da;
-    b += length * db;
-    here = there;
-    if (std::max(std::abs(da), std::abs(db)) <= 1e-13 * (1.0 + std::abs(a) + std::abs(b))) break;
-  }
-  return {a, b};
-}
-
-std::vector<Level> counted(const std::vector<IntensityLevel>& levels, double centre) {
-  std::vector<Level> counts;
+std::vector<ProbitCounts> counted(const std::vector<IntensityLevel>& levels, double centre) {
+  std::vector<ProbitCounts> counts;
   for (const IntensityLevel& level : levels) {
     const Proportion found = proportion_at(level);
     counts.push_back({.u = std::log(level.intensity) - centre,
@@ -115,35 +31,27 @@ std::vector<Level> counted(const std::vector<IntensityLevel>& levels, double cen
   return counts;
 }
 
-bool are_one_intensity(const std::vector<Level>& levels) {
-  return std::all_of(levels.begin(), levels.end(), [&](const Level& level) { return level.u == levels.front().u; });
+bool are_one_intensity(const std::vector<ProbitCounts>& counts) {
+  return std::all_of(counts.begin(), counts.end(),
+                     [&](const ProbitCounts& level) { return level.u == counts.front().u; });
+}
+
+/// Whether at every level all trials have one outcome.
+bool vary_nowhere(const std::vector<ProbitCounts>& counts) {
+  return std::all_of(counts.begin(), counts.end(),
+                     [](const ProbitCounts& level) { return level.happened == 0.0 || level.did_not == 0.0; });
 }
 
 /// Whether the likelihood has a maximum, and if not, why. The slope at the maximum may still be negative.
-FragilityOutcome outcome_of(const std::vector<Level>& levels) {
-  // The lowest and highest level with an event, and the lowest and highest level without one.
-  double first = INFINITY, last = -INFINITY, first_not = INFINITY, last_not = -INFINITY;
-  for (const Level& level : levels) {
-    if (level.happened > 0.0) {
-      first = std::min(first, level.u);
-      last = std::max(last, level.u);
-    }
-    if (level.did_not > 0.0) {
-      first_not = std::min(first_not, level.u);
-      last_not = std::max(last_not, level.u);
-    }
+FragilityOutcome outcome_of(const std::vector<ProbitCounts>& counts) {
+  switch (shape_of(counts)) {
+    case ProbitShape::never_happened: return FragilityOutcome::never_happened;
+    case ProbitShape::always_happened: return FragilityOutcome::always_happened;
+    case ProbitShape::rising_step: return FragilityOutcome::separated;
+    case ProbitShape::falling_step: return FragilityOutcome::does_not_rise;
+    case ProbitShape::has_maximum: break;
   }
-  if (last < first) return FragilityOutcome::never_happened;
-  if (last_not < first_not) return FragilityOutcome::always_happened;
-  if (last_not <= first && first_not < last) return FragilityOutcome::separated;
-  if (last <= first_not) return FragilityOutcome::does_not_rise;
-  return FragilityOutcome::fitted;
-}
-
-std::size_t trial_numbers(const std::vector<IntensityLevel>& levels) {
-  std::size_t numbers = 0;
-  for (const IntensityLevel& level : levels) numbers = std::max(numbers, level.happened.size());
-  return numbers;
+  return vary_nowhere(counts) ? FragilityOutcome::no_scatter : FragilityOutcome::fitted;
 }
 
 /// Derivatives of the log-likelihood of a trial number by (a, b), summed over the levels.
@@ -155,8 +63,10 @@ std::vector<Score> scores_of(const std::vector<IntensityLevel>& levels, const Lo
   std::vector<Score> scores(trial_numbers(levels));
   for (const IntensityLevel& level : levels) {
     const double u = std::log(level.intensity) - law.centre;
+    const std::array<double, 2> slopes{probit_term(false, law.intercept + law.slope * u).slope,
+                                       probit_term(true, law.intercept + law.slope * u).slope};
     for (std::size_t j = 0; j < level.happened.size(); ++j) {
-      const double slope = term_of(level.happened[j], law.intercept + law.slope * u).slope;
+      const double slope = slopes[level.happened[j] ? 1 : 0];
       scores[j].a += slope;
       scores[j].b += slope * u;
     }
@@ -186,8 +96,8 @@ bool are_on_a_line(const std::vector<Score>& scores) {
 }
 
 /// Sum of the squares of the scores, with the correction for a small number of them.
-Matrix evidence(const std::vector<Score>& scores) {
-  Matrix sum;
+SymmetricMatrix evidence(const std::vector<Score>& scores) {
+  SymmetricMatrix sum;
   for (const Score& score : scores) sum.add_square(score.a, score.b, 1.0);
   const auto numbers = static_cast<double>(scores.size());
   const double correction = numbers / (numbers - 1.0);
@@ -195,22 +105,34 @@ Matrix evidence(const std::vector<Score>& scores) {
 }
 
 /// The product bread filling bread.
-Matrix sandwich(const Matrix& bread, const Matrix& filling) {
+SymmetricMatrix sandwich(const SymmetricMatrix& bread, const SymmetricMatrix& filling) {
   const auto [pa, pb] = filling.times(bread.aa, bread.ab);
   const auto [qa, qb] = filling.times(bread.ab, bread.bb);
   return {
       .aa = bread.aa * pa + bread.ab * pb, .ab = bread.aa * qa + bread.ab * qb, .bb = bread.ab * qa + bread.bb * qb};
 }
 
-double normal_quantile(double confidence) {
-  return quantile(complement(boost::math::normal_distribution<double>(), 0.5 * (1.0 - confidence)));
+/// Number of trial numbers whose outcomes differ from the most frequent ones.
+std::size_t differing_numbers(const std::vector<IntensityLevel>& levels) {
+  std::map<std::vector<bool>, std::size_t> times;
+  const std::size_t numbers = trial_numbers(levels);
+  std::size_t most = 0;
+  for (std::size_t j = 0; j < numbers; ++j) {
+    std::vector<bool> outcomes;
+    for (const IntensityLevel& level : levels) {
+      outcomes.push_back(j < level.happened.size());
+      outcomes.push_back(j < level.happened.size() && level.happened[j]);
+    }
+    most = std::max(most, ++times[outcomes]);
+  }
+  return numbers - most;
 }
 
-/// exp(logarithm), with the interval given by the variance of the logarithm.
-Bounded by_logarithm(double logarithm, double variance, double confidence) {
-  const double reach = normal_quantile(confidence) * std::sqrt(std::max(0.0, variance));
-  return {.value = std::exp(logarithm),
-          .interval = {.low = std::exp(logarithm - reach), .high = std::exp(logarithm + reach)}};
+/// Half-width of a two-sided interval in standard errors.
+double reach_of(double confidence, double degrees_of_freedom) {
+  const double tail = 0.5 * (1.0 - confidence);
+  if (std::isinf(degrees_of_freedom)) return quantile(complement(boost::math::normal_distribution<double>(), tail));
+  return quantile(complement(boost::math::students_t_distribution<double>(degrees_of_freedom), tail));
 }
 
 }  // namespace
@@ -220,6 +142,12 @@ Proportion proportion_at(const IntensityLevel& level) {
           .trials = level.happened.size()};
 }
 
+std::size_t trial_numbers(const std::vector<IntensityLevel>& levels) {
+  std::size_t numbers = 0;
+  for (const IntensityLevel& level : levels) numbers = std::max(numbers, level.happened.size());
+  return numbers;
+}
+
 double LognormalFragility::probability(double intensity) const {
   return normal_cdf(intercept + slope * (std::log(intensity) - centre));
 }
@@ -227,48 +155,55 @@ double LognormalFragility::probability(double intensity) const {
 Interval LognormalFragility::band(double intensity, double confidence) const {
   const double u = std::log(intensity) - centre;
   const double variance = covariance.aa + 2.0 * u * covariance.ab + u * u * covariance.bb;
-  const double reach = normal_quantile(confidence) * std::sqrt(std::max(0.0, variance));
+  const double reach = reach_of(confidence, degrees_of_freedom) * std::sqrt(std::max(0.0, variance));
   const double eta = intercept + slope * u;
   return {.low = normal_cdf(eta - reach), .high = normal_cdf(eta + reach)};
 }
 
+// (a + b u)^2 <= q^2 var(a + b u), a quadratic in u: c u^2 + 2 h u + k <= 0.
 Bounded LognormalFragility::median(double confidence) const {
-  // d(-a/b) = (-da + (a/b) db)/b
-  const double ratio = intercept / slope;
-  const double variance =
-      (covariance.aa - 2.0 * ratio * covariance.ab + ratio * ratio * covariance.bb) / (slope * slope);
-  return by_logarithm(centre - ratio, variance, confidence);
+  const double q = reach_of(confidence, degrees_of_freedom);
+  const double c = slope * slope - q * q * covariance.bb;
+  const double h = intercept * slope - q * q * covariance.ab;
+  const double k = intercept * intercept - q * q * covariance.aa;
+  Bounded found{.value = std::exp(centre - intercept / slope),
+                .interval = {.low = 0.0, .high = std::numeric_limits<double>::infinity()}};
+  if (!(c > 0.0)) return found;
+  const double root = std::sqrt(std::max(0.0, h * h - c * k));
+  found.interval = {.low = std::exp(centre + (-h - root) / c), .high = std::exp(centre + (-h + root) / c)};
+  return found;
 }
 
 Bounded LognormalFragility::dispersion(double confidence) const {
-  return by_logarithm(-std::log(slope), covariance.bb / (slope * slope), confidence);
+  const double reach = reach_of(confidence, degrees_of_freedom) * std::sqrt(covariance.bb) / slope;
+  return {.value = 1.0 / slope, .interval = {.low = std::exp(-reach) / slope, .high = std::exp(reach) / slope}};
 }
 
-FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels) {
+FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels, double confidence) {
   ROCKING_EXPECT(!levels.empty());
   LognormalFragility law;
   for (const IntensityLevel& level : levels) {
     ROCKING_EXPECT(level.intensity > 0.0 && !level.happened.empty());
     law.centre += std::log(level.intensity) / static_cast<double>(levels.size());
   }
-  const std::vector<Level> counts = counted(levels, law.centre);
+  const std::vector<ProbitCounts> counts = counted(levels, law.centre);
   if (are_one_intensity(counts) || trial_numbers(levels) < 2) {
     return {.outcome = FragilityOutcome::too_little, .law = std::nullopt};
   }
   if (const FragilityOutcome outcome = outcome_of(counts); outcome != FragilityOutcome::fitted) {
     return {.outcome = outcome, .law = std::nullopt};
   }
-  const auto [a, b] = largest_likelihood(counts);
+  const auto [a, b] = most_likely_line(counts);
   law.intercept = a;
   law.slope = b;
   if (!(b > 1.0 / largest_dispersion)) return {.outcome = FragilityOutcome::does_not_rise, .law = std::nullopt};
   const std::vector<Score> scores = scores_of(levels, law);
   if (are_on_a_line(scores)) return {.outcome = FragilityOutcome::no_scatter, .law = std::nullopt};
-  const Matrix found = sandwich(likelihood_at(counts, a, b).information.inverse(), evidence(scores));
+  const SymmetricMatrix found = sandwich(probit_likelihood(counts, a, b).information.inverse(), evidence(scores));
   law.covariance = {.aa = found.aa, .ab = found.ab, .bb = found.bb};
-  if (!(b > least_standard_errors * std::sqrt(found.bb))) {
-    return {.outcome = FragilityOutcome::does_not_rise, .law = std::nullopt};
-  }
+  law.degrees_of_freedom = static_cast<double>(differing_numbers(levels)) - 1.0;
+  const double reach = reach_of(std::max(confidence, least_confidence), law.degrees_of_freedom);
+  if (!(b > reach * std::sqrt(found.bb))) return {.outcome = FragilityOutcome::does_not_rise, .law = std::nullopt};
   return {.outcome = FragilityOutcome::fitted, .law = law};
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -20,15 +21,20 @@ struct IntensityLevel {
 /// Count of the trials at this level whose event happened.
 [[nodiscard]] Proportion proportion_at(const IntensityLevel& level);
 
+/// Number of trial numbers: the largest number of trials at a level.
+[[nodiscard]] std::size_t trial_numbers(const std::vector<IntensityLevel>& levels);
+
 /// Whether a fragility function could be fitted, and why not.
 enum class FragilityOutcome : std::uint8_t {
   fitted,
   never_happened,   ///< at no intensity: only a lower bound of the median is known
   always_happened,  ///< at every intensity: only an upper bound of the median is known
   separated,  ///< never below some intensity, always above: the dispersion may be 0 and the likelihood has no maximum
-  does_not_rise,  ///< the frequency rises with the intensity by less than two standard errors, or the dispersion exceeds 10
-  no_scatter,  ///< outcomes of different trial numbers vary in one way at most: the covariance would be singular
-  too_little,  ///< fewer than two intensities, or at most one trial at each
+  does_not_rise,  ///< the slope does not exceed 0 by the half-width of its interval, or the dispersion exceeds 10
+  no_scatter,     ///< outcomes of different trial numbers vary in one way at most: the covariance would be singular
+  too_little,     ///< fewer than two intensities, or at most one trial at each
+  rejected,       ///< the test of fit rejects the lognormal law
+  not_monotone,   ///< the shares contradict every probability that does not decrease with the intensity
 };
 
 /// A value with its confidence interval.
@@ -50,15 +56,20 @@ struct LognormalFragility {
   struct {
     double aa = 0.0, ab = 0.0, bb = 0.0;
   } covariance;
+  /// Of Student's distribution, whose quantiles the intervals use: one less than the trial numbers whose outcomes
+  /// differ from the most frequent ones, since only these inform on the covariance. Infinite: the normal distribution.
+  double degrees_of_freedom = std::numeric_limits<double>::infinity();
 
   /// Probability at an intensity > 0.
   [[nodiscard]] double probability(double intensity) const;
-  /// Confidence interval of the probability at this intensity alone: Phi of a + b u -+ z standard errors (delta
+  /// Confidence interval of the probability at this intensity alone: Phi of a + b u -+ t standard errors (delta
   /// method).
   [[nodiscard]] Interval band(double intensity, double confidence) const;
-  /// exp(centre - a/b); its interval is that of its logarithm by the delta method.
+  /// exp(centre - a/b). Its interval holds the intensities at which the band contains 1/2 (Fieller 1954, J. R. Stat.
+  /// Soc. B 16, 175-185); it is [0, infinity] if the slope does not differ from 0 at this confidence.
   [[nodiscard]] Bounded median(double confidence) const;
-  /// 1/b, the standard deviation of the logarithm of the capacity; interval as for the median.
+  /// 1/b, the standard deviation of the logarithm of the capacity; its interval is that of its logarithm by the delta
+  /// method.
   [[nodiscard]] Bounded dispersion(double confidence) const;
 };
 
@@ -67,8 +78,9 @@ struct FragilityFit {
   std::optional<LognormalFragility> law;  ///< present if and only if the outcome is `fitted`
 };
 
-/// Fits the law. Needs at least one level, and at least one trial at each. Newton's method on a concave likelihood;
+/// Fits the law; its outcome is none of `rejected` and `not_monotone`. Needs at least one level, and at least one trial
+/// at each. The slope must differ from 0 at this confidence, and at 95 %. Newton's method on a concave likelihood;
 /// converges to rounding accuracy.
-[[nodiscard]] FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels);
+[[nodiscard]] FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels, double confidence = 0.95);
 
 }  // namespace rocking::stats

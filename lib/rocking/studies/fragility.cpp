@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "rocking/base/error.hpp"
+#include "rocking/random/draws.hpp"
+#include "rocking/stats/isotonic.hpp"
 
 namespace rocking {
 namespace {
@@ -102,6 +104,44 @@ FragilityLevel level_of(const stats::IntensityLevel& data, const FragilityCurve&
   return level;
 }
 
+stats::BootstrapNumbers bootstrap_numbers(std::uint64_t seed) {
+  return [seed](std::uint64_t sample, std::uint64_t number) {
+    const random::Draws draws(seed, sample);
+    return std::array{draws.uniform(random::Source::fragility_bootstrap, 2 * number),
+                      draws.uniform(random::Source::fragility_bootstrap, 2 * number + 1)};
+  };
+}
+
+void reject(FragilityCurve& curve, stats::FragilityOutcome outcome) {
+  curve.fit = {.outcome = outcome, .law = std::nullopt};
+}
+
+/// Tests the fitted function, and removes it if it is rejected.
+void test_fit(const std::vector<stats::IntensityLevel>& levels, std::uint64_t seed, FragilityCurve& curve) {
+  if (!curve.fit.law) return;
+  curve.test = stats::lack_of_fit(levels, *curve.fit.law, fragility_samples, bootstrap_numbers(seed));
+  std::vector<stats::Proportion> counts;
+  for (const stats::IntensityLevel& level : levels) counts.push_back(stats::proportion_at(level));
+  if (!stats::isotonic_band(counts, curve.confidence)) {
+    reject(curve, stats::FragilityOutcome::not_monotone);
+  } else if (curve.test->p_value <= fragility_significance) {
+    reject(curve, stats::FragilityOutcome::rejected);
+  }
+}
+
+/// Gives the levels of a curve whose function was rejected their isotonic estimates. Where pooling moves an estimate out
+/// of the intervals of probabilities that do not decrease, the nearest end is the estimate.
+void set_isotonic(FragilityCurve& curve) {
+  if (curve.fit.outcome != stats::FragilityOutcome::rejected) return;
+  std::vector<stats::Proportion> counts;
+  for (const FragilityLevel& level : curve.levels) counts.push_back(level.overturned);
+  const std::vector<double> values = stats::isotonic_regression(counts);
+  const std::vector<stats::Interval> band = stats::isotonic_band(counts, curve.confidence).value();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    curve.levels[i].isotonic = std::clamp(values[i], band[i].low, band[i].high);
+  }
+}
+
 }  // namespace
 
 std::size_t FragilityCurve::missed_levels() const {
@@ -109,11 +149,18 @@ std::size_t FragilityCurve::missed_levels() const {
       levels, [](const FragilityLevel& level) { return level.fitted && level.fitted->is_missed; }));
 }
 
-FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence) {
+bool FragilityCurve::is_extrapolated(double intensity) const {
+  return intensity < levels.front().intensity || levels.back().intensity < intensity;
+}
+
+FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence,
+                               std::uint64_t seed) {
   FragilityCurve curve;
   curve.confidence = confidence;
-  curve.fit = stats::fit_lognormal(levels);
+  curve.fit = stats::fit_lognormal(levels, confidence);
+  test_fit(levels, seed, curve);
   for (const stats::IntensityLevel& level : levels) curve.levels.push_back(level_of(level, curve, levels.size()));
+  set_isotonic(curve);
   return curve;
 }
 
@@ -131,7 +178,7 @@ std::vector<FragilityCurve> fragility(const Experiment& experiment, const Store&
   std::vector<FragilityCurve> curves;
   for (Curve& found : curves_of(experiment, store, intensity)) {
     std::ranges::stable_sort(found.levels, {}, &stats::IntensityLevel::intensity);
-    FragilityCurve& curve = curves.emplace_back(fragility_curve(found.levels, found.confidence));
+    FragilityCurve& curve = curves.emplace_back(fragility_curve(found.levels, found.confidence, experiment.seed));
     curve.parameter = intensity;
     curve.others = std::move(found.others);
   }

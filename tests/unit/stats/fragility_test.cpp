@@ -21,6 +21,9 @@ std::vector<bool> trials_in(const std::string& text) {
   return happened;
 }
 
+/// The trials of a text, five times.
+std::string five_of(const std::string& trials) { return trials + trials + trials + trials + trials; }
+
 /// Levels at intensities 1, 2, 3, ...
 std::vector<IntensityLevel> levels_of(const std::vector<std::string>& happened) {
   std::vector<IntensityLevel> levels;
@@ -55,7 +58,7 @@ TEST(Fragility, AgreesWithStatsmodelsOnLawAndCovariance) {
 }
 
 TEST(Fragility, GoesThroughTwoSharesAtTwoIntensities) {
-  const auto levels = levels_of({"1000000000", "1111100000"});
+  const auto levels = levels_of({five_of("1000000000"), five_of("1111100000")});
   const auto law = fit_lognormal(levels).law;
   ASSERT_TRUE(law);
   EXPECT_NEAR(law->probability(1.0), 0.1, 1e-12);
@@ -65,7 +68,7 @@ TEST(Fragility, GoesThroughTwoSharesAtTwoIntensities) {
 }
 
 TEST(Fragility, ChangesItsMedianAloneWithTheUnitOfTheIntensity) {
-  auto levels = levels_of({"1000000000", "1101000000", "1111101100"});
+  auto levels = levels_of({five_of("1000000000"), five_of("1101000000"), five_of("1111101100")});
   const auto law = fit_lognormal(levels).law;
   for (IntensityLevel& level : levels) level.intensity *= 1000.0;
   const auto scaled = fit_lognormal(levels).law;
@@ -74,6 +77,49 @@ TEST(Fragility, ChangesItsMedianAloneWithTheUnitOfTheIntensity) {
   EXPECT_NEAR(scaled->median(0.9).interval.high, 1000.0 * law->median(0.9).interval.high, 1e-8);
   EXPECT_NEAR(scaled->dispersion(0.9).value, law->dispersion(0.9).value, 1e-11);
   EXPECT_NEAR(scaled->band(2500.0, 0.9).low, law->band(2.5, 0.9).low, 1e-11);
+}
+
+// The median's interval holds the intensities at which the band contains 1/2.
+TEST(Fragility, HasTheMediansIntervalWhereItsBandReachesAHalf) {
+  for (const auto& happened :
+       {std::vector<std::string>{five_of("1000000000"), five_of("1101000000"), five_of("1111101100")},
+        std::vector<std::string>{five_of("0000000000"), five_of("1000000000"), five_of("1101000000")}}) {
+    const auto law = fit_lognormal(levels_of(happened)).law;
+    ASSERT_TRUE(law);
+    const Bounded median = law->median(0.95);
+    EXPECT_NEAR(law->band(median.interval.low, 0.95).high, 0.5, 1e-12);
+    EXPECT_NEAR(law->band(median.interval.high, 0.95).low, 0.5, 1e-12);
+    EXPECT_LT(median.interval.low, median.value);
+    EXPECT_GT(median.interval.high, median.value);
+    EXPECT_TRUE(std::isinf(law->median(1.0 - 1e-12).interval.high)) << "the slope may be 0 at this confidence";
+  }
+}
+
+TEST(Fragility, HasADegreeOfFreedomForEachTrialThatDiffersButOne) {
+  const auto law = fit_lognormal(levels_of({"0000000000"
+                                            "0000000000"
+                                            "1000000000",
+                                            "0000000000"
+                                            "0011111111"
+                                            "1111111111",
+                                            "0000000001"
+                                            "1111111111"
+                                            "1111111111"}))
+                       .law;
+  ASSERT_TRUE(law);
+  EXPECT_EQ(law->degrees_of_freedom, 13.0 - 1.0) << "17 of 30 trials do the same";
+  LognormalFragility normal = *law;
+  normal.degrees_of_freedom = INFINITY;
+  EXPECT_NEAR(std::log(normal.dispersion(0.95).interval.high / normal.dispersion(0.95).value) / 1.959963984540054,
+              std::sqrt(normal.covariance.bb) / normal.slope, 1e-12);
+  EXPECT_NEAR(std::log(law->dispersion(0.95).interval.high / law->dispersion(0.95).value) / 2.178812829663418,
+              std::sqrt(law->covariance.bb) / law->slope, 1e-12);
+}
+
+TEST(Fragility, NeedsASlopeThatDiffersFromZeroAtItsConfidence) {
+  const auto levels = levels_of({five_of("1000000000"), five_of("1101000000")});
+  EXPECT_EQ(fit_lognormal(levels, 0.95).outcome, FragilityOutcome::fitted);
+  EXPECT_EQ(fit_lognormal(levels, 0.9999).outcome, FragilityOutcome::does_not_rise);
 }
 
 TEST(Fragility, IsNamedWhereThereIsNoLaw) {

@@ -14,9 +14,12 @@ stats::IntensityLevel level(double intensity, std::size_t successes, std::size_t
   return made;
 }
 
+constexpr std::uint64_t seed = 0x2012;
+
 TEST(FragilityCurve, StatesEstimateAndIntervalsAtEachLevel) {
   constexpr double confidence = 0.9;
-  const FragilityCurve curve = fragility_curve({level(1.0, 5, 20), level(2.0, 12, 20), level(3.0, 18, 20)}, confidence);
+  const FragilityCurve curve =
+      fragility_curve({level(1.0, 5, 20), level(2.0, 12, 20), level(3.0, 18, 20)}, confidence, seed);
   ASSERT_EQ(curve.levels.size(), 3U);
   const FragilityLevel& middle = curve.levels[1];
   const stats::Proportion counts{.successes = 12, .trials = 20};
@@ -29,22 +32,101 @@ TEST(FragilityCurve, StatesEstimateAndIntervalsAtEachLevel) {
   ASSERT_TRUE(middle.fitted.has_value());
   EXPECT_EQ(middle.fitted->value, curve.fit.law->probability(2.0));
   EXPECT_EQ(middle.fitted->band.low, curve.fit.law->band(2.0, confidence).low);
+  EXPECT_FALSE(middle.isotonic.has_value());
   EXPECT_EQ(curve.missed_levels(), 0U);
+  ASSERT_TRUE(curve.test.has_value());
+  EXPECT_GT(curve.test->p_value, 0.2);
+  EXPECT_EQ(curve.test->samples, fragility_samples);
 }
 
-// Of 400 trials at each level: the share falls where the function can only rise, so its dispersion is too large at the
-// ends.
-TEST(FragilityCurve, CountsLevelsThatTheFunctionMisses) {
+TEST(FragilityCurve, RepeatsItsTestWithTheSeed) {
+  const std::vector<stats::IntensityLevel> levels{level(1.0, 15, 100), level(2.0, 40, 100), level(3.0, 75, 100)};
+  const auto test = [&levels](std::uint64_t chosen) { return fragility_curve(levels, 0.95, chosen).test.value(); };
+  EXPECT_EQ(test(seed).as_large, test(seed).as_large);
+  EXPECT_NE(test(seed).as_large, test(seed + 1).as_large);
+}
+
+TEST(FragilityCurve, KnowsWhichIntensitiesAreExtrapolated) {
   const FragilityCurve curve =
-      fragility_curve({level(1.0, 40, 400), level(2.0, 280, 400), level(3.0, 120, 400), level(4.0, 360, 400)}, 0.95);
+      fragility_curve({level(1.0, 5, 100), level(2.0, 20, 100), level(3.0, 42, 100)}, 0.95, seed);
   ASSERT_TRUE(curve.fit.law.has_value());
-  EXPECT_EQ(curve.missed_levels(), 4U);
-  EXPECT_TRUE(curve.levels[1].fitted->is_missed) << "0.70 is above the function";
-  EXPECT_TRUE(curve.levels[2].fitted->is_missed) << "0.30 is below the function";
+  const double median = curve.fit.law->median(0.95).value;
+  EXPECT_GT(median, 3.0);
+  EXPECT_TRUE(curve.is_extrapolated(median));
+  EXPECT_TRUE(curve.is_extrapolated(0.99));
+  EXPECT_FALSE(curve.is_extrapolated(1.0));
+  EXPECT_FALSE(curve.is_extrapolated(3.0));
+}
+
+// The shares stand still between two rises, which no lognormal function does.
+TEST(FragilityCurve, ReplacesARejectedFunctionByTheIsotonicEstimate) {
+  const FragilityCurve curve = fragility_curve(
+      {level(1.0, 2, 100), level(2.0, 50, 100), level(3.0, 54, 100), level(4.0, 46, 100), level(5.0, 98, 100)}, 0.95,
+      seed);
+  EXPECT_EQ(curve.fit.outcome, stats::FragilityOutcome::rejected);
+  EXPECT_FALSE(curve.fit.law.has_value());
+  EXPECT_EQ(curve.test.value().as_large, 0U);
+  const std::vector<double> pooled{0.02, 0.5, 0.5, 0.5, 0.98};
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_FALSE(curve.levels[i].fitted.has_value());
+    ASSERT_TRUE(curve.levels[i].isotonic.has_value());
+    EXPECT_EQ(*curve.levels[i].isotonic, pooled[i]);
+  }
+}
+
+// The pooled share of the later levels lies below what the second level excludes.
+TEST(FragilityCurve, KeepsTheIsotonicEstimateWithinTheSimultaneousIntervals) {
+  std::vector<stats::IntensityLevel> levels{level(1.0, 0, 100), level(2.0, 68, 100)};
+  for (int i = 0; i < 20; ++i) levels.push_back(level(3.0 + i, 50, 100));
+  levels.push_back(level(30.0, 100, 100));
+  const FragilityCurve curve = fragility_curve(levels, 0.95, seed);
+  ASSERT_EQ(curve.fit.outcome, stats::FragilityOutcome::rejected);
+  double last = 0.0;
+  for (const FragilityLevel& level : curve.levels) {
+    EXPECT_LE(level.simultaneous.low, level.isotonic.value());
+    EXPECT_LE(level.isotonic.value(), level.simultaneous.high);
+    EXPECT_GE(*level.isotonic, last);
+    last = *level.isotonic;
+  }
+  EXPECT_EQ(curve.levels[1].isotonic, curve.levels[1].simultaneous.low);
+}
+
+// Of 400 trials at each level: the share falls where the function can only rise.
+TEST(FragilityCurve, GivesTheLevelsAloneWhereTheSharesFall) {
+  const FragilityCurve curve = fragility_curve(
+      {level(1.0, 40, 400), level(2.0, 280, 400), level(3.0, 120, 400), level(4.0, 360, 400)}, 0.95, seed);
+  EXPECT_EQ(curve.fit.outcome, stats::FragilityOutcome::not_monotone);
+  EXPECT_FALSE(curve.fit.law.has_value());
+  EXPECT_TRUE(curve.test.has_value());
+  for (const FragilityLevel& level : curve.levels) EXPECT_FALSE(level.fitted || level.isotonic);
+}
+
+// Levels 1.00 to 1.20 of a recorded excitation: the outcome changes several times as the intensity grows, and all
+// realisations have the same outcome.
+TEST(FragilityCurve, InventsNothingWhereEveryLevelIsZeroOrAHundredPerCent) {
+  for (const std::size_t trials : {2U, 12U, 500U}) {
+    for (const unsigned pattern :
+         {0b1'1111'1111'1110'0110'0000U, 0b1'0101'0101'0101'0101'0101U, 0b0'0000'0000'0000'0001U,
+          0b1'1111'1111'1111'0000'0000U, 0U, 0b1'1111'1111'1111'1111'1111U}) {
+      std::vector<stats::IntensityLevel> levels;
+      for (unsigned i = 0; i <= 20; ++i) {
+        levels.push_back(level(1.0 + 0.01 * i, (pattern >> i & 1U) != 0 ? trials : 0, trials));
+      }
+      const FragilityCurve curve = fragility_curve(levels, 0.95, seed);
+      EXPECT_NE(curve.fit.outcome, stats::FragilityOutcome::fitted) << pattern;
+      EXPECT_FALSE(curve.fit.law.has_value());
+      EXPECT_FALSE(curve.test.has_value());
+      ASSERT_EQ(curve.levels.size(), 21U);
+      for (const FragilityLevel& found : curve.levels) {
+        EXPECT_LT(found.exact.low, found.exact.high);
+        EXPECT_FALSE(found.fitted || found.isotonic);
+      }
+    }
+  }
 }
 
 TEST(FragilityCurve, HasNoFittedProbabilityWithoutAFit) {
-  const FragilityCurve curve = fragility_curve({level(1.0, 0, 20), level(2.0, 0, 20)}, 0.95);
+  const FragilityCurve curve = fragility_curve({level(1.0, 0, 20), level(2.0, 0, 20)}, 0.95, seed);
   EXPECT_FALSE(curve.levels[0].fitted.has_value());
   EXPECT_EQ(curve.missed_levels(), 0U);
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "rocking/stats/fragility.hpp"
+
+namespace rocking::stats {
+
+/// Test of the lognormal law against a probability of its own at each level.
+struct LackOfFit {
+  double deviance = 0.0;       ///< twice the difference of the log-likelihoods (probit_deviance)
+  std::uint64_t samples = 0;   ///< bootstrap samples
+  std::uint64_t as_large = 0;  ///< those whose deviance is at least as large
+  double p_value = 1.0;        ///< (as_large + 1)/(samples + 1)
+};
+
+/// Two independent uniform numbers in [0, 1) that belong to trial `number` of bootstrap sample `sample`. A pure function
+/// of both, so that the test repeats to the bit.
+using BootstrapNumbers = std::function<std::array<double, 2>(std::uint64_t sample, std::uint64_t number)>;
+
+/// Tests the law by its deviance. `levels` are those to which it was fitted.
+///
+/// Trials with one number depend on each other across the levels in an unknown way, so the deviance has no chi-squared
+/// distribution. Its distribution under the law is found by a bootstrap whose probabilities are those of the law and
+/// whose dependence is that of the data: a sample draws trial numbers with replacement. The outcomes of a drawn number
+/// correspond to a uniform number at each level, in [0, k/n) if the event happened and in [k/n, 1) if not; its place
+/// within that range is one more random number for all levels. The event happens in the sample where this number is
+/// less than the probability by the law. The law is fitted to each sample anew. Source: Davison & Hinkley (1997),
+/// Bootstrap Methods and their Application, section 4.4 (tests by parametric bootstrap); Rueschendorf (2009), J. Stat.
+/// Plan. Inference 139, 3921-3927 (distributional transform).
+///
+/// Cost: samples x (trials + one fit).
+[[nodiscard]] LackOfFit lack_of_fit(const std::vector<IntensityLevel>& levels, const LognormalFragility& law,
+                                    std::uint64_t samples, const BootstrapNumbers& numbers);
+
+}  // namespace rocking::stats

@@ -85,16 +85,37 @@ void check_histogram(const Json& output, Problems& problems) {
   }
 }
 
+bool is_in_si_units(const Json& trajectory) { return trajectory.value("units", "normalised") == "si"; }
+
+/// Every state must have the units that the file names, and the scales of the block must be there to convert them.
+void check_units(const Json& trajectory, Problems& problems) {
+  const bool si = is_in_si_units(trajectory);
+  if (si && !(trajectory["block"].contains("shape_angle_rad") && trajectory["block"].contains("half_diagonal_m") &&
+              trajectory["block"].contains("frequency_parameter_rad_s"))) {
+    return reject(problems, "/block", "lacks the scales that belong to the units");
+  }
+  for (const char* list : {"strobe", "events", "history"}) {
+    if (!trajectory.contains(list)) continue;
+    const Json& states = trajectory[list];
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      if (states[i].contains(si ? "tilt_rad" : "tilt")) continue;
+      return reject(problems, std::string("/") + list + '/' + std::to_string(i), "has other units than /units says");
+    }
+  }
+}
+
 void check_trajectory(const Json& output, Problems& problems) {
   const bool sampled = output.contains("samples_per_period");
   if (output.contains("history") != sampled) {
     return reject(problems, "/history", "and samples_per_period must both be given or both be absent");
   }
-  if (!sampled) return;
+  check_units(output, problems);
+  if (!sampled || !problems.empty()) return;
   const Json& history = output["history"];
+  const char* time = is_in_si_units(output) ? "time_s" : "tau";
   for (std::size_t i = 1; i < history.size(); ++i) {
-    if (history[i]["tau"] > history[i - 1]["tau"]) continue;
-    return reject(problems, "/history/" + std::to_string(i) + "/tau", "is not later than the previous sample");
+    if (history[i][time] > history[i - 1][time]) continue;
+    return reject(problems, "/history/" + std::to_string(i) + '/' + time, "is not later than the previous sample");
   }
 }
 

@@ -220,6 +220,11 @@ TEST(OutputFigures, RefuseWithTheFilesName) {
     return "accepted";
   };
   EXPECT_THAT(refusal(torn.dump()), HasSubstr("some.json"));
+  Json mixed = sample_trajectory();
+  mixed["units"] = "si";
+  EXPECT_THAT(refusal(mixed.dump()), HasSubstr("/block"));
+  mixed["block"].update(Json{{"shape_angle_rad", 0.2}, {"half_diagonal_m", 2.0}, {"frequency_parameter_rad_s", 1.9}});
+  EXPECT_THAT(refusal(mixed.dump()), HasSubstr("other units"));
   EXPECT_THAT(refusal(R"({"format": "rocking.report/1"})"), HasSubstr("rocking report DIR"));
   EXPECT_THAT(refusal("[1]"), HasSubstr("/format"));
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
@@ -42,12 +43,14 @@ std::string spoken_time(double seconds) {
   return significant(std::round(seconds / 86400.0), 6) + " d";
 }
 
-/// `800`, or `40 to 800` if the conditions have different numbers.
+/// `800`, or `40 to 800` if the random conditions have different numbers. At least one is random.
 std::string realisations_asked_for(const Experiment& experiment, std::uint64_t factor) {
-  const auto [least, most] = std::ranges::minmax_element(experiment.conditions, {}, &Condition::realisations);
-  const std::string largest = std::to_string(factor * most->realisations);
-  return least->realisations == most->realisations ? largest
-                                                   : std::to_string(factor * least->realisations) + " to " + largest;
+  std::vector<std::uint64_t> numbers;
+  for (const Condition& condition : experiment.conditions) {
+    if (is_random(condition.scene)) numbers.push_back(factor * condition.realisations);
+  }
+  const auto [least, most] = std::ranges::minmax(numbers);
+  return least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
 }
 
 std::string realisations_table(const MeasuredCost& measured) {

@@ -234,7 +234,7 @@ TEST(AimAtOneCategory, EndsWithAMissNoMoreOftenThanItsShare) {
 TEST(AimAtOneCategory, WithAnIntervalForAFixedNumberEndsWithAMissMoreOftenThanPromised) {
   const double share = relative_to_a_rare_one.family.share();
   const double missed = probability_of_ending_with_a_miss(
-      0.1, relative_to_a_rare_one, [&](const Proportion& counts) { return clopper_pearson(counts, 1.0 - share); });
+      0.1, relative_to_a_rare_one, [&](const Proportion& counts) { return wilson(counts, 1.0 - share); });
   EXPECT_GT(missed, share);
 }
 

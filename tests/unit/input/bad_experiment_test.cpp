@@ -163,8 +163,6 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"/realisations",
               R"({"until": {"half_width": 0.02, "relative_half_width": 0.1, "mode": "rest", "at_most": 9}})",
               "/realisations/until", "two half-widths", "half_width"},
-        Fault{"/realisations", R"({"until": {"relative_half_width": 0.1, "at_most": 9}})", "/realisations/until/mode",
-              "is missing", "overturned"},
         Fault{"/realisations", R"({"until": {"relative_half_width": 1, "mode": "rest", "at_most": 9}})",
               "/realisations/until/relative_half_width", "below 1", "0.1"},
         Fault{"/realisations", R"({"until": {"half_width": 0.1, "mode": "overturn", "at_most": 9}})",
@@ -175,6 +173,15 @@ INSTANTIATE_TEST_SUITE_P(
               "not the name of a response mode", "(1,3)"},
         Fault{"/check_labels", R"({"times_longer": 1})", "/check_labels/times_longer", "from 2", ""},
         Fault{"/check_labels", R"({"every": 0})", "/check_labels/every", "from 1", ""}));
+
+TEST(BadExperiment, NeedsAModeForARelativeHalfWidth) {
+  const auto problems = problems_of(
+      with(least_experiment(), "/realisations", R"({"until": {"relative_half_width": 0.1, "at_most": 9}})"));
+  ASSERT_EQ(problems.size(), 1U);
+  EXPECT_EQ(problems[0].place, "/realisations/until/mode");
+  EXPECT_THAT(problems[0].reason, HasSubstr("is missing"));
+  EXPECT_THAT(problems[0].remedy, HasSubstr("overturned"));
+}
 
 TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
   auto document = with(example_experiment(), "/block/width_m", "-1");

@@ -5,6 +5,7 @@
 #include "analysis/divergence_figure.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/non_recurrence_figures.hpp"
+#include "analysis/quantile_figure.hpp"
 #include "analysis/scene_sketch.hpp"
 
 namespace rocking::analysis {
@@ -17,6 +18,7 @@ std::vector<Figure> run_figures(const RunReport& report, const Store* store) {
   const auto add = [&figures](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
+  for (Figure& figure : quantile_figures(report)) figures.push_back(std::move(figure));
   add(non_recurrence(report));
   add(divergence_quartiles(report));
   if (store != nullptr) add(divergence_times(report, *store));

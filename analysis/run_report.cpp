@@ -41,6 +41,32 @@ std::optional<Difference> difference_from(const Json& json) {
                     .by_arithmetic = divergence_from(json.at("parting_by_arithmetic"))};
 }
 
+std::vector<stats::QuantileEstimate> levels_from(const Json& json) {
+  std::vector<stats::QuantileEstimate> levels;
+  for (const Json& quantile : json) {
+    levels.push_back({.level = quantile.at(0),
+                      .value = number_from(quantile.at(1)),
+                      .low = number_from(quantile.at(2)),
+                      .high = number_from(quantile.at(3))});
+  }
+  return levels;
+}
+
+/// Reports of earlier versions have no quantiles.
+std::map<std::string, QuantileReport> quantiles_from(const Json& condition) {
+  std::map<std::string, QuantileReport> quantiles;
+  for (const char* key : {"peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip"}) {
+    if (!condition.contains(key) || condition.at(key).is_null()) continue;
+    const Json& json = condition.at(key);
+    quantiles[key] = {.realisations = json.at("realisations"),
+                      .beyond = json.at("beyond"),
+                      .levels = levels_from(json.at("quantiles")),
+                      .levels_m = json.contains("quantiles_m") ? levels_from(json.at("quantiles_m"))
+                                                               : std::vector<stats::QuantileEstimate>{}};
+  }
+  return quantiles;
+}
+
 ConditionReport condition_from(const Json& json, double confidence) {
   ConditionReport condition;
   condition.confidence = confidence;
@@ -57,6 +83,7 @@ ConditionReport condition_from(const Json& json, double confidence) {
                                      .estimate = probability.at("estimate"),
                                      .interval = interval_from(interval)};
   }
+  condition.quantiles = quantiles_from(json);
   condition.difference = difference_from(json.at("non_recurrence"));
   return condition;
 }

@@ -11,6 +11,7 @@
 #include "rocking/output/write_report.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/quantile_interval.hpp"
 #include "rocking/text/json.hpp"
 
 /// A report in the form that figures and tables need: the numbers of report.json, unchanged.
@@ -42,10 +43,20 @@ struct Difference {
   Divergence by_friction, by_arithmetic;
 };
 
+/// Quantiles of a number over the realisations of a condition.
+struct QuantileReport {
+  std::uint64_t realisations = 0;
+  std::uint64_t beyond = 0;  ///< realisations that count as above every value
+  std::vector<stats::QuantileEstimate> levels;
+  std::vector<stats::QuantileEstimate> levels_m;  ///< of a slip in metres; otherwise empty
+};
+
 struct ConditionReport {
   std::vector<Json> parameters;  ///< a value for each entry of the sweep
   std::uint64_t realisations = 0;
   std::map<section::ResponseMode, ModeShare> modes;
+  /// By the key of the report, `peak_tilt`, `peak_slip`, ...; those that it has.
+  std::map<std::string, QuantileReport> quantiles;
   std::optional<Difference> difference;  ///< absent with fewer than two realisations
   bool stopped_by_data = false;          ///< `until` was requested
   double confidence = 0.95;

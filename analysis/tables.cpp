@@ -45,6 +45,18 @@ std::string csv_start(const ConditionReport& condition) {
   return text + std::to_string(condition.realisations);
 }
 
+/// The quantiles of a quantity in one unit.
+std::string quantile_lines(const std::string& start, const QuantileReport& quantiles,
+                           const std::vector<stats::QuantileEstimate>& levels) {
+  std::string text;
+  for (const stats::QuantileEstimate& quantile : levels) {
+    text += start + ',' + std::to_string(quantiles.realisations) + ',' + std::to_string(quantiles.beyond) + ',' +
+            number_text(quantile.level) + ',' + csv_number(quantile.value) + ',' + csv_number(quantile.low) + ',' +
+            csv_number(quantile.high) + '\n';
+  }
+  return text;
+}
+
 /// Text for LaTeX; a symbol with a subscript is set in mathematics mode.
 std::string latex_text(const std::string& text) {
   std::string result;
@@ -135,6 +147,18 @@ std::string non_recurrence_csv(const RunReport& report) {
       text += ',' + csv_number(value);
     }
     text += '\n';
+  }
+  return text;
+}
+
+std::string quantiles_csv(const RunReport& report) {
+  std::string text = csv_head(report) + ",quantity,unit,of,beyond,level,value,low,high\n";
+  for (const ConditionReport& condition : report.conditions) {
+    for (const auto& [key, quantiles] : condition.quantiles) {
+      const std::string start = csv_start(condition) + ',' + key;
+      text += quantile_lines(start + (quantiles.levels_m.empty() ? ",1" : ",R"), quantiles, quantiles.levels);
+      text += quantile_lines(start + ",m", quantiles, quantiles.levels_m);
+    }
   }
   return text;
 }

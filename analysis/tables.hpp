@@ -15,6 +15,10 @@ namespace rocking::analysis {
 /// `diverged`, `lower_quartile`, `median`, `upper_quartile` [periods]. A field is empty if there is no value.
 [[nodiscard]] std::string non_recurrence_csv(const RunReport& report);
 
+/// CSV with a line for each condition, quantity and level: the parameters, `n`, `quantity`, `unit`, `of`, `beyond`,
+/// `level`, `value`, `low`, `high`. A field is empty if there is no value.
+[[nodiscard]] std::string quantiles_csv(const RunReport& report);
+
 /// A LaTeX table (booktabs) with a line for each condition: n, then for each of the five most frequent modes the per
 /// cent with the interval.
 [[nodiscard]] std::string modes_latex(const RunReport& report);

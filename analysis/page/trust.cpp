@@ -1,12 +1,14 @@
 #include "analysis/page/trust.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
 #include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
+#include "rocking/output/alarms.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -43,8 +45,6 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {"left_ground", "contact with the base", "The normal force was positive throughout.",
-     "met a normal force of zero or less, where the model is not valid.", Rating::look},
     {"painleve", "Painlev&eacute;&#39;s paradox", "Did not occur.", "ended because of it.", Rating::look},
     {"stopped", "event budget", "Every realisation reached its horizon or overturned.",
      "ended because of too many events or a vanishing step.", Rating::look},
@@ -56,8 +56,6 @@ constexpr Kind kinds[] = {
      "settled within the sampled periods and are classified by the part after that.", Rating::note},
     {"past_balance", "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.",
      Rating::note},
-    {"clamped", "clamped random numbers", "No random number was clamped.",
-     "had a random number clamped (for example friction below 0, or kinetic above static friction).", Rating::note},
 };
 
 Check check_of(const RunReport& report, const Kind& kind) {
@@ -67,6 +65,77 @@ Check check_of(const RunReport& report, const Kind& kind) {
           .rating = kind.rating,
           .finding = fmt::format("{} {}", counted(cases.count, "realisation"), kind.some),
           .where = cases.first};
+}
+
+/// A loss of contact in the final fall of a block that overturns cannot change its response; one before it can.
+Check contact(const RunReport& report) {
+  const Cases all = cases_of(report, "left_ground");
+  Check check{.name = "contact with the base", .rating = Rating::fine, .finding = {}, .where = all.first};
+  if (all.count == 0) {
+    check.finding = "The normal force was positive throughout.";
+    return check;
+  }
+  const Json& first = report.text.at("result").at("conditions").at(0).at("validity");
+  const bool tells = first.contains("left_ground_before_fall");  // reports of earlier versions do not
+  const Cases before = tells ? cases_of(report, "left_ground_before_fall") : all;
+  if (before.count > 0) {
+    check.rating = Rating::look;
+    check.where = before.first;
+    check.finding = fmt::format("{} met a normal force of zero or less{}, where the model is not valid.",
+                                counted(before.count, "realisation"), tells ? " before any final fall" : "");
+  }
+  if (all.count > before.count) {
+    check.finding += fmt::format("{}{} lost contact only in the final fall of a block that overturned.",
+                                 before.count > 0 ? " " : "", counted(all.count - before.count, "realisation"));
+  }
+  return check;
+}
+
+/// The key of the most frequent kind of clamp.
+std::string commonest_clamp(const Json& clamps) {
+  std::string commonest;
+  std::uint64_t most = 0;
+  for (const auto& [key, count] : clamps.items()) {
+    if (count.get<std::uint64_t>() <= most) continue;
+    most = count.get<std::uint64_t>();
+    commonest = key;
+  }
+  return commonest;
+}
+
+ClampedShare clamped_share(const ConditionReport& condition, const Json& validity) {
+  ClampedShare share{.realisations = validity.at("clamped").get<std::uint64_t>(),
+                     .of_realisations = condition.realisations,
+                     .draws = 0,
+                     .of_draws = validity.value("draws", std::uint64_t{0})};
+  for (const auto& [key, count] : validity.at("clamped_draws").items()) share.draws += count.get<std::uint64_t>();
+  return share;
+}
+
+Check clamped(const RunReport& report) {
+  const Cases cases = cases_of(report, "clamped");
+  Check check{.name = "clamped random numbers", .rating = Rating::fine, .finding = {}, .where = cases.first};
+  if (cases.count == 0) {
+    check.finding = "No random number was clamped.";
+    return check;
+  }
+  check.rating = Rating::note;
+  check.finding = fmt::format("{} had a random number clamped to its range.", counted(cases.count, "realisation"));
+  const Json& conditions = report.text.at("result").at("conditions");
+  std::optional<std::size_t> worst;
+  ClampedShare largest;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const ClampedShare here = clamped_share(report.conditions[i], conditions[i].at("validity"));
+    if (!here.is_alarming() || (worst && here.share_of_draws() <= largest.share_of_draws())) continue;
+    worst = i;
+    largest = here;
+  }
+  if (!worst) return check;
+  check.rating = Rating::look;
+  const std::string commonest = commonest_clamp(conditions[*worst].at("validity").at("clamped_draws"));
+  check.finding += fmt::format(" Most at {}: {}; mostly {}.", escaped(condition_name(report, *worst)), spoken(largest),
+                               escaped(std::string(clamp_remedy(commonest))));
+  return check;
 }
 
 Check arithmetic(const RunReport& report) {
@@ -88,6 +157,8 @@ Check arithmetic(const RunReport& report) {
   } else if (noise == "not_small") {
     check.rating = Rating::look;
     check.finding += "<strong>not</strong> small compared with the narrowest half-width of an interval, " + half_width;
+    const Json& tolerance = report.experiment.at("accuracy").at("tolerance");
+    check.finding += " Remedy: " + escaped(tolerance_remedy(tolerance.get<double>())) + '.';
   } else {
     check.finding += "too few reruns to compare with the narrowest half-width of an interval, " + half_width;
   }
@@ -147,8 +218,9 @@ std::string badge(Rating rating) {
 }  // namespace
 
 std::vector<Check> checks_of(const RunReport& report) {
-  std::vector<Check> checks{arithmetic(report), unresolved(report), enough(report)};
+  std::vector<Check> checks{arithmetic(report), unresolved(report), enough(report), contact(report)};
   for (const Kind& kind : kinds) checks.push_back(check_of(report, kind));
+  checks.push_back(clamped(report));
   return checks;
 }
 

@@ -18,6 +18,7 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/output/alarms.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/output/unreached_precision.hpp"
@@ -54,15 +55,17 @@ std::string_view spoken(NumericalError noise) {
   return "";
 }
 
-std::string noise_line(const std::optional<ToleranceSensitivity>& floor) {
+std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double tolerance) {
   if (!floor) return "";
+  const std::string remedy =
+      floor->noise == NumericalError::not_small ? "warning: " + tolerance_remedy(tolerance) + '\n' : "";
   return fmt::format(
       "sensitivity to tolerance: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} "
       "%]; {} the "
       "narrowest "
-      "half-width, {:.1f} %\n",
+      "half-width, {:.1f} %\n{}",
       floor->flips.successes, floor->flips.trials, 100.0 * floor->interval.low, 100.0 * floor->interval.high,
-      spoken(floor->noise), 100.0 * floor->half_width);
+      spoken(floor->noise), 100.0 * floor->half_width, remedy);
 }
 
 /// A line on the responses that settled within their sampled periods; empty if none did.
@@ -88,14 +91,18 @@ std::string summary_of(const Experiment& experiment, const ExperimentResult& res
   std::uint64_t realisations = 0;
   for (const auto& condition : result.conditions) realisations += condition.realisations;
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  text += mode_table(table_rows(experiment, result), table_look());
+  const std::string table = mode_table(table_rows(experiment, result), table_look());
+  text += table;
   text += fmt::format("\nper cent of n realisations [simultaneous {} interval{}]; {}, {}, of which {} unresolved\n",
                       level_of(experiment), experiment.conditions.front().until ? ", valid whenever the run stops" : "",
                       counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
                       unresolved_realisations(result));
   text += unreached_precision(experiment, result);
+  if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
   text += late_settling_of(result);
-  return text + noise_line(result.tolerance_sensitivity);
+  text += noise_line(result.tolerance_sensitivity, tightest_tolerance(experiment));
+  for (const std::string& alarm : alarms_of(result)) text += "warning: " + alarm + '\n';
+  return text;
 }
 
 /// How a run ended, and how long it took.

@@ -69,6 +69,8 @@ std::string table_again(const analysis::RunReport& report) {
     for (const auto& [mode, share] : condition.modes) {
       row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
     }
+    const auto tilt = condition.quantiles.find("peak_tilt");
+    if (tilt != condition.quantiles.end()) row.peak_tilt = peak_tilt_cell(tilt->second.levels);
     rows.push_back(std::move(row));
   }
   return mode_table(rows, table_look());
@@ -100,6 +102,7 @@ ExitCode report_again(const ReportRequest& request) {
   if (formats.contains("csv")) {
     write("modes.csv", modes_csv(report));
     write("non_recurrence.csv", non_recurrence_csv(report));
+    write("quantiles.csv", quantiles_csv(report));
   }
   if (formats.contains("latex")) write("modes.tex", modes_latex(report));
   const std::string table = formats.contains("text") ? table_again(report) : "";

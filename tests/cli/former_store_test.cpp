@@ -28,9 +28,20 @@ class FormerStore : public rocking::support::ProgramTest {
     return json.dump();
   }
 
+  /// Without what rows of former layouts do not tell.
+  std::string part_without_peaks(const std::string& report) const {
+    Json json = Json::parse(lasting_part(report));
+    for (Json& condition : json["result"]["conditions"]) {
+      for (const char* key : {"peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip"}) condition.erase(key);
+      condition["validity"].erase("left_ground_before_fall");
+      condition["validity"]["first_realisations"].erase("left_ground_before_fall");
+    }
+    return json.dump();
+  }
+
   void expect_report_of_a_new_run(const std::string& folder) const {
     ASSERT_EQ(rocking("run experiment.json -q -o anew").exit_code, 0);
-    EXPECT_EQ(lasting_part(folder + "/report.json"), lasting_part("anew/report.json"));
+    EXPECT_EQ(part_without_peaks(folder + "/report.json"), part_without_peaks("anew/report.json"));
   }
 
   void change(const std::string& folder, const std::string& sql) const {
@@ -60,6 +71,10 @@ TEST_F(FormerStore, IsResumedWithTheReportOfANewRun) {
   // Of 62: 17 lost contact, one is the other of a pair with one of these, 6 others were rerun at a tighter tolerance.
   EXPECT_THAT(resumed.errors, HasSubstr("38 realisations converted"));
   expect_report_of_a_new_run("stopped");
+  for (const Json& condition : Json::parse(read("stopped/report.json"))["result"]["conditions"]) {
+    EXPECT_TRUE(condition["peak_tilt"].is_null()) << "38 realisations have no peaks";
+  }
+  EXPECT_FALSE(Json::parse(read("anew/report.json"))["result"]["conditions"][0]["peak_tilt"].is_null());
   EXPECT_TRUE(
       rocking::Store::open(folder_ / "stopped/realisations.sqlite", sqlite::Access::read).is_of_current_layout());
   EXPECT_THAT(rocking("verify stopped -q").output, HasSubstr("64 realisations run again, all with the same bits"));

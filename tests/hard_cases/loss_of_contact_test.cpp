@@ -68,6 +68,42 @@ TEST(LossOfContactAtRest, IsCountedAtEachDownwardCrossingThoughTheBlockStaysAtRe
   EXPECT_EQ(trajectory.strobe.back().contact, ContactState::rest);
 }
 
+/// Released on a base at rest. With cos(phi) = c it has N = 1/3 - 2 c + 3 c^2 - c E, E the kinetic energy w^2 that it
+/// would have at phi = 0: N falls below 0 at c near 1/3 if E > 0.
+Condition released(double tilt, double tilt_rate) {
+  Condition condition;
+  support::harmonic(condition.scene).amplitude = 0.0;
+  support::harmonic(condition.scene).frequency_ratio = 10.0;
+  condition.scene.initial = {.tilt = tilt, .tilt_rate = tilt_rate, .slip_rate = 0.0};
+  condition.horizon = {.transient_periods = 0, .sampled_periods = 40};
+  return condition;
+}
+
+TEST(LossOfContactInAFall, IsToldFromOneBefore) {
+  const RealisationResult fall = realise(released(1.1, 1.0), 0, 0);
+  ASSERT_EQ(fall.termination, Termination::overturned);
+  EXPECT_EQ(fall.losses_of_contact, 1U);
+  EXPECT_EQ(fall.losses_before_fall, 0U);
+  const RealisationResult thrown = realise(released(0.0, 5.0), 0, 0);  // w^2 cos(psi) = 1.45 > 4/3
+  ASSERT_EQ(thrown.termination, Termination::overturned);
+  EXPECT_GE(thrown.losses_of_contact, 1U);
+  EXPECT_GE(thrown.losses_before_fall, 1U) << "within balance";
+  const RealisationResult stands = realise(with_friction(on_base(two_dips(-2.0)), 0.0, 0.0), 0, 0);
+  EXPECT_EQ(stands.losses_before_fall, stands.losses_of_contact) << "no fall follows";
+}
+
+// The same loss beyond balance counts if the horizon comes before the fall: whether the block falls is not known.
+TEST(LossOfContactInAFall, CountsWhereTheRunEndsBeforeTheFall) {
+  Condition condition = released(1.1, 1.0);
+  const double loss = realise(condition, 0, 0).first_loss_of_contact;
+  support::harmonic(condition.scene).frequency_ratio = 6.283185307179586 / (loss * 1.001);
+  condition.horizon.sampled_periods = 1;
+  const RealisationResult cut = realise(condition, 0, 0);
+  ASSERT_EQ(cut.termination, Termination::reached_horizon);
+  EXPECT_EQ(cut.losses_before_fall, cut.losses_of_contact);
+  EXPECT_EQ(cut.losses_of_contact, 1U);
+}
+
 TEST(LossOfContactAtRest, IsNoneWhereTheBaseFallsALittleMoreSlowlyThanTheBlock) {
   const double depth = -1.0 + 0x1p-50;
   EXPECT_EQ(realise(with_friction(on_base(two_dips(depth)), 0.0, 0.0), 0, 0).losses_of_contact, 0U);

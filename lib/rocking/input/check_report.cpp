@@ -158,7 +158,34 @@ class ReportChecker {
     }
     check_modes(condition, *n);
     if (!condition["non_recurrence"].is_null()) check_non_recurrence(condition["non_recurrence"], *n);
+    for (const char* key : {"peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip"}) {
+      if (condition.contains(key) && !condition[key].is_null())
+        check_quantities(condition[key], *n, '/' + std::string(key));
+    }
     check_validity(condition["validity"], *n);
+  }
+
+  /// Quantiles of a number over at most n realisations.
+  void check_quantities(const Json& json, std::uint64_t n, const std::string& place) {
+    const auto of = at_most(json["realisations"], n, place + "/realisations");
+    if (of) static_cast<void>(at_most(json["beyond"], *of, place + "/beyond"));
+    for (const char* key : {"quantiles", "quantiles_m"}) {
+      if (!json.contains(key)) continue;
+      for (std::size_t i = 0; i < json[key].size(); ++i) {
+        check_quantile(json[key][i], place + '/' + key + '/' + std::to_string(i));
+      }
+    }
+  }
+
+  /// [level, value, low, high]: those that are there are in order.
+  void check_quantile(const Json& quantile, const std::string& place) {
+    std::optional<double> last;
+    for (const std::size_t i : {2U, 1U, 3U}) {
+      if (quantile[i].is_null()) continue;
+      const auto number = quantile[i].get<double>();
+      if (last && number < *last) reject_here(place, quantile, "has a value that lies outside its interval");
+      last = number;
+    }
   }
 
   void check_modes(const Json& condition, std::uint64_t n) {
@@ -217,7 +244,7 @@ class ReportChecker {
   void check_validity(const Json& validity, std::uint64_t n) {
     const Json& first = validity["first_realisations"];
     for (const auto& [key, cases] : validity.items()) {
-      if (!cases.is_number_integer()) continue;
+      if (!cases.is_number_integer() || key == "draws") continue;  // draws are no realisations
       const auto count = at_most(cases, n, "/validity/" + key);
       if (count && *count > 0 && !first.contains(key)) {
         reject_here("/validity/first_realisations/" + key, Json(), "is missing, although there are such realisations");

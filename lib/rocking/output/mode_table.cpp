@@ -103,6 +103,18 @@ Layout layout_of(std::size_t used, std::size_t occurring, const TableLook& look)
   return {.modes = modes, .bar = std::min(longest_bar, shortest_bar + left)};
 }
 
+/// Adds the column of the peak tilt if there is room.
+void add_peak_tilt(std::span<const TableRow> conditions, const TableLook& look, std::vector<TextRow>& rows) {
+  std::size_t width = peak_tilt_heading.size();
+  for (const TableRow& condition : conditions) {
+    if (condition.peak_tilt.empty()) return;
+    width = std::max(width, condition.peak_tilt.size());
+  }
+  if (width_of(rows) + gap + width > look.width) return;
+  rows[0].emplace_back(peak_tilt_heading);
+  for (std::size_t i = 0; i < conditions.size(); ++i) rows[i + 1].push_back(conditions[i].peak_tilt);
+}
+
 /// In six digits; for a number just below 1 in as many as distinguish it from 1.
 std::string digits_of(double number) {
   constexpr int most_digits = 17;
@@ -129,6 +141,16 @@ std::string short_value(const Parameter& parameter) {
   return text;
 }
 
+std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles) {
+  std::string text;
+  for (const double level : {0.5, 0.95}) {
+    const auto found = std::ranges::find(quantiles, level, &stats::QuantileEstimate::level);
+    const bool is_there = found != quantiles.end() && found->value;
+    text += (text.empty() ? "" : " ") + (is_there ? significant(*found->value, 2) : "-");
+  }
+  return text;
+}
+
 std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result) {
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
@@ -141,6 +163,7 @@ std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentR
                            .estimate = probability.estimate,
                            .interval = probability.anytime.value_or(probability.simultaneous)});
     }
+    if (condition.peaks) row.peak_tilt = peak_tilt_cell(condition.peaks->tilt.levels);
     rows.push_back(std::move(row));
   }
   return rows;
@@ -163,6 +186,7 @@ std::string mode_table(std::span<const TableRow> conditions, const TableLook& lo
     if (with_others) rows[i + 1].push_back(rest_of(condition, shown));
     if (layout.bar > 0) rows[i + 1].push_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
   }
+  add_peak_tilt(conditions, look, rows);
   return aligned(rows);
 }
 

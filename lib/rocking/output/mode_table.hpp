@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "rocking/ensemble/result.hpp"
@@ -27,12 +28,22 @@ struct TableEntry {
   stats::Interval interval;  ///< simultaneous; with `until` the one that is valid whenever the run stops
 };
 
+/// The column of the peak tilt, and its explanation.
+inline constexpr std::string_view peak_tilt_heading = "peak tilt";
+inline constexpr std::string_view peak_tilt_legend =
+    "peak tilt: median and 95 % quantile of the largest abs(Theta); overturned counts as above every value (-)";
+
 /// A condition: a row of the table.
 struct TableRow {
   std::vector<Parameter> parameters;  ///< swept; the same pointers in every row
   std::uint64_t realisations = 0;
   std::vector<TableEntry> modes;
+  std::string peak_tilt = {};  ///< peak_tilt_cell, or empty
 };
+
+/// Median and 95 % quantile of the peak tilt in two digits, `0.41 0.53`. `-`: the realisations that ended before their
+/// horizon, mostly by overturning, are too many for a value.
+[[nodiscard]] std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles);
 
 /// A row for each condition of a run.
 [[nodiscard]] std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result);
@@ -41,7 +52,7 @@ struct TableRow {
 /// parameter and each mode that occurs, with the estimate and its interval in per cent. Modes for which there is no
 /// room are added up in a last column, so that each row accounts for every realisation. A bar of the modes' shares
 /// follows if bars are wanted, several modes occur, and there is room for it and for three modes (or all); its marks
-/// stand before the headings. Empty without rows.
+/// stand before the headings. The peak tilt follows if the rows have it and there is room. Empty without rows.
 [[nodiscard]] std::string mode_table(std::span<const TableRow> conditions, const TableLook& look = {});
 
 /// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.

@@ -211,8 +211,14 @@ TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {
 
 TEST(Page, ChecksWhatCouldMakeAResultUntrue) {
   EXPECT_EQ(check_named(quick_report(), "contact with the base").rating, Rating::fine);
-  Json left = changed("/result/conditions/1/validity/left_ground", 2);
-  left["result"]["conditions"][1]["validity"]["first_realisations"]["left_ground"] = {3, 1};
+  Json left = changed("/result/conditions/1/validity/left_ground", 3);
+  Json& validity = left["result"]["conditions"][1]["validity"];
+  validity["first_realisations"]["left_ground"] = {1, 3, 4};
+  EXPECT_EQ(check_named(left, "contact with the base").rating, Rating::fine) << "in the final fall only";
+  EXPECT_THAT(check_named(left, "contact with the base").finding,
+              StartsWith("3 realisations lost contact only in the"));
+  validity["left_ground_before_fall"] = 2;
+  validity["first_realisations"]["left_ground_before_fall"] = {3, 4};
   const Check check = check_named(left, "contact with the base");
   EXPECT_EQ(check.rating, Rating::look);
   EXPECT_THAT(check.finding, StartsWith("2 realisations met a normal force"));
@@ -228,8 +234,31 @@ TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::note);
   report["result"]["noise_floor"]["arithmetic_noise"] = "not_small";
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::look);
-  EXPECT_THAT(check_named(report, "sensitivity to tolerance").finding, HasSubstr("3 of 40 response modes"));
+  EXPECT_THAT(check_named(report, "sensitivity to tolerance").finding,
+              AllOf(HasSubstr("3 of 40 response modes"), HasSubstr("set /accuracy/tolerance to")));
   EXPECT_EQ(check_named(changed("/result/noise_floor", nullptr), "sensitivity to tolerance").rating, Rating::note);
+}
+
+TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {
+  Json report = changed("/result/conditions/1/validity/clamped", 0);
+  Json& condition = report["result"]["conditions"][1];
+  Json& validity = condition["validity"];
+  condition["realisations"] = 1000;
+  validity["clamped"] = 10;
+  validity["first_realisations"]["clamped"] = {3};
+  validity["draws"] = 100'000;
+  validity["clamped_draws"]["kinetic_friction_at_static"] = 1000;
+  for (Json& other : report["result"]["conditions"]) {
+    if (&other != &condition) other["validity"]["clamped"] = 0;
+  }
+  EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::note) << "1 % of both";
+  validity["clamped_draws"]["kinetic_friction_at_static"] = 1001;
+  const Check check = check_named(report, "clamped random numbers");
+  EXPECT_EQ(check.rating, Rating::look);
+  EXPECT_THAT(check.finding, HasSubstr("difference between /friction/static and /friction/kinetic"));
+  validity["clamped_draws"]["kinetic_friction_at_static"] = 10;
+  validity["clamped"] = 11;
+  EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::look) << "1.1 % of the realisations";
 }
 
 TEST(Page, AsksForALookWhereRealisationsRanOut) {

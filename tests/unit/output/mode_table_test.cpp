@@ -70,6 +70,24 @@ TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {
   EXPECT_THAT(lines[1], ::testing::EndsWith(shown == 4 ? "40.0" : "")) << "200 less 90 and three times 10, of 200";
 }
 
+TEST(ModeTable, EndsWithThePeakTiltWhereThereIsRoom) {
+  Made made;
+  made.add({}, {{section::periodic(1, 1), 1}});
+  made.rows[0].peak_tilt = "0.41 0.53";
+  EXPECT_THAT(made.lines(),
+              ::testing::ElementsAre("n                (1,1)  peak tilt", "1  100.0 [50.0, 100.0]  0.41 0.53"));
+  EXPECT_THAT(made.lines({.width = 33})[0], ::testing::EndsWith("peak tilt"));
+  EXPECT_THAT(made.lines({.width = 32})[0], ::testing::EndsWith("(1,1)"));
+}
+
+TEST(PeakTiltCell, HasADashWhereOverturningLeavesNoValue) {
+  using Quantiles = std::vector<stats::QuantileEstimate>;
+  const stats::QuantileEstimate median{.level = 0.5, .value = 0.412, .low = {}, .high = {}};
+  const stats::QuantileEstimate upper{.level = 0.95, .value = {}, .low = 0.5, .high = {}};
+  EXPECT_EQ(peak_tilt_cell(Quantiles{median, upper}), "0.41 -");
+  EXPECT_EQ(peak_tilt_cell(Quantiles{}), "- -");
+}
+
 TEST(ModeTable, IsEmptyWithoutConditions) { EXPECT_EQ(mode_table({}), ""); }
 
 TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {

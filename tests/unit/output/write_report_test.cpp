@@ -97,7 +97,8 @@ TEST(Report, HasItsKeysInAFixedOrder) {
   keys.clear();
   for (const auto& [key, value] : report["result"]["conditions"][0].items()) keys.push_back(key);
   EXPECT_THAT(keys, ::testing::ElementsAre("parameters", "realisations", "counts", "probabilities", "non_recurrence",
-                                           "validity", "stopped_because"));
+                                           "peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip", "validity",
+                                           "stopped_because"));
 }
 
 TEST(Report, HoldsTheExperimentAndItsDigest) {

@@ -33,6 +33,8 @@ Summary filled(std::uint64_t number) {
     if constexpr (std::is_same_v<Field, double>) field = 1.0 / static_cast<double>(value);
     if constexpr (std::is_same_v<Field, bool>) field = value % 2 == 0;
     if constexpr (std::is_same_v<Field, base::Sha256>) field = base::sha256(std::to_string(value));
+    if constexpr (std::is_same_v<Field, std::optional<double>>) field = 1.0 / static_cast<double>(value);
+    if constexpr (std::is_same_v<Field, std::optional<bool>>) field = value % 2 == 0;
     if constexpr (std::is_same_v<Field, std::optional<std::int64_t>>) field = static_cast<std::int64_t>(value);
   });
   summary.mode = section::periodic(static_cast<int>(number), 3);
@@ -58,6 +60,18 @@ TEST(DifferingFields, NamesEachFieldThatDiffers) {
   other.rerun_mode.reset();
   other.clamps.restitution = 3;
   EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("digest", "repeat_mode", "clamped_restitution"));
+}
+
+TEST(DifferingFields, LetOutWhatARowOfAFormerLayoutLacks) {
+  Summary former = filled(1);
+  former.peaks = {};
+  former.left_ground_before_fall.reset();
+  EXPECT_THAT(differing_fields(filled(1), former), IsEmpty());
+  former.margin = 7.0;
+  EXPECT_THAT(differing_fields(former, filled(1)), ElementsAre("margin"));
+  Summary other = filled(1);
+  other.peaks.slip = 0.125;
+  EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("peak_slip"));
 }
 
 TEST(Store, WalksItsRowsInTheOrderOfTheirKeys) {

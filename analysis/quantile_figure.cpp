@@ -1,0 +1,160 @@
+#include "analysis/quantile_figure.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "analysis/data_file.hpp"
+#include "analysis/mode_figures.hpp"
+#include "analysis/palette.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+/// A quantity whose quantiles are drawn.
+struct Drawn {
+  const char* key;  ///< in a report
+  const char* title;
+  const char* quantity;
+  const char* symbol;
+  const char* unit;
+  bool is_signed;  ///< both outer quantiles are drawn; otherwise the upper one
+  const char* meaning;
+};
+
+constexpr std::array drawn_quantities{
+    Drawn{"peak_tilt", "How far does the block tilt?", "largest tilt", "|Θ|", "", false,
+          "Largest |Θ| = |θ|/ψ of a realisation"},
+    Drawn{"peak_slip", "How far does the block slip at most?", "largest slip", "", "m", false,
+          "Largest distance of a realisation's block from its place on the base"},
+    Drawn{"final_slip", "Where does the block end up?", "slip at the end", "", "m", true,
+          "Distance of the block from its place on the base at the horizon, to the right > 0"},
+};
+
+constexpr double lowest = 0.05;
+constexpr double highest = 0.95;
+
+Cell quantile_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
+
+const std::vector<stats::QuantileEstimate>& levels_of(const QuantileReport& quantiles, const Drawn& drawn) {
+  return drawn.unit[0] == '\0' ? quantiles.levels : quantiles.levels_m;
+}
+
+stats::QuantileEstimate at_level(const std::vector<stats::QuantileEstimate>& levels, double level) {
+  const auto found = std::ranges::find(levels, level, &stats::QuantileEstimate::level);
+  return found == levels.end() ? stats::QuantileEstimate{} : *found;
+}
+
+std::string percent_of(double level) { return significant(100.0 * level, 4); }
+
+Table quantile_table(const RunReport& report, const SweepView& view, const Slice& slice, const Drawn& drawn) {
+  const std::string unit = drawn.unit[0] == '\0' ? "" : std::string(" [") + drawn.unit + ']';
+  Table table{.name = slice.name.empty() ? "all conditions" : slice.name,
+              .columns = {view.column,
+                          {"n", "realisations"},
+                          {"beyond", "number of them that count as above every value"},
+                          {"median", "median" + unit},
+                          {"median_low", "lower end of its " + report.level() + " interval" + unit},
+                          {"median_high", "upper end of it" + unit}},
+              .rows = {}};
+  for (const double level : {lowest, highest}) {
+    const std::string percent = percent_of(level);
+    table.columns.push_back({"q" + percent, percent + " % quantile" + unit});
+    table.columns.push_back({"q" + percent + "_low", "lower end of its interval" + unit});
+    table.columns.push_back({"q" + percent + "_high", "upper end of it" + unit});
+  }
+  for (const std::size_t i : slice.conditions) {
+    const auto found = report.conditions[i].quantiles.find(drawn.key);
+    if (found == report.conditions[i].quantiles.end()) continue;
+    std::vector<Cell> row{view.x[i], static_cast<double>(found->second.realisations),
+                          static_cast<double>(found->second.beyond)};
+    for (const double level : {0.5, lowest, highest}) {
+      const stats::QuantileEstimate quantile = at_level(levels_of(found->second, drawn), level);
+      for (const auto& value : {quantile.value, quantile.low, quantile.high}) row.push_back(quantile_cell(value));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Adds the curves of the table that was added last.
+void add_quantile_curves(const Slice& slice, std::size_t number, const Drawn& drawn, Figure& figure) {
+  Panel& panel = figure.panels.front();
+  const std::size_t table = figure.tables.size() - 1;
+  Style ribbon = style_of_curve(number);
+  ribbon.hatch = 0;
+  ribbon.opacity = 0.2;
+  const std::string name = slice.name.empty() ? "" : slice.name + ", ";
+  panel.layers.push_back({.kind = LayerKind::ribbon, .table = table, .columns = {0, 4, 5}, .style = ribbon});
+  panel.layers.push_back({.kind = LayerKind::line,
+                          .table = table,
+                          .columns = {0, 3},
+                          .style = style_of_curve(number),
+                          .legend = name + "median"});
+  Style outer = style_of_curve(number);
+  outer.dash = 3;
+  outer.width = 1.0;
+  outer.marker = 6;  // a circle: not filled
+  outer.size = 0.4;
+  if (drawn.is_signed) {
+    panel.layers.push_back({.kind = LayerKind::line, .table = table, .columns = {0, 6}, .style = outer});
+  }
+  panel.layers.push_back({.kind = LayerKind::line,
+                          .table = table,
+                          .columns = {0, 9},
+                          .style = outer,
+                          .legend = name + (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile")});
+}
+
+bool has_values(const RunReport& report, const Drawn& drawn) {
+  return std::ranges::any_of(report.conditions, [&](const ConditionReport& condition) {
+    const auto found = condition.quantiles.find(drawn.key);
+    if (found == condition.quantiles.end()) return false;
+    const auto is_there = [](const stats::QuantileEstimate& quantile) { return quantile.value.has_value(); };
+    return std::ranges::any_of(levels_of(found->second, drawn), is_there);
+  });
+}
+
+Figure quantile_figure(const RunReport& report, const Drawn& drawn) {
+  const SweepView view = view_of(report);
+  Figure figure;
+  figure.name = drawn.key;
+  figure.title = drawn.title;
+  figure.subtitle = report.title;
+  Panel panel{.title = "",
+              .x = view.axis,
+              .y = {.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit},
+              .layers = {}};
+  const auto [least, most] = std::ranges::minmax_element(view.x);
+  const double room = *least < *most ? 0.03 * (*most - *least) : 0.5;
+  panel.x.low = *least - room;
+  panel.x.high = *most + room;
+  if (!drawn.is_signed) panel.y.low = 0.0;
+  figure.panels.push_back(std::move(panel));
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    figure.tables.push_back(quantile_table(report, view, view.slices[i], drawn));
+    add_quantile_curves(view.slices[i], i, drawn, figure);
+  }
+  figure.caption = std::string(drawn.meaning) + ": median with its " + report.level() + " interval (ribbon), and the " +
+                   (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile") + " (dashed); " +
+                   spoken_realisations(report) + ". ";
+  figure.caption += drawn.is_signed ? "Only realisations that reached the horizon are counted."
+                                    : "A realisation that overturned counts as above every value; where too many did, "
+                                      "a quantile or the end of an interval is not drawn.";
+  return figure;
+}
+
+}  // namespace
+
+std::vector<Figure> quantile_figures(const RunReport& report) {
+  std::vector<Figure> figures;
+  for (const Drawn& drawn : drawn_quantities) {
+    if (has_values(report, drawn)) figures.push_back(quantile_figure(report, drawn));
+  }
+  return figures;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,124 @@
+#include "rocking/output/alarms.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+/// Tolerances below this one reach no more digits in double precision (lib/docs/accuracy.md).
+constexpr double finest_useful_tolerance = 1e-15;
+
+double share(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
+}
+
+/// The key of the kind of clamp that occurred most often.
+std::string_view commonest_clamp(const Clamps& clamps) {
+  const auto found =
+      std::ranges::max_element(clamp_kinds, {}, [&clamps](const ClampKind& kind) { return clamps.*kind.count; });
+  return found->key;
+}
+
+std::optional<std::string> contact_alarm(const ExperimentResult& result) {
+  std::uint64_t count = 0;
+  std::string first;
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    const Cases& cases = result.conditions[i].validity.left_ground_before_fall;
+    if (cases.count > 0 && count == 0) {
+      first = "first: --condition " + std::to_string(i) + " --realisation " + std::to_string(cases.first.front());
+    }
+    count += cases.count;
+  }
+  if (count == 0) return std::nullopt;
+  return counted(count, "realisation") +
+         " lost contact with the base (normal force of zero or less) before any final fall; the model does not hold "
+         "there (" +
+         first + "). Do not rely on the response modes of these realisations";
+}
+
+std::optional<std::string> clamp_alarm(const ExperimentResult& result) {
+  std::optional<std::size_t> worst;
+  ClampedShare found;
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    const ConditionResult& condition = result.conditions[i];
+    const ClampedShare here{.realisations = condition.validity.clamped.count,
+                            .of_realisations = condition.realisations,
+                            .draws = condition.validity.clamps.all(),
+                            .of_draws = condition.operations.draws()};
+    if (!here.is_alarming() || (worst && here.share_of_draws() <= found.share_of_draws())) continue;
+    worst = i;
+    found = here;
+  }
+  if (!worst) return std::nullopt;
+  return "random numbers were clamped in " + spoken(found) + " of condition " + std::to_string(*worst) +
+         ", the most of any; mostly " +
+         std::string(clamp_remedy(commonest_clamp(result.conditions[*worst].validity.clamps)));
+}
+
+struct Remedy {
+  std::string_view key;
+  std::string_view text;
+};
+
+constexpr std::array remedies{
+    Remedy{"kinetic_friction_at_zero",
+           "kinetic friction below 0: reduce the sigma of its fluctuation or increase /friction/kinetic"},
+    Remedy{"kinetic_friction_at_static",
+           "kinetic friction above the static friction in force: reduce the sigma of the friction or increase the "
+           "difference between /friction/static and /friction/kinetic"},
+    Remedy{"static_friction_at_zero",
+           "static friction below 0: reduce the sigma of its fluctuation or increase /friction/static"},
+    Remedy{"restitution", "restitution outside of its range: reduce the sigma in /fluctuation/restitution"},
+    Remedy{"amplitude_at_zero", "amplitude below 0: reduce the sigma in /fluctuation/amplitude"},
+    Remedy{"block_length_at_bound",
+           "width or height of the block outside of its bounds: reduce the sigma of /block/width_m or /block/height_m"},
+};
+
+}  // namespace
+
+double ClampedShare::share_of_realisations() const { return share(realisations, of_realisations); }
+double ClampedShare::share_of_draws() const { return share(draws, of_draws); }
+bool ClampedShare::is_alarming() const {
+  return share_of_realisations() > tolerable_clamped_share || share_of_draws() > tolerable_clamped_share;
+}
+
+std::string spoken(const ClampedShare& share) {
+  std::string text = per_cent(share.share_of_realisations()) + " % of the realisations";
+  if (share.of_draws > 0) text += " and " + base::significant(100.0 * share.share_of_draws(), 2) + " % of the draws";
+  return text;
+}
+
+std::string_view clamp_remedy(std::string_view key) {
+  const auto found = std::ranges::find(remedies, key, &Remedy::key);
+  return found == remedies.end() ? std::string_view("another kind") : found->text;
+}
+
+std::string tolerance_remedy(double tolerance) {
+  if (tolerance <= finest_useful_tolerance) {
+    return "/accuracy/tolerance is at the limit of double precision: these changes are due to rounding. Treat the "
+           "share that changes as an uncertainty of every probability, in addition to its interval";
+  }
+  const double finer = std::max(finest_useful_tolerance, tolerance / 100.0);
+  return "set /accuracy/tolerance to " + base::significant(finer, 2) + " and run again";
+}
+
+std::vector<std::string> alarms_of(const ExperimentResult& result) {
+  std::vector<std::string> alarms;
+  for (auto& alarm : {contact_alarm(result), clamp_alarm(result)}) {
+    if (alarm) alarms.push_back(*alarm);
+  }
+  return alarms;
+}
+
+double tightest_tolerance(const Experiment& experiment) {
+  double tightest = 1.0;
+  for (const Condition& condition : experiment.conditions) tightest = std::min(tightest, condition.tolerance);
+  return tightest;
+}
+
+}  // namespace rocking

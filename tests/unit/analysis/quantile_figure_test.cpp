@@ -1,0 +1,80 @@
+// Figures and table of the peaks: the numbers of the report, and nothing where there is none.
+
+#include "analysis/quantile_figure.hpp"
+
+#include <string>
+#include <variant>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/tables.hpp"
+
+namespace {
+
+using namespace rocking;
+using namespace rocking::analysis;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+std::vector<stats::QuantileEstimate> levels(double median) {
+  return {{.level = 0.05, .value = 0.5 * median, .low = {}, .high = median},
+          {.level = 0.5, .value = median, .low = 0.5 * median, .high = 1.5 * median},
+          {.level = 0.95, .value = {}, .low = median, .high = {}}};
+}
+
+/// Amplitudes 1, 2, 3; at 3 a store of a former layout had no peaks.
+RunReport made() {
+  RunReport report;
+  report.title = "made up";
+  report.swept = {"/excitation/amplitude"};
+  for (const double amplitude : {1.0, 2.0, 3.0}) {
+    ConditionReport& condition = report.conditions.emplace_back();
+    condition.parameters = {amplitude};
+    condition.realisations = 30;
+    if (amplitude == 3.0) continue;
+    condition.quantiles["peak_tilt"] = {
+        .realisations = 30, .beyond = 2, .levels = levels(0.25 * amplitude), .levels_m = {}};
+    condition.quantiles["peak_slip"] = {
+        .realisations = 30, .beyond = 2, .levels = levels(amplitude), .levels_m = levels(8.0 * amplitude)};
+  }
+  return report;
+}
+
+TEST(QuantileFigures, ShowTheNumbersOfTheReport) {
+  const auto figures = quantile_figures(made());
+  ASSERT_EQ(figures.size(), 2U) << "no final slip";
+  EXPECT_EQ(figures[0].name, "peak_tilt");
+  const Table& table = figures[0].tables.at(0);
+  ASSERT_EQ(table.rows.size(), 2U);
+  EXPECT_EQ(table.columns.at(3).name, "median");
+  EXPECT_EQ(table.rows[1].size(), table.columns.size());
+  EXPECT_EQ(std::get<double>(table.rows[1][0]), 2.0);
+  EXPECT_EQ(std::get<double>(table.rows[1][2]), 2.0) << "beyond";
+  EXPECT_EQ(std::get<double>(table.rows[1][3]), 0.5);
+  EXPECT_EQ(std::get<double>(table.rows[1][4]), 0.25);
+  EXPECT_EQ(table.columns.at(9).name, "q95");
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1][9])) << "above every value";
+  EXPECT_EQ(figures[1].name, "peak_slip");
+  EXPECT_EQ(std::get<double>(figures[1].tables.at(0).rows[1][3]), 16.0) << "in metres";
+  EXPECT_EQ(figures[1].panels.at(0).y.unit, "m");
+}
+
+TEST(QuantileFigures, AreNoneWithoutQuantiles) {
+  RunReport report = made();
+  for (ConditionReport& condition : report.conditions) condition.quantiles.clear();
+  EXPECT_THAT(quantile_figures(report), IsEmpty());
+}
+
+TEST(QuantilesCsv, HasALineForEachLevelAndUnit) {
+  const std::string csv = quantiles_csv(made());
+  EXPECT_THAT(csv, HasSubstr("/excitation/amplitude,n,quantity,unit,of,beyond,level,value,low,high\n"));
+  EXPECT_THAT(csv, HasSubstr("2.0,30,peak_tilt,1,30,2,0.5,0.5,0.25,0.75\n"));
+  EXPECT_THAT(csv, HasSubstr("2.0,30,peak_tilt,1,30,2,0.95,,0.5,\n"));
+  EXPECT_THAT(csv, HasSubstr("1.0,30,peak_slip,R,30,2,0.5,1,0.5,1.5\n"));
+  EXPECT_THAT(csv, HasSubstr("1.0,30,peak_slip,m,30,2,0.5,8,4,12\n"));
+  EXPECT_THAT(csv, Not(HasSubstr("3.0,")));
+}
+
+}  // namespace

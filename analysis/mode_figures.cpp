@@ -5,7 +5,7 @@
 #include "analysis/data_file.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/output/mode_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -107,21 +107,13 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
   return table;
 }
 
-/// The interval of a mode. Rows are empty where the mode occurs neither in the condition nor in its neighbours, since
-/// the ribbons of all rare modes would overlap there. Columns: x, low, high.
+/// The interval of a mode, also where it does not occur. Columns: x, low, high.
 Table ribbon_table(const Table& probabilities, std::size_t first) {
-  const auto& rows = probabilities.rows;
-  const auto occurs = [&rows, first](std::size_t i) {
-    return i < rows.size() && std::get<double>(rows[i][first]) > 0.0;
-  };
   Table table{.name = "ribbon of " + probabilities.columns[first + 1].name + ": " + probabilities.name,
               .columns = {probabilities.columns[0], probabilities.columns[first + 2], probabilities.columns[first + 3]},
               .rows = {},
               .only_drawn = true};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const bool shown = occurs(i) || occurs(i + 1) || (i > 0 && occurs(i - 1));
-    table.rows.push_back({rows[i][0], shown ? rows[i][first + 2] : Cell(), shown ? rows[i][first + 3] : Cell()});
-  }
+  for (const auto& row : probabilities.rows) table.rows.push_back({row[0], row[first + 2], row[first + 3]});
   return table;
 }
 
@@ -185,7 +177,7 @@ Panel bar_panel(const RunReport& report, std::size_t table, const std::string& t
 
 }  // namespace
 
-std::vector<ResponseMode> shown_modes(const RunReport& report) { return most_frequent(report.occurring(), most_shown); }
+std::vector<ResponseMode> shown_modes(const RunReport& report) { return modes_to_show(report.occurring(), most_shown); }
 
 std::string spoken_realisations(const RunReport& report) {
   std::uint64_t least = report.conditions.front().realisations;
@@ -285,10 +277,10 @@ Figure mode_probabilities(const RunReport& report) {
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     for (std::size_t m = 0; m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
   }
-  figure.caption =
-      "Estimated probability of each response mode (markers, joined to guide the eye) with its " + report.level() +
-      " simultaneous interval for all modes of a condition (ribbon, omitted where a mode does not occur); " +
-      spoken_realisations(report) + '.';
+  figure.caption = "Estimated probability of each response mode (markers, joined to guide the eye) with its " +
+                   report.level() +
+                   " simultaneous interval for all modes of a condition (ribbon, also where a mode did not occur); " +
+                   spoken_realisations(report) + '.';
   return figure;
 }
 

@@ -15,7 +15,8 @@ namespace rocking::analysis {
 /// Bars with intervals if nothing, or no number, is swept.
 [[nodiscard]] Figure mode_probabilities(const RunReport& report);
 
-/// Modes with their own colour, in the order of tables: the ten most frequent of those that occur.
+/// Modes with their own colour, in the order of tables: the ten most frequent of those that occur, and
+/// overturning if it occurs.
 [[nodiscard]] std::vector<section::ResponseMode> shown_modes(const RunReport& report);
 
 /// `200 realisations each` or `20 to 400 realisations each`.

@@ -1,6 +1,7 @@
 #include "analysis/run_report.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "rocking/base/error.hpp"
@@ -67,6 +68,35 @@ std::map<std::string, QuantileReport> quantiles_from(const Json& condition) {
   return quantiles;
 }
 
+/// Whether a part of an experiment contains a law, from which each realisation draws.
+bool has_law(const Json& part) {
+  if (!part.is_object()) return false;
+  if (part.contains("uniform") || part.contains("normal")) return true;
+  return std::ranges::any_of(part, has_law);
+}
+
+/// Whether realisations of this experiment differ.
+bool is_random(const Json& experiment) {
+  for (const char* key : {"block", "excitation", "initial"}) {
+    if (experiment.contains(key) && has_law(experiment.at(key))) return true;
+  }
+  if (!experiment.contains("fluctuation")) return false;
+  return std::ranges::any_of(experiment.at("fluctuation"), [](const Json& source) {
+    return std::ranges::any_of(std::array{"sigma", "relative_sigma"}, [&source](const char* key) {
+      return source.is_object() && source.contains(key) && source.at(key) != 0;
+    });
+  });
+}
+
+/// The experiment with the values that the sweep sets for a condition.
+Json experiment_at(const Json& parameters, Json experiment) {
+  for (const auto& [pointer, value] : parameters.items()) {
+    const Json::json_pointer place(pointer);
+    if (experiment.contains(place.parent_pointer())) experiment[place] = value;
+  }
+  return experiment;
+}
+
 ConditionReport condition_from(const Json& json, double confidence) {
   ConditionReport condition;
   condition.confidence = confidence;
@@ -111,6 +141,7 @@ class RunReportBuilder {
       for (const auto& [pointer, value] : condition.at("parameters").items()) report_.swept.push_back(pointer);
     }
     report_.conditions.push_back(condition_from(condition, confidence_));
+    report_.conditions.back().is_random = is_random(experiment_at(condition.at("parameters"), report_.experiment));
     report_.text["result"]["conditions"].push_back(kept_of(condition));
   }
 
@@ -139,6 +170,16 @@ std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
   return found;
 }
 
+std::set<section::ResponseMode> RunReport::listed() const {
+  std::set<section::ResponseMode> modes;
+  for (const ConditionReport& condition : conditions) {
+    for (const auto& [mode, share] : condition.modes) modes.insert(mode);
+  }
+  return modes;
+}
+
+bool RunReport::is_random() const { return std::ranges::any_of(conditions, &ConditionReport::is_random); }
+
 std::string RunReport::level() const {
   const double first = conditions.front().confidence;
   const bool differs = std::ranges::any_of(
@@ -149,9 +190,11 @@ std::string RunReport::level() const {
 AnyShare share_of(const ConditionReport& condition, const section::ResponseMode& mode) {
   if (const auto found = condition.modes.find(mode); found != condition.modes.end()) {
     const ModeShare& share = found->second;
-    return {.count = share.count, .estimate = share.estimate, .interval = share.interval};
+    AnyShare found_share{.count = share.count, .estimate = share.estimate, .interval = {}};
+    if (condition.is_random) found_share.interval = share.interval;
+    return found_share;
   }
-  if (condition.stopped_by_data) return {};
+  if (condition.stopped_by_data || !condition.is_random) return {};
   const stats::Proportion none{.successes = 0, .trials = condition.realisations};
   return {.count = 0, .estimate = 0.0, .interval = simultaneous_interval(mode, none, condition.confidence)};
 }

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,7 +28,8 @@ struct ModeShare {
 struct AnyShare {
   std::uint64_t count = 0;
   double estimate = 0.0;
-  std::optional<stats::Interval> interval;  ///< absent if the report cannot contain one
+  /// Absent if nothing is random, or if the report cannot contain one.
+  std::optional<stats::Interval> interval;
 };
 
 struct Divergence {
@@ -59,6 +61,7 @@ struct ConditionReport {
   std::map<std::string, QuantileReport> quantiles;
   std::optional<Difference> difference;  ///< absent with fewer than two realisations
   bool stopped_by_data = false;          ///< `until` was requested
+  bool is_random = true;  ///< otherwise the single realisation is the response, and intervals have no meaning
   double confidence = 0.95;
 };
 
@@ -76,6 +79,10 @@ struct RunReport {
   [[nodiscard]] std::string level() const;
   /// Response modes that occur in any condition, with their counts.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
+  /// Response modes that any condition lists; some of them may not occur.
+  [[nodiscard]] std::set<section::ResponseMode> listed() const;
+  /// Whether any condition is random.
+  [[nodiscard]] bool is_random() const;
 };
 
 /// Share of a mode in a condition. A condition does not list modes that did not occur in it; their interval is the one

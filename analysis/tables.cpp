@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <cstdint>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/sweep_view.hpp"
-#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -28,7 +29,10 @@ std::string csv_field(const std::string& text) {
 
 std::string csv_number(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 
-std::string end_of(const ModeShare& share, double stats::Interval::*end) { return number_text(share.interval.*end); }
+/// Empty if there is no interval.
+std::string end_of(const AnyShare& share, double stats::Interval::*end) {
+  return share.interval ? number_text(*share.interval.*end) : "";
+}
 
 std::string csv_head(const RunReport& report) {
   std::string text;
@@ -87,6 +91,11 @@ std::string latex_symbol(const std::string& pointer) {
   return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
 }
 
+std::string latex_share(const AnyShare& share) {
+  if (share.count == 0) return share.interval ? "$<$ " + upper_bound_text(share.interval->high) : "--";
+  return per_cent(share.estimate) + (share.interval ? ' ' + per_cent(*share.interval) : "");
+}
+
 std::string latex_row(const RunReport& report, const ConditionReport& condition, const std::vector<ResponseMode>& modes,
                       bool with_others) {
   std::string text;
@@ -96,16 +105,9 @@ std::string latex_row(const RunReport& report, const ConditionReport& condition,
   text += std::to_string(condition.realisations);
   std::uint64_t rest = condition.realisations;
   for (const ResponseMode& mode : modes) {
-    const auto found = condition.modes.find(mode);
-    const bool occurs = found != condition.modes.end() && found->second.count > 0;
-    text += " & ";
-    if (!occurs) {
-      text += "--";
-      continue;
-    }
-    rest -= found->second.count;
-    const auto [low, high] = found->second.interval;
-    text += per_cent(found->second.estimate) + " [" + per_cent(low) + ", " + per_cent(high) + ']';
+    const AnyShare share = share_of(condition, mode);
+    rest -= share.count;
+    text += " & " + latex_share(share);
   }
   if (with_others) {
     const double share = static_cast<double>(rest) / static_cast<double>(condition.realisations);
@@ -118,8 +120,10 @@ std::string latex_row(const RunReport& report, const ConditionReport& condition,
 
 std::string modes_csv(const RunReport& report) {
   std::string text = csv_head(report) + ",mode,count,estimate,low,high\n";
+  const std::set<ResponseMode> listed = report.listed();
   for (const ConditionReport& condition : report.conditions) {
-    for (const auto& [mode, share] : condition.modes) {
+    for (const ResponseMode& mode : listed) {
+      const AnyShare share = share_of(condition, mode);
       text += csv_start(condition) + ',' + csv_field(to_string(mode)) + ',' + std::to_string(share.count) + ',' +
               number_text(share.estimate) + ',' + end_of(share, &stats::Interval::low) + ',' +
               end_of(share, &stats::Interval::high) + '\n';
@@ -164,13 +168,15 @@ std::string quantiles_csv(const RunReport& report) {
 }
 
 std::string modes_latex(const RunReport& report) {
-  const std::vector<ResponseMode> modes = most_frequent(report.occurring(), most_modes);
+  const std::vector<ResponseMode> modes = modes_to_show(report.occurring(), most_modes);
   const bool with_others = report.occurring().size() > modes.size();
   const std::size_t leading = report.swept.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
-          "Response modes in per cent of $n$ realisations, with " + latex_text(report.level()) +
-          " simultaneous intervals for all modes of a condition.}\n";
+          (report.is_random() ? "Response modes in per cent of $n$ realisations, with " + latex_text(report.level()) +
+                                    " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
+                                    "end of the interval.}\n"
+                              : "Response modes in per cent; nothing is random.}\n");
   text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
           "}\n    \\toprule\n    ";
   for (const std::string& pointer : report.swept) text += latex_symbol(pointer) + " & ";

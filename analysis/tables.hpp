@@ -7,8 +7,9 @@
 /// The numbers of a report as tables for other programs and for publications.
 namespace rocking::analysis {
 
-/// CSV (RFC 4180) with a line for each condition and each response mode that it lists: the parameters, `n`, `mode`,
-/// `count`, `estimate`, `low`, `high` (the interval shown in figures). Numbers with all their digits.
+/// CSV (RFC 4180) with a line for each condition and each response mode that any condition lists: the parameters, `n`,
+/// `mode`, `count`, `estimate`, `low`, `high` (the interval shown in figures). Numbers with all their digits. `low` and
+/// `high` are empty where nothing is random, and where the report contains no interval of a mode that did not occur.
 [[nodiscard]] std::string modes_csv(const RunReport& report);
 
 /// CSV with a line for each condition: the parameters, `n`, `differ` with `low` and `high`, `entropy_nat`, `pairs`,
@@ -19,8 +20,9 @@ namespace rocking::analysis {
 /// `level`, `value`, `low`, `high`. A field is empty if there is no value.
 [[nodiscard]] std::string quantiles_csv(const RunReport& report);
 
-/// A LaTeX table (booktabs) with a line for each condition: n, then for each of the five most frequent modes the per
-/// cent with the interval.
+/// A LaTeX table (booktabs) with a line for each condition: n, then for each of the five most frequent modes (overturning
+/// among them if it occurs) the per cent with the interval, or the upper end of the interval of a mode that did not
+/// occur.
 [[nodiscard]] std::string modes_latex(const RunReport& report);
 
 }  // namespace rocking::analysis

@@ -91,14 +91,22 @@ std::string summary_of(const Experiment& experiment, const ExperimentResult& res
   std::uint64_t realisations = 0;
   for (const auto& condition : result.conditions) realisations += condition.realisations;
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  const std::string table = mode_table(table_rows(experiment, result), table_look());
+  const std::vector<TableRow> rows = table_rows(experiment, result);
+  const std::string table = mode_table(rows, table_look());
   text += table;
-  text += fmt::format("\nper cent of n realisations [simultaneous {} interval{}]; {}, {}, of which {} unresolved\n",
-                      level_of(experiment), experiment.conditions.front().until ? ", valid whenever the run stops" : "",
-                      counted(result.conditions.size(), "condition"), counted(realisations, "realisation"),
-                      unresolved_realisations(result));
-  text += unreached_precision(experiment, result);
+  if (std::ranges::any_of(rows, &TableRow::is_random)) {
+    text += fmt::format(
+        "\nper cent of n realisations [simultaneous {} interval{}]; < x: did not occur, x is the upper "
+        "end of its interval\n",
+        level_of(experiment), experiment.conditions.front().until ? ", valid whenever the run stops" : "");
+  } else {
+    text += "\nnothing is random: one realisation is the response of its condition\n";
+  }
   if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
+  text += fmt::format("{}, {}, of which {} unresolved\n", counted(result.conditions.size(), "condition"),
+                      counted(realisations, "realisation"), unresolved_realisations(result));
+  text += unreached_precision(experiment, result);
+  text += overturning_line(rows);
   text += late_settling_of(result);
   text += noise_line(result.tolerance_sensitivity, tightest_tolerance(experiment));
   for (const std::string& alarm : alarms_of(result)) text += "warning: " + alarm + '\n';

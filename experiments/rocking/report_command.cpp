@@ -62,11 +62,13 @@ analysis::RunReport load_report(const RunFolder& folder) {
 std::string table_again(const analysis::RunReport& report) {
   std::vector<TableRow> rows;
   for (const analysis::ConditionReport& condition : report.conditions) {
-    TableRow row{.parameters = {}, .realisations = condition.realisations, .modes = {}};
+    TableRow row{
+        .parameters = {}, .realisations = condition.realisations, .modes = {}, .is_random = condition.is_random};
     for (std::size_t i = 0; i < report.swept.size(); ++i) {
       row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
     }
-    for (const auto& [mode, share] : condition.modes) {
+    for (const auto& mode : report.listed()) {
+      const analysis::AnyShare share = share_of(condition, mode);
       row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
     }
     const auto tilt = condition.quantiles.find("peak_tilt");

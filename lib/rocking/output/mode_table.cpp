@@ -1,10 +1,10 @@
 #include "rocking/output/mode_table.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 #include <utility>
 
-#include "rocking/ensemble/mode_family.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -35,8 +35,9 @@ ModeTally occurring_modes(std::span<const TableRow> conditions) {
 
 std::string cell(const TableRow& condition, const ResponseMode& mode) {
   const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
-  if (found == condition.modes.end() || found->count == 0) return ".";
-  return per_cent(found->estimate) + ' ' + per_cent(found->interval);
+  if (found == condition.modes.end()) return ".";
+  if (found->count == 0) return found->interval ? "< " + upper_bound_text(found->interval->high) : ".";
+  return per_cent(found->estimate) + (found->interval ? ' ' + per_cent(*found->interval) : "");
 }
 
 std::uint64_t count_of(const TableRow& condition, const ResponseMode& mode) {
@@ -64,20 +65,61 @@ std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& s
   return share_bar(counts, look);
 }
 
-TextRow leading_cells(const TableRow& condition) {
-  TextRow row;
-  for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
-  row.push_back(std::to_string(condition.realisations));
-  return row;
+/// The columns of the swept parameters.
+std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions) {
+  TextRow header;
+  for (const Parameter& parameter : conditions.front().parameters) header.push_back(last_key(parameter.pointer));
+  std::vector<TextRow> rows{header};
+  for (const TableRow& condition : conditions) {
+    TextRow& row = rows.emplace_back();
+    for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
+  }
+  return rows;
 }
 
 std::vector<TextRow> leading_columns(std::span<const TableRow> conditions) {
-  TextRow header;
-  for (const Parameter& parameter : conditions.front().parameters) header.push_back(last_key(parameter.pointer));
-  header.emplace_back("n");
-  std::vector<TextRow> rows{header};
-  for (const TableRow& condition : conditions) rows.push_back(leading_cells(condition));
+  std::vector<TextRow> rows = parameter_columns(conditions);
+  rows[0].emplace_back("n");
+  for (std::size_t i = 0; i < conditions.size(); ++i) rows[i + 1].push_back(std::to_string(conditions[i].realisations));
   return rows;
+}
+
+/// The table of a run in which nothing is random.
+std::string response_table(std::span<const TableRow> conditions) {
+  std::vector<TextRow> rows = parameter_columns(conditions);
+  rows[0].emplace_back("response");
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const auto& modes = conditions[i].modes;
+    const auto found = std::ranges::find_if(modes, [](const TableEntry& entry) { return entry.count > 0; });
+    rows[i + 1].push_back(found == modes.end() ? "." : to_string(found->mode));
+  }
+  return aligned(rows);
+}
+
+/// `friction 0.4/0.35, amplitude 6`, or `the only condition`.
+std::string name_of(const TableRow& condition) {
+  std::string name;
+  for (const Parameter& parameter : condition.parameters) {
+    name += (name.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+  }
+  return name.empty() ? "the only condition" : name;
+}
+
+/// Adds the modes that occur in other conditions only.
+void complete(const Experiment& experiment, std::vector<TableRow>& rows) {
+  const ModeTally occurring = occurring_modes(rows);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const Condition& condition = experiment.conditions[i];
+    for (const auto& [mode, count] : occurring) {
+      if (std::ranges::find(rows[i].modes, mode, &TableEntry::mode) != rows[i].modes.end()) continue;
+      TableEntry entry{.mode = mode, .count = 0, .estimate = 0.0, .interval = {}};
+      if (rows[i].is_random && !condition.until) {
+        const stats::Proportion none{.successes = 0, .trials = rows[i].realisations};
+        entry.interval = simultaneous_interval(mode, none, condition.confidence);
+      }
+      rows[i].modes.push_back(std::move(entry));
+    }
+  }
 }
 
 std::size_t width_of(const std::vector<TextRow>& rows) {
@@ -151,30 +193,70 @@ std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles
   return text;
 }
 
+std::vector<ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most) {
+  ModeTally weighted = tally;
+  const auto found = weighted.find({.kind = section::ResponseKind::overturned});
+  if (found != weighted.end() && found->second > 0) found->second = std::numeric_limits<std::uint64_t>::max();
+  return most_frequent(weighted, most);
+}
+
 std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result) {
   std::vector<TableRow> rows;
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     const ConditionResult& condition = result.conditions[i];
-    TableRow row{
-        .parameters = experiment.conditions[i].parameters, .realisations = condition.realisations, .modes = {}};
+    TableRow row{.parameters = experiment.conditions[i].parameters,
+                 .realisations = condition.realisations,
+                 .modes = {},
+                 .is_random = is_random(experiment.conditions[i].scene)};
     for (const auto& [mode, probability] : condition.modes) {
-      row.modes.push_back({.mode = mode,
-                           .count = probability.counts.successes,
-                           .estimate = probability.estimate,
-                           .interval = probability.anytime.value_or(probability.simultaneous)});
+      TableEntry entry{
+          .mode = mode, .count = probability.counts.successes, .estimate = probability.estimate, .interval = {}};
+      if (row.is_random) entry.interval = probability.anytime.value_or(probability.simultaneous);
+      row.modes.push_back(std::move(entry));
     }
     if (condition.peaks) row.peak_tilt = peak_tilt_cell(condition.peaks->tilt.levels);
     rows.push_back(std::move(row));
   }
+  complete(experiment, rows);
   return rows;
+}
+
+std::string overturning_line(std::span<const TableRow> conditions) {
+  if (conditions.empty()) return {};
+  const TableRow* where = nullptr;
+  TableEntry most{.mode = {.kind = section::ResponseKind::overturned}, .count = 0, .estimate = 0.0, .interval = {}};
+  std::size_t overturning = 0;
+  std::uint64_t realisations = 0;
+  double bound = 0.0;
+  for (const TableRow& condition : conditions) {
+    realisations += condition.realisations;
+    const auto found = std::ranges::find(condition.modes, most.mode, &TableEntry::mode);
+    if (found == condition.modes.end()) continue;
+    if (found->interval) bound = std::max(bound, found->interval->high);
+    if (found->count > 0) ++overturning;
+    if (found->estimate > most.estimate) {
+      most = *found;
+      where = &condition;
+    }
+  }
+  if (where == nullptr) {
+    return "overturning: none in " + counted(realisations, "realisation") +
+           (bound > 0.0 ? "; at most " + upper_bound_text(bound) + " % in each condition" : "") + '\n';
+  }
+  const std::string among =
+      "in " + std::to_string(overturning) + " of " + counted(conditions.size(), "condition") + "; ";
+  if (!most.interval) return "overturning: " + among + "first at " + name_of(*where) + '\n';
+  return "overturning: " + among + "most likely at " + name_of(*where) + ": " + per_cent(most.estimate) + ' ' +
+         per_cent(*most.interval) + " %\n";
 }
 
 std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
   if (conditions.empty()) return {};
+  if (std::ranges::none_of(conditions, &TableRow::is_random)) return response_table(conditions);
   std::vector<TextRow> rows = leading_columns(conditions);
   const auto occurring = occurring_modes(conditions);
   const Layout layout = layout_of(width_of(rows) + rest_width, occurring.size(), look);
-  const std::vector<ResponseMode> shown = most_frequent(occurring, layout.modes);
+  const std::vector<ResponseMode> shown = modes_to_show(occurring, layout.modes);
   const bool with_others = shown.size() < occurring.size();
   const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
   for (std::size_t i = 0; i < shown.size(); ++i) rows[0].push_back(mark(i) + to_string(shown[i]));

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/output/share_bar.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -23,9 +24,11 @@ struct TableLook {
 /// A response mode in a row of the table.
 struct TableEntry {
   section::ResponseMode mode;
-  std::uint64_t count = 0;   ///< realisations
-  double estimate = 0.0;     ///< probability
-  stats::Interval interval;  ///< simultaneous; with `until` the one that is valid whenever the run stops
+  std::uint64_t count = 0;  ///< realisations
+  double estimate = 0.0;    ///< probability
+  /// Simultaneous; with `until` the one that is valid whenever the run stops. Absent where nothing is random, and for
+  /// a mode that did not occur and that the result does not list.
+  std::optional<stats::Interval> interval;
 };
 
 /// The column of the peak tilt, and its explanation.
@@ -38,6 +41,7 @@ struct TableRow {
   std::vector<Parameter> parameters;  ///< swept; the same pointers in every row
   std::uint64_t realisations = 0;
   std::vector<TableEntry> modes;
+  bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
   std::string peak_tilt = {};  ///< peak_tilt_cell, or empty
 };
 
@@ -45,15 +49,25 @@ struct TableRow {
 /// horizon, mostly by overturning, are too many for a value.
 [[nodiscard]] std::string peak_tilt_cell(const std::vector<stats::QuantileEstimate>& quantiles);
 
-/// A row for each condition of a run.
+/// The modes that a table or figure with room for `most` shows: the most frequent ones, in the order of the modes.
+/// Overturning is one of them if it occurs, however rare it is.
+[[nodiscard]] std::vector<section::ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most);
+
+/// A row for each condition of a run. Each row lists the modes that occur in any condition.
 [[nodiscard]] std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result);
 
 /// The response modes of every condition as text for a terminal: a row for each condition, a column for each swept
-/// parameter and each mode that occurs, with the estimate and its interval in per cent. Modes for which there is no
-/// room are added up in a last column, so that each row accounts for every realisation. A bar of the modes' shares
-/// follows if bars are wanted, several modes occur, and there is room for it and for three modes (or all); its marks
-/// stand before the headings. The peak tilt follows if the rows have it and there is room. Empty without rows.
+/// parameter and each mode that occurs, with the estimate and its interval in per cent. A mode that did not occur in a
+/// condition has the upper end of its interval there: `< 2.8`. Modes for which there is no room are added up in a last
+/// column, so that each row accounts for every realisation. A bar of the modes' shares follows if bars are wanted,
+/// several modes occur, and there is room for it and for three modes (or all); its marks stand before the headings. If
+/// no row is random, there is one column with the response instead. The peak tilt follows if the rows have it and there
+/// is room. Empty without rows.
 [[nodiscard]] std::string mode_table(std::span<const TableRow> conditions, const TableLook& look = {});
+
+/// A line on overturning: where it is most likely, or the largest upper bound of its probability in any condition.
+/// Empty without rows.
+[[nodiscard]] std::string overturning_line(std::span<const TableRow> conditions);
 
 /// The value of a swept parameter in a table: `0.35/0.3` for friction, the value for anything else.
 [[nodiscard]] std::string short_value(const Parameter& parameter);

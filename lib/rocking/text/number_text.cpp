@@ -20,6 +20,11 @@ std::string per_cent(const stats::Interval& interval, int decimals) {
   return '[' + per_cent(interval.low, decimals) + ", " + per_cent(interval.high, decimals) + ']';
 }
 
+std::string upper_bound_text(double probability) {
+  constexpr double least_in_tenths = 0.001;
+  return probability < least_in_tenths ? significant(100.0 * probability, 2) : per_cent(probability);
+}
+
 std::string counted(std::uint64_t number, std::string_view noun) {
   return std::to_string(number) + ' ' + std::string(noun) + (number == 1 ? "" : "s");
 }

@@ -20,6 +20,10 @@ using base::significant;
 /// Likewise both ends, in brackets.
 [[nodiscard]] std::string per_cent(const stats::Interval& interval, int decimals = 1);
 
+/// The upper bound of the probability of what did not occur, in per cent: `2.8`. Below 0.1 % with two significant
+/// digits, since a bound is never 0.
+[[nodiscard]] std::string upper_bound_text(double probability);
+
 /// `1 condition`, `2 conditions`.
 [[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);
 

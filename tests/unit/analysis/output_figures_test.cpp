@@ -14,6 +14,7 @@
 #include "analysis/tables.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/text/number_text.hpp"
 #include "support/sample_report.hpp"
 
 namespace {
@@ -236,6 +237,18 @@ TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
   EXPECT_THAT(csv,
               HasSubstr("\n\"{\"\"static\"\":0.35,\"\"kinetic\"\":0.3}\",4.0,30,\"(1,3)\",4,0.13333333333333333,"));
   EXPECT_THAT(non_recurrence_csv(report), HasSubstr("30,0.1,0.05,0.30000000000000004,0.2,15,2,12.5,80,\n"));
+}
+
+TEST(Tables, BoundWhatDidNotOccurAndShowNoIntervalWhereNothingIsRandom) {
+  Json json = sample_report();
+  const auto high = json["result"]["conditions"][0]["probabilities"]["overturned"]["simultaneous"][1].get<double>();
+  EXPECT_EQ(json["result"]["conditions"][0]["counts"]["overturned"], 0);
+  EXPECT_THAT(modes_latex(run_report_of(json)), HasSubstr("$<$ " + rocking::per_cent(high)));
+  json["input"]["experiment"].erase("fluctuation");
+  const auto report = run_report_of(json);
+  EXPECT_FALSE(report.is_random());
+  EXPECT_THAT(modes_latex(report), Not(HasSubstr("[")));
+  EXPECT_THAT(modes_csv(report), HasSubstr(",4,0.13333333333333333,,\n"));
 }
 
 TEST(Tables, SetTextForLatexSoThatItIsText) {

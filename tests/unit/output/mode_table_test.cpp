@@ -26,7 +26,8 @@ struct Made {
     for (const auto& [mode, count] : counts) row.realisations += count;
     for (const auto& [mode, count] : counts) {
       const double p = static_cast<double>(count) / static_cast<double>(row.realisations);
-      row.modes.push_back({.mode = mode, .count = count, .estimate = p, .interval = {0.5 * p, p}});
+      const stats::Interval interval = count > 0 ? stats::Interval{0.5 * p, p} : stats::Interval{0.0, 0.028};
+      row.modes.push_back({.mode = mode, .count = count, .estimate = p, .interval = interval});
     }
     rows.push_back(std::move(row));
   }
@@ -47,13 +48,58 @@ TEST(ModeTable, HasARowForEachConditionAndAColumnForEachModeThatOccurs) {
            {{section::periodic(1, 1), 200}, {section::periodic(1, 3), 0}, {{section::ResponseKind::chaotic}, 0}});
   EXPECT_THAT(made.lines(), ::testing::ElementsAre("friction  amplitude    n                (1,1)              (1,3)",
                                                    "0.35/0.3        3.3  200    75.0 [37.5, 75.0]  25.0 [12.5, 25.0]",
-                                                   "0.4/0.35         10  200  100.0 [50.0, 100.0]                  ."));
+                                                   "0.4/0.35         10  200  100.0 [50.0, 100.0]              < 2.8"));
 }
 
 TEST(ModeTable, WithoutASweepHasOneRow) {
   Made made;
   made.add({}, {{section::periodic(1, 1), 1}});
   EXPECT_THAT(made.lines(), ::testing::ElementsAre("n                (1,1)", "1  100.0 [50.0, 100.0]"));
+}
+
+TEST(ModeTable, HasADotWhereAModeHasNoBound) {
+  Made made;
+  made.add({{"/excitation/amplitude", "1.0"}}, {{section::periodic(1, 1), 3}, {section::periodic(1, 5), 1}});
+  made.add({{"/excitation/amplitude", "2.0"}}, {{section::periodic(1, 1), 4}});
+  EXPECT_THAT(made.lines()[2], ::testing::EndsWith(" ."));
+}
+
+TEST(ModeTable, ShowsNoIntervalWhereNothingIsRandom) {
+  Made made;
+  made.add({{"/excitation/amplitude", "1.0"}},
+           {{{section::ResponseKind::overturned}, 0}, {{section::ResponseKind::rest}, 1}});
+  made.add({{"/excitation/amplitude", "10.0"}}, {{{section::ResponseKind::overturned}, 1}});
+  for (TableRow& row : made.rows) row.is_random = false;
+  EXPECT_THAT(made.lines(),
+              ::testing::ElementsAre("amplitude    response", "        1        rest", "       10  overturned"));
+  made.rows[0].is_random = true;  // a sweep of a standard deviation from 0 on
+  for (TableEntry& entry : made.rows[1].modes) entry.interval.reset();
+  EXPECT_THAT(made.lines()[2], ::testing::HasSubstr("100.0"));
+  EXPECT_THAT(made.lines()[2], ::testing::Not(::testing::HasSubstr("[")));
+}
+
+TEST(ModeTable, HasAlwaysAColumnForOverturning) {
+  Made made;
+  std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
+  for (int n = 1; n <= 12; ++n) counts.emplace_back(section::periodic(1, n), 10);
+  counts.push_back({{section::ResponseKind::overturned}, 1});
+  made.add({{"/excitation/amplitude", "1.0"}}, counts);
+  EXPECT_THAT(made.lines()[0], ::testing::HasSubstr("overturned"));
+  EXPECT_EQ(modes_to_show({{section::periodic(1, 1), 5}, {{section::ResponseKind::overturned}, 0}}, 1),
+            std::vector{section::periodic(1, 1)});
+}
+
+TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
+  Made made;
+  const ResponseMode overturned{.kind = section::ResponseKind::overturned};
+  made.add({{"/excitation/amplitude", "1.0"}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
+  made.add({{"/excitation/amplitude", "2.0"}}, {{section::periodic(1, 1), 40}, {overturned, 0}});
+  made.rows[1].modes[1].interval->high = 0.05;
+  EXPECT_EQ(overturning_line(made.rows), "overturning: none in 80 realisations; at most 5.0 % in each condition\n");
+  made.add({{"/excitation/amplitude", "3.0"}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
+  EXPECT_EQ(overturning_line(made.rows),
+            "overturning: in 1 of 3 conditions; most likely at amplitude 3: 25.0 [12.5, 25.0] %\n");
+  EXPECT_EQ(overturning_line({}), "");
 }
 
 TEST(ModeTable, AddsUpWhatDoesNotFitIn120Columns) {
@@ -107,19 +153,50 @@ TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
   ASSERT_EQ(rows[0].modes.size(), 1U);
   EXPECT_EQ(rows[0].modes[0].count, 2U);
   EXPECT_EQ(rows[0].modes[0].estimate, 0.25);
-  EXPECT_EQ(rows[0].modes[0].interval.high, 0.5);
+  EXPECT_FALSE(rows[0].modes[0].interval) << "nothing is random in this scene";
+  experiment.conditions[0].scene.fluctuation.restitution = 0.1;
+  EXPECT_EQ(table_rows(experiment, {.conditions = {condition}, .digest = {}})[0].modes[0].interval->high, 0.5);
+}
+
+TEST(TableRows, BoundModesThatOccurInOtherConditionsOnly) {
+  Experiment experiment;
+  for (const bool until : {false, true}) {
+    Condition& condition = experiment.conditions.emplace_back();
+    condition.scene.fluctuation.restitution = 0.1;
+    if (until) condition.until = Until{.half_width = 0.1};
+  }
+  ConditionResult with;
+  with.realisations = 10;
+  Estimate estimate;
+  estimate.counts = {.successes = 1, .trials = 10};
+  with.modes.push_back({.mode = section::periodic(1, 5), .probability = estimate});
+  ConditionResult without;
+  without.realisations = 200;
+  for (const bool until : {false, true}) {
+    std::vector<ConditionResult> results{without, with};
+    if (until) std::swap(results[0], results[1]);
+    const auto rows = table_rows(experiment, {.conditions = results, .digest = {}});
+    const TableRow& row = rows[until ? 1 : 0];
+    ASSERT_EQ(row.modes.size(), 1U);
+    EXPECT_EQ(row.modes[0].count, 0U);
+    EXPECT_EQ(row.modes[0].interval.has_value(), !until);
+    if (!until) {
+      EXPECT_EQ(row.modes[0].interval->high,
+                simultaneous_interval(section::periodic(1, 5), {.successes = 0, .trials = 200}, 0.95).high);
+    }
+  }
 }
 
 TEST(TableRows, HaveTheIntervalThatIsValidWheneverTheRunStops) {
   Experiment experiment;
-  experiment.conditions.emplace_back();
+  experiment.conditions.emplace_back().scene.fluctuation.restitution = 0.1;
   Estimate estimate;
   estimate.simultaneous = {.low = 0.5, .high = 1.0};
   estimate.anytime = {.low = 0.25, .high = 1.0};
   ConditionResult condition;
   condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
   const auto rows = table_rows(experiment, {.conditions = {condition}, .digest = {}});
-  EXPECT_EQ(rows[0].modes[0].interval.low, 0.25);
+  EXPECT_EQ(rows[0].modes[0].interval->low, 0.25);
 }
 
 /// Three modes: one alone, two equally frequent, and one rare.
@@ -136,7 +213,7 @@ TEST(ModeTable, DrawsItsSharesWhereBarsAreWanted) {
   EXPECT_THAT(
       of_three_modes().lines({.width = 104, .bars = Letters::ascii}),
       ::testing::ElementsAre("amplitude    n              # (1,1)            - (1,3)    % overturned        shares",
-                             "        3  200  100.0 [50.0, 100.0]                  .               .  ############",
+                             "        3  200  100.0 [50.0, 100.0]              < 2.8           < 2.8  ############",
                              "      4.5  200    50.0 [25.0, 50.0]  49.5 [24.8, 49.5]  0.5 [0.2, 0.5]  ######-----%"));
   const auto lines = of_three_modes().lines({.width = 107, .bars = Letters::unicode});
   EXPECT_THAT(lines[0], ::testing::HasSubstr("█ (1,1)"));

@@ -13,6 +13,7 @@ namespace rocking {
 struct HistoryPoint {
   double tau;
   dynamics::State state;
+  double base_acceleration;  ///< alpha: horizontal, over g
 };
 
 /// A hybrid system with the same bits as `Motion` that also samples the motion at a number of evenly spaced instants
@@ -70,7 +71,9 @@ class SampledMotion {
 
   void keep(double instant) {
     const double periods = static_cast<double>(done_) + static_cast<double>(next_) / samples_;
-    history_->push_back({.tau = periods * period_, .state = motion_->state_at(instant > 0.0 ? instant : 0.0)});
+    const double x = instant > 0.0 ? instant : 0.0;
+    history_->push_back(
+        {.tau = periods * period_, .state = motion_->state_at(x), .base_acceleration = motion_->base_at(x).horizontal});
   }
 
   void begin_period(double x) {

@@ -54,13 +54,14 @@ void run(Motion& motion, const Beginning& beginning, int samples, std::vector<Hi
 std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& points, double shape_angle) {
   std::vector<HistorySample> history;
   history.reserve(points.size());
-  for (const auto& [tau, state] : points) {
+  for (const auto& [tau, state, base_acceleration] : points) {
     history.push_back({.tau = tau,
                        .tilt = state.tilt / shape_angle,
                        .tilt_rate = state.tilt_rate / shape_angle,
                        .slip = state.slip,
                        .slip_rate = state.slip_rate,
-                       .contact = state.contact});
+                       .contact = state.contact,
+                       .base_acceleration = base_acceleration});
   }
   return history;
 }

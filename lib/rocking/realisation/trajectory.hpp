@@ -43,6 +43,7 @@ struct HistorySample {
   double slip;       ///< X [-]
   double slip_rate;  ///< V [-]
   dynamics::ContactState contact;
+  double base_acceleration;  ///< alpha: horizontal acceleration of the base, over g
 };
 
 struct Trajectory {

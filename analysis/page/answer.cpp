@@ -1,38 +1,264 @@
 #include "analysis/page/answer.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
+
 #include <fmt/format.h>
 
 #include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
+#include "analysis/page/mode_drawing.hpp"
 #include "analysis/page/words.hpp"
-#include "rocking/output/text_table.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-std::string overturning(const RunReport& report) {
-  const Extreme worst = extreme_of(report, {.kind = section::ResponseKind::overturned});
-  if (worst.share.count == 0) {
-    return fmt::format(
-        "<p>No realisation overturned. In each condition the probability of overturning is below {} % with {} % "
-        "confidence.</p>\n",
-        per_cent(worst.share.interval.high), level_text(report.conditions[worst.condition].confidence));
+using section::ResponseMode;
+
+constexpr ResponseMode overturned{.kind = section::ResponseKind::overturned};
+
+/// Neighbouring conditions of a slice; places in it, both included.
+struct Range {
+  std::size_t first, last;
+};
+
+/// The conditions of a slice, with their names as positions along the sweep.
+class Along {
+ public:
+  /// `entry`: of the sweep, along which the slice goes.
+  Along(const RunReport& report, const Slice& slice, std::size_t entry)
+      : report_(&report), slice_(&slice), entry_(entry) {}
+
+  [[nodiscard]] std::size_t size() const { return slice_->conditions.size(); }
+  [[nodiscard]] const ConditionReport& at(std::size_t place) const {
+    return report_->conditions[slice_->conditions[place]];
   }
-  return fmt::format("<p>Overturning is most likely at {}: {}.</p>\n", escaped(condition_name(report, worst.condition)),
-                     probability_text(worst.share.estimate, worst.share.interval));
+  /// `A_h = 4.5`, as HTML.
+  [[nodiscard]] std::string name(std::size_t place) const {
+    return place_html(report_->swept[entry_], at(place).parameters[entry_]);
+  }
+  /// The value only, where the quantity has been named.
+  [[nodiscard]] std::string value(std::size_t place) const {
+    return place_value_html(report_->swept[entry_], at(place).parameters[entry_]);
+  }
+  [[nodiscard]] std::string name(const Range& range) const {
+    if (range.first == range.last) return name(range.first);
+    return name(range.first) + " to " + value(range.last);
+  }
+
+  /// Neighbouring conditions for which `kind` has the same value.
+  template <class Kind>
+  [[nodiscard]] std::vector<Range> ranges(const Kind& kind) const {
+    std::vector<Range> found;
+    for (std::size_t i = 0; i < size(); ++i) {
+      if (i > 0 && kind(at(i)) == kind(at(i - 1))) {
+        found.back().last = i;
+      } else {
+        found.push_back({.first = i, .last = i});
+      }
+    }
+    return found;
+  }
+
+ private:
+  const RunReport* report_;
+  const Slice* slice_;
+  std::size_t entry_;
+};
+
+bool overturns(const ConditionReport& condition) { return share_of(condition, overturned).count > 0; }
+
+std::string level_of(const ConditionReport& condition) { return level_text(condition.confidence) + " %"; }
+
+/// `(at most 2.8 % there, 95 %)`; empty if the report has no bound.
+std::string bound_at(const ConditionReport& condition) {
+  const AnyShare share = share_of(condition, overturned);
+  if (!share.interval) return "";
+  return fmt::format(" (at most {} % there, {})", upper_bound_text(share.interval->high), level_of(condition));
 }
 
-std::string least_repeatable(const RunReport& report) {
-  const Repeatability found = repeatability_of(report);
-  std::string text = fmt::format("<p>In {} of {} all realisations have the same response mode.", found.alike,
-                                 counted(found.compared, "condition"));
-  if (found.alike == found.compared) return text + "</p>\n";
-  const Difference& worst = *report.conditions[*found.least].difference;
-  return text + fmt::format(
-                    " Least repeatable: {}. There, two runs under the same excitation have different responses with "
-                    "probability <strong>{}</strong>.</p>\n",
-                    escaped(condition_name(report, *found.least)), probability_text(worst.differ, worst.interval));
+std::string probability_at(const ConditionReport& condition, const ResponseMode& mode) {
+  const AnyShare share = share_of(condition, mode);
+  return share.interval ? probability_text(share.estimate, *share.interval) : per_cent(share.estimate) + " %";
+}
+
+std::string list_of(const std::vector<std::string>& parts) {
+  std::string text;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  }
+  return text;
+}
+
+/// The stretches in which the block overturns.
+std::string where_it_overturns(const Along& along) {
+  std::vector<std::string> stretches;
+  std::size_t number = 0;
+  for (const Range& range : along.ranges(overturns)) {
+    if (!overturns(along.at(range.first))) continue;
+    number += range.last - range.first + 1;
+    stretches.push_back((range.first == range.last ? "at " : "from ") + along.name(range));
+  }
+  if (number == along.size()) return "at every value, " + stretches.front();
+  if (stretches.size() > 3) return fmt::format("in {} of {} conditions", number, along.size());
+  return list_of(stretches);
+}
+
+std::string never_overturns(const Along& along) {
+  const std::size_t last = along.size() - 1;
+  const bool random = along.at(last).is_random;
+  if (last == 0) return (random ? "None seen at " : "Does not overturn at ") + along.name(0) + bound_at(along.at(0));
+  if (!random) return "Does not overturn from " + along.name(Range{0, last});
+  return "No overturning seen up to " + along.name(last) + bound_at(along.at(last));
+}
+
+/// `No overturning seen up to 1.05 g (at most 2.8 % there, 95 %); seen from 1.1 g to 1.5 g, most likely at 1.5 g: 13 %
+/// [5.5, 24.4]`.
+std::string overturning_along(const Along& along) {
+  std::size_t first = 0;
+  std::size_t most = 0;
+  while (first < along.size() && !overturns(along.at(first))) ++first;
+  if (first == along.size()) return never_overturns(along);
+  for (std::size_t i = 0; i < along.size(); ++i) {
+    if (share_of(along.at(i), overturned).estimate > share_of(along.at(most), overturned).estimate) most = i;
+  }
+  if (!along.at(most).is_random) {
+    return (first > 0 ? "Does not overturn up to " + along.name(first - 1) + "; overturns " : "Overturns ") +
+           where_it_overturns(along);
+  }
+  std::string text;
+  if (first > 0) text = "No overturning seen up to " + along.name(first - 1) + bound_at(along.at(first - 1)) + "; ";
+  text += (first > 0 ? "seen " : "Overturning seen ") + where_it_overturns(along);
+  return text + fmt::format("; most likely at {}: <strong>{}</strong>", along.name(most),
+                            probability_at(along.at(most), overturned));
+}
+
+/// All conditions together, where they are too many or have no order.
+std::string overturning_anywhere(const RunReport& report) {
+  const Extreme worst = extreme_of(report, overturned);
+  const ConditionReport& condition = report.conditions[worst.condition];
+  const auto number = std::ranges::count_if(report.conditions, overturns);
+  if (number == 0 && !report.is_random()) return "The block does not overturn";
+  if (number == 0) {
+    const AnyShare share = share_of(condition, overturned);
+    std::string text = fmt::format("None in {}", counted(realisations_of(report), "realisation"));
+    if (report.conditions.size() > 1) text += fmt::format(" of {} conditions", report.conditions.size());
+    if (!share.interval) return text;
+    return text + fmt::format(": at most {} %{} ({} confidence)", upper_bound_text(share.interval->high),
+                              report.conditions.size() > 1 ? " in each condition" : "", level_of(condition));
+  }
+  const std::string place = escaped(condition_name(report, worst.condition));
+  if (report.conditions.size() == 1) {
+    if (!condition.is_random) return "The block overturns";
+    return fmt::format("Probability <strong>{}</strong>: {} of {}", probability_at(condition, overturned),
+                       worst.share.count, counted(condition.realisations, "realisation"));
+  }
+  if (!condition.is_random) return fmt::format("In {} of {} conditions", number, report.conditions.size());
+  return fmt::format("Seen in {} of {} conditions; most likely at {}: <strong>{}</strong>", number,
+                     report.conditions.size(), place, probability_at(condition, overturned));
+}
+
+/// The entry of the sweep that the view shows.
+std::size_t entry_along(const RunReport& report, const SweepView& view) {
+  for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
+    if (label_of(axis_of_parameter(report.swept[entry])) == label_of(view.axis)) return entry;
+  }
+  return 0;
+}
+
+/// A sentence for each slice, after its name.
+std::string by_slice(const RunReport& report, const SweepView& view,
+                     const std::function<std::string(const Along&)>& sentence) {
+  const std::size_t entry = entry_along(report, view);
+  if (view.slices.size() == 1) return "<p>" + sentence(Along(report, view.slices.front(), entry)) + ".</p>\n";
+  std::string text = "<ul>\n";
+  for (const Slice& slice : view.slices) {
+    text += fmt::format("<li><b>{}:</b> {}.</li>\n", escaped(slice.name), sentence(Along(report, slice, entry)));
+  }
+  return text + "</ul>\n";
+}
+
+bool has_few_slices(const SweepView& view) { return view.is_line && view.slices.size() <= most_answers; }
+
+/// The most frequent mode of a condition; of equally frequent ones the first.
+ResponseMode most_likely(const ConditionReport& condition) {
+  ResponseMode mode;
+  std::uint64_t highest = 0;
+  for (const auto& [each, share] : condition.modes) {
+    if (share.count <= highest) continue;
+    highest = share.count;
+    mode = each;
+  }
+  return mode;
+}
+
+/// `rocks once in three periods (1,3)`.
+std::string spoken_mode(const ResponseMode& mode) {
+  const std::string meaning = meaning_of(mode);
+  return mode.kind == section::ResponseKind::periodic ? meaning + ' ' + escaped(to_string(mode)) : meaning;
+}
+
+/// `98.5 % [94.4, 99.8]`, or `95.5 to 100.0 %` for several conditions; empty if nothing is random.
+std::string probability_along(const Along& along, const Range& range, const ResponseMode& mode) {
+  double least = 1.0;
+  double most = 0.0;
+  bool random = false;
+  for (std::size_t i = range.first; i <= range.last; ++i) {
+    const double estimate = share_of(along.at(i), mode).estimate;
+    least = std::min(least, estimate);
+    most = std::max(most, estimate);
+    random = random || along.at(i).is_random;
+  }
+  if (!random) return "";
+  if (range.first == range.last) return ", " + probability_at(along.at(range.first), mode);
+  if (per_cent(least) == per_cent(most)) return ", " + per_cent(most) + " % each";
+  return ", " + per_cent(least) + " to " + per_cent(most) + " %";
+}
+
+std::string responses_along(const Along& along) {
+  const auto ranges = along.ranges(most_likely);
+  std::vector<std::string> parts;
+  for (const Range& range : ranges) {
+    const ResponseMode mode = most_likely(along.at(range.first));
+    parts.push_back(
+        fmt::format("{}: {}{}", along.name(range), spoken_mode(mode), probability_along(along, range, mode)));
+    if (parts.size() == most_stretches && ranges.size() > most_stretches) {
+      parts.push_back(fmt::format("then {} further changes", ranges.size() - most_stretches));
+      break;
+    }
+  }
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : "; ") + part;
+  return text;
+}
+
+/// In how many conditions each mode is the most likely one.
+std::string responses_anywhere(const RunReport& report) {
+  if (report.conditions.size() == 1) {
+    std::string text;
+    for (const auto& [mode, share] : report.conditions.front().modes) {
+      if (share.count == 0) continue;
+      text += (text.empty() ? "" : "; ") + spoken_mode(mode) +
+              (report.is_random() ? ": " + probability_at(report.conditions.front(), mode) : "");
+    }
+    return text;
+  }
+  std::vector<std::pair<std::uint64_t, ResponseMode>> ranked;
+  for (const auto& [mode, prevalence] : prevalences_of(report)) {
+    if (prevalence.most_likely > 0) ranked.emplace_back(prevalence.most_likely, mode);
+  }
+  std::ranges::stable_sort(ranked, std::greater{}, [](const auto& entry) { return entry.first; });
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most_stretches, ranked.size()); ++i) {
+    text += fmt::format("{}{}: {}in {} of {} conditions", text.empty() ? "" : "; ", spoken_mode(ranked[i].second),
+                        report.is_random() ? "most likely " : "", ranked[i].first, report.conditions.size());
+  }
+  return text;
 }
 
 std::string divergences(const RunReport& report, const char* cause, Divergence Difference::*member) {
@@ -46,30 +272,72 @@ std::string divergences(const RunReport& report, const char* cause, Divergence D
   return "<li>" + text + ".</li>\n";
 }
 
+std::string repeatability(const RunReport& report) {
+  const Repeatability found = repeatability_of(report);
+  if (!report.is_random()) return "<p>Nothing is random: the same shaking gives the same response.</p>\n";
+  if (found.compared == 0) return "<p>There is one realisation per condition, so that none can be compared.</p>\n";
+  if (found.alike == found.compared) {
+    return fmt::format("<p>All realisations of {} have the same response mode.</p>\n",
+                       found.compared == 1 ? "the condition" : "each condition");
+  }
+  const Difference& worst = *report.conditions[*found.least].difference;
+  const bool lone = report.conditions.size() == 1;
+  return fmt::format(
+      "<p>{}wo runs under the same shaking respond differently with probability <strong>{}</strong>{}.</p>\n",
+      lone ? "T" : fmt::format("Least repeatable at {}: t", escaped(condition_name(report, *found.least))),
+      probability_text(worst.differ, worst.interval),
+      lone ? ""
+           : fmt::format(". In {} of {} all realisations have the same response mode", found.alike,
+                         counted(found.compared, "condition")));
+}
+
 }  // namespace
 
+std::string overturning_in_brief(const RunReport& report) {
+  const SweepView view = view_of(report);
+  if (has_few_slices(view)) return by_slice(report, view, overturning_along);
+  return "<p>" + overturning_anywhere(report) + ".</p>\n";
+}
+
 std::string responses_in_brief(const RunReport& report) {
-  std::string rows;
-  for (const auto& [mode, prevalence] : prevalences_of(report)) {
-    rows += fmt::format(
-        "<tr><th scope=\"row\">{}<span class=\"meaning\">{}</span></th><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-        escaped(to_string(mode)), meaning_of(mode), prevalence.most_likely, prevalence.occurs, prevalence.realisations);
-  }
-  return fmt::format(
-             "<table class=\"brief\"><caption>{}, {}</caption>\n<thead><tr><th scope=\"col\">response</th><th "
-             "scope=\"col\">most likely in</th><th scope=\"col\">occurs in</th><th scope=\"col\">realisations</th>"
-             "</tr></thead>\n<tbody>\n{}</tbody></table>\n",
-             counted(report.conditions.size(), "condition"), counted(realisations_of(report), "realisation"), rows) +
-         overturning(report);
+  const SweepView view = view_of(report);
+  if (has_few_slices(view)) return by_slice(report, view, responses_along);
+  return "<p>" + responses_anywhere(report) + ".</p>\n";
 }
 
 std::string recurrence_in_brief(const RunReport& report) {
-  if (repeatability_of(report).compared == 0)
-    return "<p>There is one realisation per condition: nothing is random, or only one was requested.</p>\n";
-  return least_repeatable(report) +
-         "<p>Two runs have diverged when their strobe points are more than 0.01 apart. With</p>\n<ul>\n" +
+  if (repeatability_of(report).compared == 0) return repeatability(report);
+  return "<p>Two runs under the same shaking have diverged when tilt and tilt rate, compared once a period, differ by "
+         "more "
+         "than 0.01. With</p>\n<ul>\n" +
          divergences(report, "independent random numbers", &Difference::by_friction) +
          divergences(report, "common random numbers and another tolerance", &Difference::by_arithmetic) + "</ul>\n";
+}
+
+std::string modes_in_brief(const RunReport& report) {
+  std::string entries;
+  bool has_periodic = false;
+  for (const ResponseMode& mode : modes_to_show(report.occurring(), most_stretches)) {
+    has_periodic = has_periodic || mode.kind == section::ResponseKind::periodic;
+    entries += fmt::format("<li>{}<span><b>{}</b> {}</span></li>\n", mode_drawing(mode), escaped(to_string(mode)),
+                           meaning_of(mode));
+  }
+  return fmt::format(
+      "<ul class=\"modes\">\n{}</ul>\n<p class=\"small\">{}Drawings: tilt against time (dark) above the acceleration "
+      "of "
+      "the floor (pale); schematic.</p>\n",
+      entries,
+      has_periodic ? "(<i>m</i>,<i>n</i>): the block rocks <i>m</i> times, to the left and to the right, in <i>n</i> "
+                     "periods of the shaking, and repeats this. "
+                   : "");
+}
+
+std::string answer_in_brief(const RunReport& report) {
+  return fmt::format(
+      "<dl class=\"short\">\n<dt>Overturning</dt><dd>{}</dd>\n<dt>{}</dt><dd>{}{}</dd>\n"
+      "<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",
+      overturning_in_brief(report), report.is_random() ? "Most likely response" : "Response",
+      responses_in_brief(report), modes_in_brief(report), repeatability(report));
 }
 
 }  // namespace rocking::analysis

@@ -6,10 +6,24 @@
 
 namespace rocking::analysis {
 
-/// HTML: which responses occur, where each is the most likely one, and how probable overturning can be.
+/// Largest number of combinations of the other swept parameters for which the answer has its own sentences, and of
+/// stretches of the shown parameter in each of them.
+inline constexpr std::size_t most_answers = 6;
+inline constexpr std::size_t most_stretches = 6;
+
+/// HTML: whether the block overturns, how likely, and from which to which value of the swept parameter.
+[[nodiscard]] std::string overturning_in_brief(const RunReport& report);
+
+/// HTML: the most likely response in each stretch of the swept parameter.
 [[nodiscard]] std::string responses_in_brief(const RunReport& report);
 
-/// HTML: how often two runs of a condition differ, where this is most frequent, and after which time they diverge.
+/// HTML: how many runs of a condition diverge, and after which time; or why none can be compared.
 [[nodiscard]] std::string recurrence_in_brief(const RunReport& report);
+
+/// HTML: the response modes that occur, each in words and with a schematic drawing.
+[[nodiscard]] std::string modes_in_brief(const RunReport& report);
+
+/// HTML: the first part of a page, made of the above.
+[[nodiscard]] std::string answer_in_brief(const RunReport& report);
 
 }  // namespace rocking::analysis

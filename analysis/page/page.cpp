@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 
 #include "analysis/page/answer.hpp"
-#include "analysis/page/assets.hpp"
+#include "analysis/page/frame.hpp"
 #include "analysis/page/html.hpp"
+#include "analysis/page/limits.hpp"
+#include "analysis/page/motion.hpp"
 #include "analysis/page/question.hpp"
 #include "analysis/page/trust.hpp"
 
@@ -32,21 +34,6 @@ const std::vector<Part>& parts() {
 
 bool belongs(const Part& part, const Figure& figure) {
   return std::ranges::any_of(part.figures, [&](const std::string& start) { return figure.name.starts_with(start); });
-}
-
-std::string head(const std::string& title) {
-  const std::string style = dygraphs_style() + page_style();
-  const std::string library = dygraphs_script();
-  const std::string script = page_script();
-  const std::string scripts = library.empty() ? policy_hash(script) : policy_hash(library) + ' ' + policy_hash(script);
-  return fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
-      "http-equiv=\"Content-Security-Policy\" "
-      "content=\"default-src 'none'; style-src {}; script-src {}; img-src data:; base-uri 'none'; form-action "
-      "'none'\">\n"
-      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n<link rel=\"icon\" "
-      "href=\"data:,\">\n<style>{}</style>\n</head>\n",
-      policy_hash(style), scripts, escaped(title), style);
 }
 
 /// `link`: address of more details; empty if there are none.
@@ -74,68 +61,36 @@ std::map<std::string, std::string> figures_by_part(const RunReport& report, cons
   return content;
 }
 
-constexpr std::string_view dygraphs_licence =
-    "Copyright (c) 2006, 2009, 2011, 2012, 2013, 2017 Dan Vanderkam and other contributors. Permission is hereby "
-    "granted, free "
-    "of charge, to any person obtaining a copy of this software and associated documentation files (the \"Software\"), "
-    "to deal "
-    "in the Software without restriction, including without limitation the rights to use, copy, modify, merge, "
-    "publish, "
-    "distribute, sublicense, and/or sell copies of the Software, and to permit persons to whom the Software is "
-    "furnished to do "
-    "so, subject to the following conditions: The above copyright notice and this permission notice shall be included "
-    "in all "
-    "copies or substantial portions of the Software. THE SOFTWARE IS PROVIDED \"AS IS\", WITHOUT WARRANTY OF ANY KIND, "
-    "EXPRESS "
-    "OR IMPLIED, INCLUDING BUT NOT LIMITED TO THE WARRANTIES OF MERCHANTABILITY, FITNESS FOR A PARTICULAR PURPOSE AND "
-    "NONINFRINGEMENT. IN NO EVENT SHALL THE AUTHORS OR COPYRIGHT HOLDERS BE LIABLE FOR ANY CLAIM, DAMAGES OR OTHER "
-    "LIABILITY, "
-    "WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM, OUT OF OR IN CONNECTION WITH THE SOFTWARE OR "
-    "THE USE OR "
-    "OTHER DEALINGS IN THE SOFTWARE.";
-
-std::string footer() {
-  if (dygraphs_script().empty()) return "";
-  return fmt::format(
-      "<footer>\n<details><summary>Charts by dygraphs, under the MIT licence</summary>\n<p>{}</p></details>\n"
-      "</footer>\n",
-      escaped(dygraphs_licence));
-}
-
-std::string scripts() {
-  const std::string library = dygraphs_script();
-  std::string text;
-  if (!library.empty()) text += "<script>" + library + "</script>\n";
-  return text + "<script>" + page_script() + "</script>\n";
+/// The motions of one condition.
+std::string motions_section(const ShownMotions& shown) {
+  if (shown.explanation.empty()) return "";
+  return section(
+      "motion", "See it move",
+      "<p>" + escaped(shown.explanation) + "</p>\n" + (shown.motions.empty() ? "" : motions_html(shown.motions)));
 }
 
 }  // namespace
 
-std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures) {
+std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures, const ShownMotions& motions) {
   const std::string title = report.title.empty() ? "A rocking block" : report.title;
   const auto checks = checks_of(report);
-  std::string text = head(title);
-  text += fmt::format(
-      "<body>\n<a class=\"skip\" href=\"#main\">To the results</a>\n<header>\n<h1>{}</h1>\n</header>\n<main "
-      "id=\"main\">\n<div class=\"cards\">\n",
-      escaped(title));
   auto content = figures_by_part(report, figures);
   const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
+  std::string text = section("answer", "In short", answer_in_brief(report)) + "<div class=\"cards\">\n";
   text += card("asked", "What was simulated?", question_in_brief(report), "question");
-  text +=
-      card("likely", "Which responses occur, and how likely are they?", responses_in_brief(report), link("responses"));
   text += card("repeats", "Is the response repeatable?", recurrence_in_brief(report), link("recurrence"));
   text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
-  text += "</div>\n";
+  text += "</div>\n" + motions_section(motions);
   for (const Part& part : parts()) {
     if (part.id != std::string_view("question") && content.contains(part.id)) {
       text += section(part.id, part.heading, content[part.id]);
     }
   }
   text += section("trust", "Can the results be trusted?", trust_in_full(checks));
+  text += section("limits", "What is not modelled", limits_html());
   text += section("question", "What was simulated?", content["question"] + question_in_full(report));
   text += section("again", "Origin of the results", provenance(report));
-  return text + "</main>\n" + footer() + scripts() + "</body>\n</html>\n";
+  return framed({.title = title}, text);
 }
 
 }  // namespace rocking::analysis

@@ -1,9 +1,10 @@
-// Sorting of tables, and charts. Without this script the page is complete, but static.
+// Sorting of tables, animations, and charts. Without this script the page is complete, but static.
 (function () {
   'use strict';
 
   function keyOf(row, column) {
-    var text = row.cells[column].textContent.trim(), number = parseFloat(text);
+    var cell = row.cells[column], text = cell.textContent.trim();
+    var number = parseFloat('value' in cell.dataset ? cell.dataset.value : text);
     return { text: text, number: isNaN(number) ? null : number };
   }
 
@@ -34,6 +35,7 @@
   }
 
   document.querySelectorAll('table.sortable').forEach(addSorting);
+  document.querySelectorAll('.motions').forEach(motions.add);
   if (typeof Dygraph === 'undefined') return;
   // The legend of dygraphs sets a style attribute, which the page's policy forbids; the readout shows the same.
   Dygraph.PLUGINS = Dygraph.PLUGINS.filter(function (plugin) { return plugin !== Dygraph.Plugins.Legend; });

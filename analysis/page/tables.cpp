@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,29 +17,35 @@
 namespace rocking::analysis {
 namespace {
 
-struct PageTable {
-  std::string caption;
-  std::vector<std::string> head;               ///< HTML
-  std::vector<std::vector<std::string>> rows;  ///< HTML; the first cell of a row is its heading
-  std::size_t all_rows = 0;                    ///< including omitted ones
+struct PageCell {
+  std::string html;
+  std::optional<double> value;  ///< by which it is sorted, if that is not the number with which its text begins
 };
+
+struct PageTable {
+  std::string label;                        ///< plain text, escaped
+  std::string caption;                      ///< HTML
+  std::vector<std::string> head;            ///< HTML
+  std::vector<std::vector<PageCell>> rows;  ///< the first cell of a row is its heading
+  std::size_t all_rows = 0;                 ///< including omitted ones
+};
+
+PageCell cell_of(std::string html) { return {.html = std::move(html), .value = {}}; }
 
 /// The script of the page makes the buttons; without it there are none.
 std::string html_of(const PageTable& table) {
   std::string text = fmt::format(
-      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Table: {0}\"><table class=\"sortable\">"
-      "<caption>{0}</caption>\n<thead><tr>",
-      table.caption);
+      "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"sortable\">"
+      "<caption>{}</caption>\n<thead><tr>",
+      table.label, table.caption);
   for (const std::string& cell : table.head) text += fmt::format("<th scope=\"col\">{}</th>", cell);
   text += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     text += "<tr>";
-    const char* open = "<th scope=\"row\">";
-    const char* close = "</th>";
-    for (const std::string& cell : row) {
-      text += open + cell + close;
-      open = "<td>";
-      close = "</td>";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string value = row[i].value ? fmt::format(" data-value=\"{}\"", *row[i].value) : "";
+      text += i == 0 ? fmt::format("<th scope=\"row\"{}>{}</th>", value, row[i].html)
+                     : fmt::format("<td{}>{}</td>", value, row[i].html);
     }
     text += "</tr>\n";
   }
@@ -52,13 +59,25 @@ std::string html_of(const PageTable& table) {
   return text;
 }
 
-std::string mode_cell(const ConditionReport& condition, const section::ResponseMode& mode, ModeCells cells) {
-  const auto found = condition.modes.find(mode);
-  if (found == condition.modes.end() || found->second.count == 0) return "0";
-  const ModeShare& share = found->second;
-  if (cells == ModeCells::estimates) return per_cent(share.estimate);
-  return fmt::format("{} <span class=\"interval\">[{}, {}]</span>", per_cent(share.estimate),
-                     per_cent(share.interval.low), per_cent(share.interval.high));
+PageCell mode_cell(const ConditionReport& condition, const section::ResponseMode& mode) {
+  const AnyShare share = share_of(condition, mode);
+  if (share.count == 0) {
+    if (!share.interval) return {.html = "0", .value = {}};
+    return {.html = "<span class=\"none\">&lt; " + upper_bound_text(share.interval->high) + "</span>", .value = 0.0};
+  }
+  const std::string estimate = per_cent(share.estimate);
+  if (!share.interval) return {.html = estimate, .value = {}};
+  return {.html = fmt::format("{} <span class=\"interval\">[{}, {}]</span>", estimate, per_cent(share.interval->low),
+                              per_cent(share.interval->high)),
+          .value = {}};
+}
+
+/// The response of a condition that is not random.
+std::string response_of(const ConditionReport& condition) {
+  for (const auto& [mode, share] : condition.modes) {
+    if (share.count > 0) return escaped(to_string(mode));
+  }
+  return "<span class=\"none\">none</span>";
 }
 
 std::string column_name(const std::string& pointer) {
@@ -75,27 +94,40 @@ std::string cell_html(const Cell& cell) {
 
 }  // namespace
 
-std::string mode_table_html(const RunReport& report, ModeCells cells) {
+std::string mode_table_html(const RunReport& report) {
   PageTable table;
-  table.caption = "Response modes in per cent of the realisations";
-  if (cells == ModeCells::with_intervals) {
-    table.caption += fmt::format(" [{} interval, simultaneous for all modes of a condition]", escaped(report.level()));
+  table.label = "Table: response modes";
+  table.caption = "Response of each condition. Nothing is random: one realisation is the response";
+  const bool random = report.is_random();
+  if (random) {
+    table.caption = fmt::format(
+        "Response modes in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; &lt; "
+        "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval",
+        escaped(report.level()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
   for (const std::string& pointer : report.swept) table.head.push_back(column_name(pointer));
-  table.head.emplace_back("<i>n</i>");
   const auto modes = report.occurring();
-  for (const auto& [mode, count] : modes) table.head.push_back(escaped(to_string(mode)));
+  if (random) {
+    table.head.emplace_back("<i>n</i>");
+    for (const auto& [mode, count] : modes) table.head.push_back(escaped(to_string(mode)));
+  } else {
+    table.head.emplace_back("response");
+  }
   table.all_rows = report.conditions.size();
   for (std::size_t i = 0; i < std::min(most_rows, report.conditions.size()); ++i) {
     const ConditionReport& condition = report.conditions[i];
-    std::vector<std::string> row;
-    if (report.swept.empty()) row.emplace_back("the only one");
+    std::vector<PageCell> row;
+    if (report.swept.empty()) row.push_back(cell_of("the only one"));
     for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
-      row.push_back(escaped(short_value(report.swept[entry], condition.parameters[entry])));
+      row.push_back(cell_of(escaped(short_value(report.swept[entry], condition.parameters[entry]))));
     }
-    row.push_back(std::to_string(condition.realisations));
-    for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode, cells));
+    if (random) {
+      row.push_back(cell_of(std::to_string(condition.realisations)));
+      for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode));
+    } else {
+      row.push_back(cell_of(response_of(condition)));
+    }
     table.rows.push_back(std::move(row));
   }
   return html_of(table);
@@ -126,12 +158,13 @@ Table side_by_side(const std::vector<Table>& tables) {
 
 std::string data_table_html(const Table& table, const std::string& title) {
   PageTable shown;
+  shown.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
   shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
   for (const Column& column : table.columns) shown.head.push_back(lowered(column.meaning));
   shown.all_rows = table.rows.size();
   for (std::size_t i = 0; i < std::min(most_rows, table.rows.size()); ++i) {
-    std::vector<std::string> row;
-    for (const Cell& cell : table.rows[i]) row.push_back(cell_html(cell));
+    std::vector<PageCell> row;
+    for (const Cell& cell : table.rows[i]) row.push_back(cell_of(cell_html(cell)));
     shown.rows.push_back(std::move(row));
   }
   return html_of(shown);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,10 +11,9 @@ namespace rocking::analysis {
 /// Largest number of rows of a table of a page; the files that `rocking report` writes have all rows.
 inline constexpr std::size_t most_rows = 2000;
 
-enum class ModeCells : std::uint8_t { estimates, with_intervals };
-
-/// A sortable table with a row for each condition and a column for each response mode that occurs, in per cent.
-[[nodiscard]] std::string mode_table_html(const RunReport& report, ModeCells cells);
+/// A sortable table with a row for each condition and a column for each response mode that occurs, in per cent with
+/// intervals; `< 2.8` where it does not occur. If nothing is random, one column with the response instead.
+[[nodiscard]] std::string mode_table_html(const RunReport& report);
 
 /// Joins step functions into one table. The first column of each table is a place, the second a level that holds until
 /// the next place. The result has a row for each place of any table, in order, and a column for each table, with its

@@ -147,9 +147,16 @@ Check arithmetic(const RunReport& report) {
   }
   const std::string noise = floor.at("arithmetic_noise");
   const Json& interval = floor.at("interval");
-  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance [{}, {} %], ",
-                              floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>(),
-                              per_cent(interval.at(0).get<double>()), per_cent(interval.at(1).get<double>()));
+  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance",
+                              floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>());
+  if (!report.is_random()) {
+    const bool changes = floor.at("flips") != 0;
+    check.rating = changes ? Rating::look : Rating::fine;
+    check.finding += changes ? ": these responses are <strong>not</strong> reliable." : ".";
+    return check;
+  }
+  check.finding +=
+      fmt::format(" [{}, {} %], ", per_cent(interval.at(0).get<double>()), per_cent(interval.at(1).get<double>()));
   const std::string half_width = per_cent(floor.at("half_width").get<double>()) + " %.";
   if (noise == "small") {
     check.rating = Rating::fine;
@@ -185,6 +192,12 @@ Check unresolved(const RunReport& report) {
 }
 
 Check enough(const RunReport& report) {
+  if (!report.is_random()) {
+    return {.name = "enough realisations",
+            .rating = Rating::fine,
+            .finding = "Nothing is random: one realisation of a condition is enough.",
+            .where = {}};
+  }
   std::uint64_t short_of = 0;
   for (const Json& condition : report.text.at("result").at("conditions")) {
     if (condition.at("stopped_because") == "at_most_reached") ++short_of;
@@ -239,19 +252,15 @@ std::string trust_in_brief(const std::vector<Check>& checks) {
 }
 
 std::string trust_in_full(const std::vector<Check>& checks) {
-  std::string rows;
+  std::string entries;
   for (const Check& check : checks) {
-    rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{}</td><td>{} {}</td></tr>\n", check.name,
-                        badge(check.rating), check.finding, check.where);
+    entries += fmt::format("<li>{} <b>{}</b><span>{} {}</span></li>\n", badge(check.rating), check.name, check.finding,
+                           check.where);
   }
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Checks\"><table "
-         "class=\"words\"><caption>Possible "
-         "causes of a wrong result, and what was found</caption>\n<thead><tr><th scope=\"col\">check</th><th "
-         "scope=\"col\">result</th><th scope=\"col\">finding</th></tr></thead>\n<tbody>\n" +
-         rows +
-         "</tbody></table></div>\n<p><code>rocking replay</code> with the numbers of a condition and a realisation "
-         "prints "
-         "this realisation in full.</p>\n";
+  return "<p>Possible causes of a wrong result, and what was found:</p>\n<ul class=\"checks all\">\n" + entries +
+         "</ul>\n<p><code>rocking replay</code> with the numbers of a condition and a realisation prints this "
+         "realisation "
+         "in full.</p>\n";
 }
 
 std::string provenance(const RunReport& report) {

@@ -25,7 +25,7 @@ struct Check {
 /// HTML: how many checks have no finding, and those that need attention.
 [[nodiscard]] std::string trust_in_brief(const std::vector<Check>& checks);
 
-/// All checks as a table.
+/// All checks as a list.
 [[nodiscard]] std::string trust_in_full(const std::vector<Check>& checks);
 
 /// How to repeat the run and where it came from: seed, digest, version, machine.

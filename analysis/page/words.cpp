@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "analysis/page/html.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -28,12 +29,23 @@ std::string meaning_of(const section::ResponseMode& mode) {
     case section::ResponseKind::periodic:
       if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
       return "rocks " + times(mode.rocks) + " in " + spoken(mode.periods) + " periods";
-    case section::ResponseKind::chaotic: return "never repeats";
+    case section::ResponseKind::chaotic: return "rocks without ever repeating";
     case section::ResponseKind::overturned: return "overturns";
-    case section::ResponseKind::rest: return "does not rock, or has stopped rocking";
+    case section::ResponseKind::rest: return "does not rock, or stops rocking";
     case section::ResponseKind::unresolved: return "could not be classified";
   }
   return "";
+}
+
+std::string place_value_html(const std::string& pointer, const Json& value) {
+  const Axis axis = axis_of_parameter(pointer);
+  return escaped(short_value(pointer, value)) + (axis.unit.empty() ? "" : ' ' + escaped(axis.unit));
+}
+
+std::string place_html(const std::string& pointer, const Json& value) {
+  const Axis axis = axis_of_parameter(pointer);
+  const std::string name = axis.symbol.empty() ? escaped(axis.quantity) + ' ' : symbol_html(axis.symbol) + " = ";
+  return name + place_value_html(pointer, value);
 }
 
 std::string condition_name(const RunReport& report, std::size_t condition) {

@@ -14,6 +14,13 @@ namespace rocking::analysis {
 /// Explains a response mode to a reader who is new to it: `rocks once in three periods`.
 [[nodiscard]] std::string meaning_of(const section::ResponseMode& mode);
 
+/// A value of a swept parameter as HTML, with its unit: `4.5`, `1.05 g`.
+[[nodiscard]] std::string place_value_html(const std::string& pointer, const Json& value);
+
+/// The same with the symbol of the parameter, or with its name if it has none: `A_h = 4.5`, `scale of the ground motion
+/// 0.5`.
+[[nodiscard]] std::string place_html(const std::string& pointer, const Json& value);
+
 /// `friction 0.35/0.3, base amplitude 4.5`, or `the only condition`.
 [[nodiscard]] std::string condition_name(const RunReport& report, std::size_t condition);
 

@@ -1,13 +1,18 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "motion.hpp"
 #include "output.hpp"
+#include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/trajectory.hpp"
+#include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "trajectory_output.hpp"
 
@@ -19,10 +24,26 @@ struct TrajectoryRequest {
   RealisationKey key;
   std::optional<std::int64_t> periods;
   int samples = 0;
+  std::string page;  ///< file; empty: none
   Overrides overrides;
   TrajectoryOutput output;
   Loudness loudness;
 };
+
+ExitCode write_motion_page(const TrajectoryRequest& request, const Experiment& experiment, std::int64_t periods) {
+  const auto samples = request.samples > 0 ? std::optional(request.samples) : std::nullopt;
+  auto motion = motion_of(experiment, request.key,
+                          {.periods = periods,
+                           .shown_periods = periods,
+                           .most_samples = analysis::most_samples_alone,
+                           .samples_per_period = samples});
+  if (!motion) throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
+  motion->name = fmt::format("condition {}, {}", request.key.condition, motion->name);
+  write_atomically(request.page, analysis::motion_page_text(experiment.title, *motion));
+  print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", std::vector{request.page}}})
+                                     : base::printable(request.page + '\n'));
+  return ExitCode::done;
+}
 
 ExitCode print_trajectory(const TrajectoryRequest& request) {
   expect_consistent(request.output, request.loudness);
@@ -34,8 +55,10 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
   }
   const Condition& condition = experiment.conditions[request.key.condition];
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-  const auto trajectory = trajectory_of(condition, experiment.seed, request.key.realisation,
-                                        TrajectoryExtent(request.periods.value_or(horizon), request.samples));
+  const std::int64_t periods = request.periods.value_or(horizon);
+  if (!request.page.empty()) return write_motion_page(request, experiment, periods);
+  const auto trajectory =
+      trajectory_of(condition, experiment.seed, request.key.realisation, TrajectoryExtent(periods, request.samples));
   print_result(text_of(request.key, trajectory, request.output));
   return ExitCode::done;
 }
@@ -65,6 +88,10 @@ void add_trajectory(CLI::App& app, Action& action) {
       ->check(whole_number(0, 100'000))
       ->capture_default_str()
       ->type_name("N");
+  command
+      ->add_option("--html", request->page,
+                   "Writes a page with the animated block to this file instead of printing the trajectory")
+      ->type_name("FILE");
   command
       ->add_option("--seed", request->overrides.seed,
                    "Seed, instead of the one in the file, for example 0x2012 or 8210")

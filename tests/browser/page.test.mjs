@@ -8,6 +8,7 @@ import { after, before, describe, it } from 'node:test';
 import { chromium } from 'playwright-core';
 
 const address = pathToFileURL(process.env.PAGE).href;
+const alone = pathToFileURL(process.env.MOTION).href;
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const desktop = { width: 1280, height: 900 };
 
@@ -18,16 +19,16 @@ before(async () => {
 after(async () => browser?.close());
 
 /// Opens the page and collects its texts, its messages and its requests.
-async function open(options = {}) {
+async function open(options = {}, from = address) {
   const context = await browser.newContext({ viewport: desktop, ...options });
   const page = await context.newPage();
   const heard = [];
   page.on('console', (message) => heard.push(`${message.type()}: ${message.text()}`));
   page.on('pageerror', (error) => heard.push(`error: ${error}`));
   page.on('request', (request) => {
-    if (request.url() !== address && !request.url().startsWith('data:')) heard.push(`request: ${request.url()}`);
+    if (request.url() !== from && !request.url().startsWith('data:')) heard.push(`request: ${request.url()}`);
   });
-  await page.goto(address);
+  await page.goto(from);
   return { page, heard, close: () => context.close() };
 }
 
@@ -114,9 +115,39 @@ describe('the page', () => {
     await close();
   });
 
-  it('answers four questions above its figures', async () => {
+  it('answers before anything else, with overturning first', async () => {
+    for (const viewport of [desktop, { width: 390, height: 844 }]) {
+      const { page, close } = await open({ viewport });
+      const answer = page.locator('#answer');
+      assert.equal(await answer.locator('dt').first().textContent(), 'Overturning');
+      const box = await answer.locator('dd').first().boundingBox();
+      assert.ok(box.y + box.height < viewport.height, 'the first answer is on the first screen');
+      const drawings = await answer.locator('svg.mode').all();
+      assert.ok(drawings.length >= 2);
+      for (const drawing of drawings) await assertDrawn(drawing, 'a drawing of a response');
+      await close();
+    }
+  });
+
+  it('shows its checks without scrolling inside, on a desktop and on a phone', async () => {
+    for (const viewport of [desktop, { width: 390, height: 844 }]) {
+      const { page, close } = await open({ viewport });
+      const checks = page.locator('#trust .checks li');
+      assert.ok((await checks.count()) > 8);
+      assert.equal(await page.locator('#trust .scroll').count(), 0);
+      for (const check of await checks.all()) {
+        const box = await check.boundingBox();
+        assert.ok(box.x >= 0 && box.x + box.width <= viewport.width);
+        assert.ok(await check.evaluate((item) => [...item.children].every((part) => part.scrollWidth <= part.clientWidth + 1
+          || getComputedStyle(part).display === 'inline')));
+      }
+      await close();
+    }
+  });
+
+  it('answers three questions above its figures', async () => {
     const { page, close } = await open();
-    assert.equal(await page.locator('.card').count(), 4);
+    assert.equal(await page.locator('.card').count(), 3);
     const figure = await page.locator('figure').first().boundingBox();
     for (const card of await page.locator('.card').all()) {
       const box = await card.boundingBox();
@@ -186,22 +217,23 @@ describe('the page', () => {
 
   it('sorts its tables by any column, up and down, by mouse and by keys', async () => {
     const { page, close } = await open();
-    const table = page.locator('#mode_bands table');
+    const table = page.locator('#mode_probabilities table');
     const head = table.getByRole('columnheader', { name: '(1,1)' });
     await head.getByRole('button').click();
-    const up = (await column(table, 3)).map(Number);
+    const numbers = async () => (await column(table, 3)).map((text) => (text.startsWith('<') ? 0 : Number.parseFloat(text)));
+    const up = await numbers();
     assert.equal(await head.getAttribute('aria-sort'), 'ascending');
     assert.deepEqual(up, [...up].sort((a, b) => a - b));
     assert.ok(up[0] < up.at(-1));
     await head.getByRole('button').press('Enter');
     assert.equal(await head.getAttribute('aria-sort'), 'descending');
-    assert.deepEqual((await column(table, 3)).map(Number), up.reverse());
+    assert.deepEqual(await numbers(), up.reverse());
     await close();
   });
 
   it('has a table with its numbers under every chart', async () => {
     const { page, close } = await open();
-    for (const figure of await page.locator('figure:has(.charts)').all()) {
+    for (const figure of await page.locator('figure:has(.charts):not(#mode_bands)').all()) {
       assert.ok((await figure.locator('table caption').count()) >= 1);
       assert.ok((await figure.locator('tbody tr').count()) >= 2);
     }
@@ -276,6 +308,8 @@ describe('the page', () => {
       assert.ok((await pictures.nth(i).getAttribute('alt')).length > 30);
     }
     assert.equal(await page.locator('button').count(), 0);
+    for (const still of await page.locator('.still svg').all()) await assertDrawn(still, 'a motion as a drawing');
+    assert.ok((await page.locator('.still:visible').count()) >= 1);
     assert.ok((await page.locator('td:visible').count()) > 50);
     assert.deepEqual(heard.filter((text) => !text.includes('script')), []);
     await close();
@@ -284,15 +318,138 @@ describe('the page', () => {
   it('prints pictures in place of charts, and its tables whole', async () => {
     const { page, close } = await open();
     await page.emulateMedia({ media: 'print' });
-    for (const selector of ['.charts', '.tools', '.more']) {
+    for (const selector of ['.charts', '.tools', '.more', '.stage', '.controls']) {
       for (const element of await page.locator(selector).all()) assert.equal(await element.isVisible(), false, selector);
     }
-    for (const picture of await page.locator('figure img').all()) assert.ok(await picture.isVisible());
+    for (const picture of await page.locator('figure img, .still svg').all()) assert.ok(await picture.isVisible());
     for (const box of await page.locator('.scroll').all()) {
       assert.ok(await box.evaluate((element) => element.scrollHeight <= element.clientHeight + 1));
     }
     const pages = (await page.pdf({ format: 'A4' })).toString('latin1').match(/\/Type\s*\/Page\b/g).length;
     assert.ok(pages >= 2 && pages <= 12, `${pages} pages`);
+    await close();
+  });
+});
+
+/// Opens the page at its animation. `reduced`: the reader asks for less motion.
+async function openMotion(reduced, from = address) {
+  const opened = await open({ reducedMotion: reduced ? 'reduce' : 'no-preference' }, from);
+  const { page } = opened;
+  const stage = page.locator('.stage');
+  await stage.scrollIntoViewIfNeeded();
+  await stage.evaluate((element) => element.scrollIntoView({ block: 'center' }));
+  const time = page.locator('.controls input[type=range]');
+  return { ...opened, stage, time, at: async () => Number(await time.inputValue()),
+    button: page.locator('.controls button') };
+}
+
+/// Whether two pictures of the same place differ.
+const differ = async (locator, act) => {
+  const before = await locator.screenshot();
+  await act();
+  return !before.equals(await locator.screenshot());
+};
+
+describe('the animation', () => {
+  it('starts by itself, advances, pauses, and goes on where it was', async () => {
+    const { page, heard, at, button, close } = await openMotion(false);
+    await page.waitForFunction(() => Number(document.querySelector('.controls input').value) > 3);
+    assert.equal(await button.textContent(), 'Pause');
+    await button.click();
+    const paused = await at();
+    await page.waitForTimeout(200);
+    assert.equal(await at(), paused);
+    await button.click();
+    await page.waitForFunction((from) => Number(document.querySelector('.controls input').value) > from, paused);
+    assert.deepEqual(heard, []);
+    await close();
+  });
+
+  it('moves nothing by itself for a reader who asks for less motion, but plays if it is told to', async () => {
+    const { page, stage, at, button, close } = await openMotion(true);
+    assert.equal(await differ(stage, () => page.waitForTimeout(500)), false);
+    assert.equal(await at(), 0);
+    await button.click();
+    await page.waitForFunction(() => Number(document.querySelector('.controls input').value) > 0);
+    await close();
+  });
+
+  it('is moved by its slider and by keys, and reads its values', async () => {
+    const { page, stage, time, at, button, close } = await openMotion(true);
+    const last = Number(await time.getAttribute('max'));
+    assert.ok(last > 100);
+    assert.ok(await differ(stage, () => time.fill(String(Math.round(last / 3)))));
+    assert.match(await page.locator('.motions .readout').textContent(), /period [0-9.]+ \([0-9.]+ s\).*tilt.*slip.*floor/);
+    assert.match(await time.getAttribute('aria-valuetext'), /^period/);
+    await stage.focus();
+    await page.keyboard.press('End');
+    assert.equal(await at(), last);
+    await page.keyboard.press('ArrowLeft');
+    assert.equal(await at(), last - 1);
+    await page.keyboard.press('Home');
+    assert.equal(await at(), 0);
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await at(), 1);
+    await page.keyboard.press('Space');
+    await page.waitForFunction(() => Number(document.querySelector('.controls input').value) > 1);
+    await page.keyboard.press('Space');
+    assert.equal(await button.textContent(), 'Play');
+    await time.focus();
+    const before = await at();
+    await page.keyboard.press('ArrowRight');
+    assert.equal(await at(), before + 1);
+    await close();
+  });
+
+  it('draws block, history and portrait, of each response that can be chosen', async () => {
+    const { page, stage, close } = await openMotion(true);
+    const choice = page.locator('.controls').getByLabel('Response');
+    const names = await choice.locator('option').allTextContents();
+    assert.ok(names.length >= 2);
+    for (const name of names) {
+      await choice.selectOption({ label: name });
+      await page.locator('.controls input').fill('40');
+      for (const canvas of await stage.locator('canvas').all()) await assertDrawn(canvas, name);
+    }
+    await close();
+  });
+
+  it('enlarges tilt and slip if it is told to, and is faster at a higher speed', async () => {
+    const { page, stage, time, at, button, close } = await openMotion(true);
+    await time.fill('30');
+    assert.ok(await differ(stage.locator('canvas').first(), () => page.locator('.controls').getByLabel('Tilt and slip').selectOption('10')));
+    const ways = [];
+    for (const speed of ['0.02', '1']) {
+      await page.locator('.controls').getByLabel('Speed').selectOption(speed);
+      await time.fill('0');
+      await button.click();
+      await page.waitForTimeout(400);
+      await button.click();
+      ways.push(await at());
+    }
+    assert.ok(ways[1] > ways[0], `${ways}`);
+    await close();
+  });
+
+  it('fits a phone', async () => {
+    const { page, stage, close } = await openMotion(true);
+    await page.setViewportSize({ width: 390, height: 844 });
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 390);
+    for (const canvas of await stage.locator('canvas').all()) {
+      assert.ok((await canvas.boundingBox()).width > 330);
+      await assertDrawn(canvas, 'a part of the animation on a phone');
+    }
+    await close();
+  });
+
+  it('has a page of its own, with the same policy', async () => {
+    const { page, heard, at, close } = await openMotion(false, alone);
+    await page.waitForFunction(() => Number(document.querySelector('.controls input').value) > 0);
+    assert.ok((await at()) > 0);
+    await page.evaluate(axe);
+    const { violations } = await page.evaluate(() => window.axe.run(document, { preload: false }));
+    assert.deepEqual(violations.map((found) => `${found.id}: ${found.nodes.map((node) => node.html).join(' | ')}`), []);
+    assert.deepEqual(heard, []);
     await close();
   });
 });

@@ -1,5 +1,7 @@
 // `rocking report`, `rocking figure` and `rocking trajectory --samples`: non-empty pictures, from files alone.
 
+#include <algorithm>
+#include <cmath>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -182,6 +184,71 @@ TEST_F(Figures, HaveAHistoryAsFineAsTheCoarserOneAtItsInstants) {
     EXPECT_NEAR(coarse[i]["tilt"].get<double>(), fine[3 * i]["tilt"].get<double>(), 1e-12);
     EXPECT_NEAR(coarse[i]["slip"].get<double>(), fine[3 * i]["slip"].get<double>(), 1e-12);
   }
+}
+
+/// The motions in a page.
+Json motions_in(const std::string& page) {
+  const std::string open = "id=\"data-motions\">";
+  const std::size_t at = page.find(open);
+  if (at == std::string::npos) return nullptr;
+  return Json::parse(page.substr(at + open.size(), page.find("</script>", at) - at - open.size()));
+}
+
+TEST_F(Figures, AnimateOneRealisationInAPageOfItsOwn) {
+  const Outcome outcome = rocking("trajectory quick.json --condition 1 --periods 30 --samples 20 --html motion.html");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(outcome.output, "motion.html\n");
+  const Json motion = motions_in(read("motion.html")).at(0);
+  const Json history =
+      Json::parse(rocking("trajectory quick.json --condition 1 --periods 30 --samples 20").output)["history"];
+  ASSERT_EQ(motion["tilts"].size(), history.size());
+  const double shape_angle = std::atan2(1.0, 4.0);
+  const double p = std::sqrt(0.75 * 9.81 / (0.5 * std::hypot(1.0, 4.0)));
+  for (std::size_t i = 0; i < history.size(); ++i) {
+    const double tau = history[i]["tau"];
+    EXPECT_NEAR(motion["times"][i].get<double>(), tau / p, 5.1e-5);
+    EXPECT_NEAR(motion["tilts"][i].get<double>(), history[i]["tilt"].get<double>(), 5.1e-6);
+    EXPECT_NEAR(motion["slips"][i].get<double>(), history[i]["slip"].get<double>(), 5.1e-7);
+    EXPECT_NEAR(motion["bases"][i].get<double>(), 4.2 * shape_angle * std::sin(10.0 * tau), 5.1e-5) << i;
+  }
+  EXPECT_NEAR(motion["period"].get<double>(), 2.0 * std::acos(-1.0) / 10.0 / p, 1e-12);
+}
+
+TEST_F(Figures, AnimateInThePageOfARunOneRealisationOfEachResponse) {
+  ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
+  const Json motions = motions_in(read("out/report.html"));
+  std::size_t samples = 0;
+  for (const Json& motion : motions) samples += motion["times"].size();
+  EXPECT_GE(motions.size(), 1U);
+  EXPECT_LE(samples, motions.size() * 2401);
+  const Json report = Json::parse(read("out/report.json"));
+  for (const Json& motion : motions) {
+    const std::string name = motion["name"];
+    const std::string mode = name.substr(0, name.find(':'));
+    EXPECT_TRUE(std::ranges::any_of(report["result"]["conditions"], [&mode](const Json& condition) {
+      return condition["counts"].value(mode, 0) > 0;
+    })) << name;
+  }
+  ASSERT_EQ(shell("rm out/realisations.sqlite").exit_code, 0);
+  ASSERT_EQ(rocking("report out --format html").exit_code, 0);
+  EXPECT_THAT(read("out/report.html"), HasSubstr("No realisation is shown: realisations.sqlite was not beside"));
+}
+
+TEST_F(Figures, AnimateARecordedMotionInSeconds) {
+  write("motion.txt", "0\n5.886\n-5.886\n0\n");  // m/s^2
+  Json question = quick_experiment();
+  question.erase("sweep");
+  question.erase("horizon");
+  question["excitation"] = {{"kind", "recorded"}, {"file", "motion.txt"}, {"time_step_s", 0.5}};
+  write("recorded.json", question.dump());
+  const Outcome outcome = rocking("trajectory recorded.json --html motion.html");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  const Json motion = motions_in(read("motion.html")).at(0);
+  EXPECT_EQ(motion["period"], 0.0);
+  EXPECT_THAT(read("motion.html"), HasSubstr(" seconds"));
+  double most = 0.0;
+  for (const Json& base : motion["bases"]) most = std::max(most, base.get<double>());
+  EXPECT_NEAR(most, 0.6, 0.05);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 // The page report.html as text: what it may load and run, its content, and its omissions.
 
+#include <filesystem>
 #include <regex>
 #include <set>
 #include <string>
@@ -10,6 +11,9 @@
 #include "analysis/draw.hpp"
 #include "analysis/page/answer.hpp"
 #include "analysis/page/html.hpp"
+#include "analysis/page/limits.hpp"
+#include "analysis/page/mode_drawing.hpp"
+#include "analysis/page/motion.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/page/tables.hpp"
 #include "analysis/page/trust.hpp"
@@ -19,7 +23,9 @@
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/write_report.hpp"
+#include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
+#include "support/sample_report.hpp"
 
 namespace {
 
@@ -205,8 +211,8 @@ TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {
   question.erase("fluctuation");
   question.erase("friction");
   EXPECT_THAT(page_of(report_of(question)),
-              AllOf(HasSubstr("It cannot slide. Nothing is random."), HasSubstr("one realisation per condition"),
-                    HasSubstr("the only one")));
+              AllOf(HasSubstr("It cannot slide. Nothing is random."),
+                    HasSubstr("the same shaking gives the same response"), HasSubstr("the only one")));
 }
 
 TEST(Page, ChecksWhatCouldMakeAResultUntrue) {
@@ -268,12 +274,153 @@ TEST(Page, AsksForALookWhereRealisationsRanOut) {
       Rating::look);
 }
 
-TEST(Page, TellsHowLikelyOverturningCanBe) {
-  EXPECT_THAT(responses_in_brief(run_report_of(quick_report())), HasSubstr("No realisation overturned."));
+/// The bound of the probability of overturning in a condition.
+std::string bound_of(const Json& report, std::size_t condition) {
+  const Json& high = report["result"]["conditions"][condition]["probabilities"]["overturned"]["simultaneous"][1];
+  return rocking::per_cent(high.get<double>());
+}
+
+TEST(Page, TellsUpToWhereNothingOverturns) {
+  EXPECT_EQ(overturning_in_brief(run_report_of(quick_report())),
+            "<p>No overturning seen up to <i>A<sub>h</sub></i> = 6 (at most " + bound_of(quick_report(), 2) +
+                " % there, 95 %).</p>\n");
+}
+
+TEST(Page, TellsWhereOverturningIsMostLikely) {
   Json report = changed("/result/conditions/1/counts/overturned", 3);
   report["result"]["conditions"][1]["probabilities"]["overturned"]["estimate"] = 0.75;
+  EXPECT_THAT(overturning_in_brief(run_report_of(report)),
+              AllOf(StartsWith("<p>No overturning seen up to <i>A<sub>h</sub></i> = 3 (at most " + bound_of(report, 0) +
+                               " % there, 95 %); seen at <i>A<sub>h</sub></i> = 4.2;"),
+                    HasSubstr("most likely at <i>A<sub>h</sub></i> = 4.2: <strong>75.0 % [")));
+}
+
+TEST(Page, BeginsWithOverturningAndExplainsModesAtOnce) {
+  const std::string page = page_of(rocking::support::sample_report());
+  const std::size_t answer = page.find("<dt>Overturning</dt>");
+  ASSERT_NE(answer, std::string::npos);
+  EXPECT_LT(answer, page.find("class=\"card\""));
+  EXPECT_LT(page.find("<svg class=\"mode\""), page.find("class=\"card\""));
+  EXPECT_LT(page.find("(<i>m</i>,<i>n</i>): the block rocks"), page.find("class=\"card\""));
+}
+
+TEST(Page, HasOneTableOfResponses) {
+  EXPECT_THAT(between(page_of(quick_report()), "aria-label=\"Table: response modes\"", ">"), SizeIs(1));
+}
+
+TEST(Page, BoundsInItsTableWhatDidNotOccur) {
+  Json report = changed("/result/conditions/1/counts/overturned", 3);
+  EXPECT_THAT(mode_table_html(run_report_of(report)),
+              HasSubstr("<td data-value=\"0\"><span class=\"none\">&lt; " + bound_of(report, 0) + "</span></td>"));
+}
+
+TEST(Page, ShowsNoIntervalWhereNothingIsRandom) {
+  Json question = quick_experiment();
+  question.erase("fluctuation");
+  const Json json = report_of(question);
+  const RunReport report = run_report_of(json);
+  EXPECT_FALSE(report.is_random());
+  for (const std::string& text : {mode_table_html(report), answer_in_brief(report), trust_in_full(checks_of(report))}) {
+    EXPECT_THAT(matches(text, R"((\[[0-9.]+, [0-9.]+))"), IsEmpty()) << text;
+    EXPECT_THAT(text, Not(HasSubstr("&lt; "))) << text;
+  }
+  question["sweep"] = {{{"parameter", "/fluctuation/friction/sigma"}, {"values", {0.0, 0.02}}}};
+  question["fluctuation"] = {{"friction", {{"sigma", 0.0}}}};
+  const RunReport both = run_report_of(report_of(question));
+  EXPECT_FALSE(both.conditions[0].is_random);
+  EXPECT_TRUE(both.conditions[1].is_random);
+  EXPECT_THAT(mode_table_html(both), AllOf(HasSubstr("<td>100.0</td>"), HasSubstr("class=\"interval\"")));
+}
+
+TEST(Page, TellsTheResponseAlongTheSweep) {
+  Json report = quick_report();
+  for (std::size_t i = 0; i < 3; ++i) {
+    Json& condition = report["result"]["conditions"][i];
+    for (auto& [mode, count] : condition["counts"].items()) count = 0;
+    for (auto& [mode, probability] : condition["probabilities"].items()) probability["estimate"] = 0.0;
+    const char* mode = i < 2 ? "(1,1)" : "(1,3)";
+    condition["counts"][mode] = 4 - i;
+    condition["probabilities"][mode]["estimate"] = 1.0 - 0.25 * static_cast<double>(i);
+  }
   EXPECT_THAT(responses_in_brief(run_report_of(report)),
-              HasSubstr("Overturning is most likely at base amplitude 4.2: 75.0 %"));
+              AllOf(HasSubstr("<i>A<sub>h</sub></i> = 3 to 4.2: rocks once in every period (1,1), 75.0 to 100.0 %; "
+                              "<i>A<sub>h</sub></i> = 6: rocks once in three periods (1,3), 50.0 % [")));
+}
+
+TEST(Page, TellsWhatIsNotModelled) {
+  EXPECT_THAT(page_of(quick_report()),
+              AllOf(HasSubstr("<h2 id=\"heading-limits\">What is not modelled</h2>"), HasSubstr("Two dimensions"),
+                    HasSubstr("No flight"), HasSubstr("Housner, G. W. (1963)")));
+}
+
+/// The words of a text, without markup.
+std::string words_of(std::string text) {
+  text = std::regex_replace(text, std::regex("<[^>]*>|[`*]"), "");
+  text = std::regex_replace(text, std::regex("&amp;"), "&");
+  return std::regex_replace(text, std::regex("\\s+"), " ");
+}
+
+TEST(Page, TellsAboutItsLimitsWhatTheDocumentsTell) {
+  const std::string document =
+      words_of(rocking::read_file(std::filesystem::path(ROCKING_SOURCE_DIR) / "lib/docs/limits.md"));
+  std::size_t compared = 0;
+  for (const char* tag : {"dt", "dd", "li"}) {
+    for (const std::string& text : between(limits_html(), "<" + std::string(tag) + ">", "</" + std::string(tag))) {
+      EXPECT_THAT(document, HasSubstr(words_of(text)));
+      ++compared;
+    }
+  }
+  EXPECT_EQ(compared, 8U + 8U + 10U);
+}
+
+AnimatedMotion made_up_motion() {
+  AnimatedMotion motion{.name = "(1,1): <script>", .command = "rocking trajectory a.json", .width = 1.0, .height = 4.0};
+  for (int i = 0; i <= 4; ++i) {
+    motion.samples.push_back({.time = 0.1 * i, .tilt = 0.01 * i, .slip = 1e-7, .contact = i < 2 ? "rock" : "slide"});
+  }
+  motion.length = 0.8;
+  return motion;
+}
+
+TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
+  const ShownMotions shown{.explanation = "Some <motion>.", .motions = {made_up_motion()}};
+  const std::string page = page_text(run_report_of(quick_report()), {}, shown);
+  EXPECT_THAT(page, AllOf(HasSubstr("<p>Some &lt;motion&gt;.</p>"), HasSubstr("data-motions=\"motions\""),
+                          HasSubstr("(1,1): &lt;script&gt;: tilt against time, 0 to 0.4 of 0.8 seconds")));
+  const auto data = between(page, "id=\"data-motions\">", "</script>");
+  ASSERT_THAT(data, SizeIs(1));
+  const Json motion = Json::parse(data[0])[0];
+  EXPECT_EQ(motion["contacts"], Json({2, 2, 1, 1, 1}));
+  EXPECT_EQ(motion["tilts"][3], 0.03);
+  EXPECT_EQ(motion["slips"][0], 0.0);
+  for (const std::string& each : {page, motion_page_text("t", made_up_motion())}) {
+    std::set<std::string> expected;
+    for (const std::string& text : between(each, "<script>", "</script>")) expected.insert(policy_hash(text));
+    for (const std::string& text : between(each, "<style>", "</style>")) expected.insert(policy_hash(text));
+    const auto policy = between(each, "<meta http-equiv=\"Content-Security-Policy\" content=\"", "\"");
+    const auto hashes = matches(policy.at(0), "('sha256-[^']*')");
+    EXPECT_EQ(std::set<std::string>(hashes.begin(), hashes.end()), expected);
+  }
+}
+
+TEST(Page, SaysWhyItShowsNoMotion) {
+  EXPECT_THAT(page_text(run_report_of(quick_report()), {}, {.explanation = "No realisation is shown.", .motions = {}}),
+              HasSubstr("<p>No realisation is shown.</p>"));
+  EXPECT_THAT(page_of(quick_report()), Not(HasSubstr("See it move")));
+}
+
+TEST(Page, DrawsEachModeButTheUnresolved) {
+  using rocking::section::periodic;
+  using rocking::section::ResponseKind;
+  std::set<std::string> drawings;
+  for (const auto& mode :
+       {periodic(1, 1), periodic(1, 3), periodic(2, 3), rocking::section::ResponseMode{ResponseKind::rest},
+        rocking::section::ResponseMode{ResponseKind::chaotic},
+        rocking::section::ResponseMode{ResponseKind::overturned}}) {
+    drawings.insert(mode_drawing(mode));
+  }
+  EXPECT_THAT(drawings, AllOf(SizeIs(6), Each(StartsWith("<svg class=\"mode\""))));
+  EXPECT_EQ(mode_drawing({}), "");
 }
 
 TEST(Page, SpeaksOfResponsesInWords) {

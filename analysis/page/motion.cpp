@@ -1,0 +1,106 @@
+#include "analysis/page/motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "analysis/page/frame.hpp"
+#include "analysis/page/html.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+/// Rounded so that its text is short. `parts`: of one, a power of ten.
+double rounded(double number, double parts) { return std::round(number * parts) / parts + 0.0; }
+
+int place_of(std::string_view contact) {
+  constexpr std::array<std::string_view, 5> contacts{"rest", "slide", "rock", "rock_slide", "overturned"};
+  return static_cast<int>(std::ranges::find(contacts, contact) - contacts.begin());
+}
+
+Json motion_json(const AnimatedMotion& motion) {
+  Json json = {{"name", motion.name},     {"width", motion.width},    {"height", motion.height},
+               {"period", motion.period}, {"length", motion.length},  {"times", Json::array()},
+               {"tilts", Json::array()},  {"rates", Json::array()},   {"slips", Json::array()},
+               {"bases", Json::array()},  {"contacts", Json::array()}};
+  for (const MotionSample& sample : motion.samples) {
+    json["times"].push_back(rounded(sample.time, 1e4));
+    json["tilts"].push_back(rounded(sample.tilt, 1e5));
+    json["rates"].push_back(rounded(sample.tilt_rate, 1e4));
+    json["slips"].push_back(rounded(sample.slip, 1e6));
+    json["bases"].push_back(rounded(sample.base_acceleration, 1e4));
+    json["contacts"].push_back(place_of(sample.contact));
+  }
+  return json;
+}
+
+/// Time in the unit in which the motion is shown.
+double shown_time(const AnimatedMotion& motion, double time) {
+  return motion.period > 0.0 ? time / motion.period : time;
+}
+
+std::string shown_part(const AnimatedMotion& motion) {
+  const char* unit = motion.period > 0.0 ? "periods of the excitation" : "seconds";
+  return fmt::format("{} to {} of {} {}", significant(shown_time(motion, motion.samples.front().time), 5),
+                     significant(shown_time(motion, motion.samples.back().time), 5),
+                     significant(shown_time(motion, motion.length), 5), unit);
+}
+
+/// The tilt against time.
+std::string still(const AnimatedMotion& motion) {
+  constexpr double width = 600.0;
+  constexpr double height = 90.0;
+  const auto& samples = motion.samples;
+  double most = 1e-9;
+  for (const MotionSample& sample : samples) most = std::max(most, std::abs(sample.tilt));
+  const double start = samples.front().time;
+  const double length = samples.back().time - start;
+  const std::size_t step = std::max<std::size_t>(1, samples.size() / 1200);
+  std::string points;
+  for (std::size_t i = 0; i < samples.size(); i += step) {
+    points += fmt::format("{}{:.1f},{:.1f}", points.empty() ? "" : " ", width * (samples[i].time - start) / length,
+                          height * (0.5 - 0.47 * samples[i].tilt / most));
+  }
+  return fmt::format(
+      "<div class=\"still\"><p>{0}: tilt against time, {1}; largest tilt {2} of the angle of balance.</p>\n<svg "
+      "viewBox=\"0 0 {3} {4}\" role=\"img\" aria-label=\"{0}: tilt against time\"><path class=\"axis\" d=\"M0 "
+      "{5}H{3}\"/><polyline class=\"tilt\" points=\"{6}\"/></svg></div>\n",
+      escaped(motion.name), shown_part(motion), significant(most, 3), width, height, 0.5 * height, points);
+}
+
+}  // namespace
+
+std::string motions_html(const std::vector<AnimatedMotion>& motions) {
+  Json all = Json::array();
+  std::size_t samples = 0;
+  std::string stills;
+  std::string commands;
+  for (const AnimatedMotion& motion : motions) {
+    all.push_back(motion_json(motion));
+    samples += motion.samples.size();
+    stills += still(motion);
+    commands += fmt::format("<li>{}, {}: <code>{}</code></li>\n", escaped(motion.name), shown_part(motion),
+                            escaped(motion.command));
+  }
+  const std::string data = json_for_script(all);
+  return fmt::format(
+      "<div class=\"motions\" data-motions=\"motions\"></div>\n<script type=\"application/json\" "
+      "id=\"data-motions\">{}</script>\n<div class=\"stills\">\n{}</div>\n<p class=\"small\">The block is drawn "
+      "relative "
+      "to the floor; the arrow below the floor is the acceleration of the floor. The motion of the floor is not "
+      "drawn. Shaded: sliding (blue), rocking and sliding (yellow), at rest (grey). Tilt, slip and block have one "
+      "scale unless a larger factor is chosen; the factor stands in the drawing. "
+      "The drawing takes {} samples, {} kB of this page. The numbers:</p>\n<ul class=\"small\">\n{}</ul>\n",
+      data, stills, samples, (data.size() + 999) / 1000, commands);
+}
+
+std::string motion_page_text(const std::string& title, const AnimatedMotion& motion) {
+  const Frame frame{.title = title.empty() ? "A rocking block" : title, .has_charts = false};
+  return framed(frame, "<section id=\"motion\" aria-label=\"Animation\">\n" + motions_html({motion}) + "</section>\n");
+}
+
+}  // namespace rocking::analysis

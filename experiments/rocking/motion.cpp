@@ -1,0 +1,207 @@
+#include "motion.hpp"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "analysis/overview.hpp"
+#include "analysis/page/words.hpp"
+#include "exit_code.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/dynamics/block.hpp"
+#include "rocking/realisation/trajectory.hpp"
+#include "usage.hpp"
+
+namespace rocking::program {
+namespace {
+
+using section::ResponseMode;
+
+constexpr std::size_t most_motions = 6;
+constexpr std::uint64_t most_searched = 50'000;  ///< realisations of a condition in which a mode is looked for
+constexpr std::int64_t longest_run = 10'000;     ///< periods that are computed again for a page
+constexpr int smooth_samples = 48;               ///< samples per excitation period that look smooth
+constexpr int most_samples_per_period = 400;     ///< where a period only counts time
+
+std::int64_t horizon_of(const Condition& condition) {
+  return std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
+}
+
+int samples_per_period(bool periodic, const MotionExtent& extent) {
+  if (extent.samples_per_period) return *extent.samples_per_period;
+  if (periodic) return smooth_samples;
+  const auto affordable = static_cast<std::int64_t>(extent.most_samples) / extent.periods;
+  return static_cast<int>(std::clamp<std::int64_t>(affordable, 1, most_samples_per_period));
+}
+
+/// The samples, and the end of an overturning. Times in seconds: tau/p.
+std::vector<analysis::MotionSample> samples_of(const Trajectory& trajectory, double frequency_parameter) {
+  std::vector<analysis::MotionSample> samples;
+  for (const HistorySample& sample : trajectory.history) {
+    samples.push_back({.time = sample.tau / frequency_parameter,
+                       .tilt = sample.tilt,
+                       .tilt_rate = sample.tilt_rate,
+                       .slip = sample.slip,
+                       .base_acceleration = sample.base_acceleration,
+                       .contact = std::string(to_string(sample.contact))});
+  }
+  if (samples.empty() || trajectory.events.empty()) return samples;
+  const TrajectoryEvent& last = trajectory.events.back();
+  if (last.kind == dynamics::EventKind::overturn && last.tau / frequency_parameter > samples.back().time) {
+    samples.push_back({.time = last.tau / frequency_parameter,
+                       .tilt = last.tilt,
+                       .tilt_rate = last.tilt_rate,
+                       .slip = last.slip,
+                       .base_acceleration = samples.back().base_acceleration,
+                       .contact = std::string(to_string(dynamics::ContactState::overturned))});
+  }
+  return samples;
+}
+
+/// Drops the end of a motion where block and base are at rest, but for a twentieth of the rest.
+void cut_rest(std::vector<analysis::MotionSample>& samples) {
+  const auto moves = [](const analysis::MotionSample& sample) {
+    return sample.contact != "rest" || sample.base_acceleration != 0.0;
+  };
+  const auto last = std::find_if(samples.rbegin(), samples.rend(), moves);
+  const auto kept = static_cast<std::size_t>(samples.rend() - last);
+  samples.resize(std::min(samples.size(), std::max<std::size_t>(kept + samples.size() / 20, 2)));
+}
+
+void keep_last(std::size_t number, std::vector<analysis::MotionSample>& samples) {
+  if (samples.size() > number) samples.erase(samples.begin(), samples.end() - static_cast<std::ptrdiff_t>(number));
+}
+
+/// Periods to show of a response: a few of its own periods.
+std::int64_t shown_periods(const ResponseMode& mode) {
+  constexpr std::int64_t usual = 12;
+  return std::max<std::int64_t>(usual, 3 * std::int64_t{mode.periods});
+}
+
+/// A realisation to show, and its response.
+struct Choice {
+  RealisationKey key;
+  ResponseMode mode;
+};
+
+/// The first realisation with this mode.
+std::optional<Choice> first_with(const Store& store, std::size_t condition, std::uint64_t realisations,
+                                 const ResponseMode& mode) {
+  for (std::uint64_t number = 0; number < std::min(realisations, most_searched); ++number) {
+    const RealisationKey key{.condition = condition, .realisation = number};
+    const auto row = store.find(key);
+    if (!row || row->mode != mode) continue;
+    if (!store.has_current_bits(key, *row)) return std::nullopt;
+    return Choice{.key = key, .mode = mode};
+  }
+  return std::nullopt;
+}
+
+/// Of each mode of a condition.
+std::vector<Choice> choices_within(const Store& store, const analysis::RunReport& report, std::size_t condition) {
+  std::vector<Choice> choices;
+  for (const auto& [mode, share] : report.conditions[condition].modes) {
+    if (share.count == 0 || choices.size() == most_motions) continue;
+    if (auto choice = first_with(store, condition, report.conditions[condition].realisations, mode)) {
+      choices.push_back(std::move(*choice));
+    }
+  }
+  return choices;
+}
+
+/// Of each mode of the run, where it is most frequent; of equal conditions the last one, which is usually shaken most.
+std::vector<Choice> choices_across(const Store& store, const analysis::RunReport& report) {
+  std::vector<Choice> choices;
+  for (const auto& [mode, count] : report.occurring()) {
+    std::size_t where = 0;
+    for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+      const double best = share_of(report.conditions[where], mode).estimate;
+      if (share_of(report.conditions[i], mode).estimate >= best) where = i;
+    }
+    if (choices.size() == most_motions) break;
+    if (auto choice = first_with(store, where, report.conditions[where].realisations, mode)) {
+      choices.push_back(std::move(*choice));
+    }
+  }
+  return choices;
+}
+
+}  // namespace
+
+std::optional<analysis::AnimatedMotion> motion_of(const Experiment& experiment, const RealisationKey& key,
+                                                  const MotionExtent& extent) {
+  const Condition& condition = experiment.conditions.at(key.condition);
+  const bool periodic = is_periodic(condition.scene.excitation);
+  const int samples = samples_per_period(periodic, extent);
+  const Trajectory trajectory =
+      trajectory_of(condition, experiment.seed, key.realisation, TrajectoryExtent(extent.periods, samples));
+  if (trajectory.history.size() < 2) return std::nullopt;
+  const double p = dynamics::geometry_of(trajectory.block).frequency_parameter;
+  const double period = trajectory.history[1].tau * samples / p;
+  analysis::AnimatedMotion motion{
+      .name = fmt::format("realisation {}", key.realisation),
+      .command = fmt::format("rocking trajectory EXPERIMENT.json --condition {} --realisation {} --samples {}",
+                             key.condition, key.realisation, samples),
+      .width = trajectory.block.width,
+      .height = trajectory.block.height,
+      .period = periodic ? period : 0.0,
+      .length = 0.0,
+      .samples = samples_of(trajectory, p)};
+  motion.length = motion.samples.back().time;
+  if (periodic) {
+    keep_last(static_cast<std::size_t>(extent.shown_periods) * static_cast<std::size_t>(samples) + 1, motion.samples);
+  } else {
+    cut_rest(motion.samples);
+  }
+  keep_last(extent.most_samples + 1, motion.samples);
+  return motion;
+}
+
+analysis::ShownMotions motions_of(const RunFolder& folder, const analysis::RunReport& report) {
+  analysis::ShownMotions shown;
+  const auto none = [&shown](const std::string& reason) {
+    shown.explanation = "No realisation is shown: " + reason + '.';
+    return shown;
+  };
+  if (!folder.has_store()) return none("realisations.sqlite was not beside the report");
+  const Store store = folder.open_store(sqlite::Access::read);
+  std::optional<Experiment> experiment;
+  try {
+    experiment = experiment_of(store.identity());
+  } catch (const base::InputError&) {
+    return none("a file that the experiment names has changed");
+  } catch (const MissingInput&) {
+    return none("a file that the experiment names is missing");
+  }
+  const auto least = analysis::repeatability_of(report).least;
+  const bool divided = least && report.conditions[*least].difference->differ > 0.0;
+  const std::vector<Choice> choices = divided ? choices_within(store, report, *least) : choices_across(store, report);
+  for (const Choice& choice : choices) {
+    const std::int64_t periods = horizon_of(experiment->conditions.at(choice.key.condition));
+    if (periods > longest_run) continue;
+    auto motion = motion_of(*experiment, choice.key,
+                            {.periods = periods,
+                             .shown_periods = shown_periods(choice.mode),
+                             .most_samples = analysis::most_samples_of_a_run,
+                             .samples_per_period = {}});
+    if (!motion) continue;
+    motion->name = fmt::format(
+        "{}: {}{}", to_string(choice.mode),
+        divided || report.conditions.size() == 1 ? "" : analysis::condition_name(report, choice.key.condition) + ", ",
+        motion->name);
+    shown.motions.push_back(std::move(*motion));
+  }
+  if (shown.motions.empty()) return none("a realisation is too long, or this program does not give its bits");
+  const std::string what = "computed again from the seed.";
+  shown.explanation = divided ? fmt::format(
+                                    "Here the realisations differ most: {}. One realisation of each response mode "
+                                    "that occurs there, {}",
+                                    analysis::condition_name(report, *least), what)
+                              : "One realisation of each response mode, " + what;
+  return shown;
+}
+
+}  // namespace rocking::program

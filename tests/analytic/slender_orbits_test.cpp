@@ -13,6 +13,9 @@
 
 #include "analytic/motion.hpp"
 #include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/start.hpp"
+#include "rocking/realisation/tangent_motion.hpp"
+#include "support/event_log.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
@@ -242,6 +245,38 @@ TEST(SlenderOrbit, HasTheDeterminantAndTraceOfTheDerivation) {
     const double scale = 1e-14 * (1.0 + std::abs(phase.phase * rate.rate) + std::abs(phase.rate * rate.phase));
     EXPECT_NEAR(phase.phase * rate.rate - phase.rate * rate.phase, orbit.family.r * orbit.family.r, scale);
     EXPECT_NEAR(phase.phase + rate.rate, orbit.trace(), scale) << name_of(orbit);
+  }
+}
+
+/// Trace and determinant of the map over the whole orbit, from the tangent flow of the full block.
+struct WholeMap {
+  double trace;
+  double determinant;
+};
+
+WholeMap map_of_the_block(const Orbit& orbit, double height) {
+  const double start = 0.5 * orbit.family.h();
+  const Condition condition = slender(orbit, height, orbit.at(start), orbit.phase() + orbit.family.omega * start);
+  const random::Draws draws(0, 0);
+  const Beginning beginning =
+      begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, orbit.family.n);
+  support::EventLog log;
+  TangentMotion<Motion, 2> motion(motion_of(condition.scene, beginning, log), {{{.tilt = 1.0}, {.tilt_rate = 1.0}}});
+  integrate::advance(motion);
+  const auto& [by_tilt, by_rate] = motion.at_strobe();
+  return {.trace = by_tilt.tilt + by_rate.tilt_rate,
+          .determinant = by_tilt.tilt * by_rate.tilt_rate - by_tilt.tilt_rate * by_rate.tilt};
+}
+
+// The orbit consists of two halves that mirror each other, each with determinant r^2. The largest entry of the matrix
+// is about cosh(2 h), and psi^2 is 1e-8.
+TEST(SlenderOrbit, HasTheMonodromyMatrixOfTheClosedForm) {
+  for (const Orbit& orbit : stable_orbits()) {
+    const double square = orbit.family.r * orbit.family.r;
+    const WholeMap found = map_of_the_block(orbit, 1e4);
+    const double size = std::cosh(2.0 * orbit.family.h());
+    EXPECT_NEAR(found.trace, orbit.trace() * orbit.trace() - 2.0 * square, 1e-5 * size) << name_of(orbit);
+    EXPECT_NEAR(found.determinant, square * square, 1e-12 * size) << name_of(orbit);
   }
 }
 

@@ -41,6 +41,8 @@ class BlockMotion : public MotionProgress<Coefficients> {
     return length;
   }
 
+  /// The series of the step that `expand` has prepared last.
+  [[nodiscard]] const StepSeries<Steps>& series() const { return series_; }
   /// The state at time x of the step that `expand` has prepared.
   [[nodiscard]] State state_at(double x) const { return series_.state_at(x, state_); }
   /// The base motion at time x of the step that `expand` has prepared.

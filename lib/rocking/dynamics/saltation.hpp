@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cmath>
+
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/forces.hpp"
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/dynamics/sticking_impulse.hpp"
+#include "rocking/dynamics/tangent.hpp"
+
+/// What the saltation matrix of an event is made of.
+///
+///     S = DzR + (f+ - DzR f-) (grad g)^T/(grad g . f- + dg/dtau)
+///
+/// with the guard g, the reset R (which does not depend on time), and the rates f- before and f+ after the event.
+/// Applied to a tangent vector dz in two parts: the event is later by dtau = -(grad g . dz)/(grad g . f- + dg/dtau), so
+/// that the state at the event changes by dz + f- dtau; this change passes the reset; and f+ dtau is subtracted. The
+/// second part can wait until the contact state is decided in which time goes on.
+/// Source: Leine & Nijmeijer (2004), Dynamics and Bifurcations of Non-smooth Mechanical Systems, section 7.
+namespace rocking::dynamics {
+
+/// dz/dtau of a state.
+[[nodiscard]] inline Tangent<double> rates_of(const State& state, const BaseMotion& base, double kinetic_friction,
+                                              const EquationConstants<double>& constants) {
+  switch (state.contact) {
+    case ContactState::rest:
+    case ContactState::overturned: return {};
+    case ContactState::slide: {
+      const double drag = state.slip_direction * kinetic_friction;
+      return {.slip = state.slip_rate, .slip_rate = -4.0 / 3.0 * (base.horizontal + drag * base.weight)};
+    }
+    case ContactState::rock:
+      return {.tilt = state.tilt_rate, .tilt_rate = rocking_forces(state, base, constants).acceleration};
+    case ContactState::rock_slide: break;
+  }
+  const SlippingRates rates = slipping_rates(state, base, kinetic_friction, constants);
+  return {.tilt = state.tilt_rate,
+          .tilt_rate = rates.tilt_acceleration,
+          .slip = state.slip_rate,
+          .slip_rate = rates.slip_acceleration};
+}
+
+/// A guard at the instant at which it becomes 0.
+struct GuardSlope {
+  Tangent<double> gradient;  ///< grad g
+  double rate;               ///< grad g . f- + dg/dtau
+};
+
+/// Base accelerations over g and their rates of change.
+struct MovingBase {
+  BaseMotion now;
+  BaseMotion slope;
+};
+
+/// g = by_normal N + by_friction S F of a block that rocks without slip. N and S F are those of forces_without_slip.
+[[nodiscard]] inline GuardSlope slope_of_forces(const State& state, const MovingBase& base,
+                                                const EquationConstants<double>& constants, double by_normal,
+                                                double by_friction) {
+  const auto [s, c] = edge_angle(state, constants);
+  const double omega = state.side * state.tilt_rate;
+  const double beta = state.side * base.now.horizontal;
+  const double weight = base.now.weight;
+  const double acceleration = beta * c - weight * s;  // S w'
+  const double stiffness = beta * s + weight * c;     // its derivative by S theta
+  const double normal_by_tilt = stiffness * s - acceleration * c - omega * omega * s;
+  const double friction_by_tilt = -stiffness * c - acceleration * s + omega * omega * c;
+  const double by_tilt = by_normal * normal_by_tilt + by_friction * friction_by_tilt;
+  const double by_rate = -2.0 * omega * (by_normal * c + by_friction * s);
+  const double by_horizontal = by_normal * c * s + by_friction * (4.0 / 3.0 - c * c);
+  const double by_weight = by_normal * (4.0 / 3.0 - s * s) + by_friction * s * c;
+  const double by_time = by_horizontal * (state.side * base.slope.horizontal) + by_weight * base.slope.weight;
+  return {.gradient = {.tilt = state.side * by_tilt, .tilt_rate = state.side * by_rate},
+          .rate = by_tilt * omega + by_rate * acceleration + by_time};
+}
+
+/// Derivative of the rates after an impact with respect to the rates before it: w2 and V2 by w1 and V1. An impact is
+/// linear in them as long as it slips in the same direction, or sticks.
+struct ImpactDerivative {
+  double tilt_rate_by_tilt_rate;
+  double tilt_rate_by_slip_rate;
+  double slip_rate_by_tilt_rate;
+  double slip_rate_by_slip_rate;
+};
+
+/// Of sticking_impact.
+[[nodiscard]] inline ImpactDerivative sticking_derivative(double restitution, const Geometry& block) {
+  return {.tilt_rate_by_tilt_rate = 1.0 - impact_loss(restitution, block),
+          .tilt_rate_by_slip_rate = -0.75 * block.cosine,
+          .slip_rate_by_tilt_rate = 0.0,
+          .slip_rate_by_slip_rate = 0.0};
+}
+
+/// Of slipping_impact; 1 + 3 q > 0.
+[[nodiscard]] inline ImpactDerivative slipping_derivative(const ImpactConditions& before, double kinetic_friction,
+                                                          const Geometry& block) {
+  const LandingEdge<double> edge{.restitution = before.restitution,
+                                 .loss = impact_loss(before.restitution, block),
+                                 .sine = block.sine,
+                                 .cosine = block.cosine};
+  const LandingRates<double> rates{.tilt_rate = before.tilt_rate, .slip_rate = before.slip_rate};
+  const double direction = sticking_impulse<double>(rates, edge).horizontal > 0.0 ? -1.0 : 1.0;
+  const double along = before.tilt_rate < 0.0 ? -1.0 : 1.0;
+  const double friction = direction * kinetic_friction;
+  const double q = block.sine * block.sine + along * friction * block.sine * block.cosine;
+  const double rebound = 1.0 + 2.0 * before.restitution;
+  const double ratio = (1.0 - 3.0 * rebound * q) / (1.0 + 3.0 * q);
+  const double impulse = block.sine * (rebound + ratio) * along;
+  return {.tilt_rate_by_tilt_rate = ratio,
+          .tilt_rate_by_slip_rate = 0.0,
+          .slip_rate_by_tilt_rate = block.cosine * (ratio - 1.0) - friction * impulse,
+          .slip_rate_by_slip_rate = 1.0};
+}
+
+}  // namespace rocking::dynamics

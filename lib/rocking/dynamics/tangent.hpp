@@ -1,0 +1,40 @@
+#pragma once
+
+#include "rocking/base/lane.hpp"
+#include "rocking/dynamics/contact.hpp"
+
+namespace rocking::dynamics {
+
+/// A tangent vector: an infinitesimal change of a state, or its rate of change d/dtau.
+template <base::Lane Real>
+struct Tangent {
+  Real tilt = Real(0.0);       ///< of theta [rad]
+  Real tilt_rate = Real(0.0);  ///< of w [rad]
+  Real slip = Real(0.0);       ///< of X
+  Real slip_rate = Real(0.0);  ///< of V
+};
+
+template <base::Lane Real>
+[[nodiscard]] inline Real dot(const Tangent<Real>& a, const Tangent<Real>& b) {
+  return a.tilt * b.tilt + a.tilt_rate * b.tilt_rate + a.slip * b.slip + a.slip_rate * b.slip_rate;
+}
+
+/// a + factor b.
+template <base::Lane Real>
+[[nodiscard]] inline Tangent<Real> plus(const Tangent<Real>& a, const Real& factor, const Tangent<Real>& b) {
+  using base::fused;
+  return {.tilt = fused(factor, b.tilt, a.tilt),
+          .tilt_rate = fused(factor, b.tilt_rate, a.tilt_rate),
+          .slip = fused(factor, b.slip, a.slip),
+          .slip_rate = fused(factor, b.slip_rate, a.slip_rate)};
+}
+
+/// The part of a change that keeps the contact state: without a change of the tilt in full contact, and of V where the
+/// block does not slip.
+[[nodiscard]] inline Tangent<double> within_contact(Tangent<double> change, const State& state) {
+  if (state.tilt == 0.0 && state.tilt_rate == 0.0) change.tilt = change.tilt_rate = 0.0;
+  if (state.slip_rate == 0.0) change.slip_rate = 0.0;
+  return change;
+}
+
+}  // namespace rocking::dynamics

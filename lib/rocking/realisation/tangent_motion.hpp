@@ -1,0 +1,273 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "rocking/dynamics/guards.hpp"
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/dynamics/saltation.hpp"
+#include "rocking/dynamics/step_series.hpp"
+#include "rocking/dynamics/step_variation.hpp"
+
+namespace rocking {
+
+/// Instants of a motion at which its derivative does not exist.
+struct NotDifferentiable {
+  std::uint64_t grazings = 0;      ///< a guard was reached at a rate of 0 up to rounding; see TangentMotion
+  std::uint64_t coincidences = 0;  ///< two of impact, end of slip, onset of slip and breakpoint at one instant
+
+  [[nodiscard]] bool any() const { return grazings > 0 || coincidences > 0; }
+};
+
+/// A motion with the same bits as `Motion` that also carries `count` tangent vectors: derivatives of its state with
+/// respect to its initial state, in a fixed direction each. Random numbers are held: the index of a draw is a constant.
+///
+/// Between events a vector obeys the variational equations (dynamics/tangent_series.hpp), at an event it is multiplied
+/// by the saltation matrix (dynamics/saltation.hpp). The guards have gradients where they depend on the state: impact,
+/// end of slip, friction limit, N = 0. Where full contact begins, the tilt and its rate are lost. At instants that are
+/// fixed in time (breakpoints, a threshold of the base acceleration) vectors do not change, except by a reset.
+///
+/// A guard with a rate below its rounding error has no usable derivative: it is counted, the event is taken as fixed in
+/// time, and the vectors have no meaning from then on. The bound is the tolerance of Theta' for an impact that does not
+/// end a chatter, and 2^-40 of the weight 4/3 (and of its rate of change) for forces and slip: rounding is 2^-52 of it.
+template <class Motion, std::size_t count>
+class TangentMotion : public Motion {
+  using Tangent = dynamics::Tangent<double>;
+  using Guard = dynamics::Guard;
+
+ public:
+  using Tangents = std::array<Tangent, count>;
+
+  /// `start`: the vectors at the motion's present state; only their part within its contact state is used.
+  TangentMotion(Motion motion, const Tangents& start) : Motion(std::move(motion)), at_event_(start) {
+    for (Tangent& tangent : at_event_) tangent = within_contact(tangent, this->state());
+    at_strobe_ = at_event_;
+  }
+
+  /// At the last strobe point; before it, the initial ones.
+  [[nodiscard]] const Tangents& at_strobe() const { return at_strobe_; }
+  [[nodiscard]] const NotDifferentiable& not_differentiable() const { return not_differentiable_; }
+
+  [[nodiscard]] double expand(double reach) {
+    const double length = Motion::expand(reach);
+    is_expanded_ = false;
+    return length;
+  }
+
+  void strobe(double x) {
+    begin_step();
+    at_strobe_ = tangents_until(x);
+    Motion::strobe(x);
+  }
+
+  void move(double x) {
+    time_went_on_ = x > 0.0;
+    if (time_went_on_) {
+      begin_step();
+      tangents_ = tangents_until(x);
+      end_of_step_ = moving_base(x);
+      at_event_ = tangents_;
+      delays_ = {};
+    }
+    Motion::move(x);
+  }
+
+  template <class Fired>
+  void reset(const Fired& fired, bool at_breakpoint) {
+    if (fired.none() && !at_breakpoint) return Motion::reset(fired, at_breakpoint);
+    const Event event{.guard = decisive(fired, at_breakpoint),
+                      .before = this->state(),
+                      .kinetic_friction = this->kinetic_friction(),
+                      .impact = impact_of(fired, at_breakpoint)};
+    if (time_went_on_) count_coincidence(fired, at_breakpoint);
+    Motion::reset(fired, at_breakpoint);
+    pass(event);
+  }
+
+ private:
+  struct Event {
+    std::optional<Guard>
+        guard;  ///< the one that decides what follows; absent at a breakpoint and where nothing changes
+    dynamics::State before;
+    double kinetic_friction;                             ///< in force before
+    std::optional<dynamics::ImpactDerivative> impact{};  ///< where theta has become 0 with an impact
+  };
+
+  static constexpr double least_rate = 4.0 / 3.0 * 0x1p-40;
+
+  /// The guard to which Automaton::respond responds, if that changes the state or the contact state.
+  template <class Fired>
+  [[nodiscard]] std::optional<Guard> decisive(const Fired& fired, bool at_breakpoint) const {
+    const auto has_fired = [&fired](Guard guard) { return fired[static_cast<std::size_t>(guard)]; };
+    if (has_fired(Guard::overturn) || has_fired(Guard::determinant)) return std::nullopt;
+    const bool limit = has_fired(Guard::friction_inward) || has_fired(Guard::friction_outward);
+    if (has_fired(Guard::tilt) && (time_went_on_ || !limit)) return Guard::tilt;
+    for (const Guard guard : {Guard::slip, Guard::friction_inward, Guard::friction_outward}) {
+      if (has_fired(guard)) return guard;
+    }
+    if (has_fired(Guard::leave_right) || has_fired(Guard::leave_left) || at_breakpoint) return std::nullopt;
+    return has_fired(Guard::normal) ? std::optional(Guard::normal) : std::nullopt;
+  }
+
+  template <class Fired>
+  void count_coincidence(const Fired& fired, bool at_breakpoint) {
+    int together = at_breakpoint ? 1 : 0;
+    for (const Guard guard : {Guard::tilt, Guard::slip, Guard::friction_inward, Guard::friction_outward}) {
+      if (fired[static_cast<std::size_t>(guard)]) ++together;
+    }
+    if (together > 1) ++not_differentiable_.coincidences;
+  }
+
+  /// The derivative of the impact that reset() is about to apply, from a copy of the coefficients, which then make the
+  /// same draws.
+  template <class Fired>
+  [[nodiscard]] std::optional<dynamics::ImpactDerivative> impact_of(const Fired& fired, bool at_breakpoint) const {
+    const dynamics::State& state = this->state();
+    if (decisive(fired, at_breakpoint) != Guard::tilt || !(state.side * state.tilt_rate < 0.0)) return std::nullopt;
+    const dynamics::Setting& setting = this->setting();
+    auto coefficients = this->coefficients();
+    dynamics::Clock clock = this->clock();
+    if (at_breakpoint) clock.set(*this->breakpoint());
+    const double restitution = coefficients.restitution();
+    if (!coefficients.has_friction()) return sticking_derivative(restitution, setting.block);
+    const bool slip_ends = fired[static_cast<std::size_t>(Guard::slip)];
+    const dynamics::ImpactConditions before{.tilt_rate = state.tilt_rate,
+                                            .slip_rate = slip_ends ? 0.0 : state.slip_rate,
+                                            .restitution = restitution,
+                                            .static_friction = coefficients.static_friction()};
+    if (sticking_impact(before, setting.block, setting.impact_slip_rule)) {
+      return sticking_derivative(restitution, setting.block);
+    }
+    return slipping_derivative(before, coefficients.kinetic_friction(clock), setting.block);
+  }
+
+  /// Through the event, after the motion has passed it.
+  void pass(const Event& event) {
+    if (event.guard && time_went_on_) delay(event);
+    const dynamics::State& after = this->state();
+    const bool lands = event.guard == Guard::tilt;
+    for (Tangent& tangent : at_event_) {
+      if (lands) {
+        tangent = landed(tangent, event);
+        if (after.tilt_rate == 0.0) tangent.tilt_rate = 0.0;  // a touch, or the end of a chatter
+      }
+      const bool ends_slip = (lands || event.guard == Guard::slip) && after.slip_rate == 0.0;
+      if (ends_slip) tangent.slip_rate = 0.0;
+    }
+  }
+
+  /// The change of state at the event: with that of its instant.
+  void delay(const Event& event) {
+    const Tangent rates = rates_of(event.before, end_of_step_.now, event.kinetic_friction, constants());
+    const std::optional<dynamics::GuardSlope> guard = slope_of(event, rates);
+    if (!guard) return;
+    for (std::size_t i = 0; i < count; ++i) {
+      delays_[i] = -dot(guard->gradient, tangents_[i]) / guard->rate;
+      at_event_[i] = plus(tangents_[i], delays_[i], rates);
+    }
+  }
+
+  /// Absent where the instant does not depend on the state; also where it has no derivative, which is counted.
+  [[nodiscard]] std::optional<dynamics::GuardSlope> slope_of(const Event& event, const Tangent& rates) {
+    switch (*event.guard) {
+      case Guard::tilt: {
+        const bool ends_chatter = event.before.tilt_rate != 0.0 && this->state().tilt_rate == 0.0;
+        const double least = ends_chatter ? 0.0 : this->setting().tolerance * this->setting().block.shape_angle;
+        return unless_grazing({.gradient = {.tilt = 1.0}, .rate = rates.tilt}, least);
+      }
+      case Guard::slip: return unless_grazing({.gradient = {.slip_rate = 1.0}, .rate = rates.slip_rate}, least_rate);
+      case Guard::friction_inward: return slope_of_forces(event, -1.0);
+      case Guard::friction_outward: return slope_of_forces(event, 1.0);
+      case Guard::normal: {
+        // Without a change of the contact state the reset is the identity and the rates do not jump.
+        const bool changes = event.before.contact == dynamics::ContactState::rock && this->slips();
+        return changes ? unless_grazing(dynamics::slope_of_forces(event.before, end_of_step_, constants(), 1.0, 0.0),
+                                        least_rate)
+                       : std::nullopt;
+      }
+      default: return std::nullopt;
+    }
+  }
+
+  [[nodiscard]] std::optional<dynamics::GuardSlope> slope_of_forces(const Event& event, double by_friction) {
+    const double mu_s = this->coefficients().static_friction();  // an onset of slip draws nothing
+    return unless_grazing(dynamics::slope_of_forces(event.before, end_of_step_, constants(), mu_s, by_friction),
+                          least_rate);
+  }
+
+  [[nodiscard]] std::optional<dynamics::GuardSlope> unless_grazing(const dynamics::GuardSlope& guard, double least) {
+    if (std::abs(guard.rate) > least) return guard;
+    ++not_differentiable_.grazings;
+    return std::nullopt;
+  }
+
+  /// Behind the impact; in a touch without an impulse the rate is 0.
+  [[nodiscard]] static Tangent landed(const Tangent& before, const Event& event) {
+    Tangent after = before;
+    after.tilt = 0.0;
+    if (!event.impact) return after;
+    const dynamics::ImpactDerivative& impact = *event.impact;
+    after.tilt_rate =
+        impact.tilt_rate_by_tilt_rate * before.tilt_rate + impact.tilt_rate_by_slip_rate * before.slip_rate;
+    after.slip_rate =
+        impact.slip_rate_by_tilt_rate * before.tilt_rate + impact.slip_rate_by_slip_rate * before.slip_rate;
+    return after;
+  }
+
+  /// The first use of the step that `expand` has prepared: the vectors at its start, and the variational equations.
+  void begin_step() {
+    if (is_expanded_) return;
+    is_expanded_ = true;
+    const dynamics::State& state = this->state();
+    const Tangent rates = rates_of(state, this->base_at(0.0), this->kinetic_friction(), constants());
+    for (std::size_t i = 0; i < count; ++i) tangents_[i] = plus(at_event_[i], -delays_[i], rates);
+    at_event_ = tangents_;
+    delays_ = {};
+    const double side = frame_side(state);
+    variation_.expand(this->series().rows(),
+                      {.contact = state.contact,
+                       .order = this->series().order(),
+                       .has_vertical = this->excitation().has_vertical(),
+                       .drag = side * state.slip_direction * this->kinetic_friction()},
+                      constants());
+  }
+
+  [[nodiscard]] Tangents tangents_until(double x) const {
+    const dynamics::StepVariation<double> over = variation_.until(x, this->series().rows());
+    Tangents now;
+    for (std::size_t i = 0; i < count; ++i) now[i] = over.apply(tangents_[i]);
+    return now;
+  }
+
+  [[nodiscard]] dynamics::MovingBase moving_base(double x) const {
+    const double side = frame_side(this->state());
+    const auto& rows = this->series().rows();
+    const int order = this->series().order();
+    const auto slope = [x, order](const auto& row) {
+      double sum = 0.0;
+      for (int k = order; k > 0; --k) sum = base::fused(sum, x, k * row[static_cast<std::size_t>(k)]);
+      return sum;
+    };
+    return {.now = this->base_at(x),
+            .slope = {.horizontal = side * slope(rows.base),
+                      .weight = this->excitation().has_vertical() ? slope(rows.weight) : 0.0}};
+  }
+
+  [[nodiscard]] dynamics::EquationConstants<double> constants() const { return equation_constants(this->setting()); }
+
+  dynamics::VariationOfStep variation_;
+  Tangents tangents_{};  ///< at the start of the step
+  Tangents at_event_;    ///< changes of the state at the last event, before time went on
+  Tangents at_strobe_{};
+  std::array<double, count> delays_{};  ///< changes of the instant of that event
+  dynamics::MovingBase end_of_step_{};
+  NotDifferentiable not_differentiable_;
+  bool is_expanded_ = false;  ///< `variation_` is that of the present step
+  bool time_went_on_ = false;
+};
+
+}  // namespace rocking

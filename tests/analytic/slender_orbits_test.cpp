@@ -15,6 +15,8 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
+#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/studies/orbits/stability.hpp"
 #include "support/event_log.hpp"
 #include "support/excitation.hpp"
 
@@ -309,6 +311,37 @@ TEST(SlenderOrbit, GainsAndLosesStabilityAtTheClosedFormsEnds) {
       const bool is_inside = orbit.x > family.x_fold() && orbit.x < family.x_symmetry();
       EXPECT_EQ(std::abs(multiplier) < 1.0, is_inside) << name_of(orbit) << ", x = " << orbit.x;
       EXPECT_NEAR(multiplier_of_the_block(orbit), std::abs(multiplier), 1e-3) << name_of(orbit) << ", x = " << orbit.x;
+    }
+  }
+}
+
+/// The state of the orbit where the argument of its excitation is a multiple of 2 pi.
+section::StrobePoint on_section(const Orbit& orbit) {
+  double time = -orbit.phase() / orbit.family.omega;
+  while (time < 0.0) time += 2.0 * pi / orbit.family.omega;
+  const State state = orbit.later(time);
+  return {.tilt = state.tilt, .tilt_rate = state.rate, .slip_rate = 0.0};
+}
+
+// Newton's method finds stable and unstable orbits alike. At H/B = 1e5 the map of the block differs by psi^2 = 1e-10
+// times some tens. The trace contains 1/x, with x of about 0.01, and the multipliers are close to each other, so that
+// they differ by up to 1e4 times more.
+TEST(SlenderOrbit, IsFoundWithTheMultipliersOfTheClosedForm) {
+  for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 5.0, .n = 3},
+                               Family{.r = 0.9, .omega = 10.0, .n = 5}}) {
+    for (const double multiplier : {0.85, 1.1, -0.85, -1.1}) {
+      const Orbit orbit = with_multiplier(family, multiplier);
+      Condition condition = slender(orbit, 1e5, {}, 0.0);
+      const auto found = find_fixed_point(PoincareMap(condition), on_section(orbit), family.n);
+      ASSERT_TRUE(found) << name_of(orbit) << ", " << multiplier;
+      EXPECT_LT(distance(found->point, on_section(orbit)), 1e-6);
+      const Stability stability = stability_of(found->image);
+      ASSERT_EQ(stability.multipliers.size(), 2U);
+      const double other = family.r * family.r / multiplier;
+      const double largest = std::max(multiplier * multiplier, other * other);
+      EXPECT_NEAR(stability.multipliers[0].real(), largest, 1e-5) << name_of(orbit) << ", " << multiplier;
+      EXPECT_EQ(stability.is_stable(), largest < 1.0);
+      EXPECT_EQ(stability.kind, largest < 1.0 ? OrbitKind::node : OrbitKind::saddle);
     }
   }
 }

@@ -13,6 +13,7 @@
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/studies/cost/measurement.hpp"
 #include "rocking/studies/cost/timing.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/studies/verification.hpp"
 
 namespace rocking {
@@ -46,6 +47,7 @@ std::map<std::string, Entry> entries() {
           {"run", [](const auto& e) { static_cast<void>(run(e, {})); }},
           {"verify", [](const auto& e) { static_cast<void>(verify(e, empty_store(), std::nullopt, {})); }},
           {"bifurcation", [](const auto& e) { static_cast<void>(bifurcation(e, 0, {})); }},
+          {"orbits", [](const auto& e) { static_cast<void>(orbits(e, 1, {})); }},
           {"measure_cost",
            [=](const auto& e) { static_cast<void>(measure_cost(e, {.tolerances = tolerances, .sample = 1}, {})); }},
           {"time_cost", [=](const auto& e) {

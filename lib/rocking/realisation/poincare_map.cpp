@@ -1,0 +1,111 @@
+#include "rocking/realisation/poincare_map.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/random/draws.hpp"
+#include "rocking/realisation/strobe_recorder.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr double largest_tolerance = 1e-16;
+
+/// Keeps the contact states too.
+class SectionObserver final : public dynamics::Observer {
+ public:
+  SectionObserver(double shape_angle, int periods) : recorder_(shape_angle, periods + 1) {}
+
+  void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
+    recorder_.event(kind, tau, state);
+  }
+  void strobe(const dynamics::State& state) override {
+    recorder_.strobe(state);
+    contacts_.push_back(state.contact);
+  }
+
+  /// Without the first strobe point.
+  [[nodiscard]] std::vector<SectionState> later_states() const {
+    std::vector<SectionState> states;
+    for (std::size_t k = 1; k < contacts_.size(); ++k) {
+      states.push_back({.point = recorder_.periods()[k].point, .contact = contacts_[k]});
+    }
+    return states;
+  }
+  [[nodiscard]] dynamics::ContactState first_contact() const { return contacts_.front(); }
+  [[nodiscard]] const std::vector<section::Period>& periods() const { return recorder_.periods(); }
+
+ private:
+  StrobeRecorder recorder_;
+  std::vector<dynamics::ContactState> contacts_;
+};
+
+/// The scene with its clock at 0 at the start.
+Scene from_section(Scene scene) {
+  std::get<Harmonic>(scene.excitation).phase = 0.0;
+  return scene;
+}
+
+Beginning beginning_of(Condition condition) {
+  condition.scene = from_section(std::move(condition.scene));
+  condition.tolerance = std::min(condition.tolerance, largest_tolerance);
+  const random::Draws draws(0, 0);
+  return begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare, 1);
+}
+
+SectionMatrix in_units_of_section(const TangentMotion<Motion, 3>::Tangents& columns, double psi) {
+  const auto& [by_tilt, by_rate, by_slip] = columns;
+  return {{{by_tilt.tilt, by_rate.tilt, by_slip.tilt / psi},
+           {by_tilt.tilt_rate, by_rate.tilt_rate, by_slip.tilt_rate / psi},
+           {by_tilt.slip_rate * psi, by_rate.slip_rate * psi, by_slip.slip_rate}}};
+}
+
+}  // namespace
+
+PoincareMap::PoincareMap(const Condition& condition)
+    : scene_(from_section(condition.scene)), at_zero_(beginning_of(condition)) {
+  ROCKING_EXPECT(!is_random(condition.scene));
+}
+
+Beginning PoincareMap::beginning(const section::StrobePoint& from, const dynamics::Schedule& schedule) const {
+  Beginning beginning = at_zero_;
+  const double psi = beginning.setting.block.shape_angle;
+  beginning.state = {.tilt = psi * from.tilt, .tilt_rate = psi * from.tilt_rate, .slip_rate = from.slip_rate};
+  beginning.schedule = schedule;
+  return beginning;
+}
+
+std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from, int periods) const {
+  const Beginning begin = beginning(from, {.first_strobe = {.period = 1, .time = 0.0}, .strobes = periods});
+  const double psi = begin.setting.block.shape_angle;
+  SectionObserver observer(psi, periods);
+  TangentMotion<Motion, 3> motion(motion_of(scene_, begin, observer),
+                                  {{{.tilt = 1.0}, {.tilt_rate = 1.0}, {.slip_rate = 1.0}}});
+  observer.strobe(motion.state());  // the edge about which the block turns at the start
+  integrate::advance(motion);
+  if (motion.termination() != dynamics::Termination::reached_horizon) return std::nullopt;
+  PoincareImage image{.contact = observer.first_contact(),
+                      .states = observer.later_states(),
+                      .derivative = in_units_of_section(motion.at_strobe(), psi),
+                      .not_differentiable = motion.not_differentiable()};
+  for (std::size_t k = 1; k < observer.periods().size(); ++k) {
+    image.impacts += observer.periods()[k].impacts;
+    image.moved = image.moved || observer.periods()[k].moved;
+  }
+  return image;
+}
+
+std::optional<std::vector<SectionState>> PoincareMap::half_way(const section::StrobePoint& from, int periods) const {
+  const double half = 0.5 * at_zero_.clock.period_length();
+  const Beginning begin = beginning(from, {.first_strobe = {.period = 0, .time = half}, .strobes = periods});
+  SectionObserver observer(begin.setting.block.shape_angle, periods);
+  Motion motion = motion_of(scene_, begin, observer);
+  observer.strobe(motion.state());
+  integrate::advance(motion);
+  if (motion.termination() != dynamics::Termination::reached_horizon) return std::nullopt;
+  return observer.later_states();
+}
+
+}  // namespace rocking

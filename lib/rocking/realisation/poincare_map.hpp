@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/realisation/start.hpp"
+#include "rocking/realisation/tangent_motion.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/section/period.hpp"
+
+namespace rocking {
+
+/// Derivative of Theta, Theta', V (rows) at the end with respect to those at the start (columns).
+using SectionMatrix = std::array<std::array<double, 3>, 3>;
+
+/// The state at an instant of the section, and the contact state then.
+struct SectionState {
+  section::StrobePoint point;
+  dynamics::ContactState contact = dynamics::ContactState::rest;
+};
+
+/// Where a state goes in a number of periods.
+struct PoincareImage {
+  dynamics::ContactState contact = dynamics::ContactState::rest;  ///< at the start
+  std::vector<SectionState> states;                               ///< after 1, 2, ... periods
+  SectionMatrix derivative{};                                     ///< over all of them; 0 in the columns of what the
+                                                                  ///< contact state at the start fixes
+  int impacts = 0;                                                ///< that changed the edge; a chatter counts once
+  bool moved = false;                                             ///< false: at rest in full contact throughout
+  NotDifferentiable not_differentiable;
+
+  [[nodiscard]] const section::StrobePoint& end() const { return states.back().point; }
+};
+
+/// The Poincare map of a condition with harmonic excitation in which nothing is random: from an instant at which the
+/// argument of the excitation is a multiple of 2 pi to later ones. X is no coordinate: nothing depends on it.
+///
+/// The tolerance of its steps is at most 1e-16, so that the map is smooth up to rounding between events.
+class PoincareMap {
+ public:
+  /// Precondition: the condition is valid, periodic and not random.
+  explicit PoincareMap(const Condition& condition);
+
+  /// After 1 ... `periods` periods. Absent where the motion ends before: it overturns, or has no solution.
+  [[nodiscard]] std::optional<PoincareImage> image(const section::StrobePoint& from, int periods) const;
+
+  /// Half a period after each of the first `periods` instants of the section; absent as above.
+  [[nodiscard]] std::optional<std::vector<SectionState>> half_way(const section::StrobePoint& from, int periods) const;
+
+ private:
+  [[nodiscard]] Beginning beginning(const section::StrobePoint& from, const dynamics::Schedule& schedule) const;
+
+  Scene scene_;
+  Beginning at_zero_;
+};
+
+}  // namespace rocking

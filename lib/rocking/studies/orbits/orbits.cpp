@@ -1,0 +1,247 @@
+#include "rocking/studies/orbits/orbits.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <mutex>
+#include <string>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/base/on_threads.hpp"
+#include "rocking/realisation/continuation.hpp"
+#include "rocking/scene/check_condition.hpp"
+
+namespace rocking {
+namespace {
+
+/// Two points of one orbit differ by the residual over the distance of the multipliers from 1.
+constexpr double same_point = 1e-8;
+/// A run has come to its orbit when its last point is so close; later it comes closer.
+constexpr double on_orbit = 1e-6;
+
+section::StrobePoint mirrored(const section::StrobePoint& point) {
+  return {.tilt = -point.tilt, .tilt_rate = -point.tilt_rate, .slip_rate = -point.slip_rate};
+}
+
+/// The smallest period of a fixed point of the map over `images.size()` periods: a divisor after which it is back.
+int smallest_period(const section::StrobePoint& start, const std::vector<SectionState>& images) {
+  const auto periods = static_cast<int>(images.size());
+  for (int divisor = 1; divisor < periods; ++divisor) {
+    if (periods % divisor != 0) continue;
+    if (distance(images[static_cast<std::size_t>(divisor) - 1].point, start) < same_point) return divisor;
+  }
+  return periods;
+}
+
+/// Collects the orbits of one condition.
+class OrbitSearch {
+ public:
+  OrbitSearch(const Condition& condition, int longest, base::StopRequest stop)
+      : condition_(&condition), map_(condition), longest_(longest), stop_(stop) {}
+
+  [[nodiscard]] OrbitsOfCondition all() {
+    search_from_run();
+    search_from_grid();
+    add_mirror_images();
+    find_orbit_of_run();
+    return std::move(found_);
+  }
+
+ private:
+  void search_from_run() {
+    Continuation continuation(random::Draws(0, 0), stop_);
+    const RealisationResult result = continuation.run(*condition_);
+    found_.termination = result.termination;
+    found_.mode = result.classification.mode;
+    if (result.termination != dynamics::Termination::reached_horizon) return;
+    last_ = result.strobe.back();
+    if (found_.mode.kind == section::ResponseKind::periodic) {
+      search(*last_, found_.mode.periods, FoundBy::run);
+    } else {
+      search_all_periods(*last_, FoundBy::run);
+    }
+  }
+
+  void search_from_grid() {
+    constexpr int steps = 4;
+    constexpr double largest_tilt = 0.8;
+    constexpr double largest_rate = 1.2;
+    for (int i = -steps; i <= steps; ++i) {
+      for (int j = -steps; j <= steps; ++j) {
+        section::StrobePoint start{.tilt = largest_tilt * i / steps, .tilt_rate = largest_rate * j / steps};
+        if (condition_->scene.friction) {
+          const auto image = map_.image(start, 1);
+          if (!image) continue;
+          start = image->end();
+        }
+        search_all_periods(start, FoundBy::grid);
+      }
+    }
+  }
+
+  void search_all_periods(const section::StrobePoint& start, FoundBy found_by) {
+    for (int periods = 1; periods <= longest_; ++periods) search(start, periods, found_by);
+  }
+
+  void search(const section::StrobePoint& start, int periods, FoundBy found_by) {
+    stop_.check();
+    ++found_.searches;
+    auto fixed = find_fixed_point(map_, start, periods, stop_);
+    if (!fixed) return;
+    const int smallest = smallest_period(fixed->point, fixed->image.states);
+    if (smallest < periods) fixed = find_fixed_point(map_, fixed->point, smallest, stop_);
+    if (!fixed) return;
+    ++found_.converged;
+    add(*fixed, found_by);
+  }
+
+  void add(const FixedPoint& fixed, FoundBy found_by) {
+    Orbit orbit{.period = static_cast<int>(fixed.image.states.size()),
+                .cycles = (fixed.image.impacts + 1) / 2,
+                .points = {{.point = fixed.point, .contact = fixed.image.contact}},
+                .residual = fixed.residual,
+                .stability = stability_of(fixed.image),
+                .found_by = found_by,
+                .mirror = found_.orbits.size()};
+    orbit.points.insert(orbit.points.end(), fixed.image.states.begin(), fixed.image.states.end() - 1);
+    if (!place_of(orbit.points)) found_.orbits.push_back(std::move(orbit));
+  }
+
+  [[nodiscard]] std::optional<std::size_t> place_of(const std::vector<SectionState>& cycle) const {
+    for (std::size_t i = 0; i < found_.orbits.size(); ++i) {
+      if (is_same_cycle(found_.orbits[i].points, cycle)) return i;
+    }
+    return std::nullopt;
+  }
+
+  /// The mirror image of a motion is its negative half a period later.
+  void add_mirror_images() {
+    for (std::size_t i = 0; i < found_.orbits.size(); ++i) {
+      const int period = found_.orbits[i].period;
+      auto mirror = map_.half_way(found_.orbits[i].points.front().point, period);
+      if (!mirror) continue;
+      for (SectionState& state : *mirror) state.point = mirrored(state.point);
+      if (!place_of(*mirror)) search(mirror->front().point, period, FoundBy::mirror);
+      if (const auto place = place_of(*mirror)) {
+        found_.orbits[i].mirror = *place;
+        found_.orbits[*place].mirror = i;
+      }
+    }
+  }
+
+  void find_orbit_of_run() {
+    if (!last_) return;
+    for (std::size_t i = 0; i < found_.orbits.size(); ++i) {
+      const Orbit& orbit = found_.orbits[i];
+      const bool is_on = std::ranges::any_of(
+          orbit.points, [this](const SectionState& state) { return distance(state.point, *last_) < on_orbit; });
+      if (is_on && orbit.stability.is_stable()) found_.run_on = i;
+    }
+  }
+
+  const Condition* condition_;
+  PoincareMap map_;
+  int longest_;
+  base::StopRequest stop_;
+  OrbitsOfCondition found_;
+  std::optional<section::StrobePoint> last_;  ///< strobe point of the run
+};
+
+/// Where a law or a standard deviation makes the motion random; absent if nothing does.
+std::optional<std::string> place_of_randomness(const Scene& scene) {
+  if (is_drawn(scene.block.width)) return "/block/width_m";
+  if (is_drawn(scene.block.height)) return "/block/height_m";
+  if (is_drawn(start_phase(scene.excitation))) return "/excitation/phase_rad";
+  if (is_drawn(scene.initial.tilt)) return "/initial/tilt";
+  if (is_drawn(scene.initial.tilt_rate)) return "/initial/tilt_rate";
+  if (is_drawn(scene.initial.slip_rate)) return "/initial/slip_rate";
+  return is_random(scene) ? std::optional<std::string>("/fluctuation") : std::nullopt;
+}
+
+class OrbitWorkers {
+ public:
+  OrbitWorkers(const Experiment& experiment, int longest, const RunOptions& options)
+      : experiment_(&experiment), longest_(longest), options_(&options), found_(experiment.conditions.size()) {}
+
+  [[nodiscard]] std::optional<std::vector<OrbitsOfCondition>> run() {
+    base::on_threads(
+        options_->threads, [this](unsigned) { work(); }, [this] { has_failed_ = true; });
+    if (done_ < found_.size()) return std::nullopt;
+    return std::move(found_);
+  }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t i = next_++; i < found_.size() && !is_to_stop(); i = next_++) {
+        found_[i] = orbits_of(experiment_->conditions[i], longest_, options_->stop_requested);
+        const std::lock_guard lock(mutex_);
+        ++done_;
+        if (options_->on_progress) options_->on_progress(done_, found_.size());
+      }
+    } catch (const base::Stopped&) {
+      // run() notices that conditions are missing.
+    }
+  }
+
+  [[nodiscard]] bool is_to_stop() const { return has_failed_ || options_->stop_requested.is_made(); }
+
+  const Experiment* experiment_;
+  int longest_;
+  const RunOptions* options_;
+  std::vector<OrbitsOfCondition> found_;
+  std::atomic<std::size_t> next_ = 0;
+  std::mutex mutex_;
+  std::uint64_t done_ = 0;
+  std::atomic<bool> has_failed_ = false;
+};
+
+}  // namespace
+
+std::string_view to_string(FoundBy found_by) {
+  switch (found_by) {
+    case FoundBy::run: return "run";
+    case FoundBy::grid: return "grid";
+    case FoundBy::mirror: return "mirror";
+  }
+  return "";
+}
+
+bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t shift = 0; shift < b.size(); ++shift) {
+    bool is_same = true;
+    for (std::size_t k = 0; k < a.size() && is_same; ++k) {
+      const SectionState& other = b[(k + shift) % b.size()];
+      is_same = a[k].contact == other.contact && distance(a[k].point, other.point) < same_point;
+    }
+    if (is_same) return true;
+  }
+  return false;
+}
+
+OrbitsOfCondition orbits_of(const Condition& condition, int longest, base::StopRequest stop) {
+  check_condition(condition);
+  return OrbitSearch(condition, longest, stop).all();
+}
+
+void check_orbits(const Experiment& experiment) {
+  for (const Condition& condition : experiment.conditions) {
+    if (!is_periodic(condition.scene.excitation)) {
+      throw base::InputError({"/excitation/kind", '"' + std::string(name_of(condition.scene.excitation)) + '"',
+                              "does not repeat: it has no periodic orbits", "give a harmonic excitation"});
+    }
+    if (const auto place = place_of_randomness(condition.scene)) {
+      throw base::InputError({*place, "", "is random: only a motion in which nothing is random has periodic orbits",
+                              "give a number, or leave out `fluctuation`"});
+    }
+  }
+}
+
+std::optional<std::vector<OrbitsOfCondition>> orbits(const Experiment& experiment, int longest,
+                                                     const RunOptions& options) {
+  check_orbits(experiment);
+  return OrbitWorkers(experiment, longest, options).run();
+}
+
+}  // namespace rocking

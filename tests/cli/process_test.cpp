@@ -22,6 +22,8 @@ class Process : public rocking::support::ProgramTest {
     endless["excitation"]["amplitude"] = 0.1;  // never uplifts: all of its steps are made outside the lanes
     endless.erase("sweep");
     write("endless_rest.json", endless.dump());
+    endless.erase("fluctuation");
+    write("endless_sure.json", endless.dump());
   }
 
   static std::string program(const std::string& arguments) { return "'" ROCKING_PROGRAM "' " + arguments; }
@@ -63,7 +65,7 @@ TEST_F(Process, StopsWithinARealisationWhenItsTimeIsUp) {
 
 TEST_F(Process, StopsWithinARealisationWhenItIsAskedTo) {
   for (const std::string arguments : {"run endless.json -o out", "run endless_rest.json -o rest", "cost endless.json",
-                                      "bifurcation endless.json -o diagram"}) {
+                                      "bifurcation endless.json -o diagram", "orbits endless_sure.json -o orbits"}) {
     const auto outcome = shell(in_background(program(arguments)) + "sleep 1; kill -INT $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << arguments << outcome.errors;
   }

@@ -1,0 +1,106 @@
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "arguments.hpp"
+#include "campaign.hpp"
+#include "commands.hpp"
+#include "interrupt.hpp"
+#include "machine.hpp"
+#include "output.hpp"
+#include "progress.hpp"
+#include "rocking/output/write_orbits.hpp"
+#include "rocking/section/period.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
+#include "run_folder.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct OrbitsRequest {
+  std::string file;
+  std::string folder;
+  std::uint64_t longest = default_longest_orbit;
+  ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
+  bool overwrite = false;
+};
+
+/// Throws InputError, with the file and the line, where the experiment has no orbits.
+void refuse_without_orbits(const Experiment& experiment, const std::string& file) {
+  try {
+    check_orbits(experiment);
+  } catch (const base::InputError& error) {
+    throw located(error, read_file(file), file);
+  }
+}
+
+std::optional<std::vector<OrbitsOfCondition>> search(const Experiment& experiment, const OrbitsRequest& request) {
+  Progress progress(suitable_progress_style(request.execution.loudness), "conditions");
+  RunOptions options;
+  options.threads = request.execution.threads;
+  options.stop_requested = &stop_on_interrupt();
+  options.on_progress = [&](std::uint64_t done, std::uint64_t all) { progress.show(done, all); };
+  return orbits(experiment, static_cast<int>(request.longest), options);
+}
+
+ExitCode orbits(const OrbitsRequest& request) {
+  const Experiment experiment = load_experiment(request.file, {});
+  refuse_without_orbits(experiment, request.file);  // before any file is written
+  const std::filesystem::path path(request.folder);
+  const std::filesystem::path file = path / "orbits.json";
+  RunFolder folder(path);
+  folder.claim();
+  if (!request.overwrite && std::filesystem::exists(file)) {
+    throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
+  }
+  auto conditions = search(experiment, request);
+  if (!conditions) {
+    print_notice(fmt::format("interrupted; nothing was written. `rocking orbits {} -o {}` starts again", request.file,
+                             request.folder));
+    return ExitCode::interrupted;
+  }
+  const FoundOrbits found{
+      .experiment = &experiment, .longest = static_cast<int>(request.longest), .conditions = std::move(*conditions)};
+  const std::string text = orbits_text(found);
+  write_atomically(file, text);
+  const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
+  const std::string where = fmt::format("orbits: {}\n", file.string());
+  print_result(request.execution.loudness.json ? text : base::printable(title + orbits_table(found) + where));
+  return ExitCode::done;
+}
+
+}  // namespace
+
+void add_orbits(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<OrbitsRequest>();
+  CLI::App* command =
+      app.add_subcommand("orbits", "Find the periodic orbits, stable and unstable, and their multipliers");
+  command->footer(
+      "Example: rocking orbits experiments/reference_block/no_sliding.json -o out\n"
+      "searches in each condition by Newton's method on the Poincare map, from the end of a run and from a grid of "
+      "states.\n"
+      "Writes the orbits to out/orbits.json and prints them. The excitation must be harmonic, and nothing may be "
+      "random.");
+  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
+  command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
+      ->required()
+      ->type_name("DIR");
+  command
+      ->add_option("--periods", request->longest,
+                   "Longest period that is searched from the grid, in excitation periods")
+      ->check(whole_number(1, section::longest_period))
+      ->capture_default_str()
+      ->type_name("N");
+  add_threads(*command, request->execution);
+  command->add_flag("--overwrite", request->overwrite, "Replace the file of this name in the folder");
+  add_loudness(*command, request->execution.loudness);
+  command->final_callback([&action, request] { action = [request] { return orbits(*request); }; });
+}
+
+}  // namespace rocking::program

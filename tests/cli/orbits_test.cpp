@@ -1,0 +1,106 @@
+// `rocking orbits`: periodic orbits of deterministic conditions.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::objections;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Orbits : public rocking::support::ProgramTest {
+ protected:
+  Orbits() {
+    Json experiment = quick_experiment();
+    experiment.erase("fluctuation");
+    experiment["horizon"] = {{"transient_periods", 300}, {"sampled_periods", 60}};
+    experiment["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [4.5, 6.0]}])");
+    write("quick.json", experiment.dump());
+  }
+
+  /// Returns the exit code; tests that no file was written.
+  int refused(const std::string& arguments) const {
+    const auto outcome = rocking("orbits " + arguments + " -o refused");
+    EXPECT_NE(outcome.errors, "");
+    EXPECT_FALSE(exists("refused")) << arguments;
+    return outcome.exit_code;
+  }
+};
+
+TEST_F(Orbits, AreWrittenAndPrinted) {
+  const auto outcome = rocking("orbits quick.json -o out --periods 3 --no-progress");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("saddle"), HasSubstr("*"),
+                                    HasSubstr("out/orbits.json")));
+  const std::string text = read("out/orbits.json");
+  EXPECT_EQ(objections("orbits", text), "");
+  const Json json = Json::parse(text);
+  EXPECT_EQ(json["longest_period"], 3);
+  ASSERT_EQ(json["conditions"].size(), 2U);
+  for (const Json& condition : json["conditions"]) {
+    ASSERT_FALSE(condition["orbits"].empty());
+    const Json& on = condition["orbits"][condition["run"]["orbit"].get<std::size_t>()];
+    EXPECT_EQ(condition["run"]["mode"], '(' + on["cycles"].dump() + ',' + on["period"].dump() + ')');
+    EXPECT_EQ(on["stable"], true);
+    EXPECT_EQ(on["found_by"], "run");
+    for (const Json& orbit : condition["orbits"]) {
+      EXPECT_EQ(orbit["points"].size(), orbit["period"].get<std::size_t>());
+      EXPECT_EQ(orbit["points"][0][0], orbit["state"]["tilt"]);
+      EXPECT_LE(orbit["residual"].get<double>(), 1e-13);
+      EXPECT_EQ(orbit["symmetric"], &orbit == &condition["orbits"][orbit["mirror"].get<std::size_t>()]);
+    }
+  }
+}
+
+// A trajectory that starts on an orbit comes back to it: the states are in the units of `rocking trajectory`.
+TEST_F(Orbits, AreThoseOfTrajectories) {
+  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 3").exit_code, 0);
+  const Json condition = Json::parse(read("out/orbits.json"))["conditions"][0];
+  for (const Json& orbit : condition["orbits"]) {
+    Json experiment = Json::parse(read("quick.json"));
+    experiment["initial"] = orbit["state"];
+    write("on_orbit.json", experiment.dump());
+    const auto outcome = rocking("trajectory on_orbit.json --periods " + orbit["period"].dump());
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+    const Json end = Json::parse(outcome.output)["strobe"].back();
+    for (const char* key : {"tilt", "tilt_rate", "slip_rate"}) {
+      EXPECT_NEAR(end[key].get<double>(), orbit["state"][key].get<double>(), 1e-8) << orbit.dump();
+    }
+  }
+}
+
+TEST_F(Orbits, AreTheSameBytesOnAnyNumberOfThreadsAndAsJson) {
+  ASSERT_EQ(rocking("orbits quick.json -q -o one -j 1 --periods 2").exit_code, 0);
+  const auto printed = rocking("orbits quick.json -q -o two -j 2 --periods 2 --json");
+  EXPECT_EQ(printed.output, read("one/orbits.json"));
+  EXPECT_EQ(read("two/orbits.json"), read("one/orbits.json"));
+}
+
+TEST_F(Orbits, ReplaceAFileOnlyWhenTold) {
+  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 1").exit_code, 0);
+  const auto refusal = rocking("orbits quick.json -q -o out --periods 2");
+  EXPECT_EQ(refusal.exit_code, 74);
+  EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(Json::parse(read("out/orbits.json"))["longest_period"], 1);
+  EXPECT_EQ(rocking("orbits quick.json -q -o out --periods 2 --overwrite").exit_code, 0);
+  EXPECT_EQ(Json::parse(read("out/orbits.json"))["longest_period"], 2);
+}
+
+TEST_F(Orbits, AreRefusedWhereThereAreNone) {
+  write("random.json", quick_experiment().dump());
+  write("pulse.txt", rocking::support::recorded_pulse());
+  write("recorded.json", rocking::support::recorded_experiment().dump());
+  EXPECT_EQ(refused("random.json"), 65);
+  EXPECT_EQ(refused("recorded.json"), 65);
+  EXPECT_EQ(refused("absent.json"), 66);
+  EXPECT_EQ(refused("quick.json --periods 0"), 64);
+  EXPECT_THAT(rocking("orbits random.json -o x").errors, AllOf(HasSubstr("/fluctuation"), HasSubstr("leave out")));
+  EXPECT_THAT(rocking("orbits recorded.json -o x").errors, HasSubstr("/excitation/kind"));
+}
+
+}  // namespace

@@ -72,6 +72,7 @@ std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const W
     with_history.push_back(file);
   }
   if (with_history.size() > 1) figures.push_back(responses(with_history, window));
+  if (!with_history.empty()) figures.push_back(phase_portrait(with_history, window));
   if (!found.trajectories.empty()) figures.push_back(poincare(found.trajectories, window));
   for (Figure& figure : found.figures) figures.push_back(std::move(figure));
   number_names(figures);

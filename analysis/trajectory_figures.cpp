@@ -40,6 +40,36 @@ Table history_table(const TrajectoryFile& file, const Window& window) {
   return table;
 }
 
+/// The path in the plane (Theta, Theta'), with a row without numbers before each impact, where Theta' jumps.
+Table path_table(const TrajectoryFile& file, const Window& window) {
+  Table table{
+      .name = "path of " + described(file), .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}, time_column}, .rows = {}};
+  auto event = file.events.begin();
+  for (const HistoryRow& row : file.history) {
+    bool jumps = false;
+    for (; event != file.events.end() && event->time <= row.time; ++event) {
+      jumps = jumps || event->kind == "impact_stick" || event->kind == "impact_slip";
+    }
+    if (!is_within(row.time, window)) continue;
+    if (jumps && !table.rows.empty()) table.rows.push_back({Cell(), Cell(), row.time});
+    table.rows.push_back({row.tilt, row.tilt_rate, row.time});
+  }
+  return table;
+}
+
+/// Strobe points.
+Table strobe_table(const TrajectoryFile& file, const Window& window) {
+  Table table{.name = "strobe points of " + described(file),
+              .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}, {"period", "period at whose end the state is taken"}},
+              .rows = {}};
+  for (const StrobeRow& row : file.strobe) {
+    if (is_within(row.period, window)) table.rows.push_back({row.tilt, row.tilt_rate, row.period});
+  }
+  return table;
+}
+
+double size_of_markers(const TrajectoryFile& file) { return file.strobe.size() > 2000 ? 0.2 : 0.5; }
+
 Table span_table(const TrajectoryFile& file, std::string_view contact, const Window& window) {
   Table table{.name = "stretches of " + std::string(contact),
               .columns = {{"from", time_column.meaning}, {"to", time_column.meaning}},
@@ -137,21 +167,51 @@ Figure responses(const std::vector<TrajectoryFile>& files, const Window& window)
   return figure;
 }
 
+Figure phase_portrait(const std::vector<TrajectoryFile>& files, const Window& window) {
+  Figure figure;
+  figure.name = "phase_portrait";
+  figure.title = "Phase portrait";
+  if (files.size() == 1) figure.subtitle = described(files.front());
+  Panel panel{.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}};
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    figure.tables.push_back(path_table(files[i], window));
+    Style style = style_of_curve(i);
+    style.marker = 0;
+    style.dash = 1;
+    style.width = 1.0;
+    panel.layers.push_back({.kind = LayerKind::line,
+                            .table = figure.tables.size() - 1,
+                            .columns = {0, 1},
+                            .style = style,
+                            .legend = files.size() > 1 ? described(files[i]) : ""});
+  }
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    figure.tables.push_back(strobe_table(files[i], window));
+    Style style = files.size() > 1 ? style_of_curve(i) : Style{.colour = "#d55e00"};
+    style.size = size_of_markers(files[i]);
+    panel.layers.push_back({.kind = LayerKind::points,
+                            .table = figure.tables.size() - 1,
+                            .columns = {0, 1},
+                            .style = style,
+                            .legend = files.size() > 1 ? "" : "once an excitation period"});
+  }
+  figure.panels.push_back(std::move(panel));
+  figure.caption =
+      "Path (Θ, Θ′) of each realisation, where Θ = θ/ψ, interrupted at impacts, where Θ′ jumps; points: once an "
+      "excitation "
+      "period.";
+  return figure;
+}
+
 Figure poincare(const std::vector<TrajectoryFile>& files, const Window& window) {
   Figure figure;
   figure.name = "poincare";
   figure.title = "Poincaré section";
   Panel panel{.title = "", .x = {"tilt", "Θ", ""}, .y = {"tilt rate", "Θ′", ""}, .layers = {}};
   for (std::size_t i = 0; i < files.size(); ++i) {
-    Table table{.name = described(files[i]),
-                .columns = {{"tilt", "Θ"}, {"tilt_rate", "Θ′"}, {"period", "period at whose end the state is taken"}},
-                .rows = {}};
-    for (const StrobeRow& row : files[i].strobe) {
-      if (is_within(row.period, window)) table.rows.push_back({row.tilt, row.tilt_rate, row.period});
-    }
-    figure.tables.push_back(std::move(table));
+    figure.tables.push_back(strobe_table(files[i], window));
     Style style = style_of_curve(i);
-    style.size = files[i].strobe.size() > 2000 ? 0.2 : 0.5;
+    style.size = size_of_markers(files[i]);
     panel.layers.push_back(
         {.kind = LayerKind::points, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
   }

@@ -27,6 +27,7 @@ using rocking::analysis::Figure;
 using rocking::analysis::LayerKind;
 using rocking::analysis::normal_histogram;
 using rocking::analysis::output_figures;
+using rocking::analysis::phase_portrait;
 using rocking::analysis::poincare;
 using rocking::analysis::read_trajectory;
 using rocking::analysis::run_report_of;
@@ -202,11 +203,101 @@ TEST(Cost, OfADeterministicExperimentHasNoHalfWidths) {
   EXPECT_THROW(static_cast<void>(cost_figures(still)), rocking::base::InputError);
 }
 
+TEST(PhasePortrait, IsThePathOfTheHistoryWithItsStrobePoints) {
+  const Figure figure = phase_portrait({read_trajectory(sample_trajectory(), "x")}, {.from = 0.5, .to = 1.0});
+  ASSERT_EQ(figure.panels.size(), 1U);
+  ASSERT_EQ(figure.panels[0].layers.size(), 2U);
+  const auto& path = figure.panels[0].layers[0];
+  EXPECT_EQ(path.kind, LayerKind::line);
+  EXPECT_THAT(path.columns, ElementsAre(0U, 1U));
+  EXPECT_THAT(
+      figure.tables.at(path.table).rows,
+      ElementsAre(ElementsAre(Cell(0.02), Cell(0.0), Cell(0.5)), ElementsAre(Cell(), Cell(), Cell(0.7)),
+                  ElementsAre(Cell(0.0), Cell(0.1), Cell(0.7)), ElementsAre(Cell(0.0), Cell(0.1), Cell(0.7)),
+                  ElementsAre(Cell(0.03), Cell(0.0), Cell(0.75)), ElementsAre(Cell(0.04), Cell(0.0), Cell(1.0))))
+      << "interrupted at the impact, not at the event of the same instant";
+  const auto& points = figure.panels[0].layers[1];
+  EXPECT_EQ(points.kind, LayerKind::points);
+  EXPECT_THAT(figure.tables.at(points.table).rows, ElementsAre(ElementsAre(Cell(0.25), Cell(-0.5), Cell(1.0))));
+}
+
+TEST(PhasePortrait, OfSeveralFilesNamesEachOnce) {
+  const TrajectoryFile file = read_trajectory(sample_trajectory(), "x");
+  TrajectoryFile other = file;
+  other.name = "y";
+  const Figure figure = phase_portrait({file, other}, {});
+  std::vector<std::string> legends;
+  for (const auto& layer : figure.panels.at(0).layers) legends.push_back(layer.legend);
+  EXPECT_THAT(legends, ElementsAre("x: condition 2, realisation 7", "y: condition 2, realisation 7", "", ""));
+}
+
+Json sample_fragility() {
+  Json json = Json::parse(R"({ "format": "rocking.fragility/1", "curves": [ { "title": "t",
+    "sha256": "0123456789012345678901234567890123456789012345678901234567890123", "parameter": "/excitation/amplitude",
+    "others": {}, "confidence": 0.9, "outcome": "rejected", "law": null,
+    "test": { "deviance": 40.5, "samples": 999, "as_large": 0, "p_value": 0.001 }, "missed_levels": null,
+    "levels": [] } ] })");
+  const std::vector<std::array<double, 5>> levels{
+      {1.0, 2, 0.02, 0.01, 0.1}, {2.0, 54, 0.5, 0.4, 0.6}, {4.0, 46, 0.5, 0.3, 0.7}};
+  for (const auto& [intensity, overturned, isotonic, low, high] : levels) {
+    json["curves"][0]["levels"].push_back({{"intensity", intensity},
+                                           {"realisations", 100},
+                                           {"overturned", static_cast<int>(overturned)},
+                                           {"estimate", overturned / 100.0},
+                                           {"exact", {low, high}},
+                                           {"simultaneous", {low, high}},
+                                           {"fitted", nullptr},
+                                           {"band", {low, high}},
+                                           {"isotonic", isotonic}});
+  }
+  return json;
+}
+
+TEST(FragilityFigure, DrawsTheIsotonicEstimateAsStepsWithTheBandBetweenLevels) {
+  const auto figures = output_figures({{"f.json", sample_fragility().dump()}}, {});
+  const Figure& figure = figures.at(0);
+  const auto& layers = figure.panels.at(0).layers;
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[0].kind, LayerKind::boxes);
+  EXPECT_THAT(layers[0].columns, ElementsAre(0U, 1U, 3U, 4U));
+  EXPECT_EQ(layers[1].kind, LayerKind::steps);
+  EXPECT_EQ(layers[2].kind, LayerKind::error_bars);
+  EXPECT_THAT(figure.tables.at(layers[0].table).rows,
+              ElementsAre(ElementsAre(Cell(1.0), Cell(2.0), Cell(0.02), Cell(0.01), Cell(0.6)),
+                          ElementsAre(Cell(2.0), Cell(4.0), Cell(0.5), Cell(0.4), Cell(0.7)),
+                          ElementsAre(Cell(4.0), Cell(4.0), Cell(0.5), Cell(0.3), Cell(0.7))));
+  EXPECT_THAT(figure.caption, HasSubstr("do not decrease"));
+  EXPECT_THAT(figure.description, HasSubstr("rejected"));
+}
+
+TEST(FragilityFigure, SaysThatAMedianIsExtrapolated) {
+  Json json = sample_fragility();
+  Json& curve = json["curves"][0];
+  curve["outcome"] = "fitted";
+  curve["missed_levels"] = 0;
+  curve["law"] = Json::parse(R"({ "median": { "value": 5.5, "interval": [4.5, null], "extrapolated": true },
+    "dispersion": { "value": 0.5, "interval": [0.25, 1.0] }, "centre": 0.7, "intercept": -1.0, "slope": 2.0,
+    "covariance": [0.01, 0.0, 0.01], "degrees_of_freedom": 40 })");
+  for (Json& level : curve["levels"]) {
+    level["fitted"] = level["isotonic"];
+    level["isotonic"] = nullptr;
+  }
+  const auto described = [](const Json& output) {
+    return output_figures({{"f.json", output.dump()}}, {}).at(0).description;
+  };
+  EXPECT_THAT(described(json), HasSubstr("median 5.5 [4.5, unbounded] (extrapolated"));
+  curve["law"]["median"].erase("extrapolated");
+  curve["law"].erase("degrees_of_freedom");
+  curve.erase("test");
+  for (Json& level : curve["levels"]) level.erase("isotonic");
+  EXPECT_THAT(described(json), HasSubstr("median 5.5 [4.5, unbounded], dispersion")) << "a file of a former version";
+}
+
 TEST(OutputFigures, AreOfEachFileAndOfAllTogether) {
   const std::string text = sample_trajectory().dump();
   std::vector<std::string> names;
   for (const Figure& figure : output_figures({{"a.json", text}, {"b.json", text}}, {})) names.push_back(figure.name);
-  EXPECT_THAT(names, ElementsAre("time_history", "time_history_2", "responses", "poincare"));
+  EXPECT_THAT(names, ElementsAre("time_history", "time_history_2", "responses", "phase_portrait", "poincare"));
 }
 
 TEST(OutputFigures, RefuseWithTheFilesName) {

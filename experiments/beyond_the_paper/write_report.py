@@ -11,6 +11,7 @@ import math
 import pathlib
 import re
 import sys
+import textwrap
 
 import figures
 from design import COMBINATIONS, EFFECTS, QUANTITIES, SOURCES, Design
@@ -218,7 +219,30 @@ def filled(template, found):
     names = set(re.findall(r"\{\{(\w+)\}\}", template))
     if names != set(found):
         sys.exit(f"write_report.py: the template and its values differ in {sorted(names ^ set(found))}")
-    return re.sub(r"\{\{(\w+)\}\}", lambda match: str(found[match.group(1)]), template)
+    return wrapped(re.sub(r"\{\{(\w+)\}\}", lambda match: str(found[match.group(1)]), template))
+
+
+def wrapped(text):
+    """The text with paragraphs and items in lines of at most 120 letters; tables and pictures are one line each."""
+    lines, paragraph = [], []
+
+    def end_paragraph():
+        if paragraph:
+            indent = "  " if paragraph[0].startswith("- ") else ""
+            lines.extend(textwrap.wrap(" ".join(part.strip() for part in paragraph), 120, subsequent_indent=indent,
+                                       break_long_words=False, break_on_hyphens=False))
+            paragraph.clear()
+
+    for line in text.split("\n"):
+        stands_alone = not line or line.startswith(("|", "<", "!", "#", "    ", "**"))
+        if stands_alone or line.startswith("- "):
+            end_paragraph()
+        if stands_alone:
+            lines.append(line)
+        else:
+            paragraph.append(line)
+    end_paragraph()
+    return "\n".join(lines)
 
 
 def main():

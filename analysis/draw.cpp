@@ -70,9 +70,9 @@ void keep_or_remove(const Figure& figure, const fs::path& folder, const std::vec
 }  // namespace
 
 Drawing write_figure(const Figure& figure, const fs::path& folder, const std::vector<std::string>& formats,
-                     base::StopRequest stop) {
+                     base::StopRequest stop, const FigureLook& look) {
   write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
-  write_atomically(folder / (figure.name + ".gp"), script_text(figure));
+  write_atomically(folder / (figure.name + ".gp"), script_text(figure, look));
   Drawing drawing = run_gnuplot(folder, figure.name, {.formats = formats, .ending = unfinished}, stop);
   keep_or_remove(figure, folder, formats, drawing);
   return drawing;

@@ -6,6 +6,7 @@
 
 #include "analysis/figure.hpp"
 #include "analysis/gnuplot.hpp"
+#include "analysis/look.hpp"
 
 namespace rocking::analysis {
 
@@ -18,7 +19,7 @@ namespace rocking::analysis {
 /// path.
 [[nodiscard]] Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
                                    const std::vector<std::string>& formats = picture_formats(),
-                                   base::StopRequest stop = {});
+                                   base::StopRequest stop = {}, const FigureLook& look = screen_look());
 
 /// The figure as SVG text, drawn in a temporary folder. Empty if it cannot be drawn; `drawing` says why. Throws
 /// base::Stopped if it is asked to stop.

@@ -56,7 +56,7 @@ std::vector<std::string> filled(const std::string& what, const Style& style) {
 std::string fill_of(const Style& style) {
   const std::string fill = "fc rgb '" + style.colour + "' fs transparent solid " + number_text(style.opacity);
   // A border in the same colour closes the seams between neighbours; through a sheer one it would show.
-  return fill + (style.opacity < 1.0 ? std::string(" noborder") : " border lc rgb '" + style.colour + "' lw 0.4");
+  return fill + (style.opacity < 1.0 ? std::string(" noborder") : " border lc rgb '" + style.colour + "' lw 0.67");
 }
 
 std::string hatch_over(const Style& style) {

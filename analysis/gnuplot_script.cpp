@@ -9,6 +9,7 @@
 #include "analysis/gnuplot_layers.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "analysis/layout.hpp"
+#include "rocking/output/text_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -19,9 +20,17 @@ std::string at(const Layout& layout, double x, double y) {
   return "screen " + rounded(x / layout.width) + ", screen " + rounded(y / layout.height);
 }
 
+constexpr double pixels_of_a_point = 96.0 / 72.0;
+
+// gnuplot halves fonts and lines in a PDF. With these factors a font has its size in points, and a line of width 1 is a
+// pixel wide, 0.75 points, as in the other formats.
+constexpr const char* pdf_scales = " fontscale 0.75 linewidth 1.5";
+
+/// A number with two decimals.
+std::string rounded(double number) { return number_text(std::round(number * 100.0) / 100.0); }
+
 std::string size_of(const Layout& layout, double scale) {
-  return number_text(std::round(scale * layout.width * 100.0) / 100.0) + ',' +
-         number_text(std::round(scale * layout.height * 100.0) / 100.0);
+  return rounded(scale * layout.width) + ',' + rounded(scale * layout.height);
 }
 
 /// The name of a figure in the scripts of an SVG, where gnuplot allows letters, digits and _ only.
@@ -35,65 +44,73 @@ std::string script_name(const Figure& figure) {
 }
 
 // Fonts and sizes are given explicitly and no date or machine name is used, so that equal data give equal bytes.
-std::string terminals(const Figure& figure, const Layout& layout) {
+std::string terminals(const Figure& figure, const Layout& layout, const FigureLook& look) {
   const std::string stem = quoted(figure.name);
+  const auto font = [](double size) { return " font 'DejaVu Sans," + rounded(size) + "'"; };
+  const std::string enlarged = rounded(look.png_pixels);
   return "  if (format eq 'svg') {\n    set terminal svg enhanced size " + size_of(layout, 1.0) +
-         " font 'DejaVu Sans,12' background '#ffffff' name " +
+         font(look.font_size * pixels_of_a_point) + " background '#ffffff' name " +
          quoted(script_name(figure)) +
-         "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " + size_of(layout, 2.0) +
-         " font 'DejaVu Sans,9' fontscale 2 linewidth 2 pointscale 2 background '#ffffff'"
+         "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " +
+         size_of(layout, look.png_pixels) + font(look.font_size) + " fontscale " + enlarged + " linewidth " + enlarged +
+         " pointscale " + enlarged +
+         " background '#ffffff'"
          "\n  }\n  if (format eq 'pdf') {\n    set terminal pdfcairo enhanced size " +
-         size_of(layout, 0.01) + " font 'DejaVu Sans,9' linewidth 1 background '#ffffff'\n  }\n  set output " + stem +
-         ".'.'.format.ending\n";
+         size_of(layout, look.pdf_inches) + font(look.font_size) + pdf_scales +
+         " background '#ffffff'\n  }\n  set output " + stem + ".'.'.format.ending\n";
 }
 
-std::string rectangle(const Layout& layout, const LegendEntry& entry) {
+std::string rectangle(const Layout& layout, const FigureLook& look, const LegendEntry& entry) {
   const std::string place = "  set object rectangle from " + at(layout, entry.left, entry.middle - 6.0) + " to " +
-                            at(layout, entry.left + 30.0, entry.middle + 6.0) + " front noclip ";
+                            at(layout, entry.left + look.sample_width, entry.middle + 6.0) + " front noclip ";
   std::string text = place + fill_of(entry.style) + '\n';
   if (entry.style.hatch != 0) text += place + hatch_over(entry.style) + '\n';
-  return text + place + "fs empty border lc rgb '#606060' lw 0.5\n";
+  return text + place + "fs empty border lc rgb '#606060' lw 0.67\n";
 }
 
-std::string stroke(const Layout& layout, const LegendEntry& entry) {
+std::string stroke(const Layout& layout, const FigureLook& look, const LegendEntry& entry) {
   return "  set arrow from " + at(layout, entry.left, entry.middle) + " to " +
-         at(layout, entry.left + 30.0, entry.middle) + " nohead front " + stroke_of(entry.style) + '\n';
+         at(layout, entry.left + look.sample_width, entry.middle) + " nohead front " + stroke_of(entry.style) + '\n';
 }
 
-std::string marker(const Layout& layout, const LegendEntry& entry) {
-  return "  set label '' at " + at(layout, entry.left + 15.0, entry.middle) + " point pt " +
+std::string marker(const Layout& layout, const FigureLook& look, const LegendEntry& entry) {
+  return "  set label '' at " + at(layout, entry.left + 0.5 * look.sample_width, entry.middle) + " point pt " +
          std::to_string(entry.style.marker) + " ps " + number_text(std::max(entry.style.size, 0.6)) + " lc rgb '" +
          entry.style.colour + "' lw " + number_text(entry.style.width) + " front\n";
 }
 
-std::string sample(const Layout& layout, const LegendEntry& entry) {
+std::string sample(const Layout& layout, const FigureLook& look, const LegendEntry& entry) {
   switch (entry.kind) {
     case LayerKind::boxes:
     case LayerKind::ribbon:
     case LayerKind::spans:
     case LayerKind::image:
-    case LayerKind::polygon: return rectangle(layout, entry);
-    case LayerKind::line: return stroke(layout, entry) + (entry.style.marker == 0 ? "" : marker(layout, entry));
+    case LayerKind::polygon: return rectangle(layout, look, entry);
+    case LayerKind::line:
+      return stroke(layout, look, entry) + (entry.style.marker == 0 ? "" : marker(layout, look, entry));
     case LayerKind::steps:
-    case LayerKind::arrows: return stroke(layout, entry);
+    case LayerKind::arrows: return stroke(layout, look, entry);
     case LayerKind::points:
-    case LayerKind::error_bars: return marker(layout, entry);
+    case LayerKind::error_bars: return marker(layout, look, entry);
     case LayerKind::texts: return "";
   }
   return "";
 }
 
-std::string heading(const Figure& figure, const Layout& layout) {
-  std::string text = "  set label " + quoted(cut(printable(figure.title), letters_across)) + " at " +
-                     at(layout, 0.5 * layout.width, layout.title) + " center noenhanced font ',13' front\n";
+std::string heading(const Figure& figure, const Layout& layout, const FigureLook& look) {
+  std::string text;
+  if (look.style == FigureStyle::screen) {
+    text += "  set label " + quoted(cut(printable(figure.title), letters_across)) + " at " +
+            at(layout, 0.5 * layout.width, layout.title) + " center noenhanced font ',13' front\n";
+  }
   if (!figure.subtitle.empty()) {
     text += "  set label " + quoted(cut(printable(figure.subtitle), letters_across)) + " at " +
             at(layout, 0.5 * layout.width, layout.subtitle) + " center noenhanced textcolor rgb '#404040' front\n";
   }
   for (const LegendEntry& entry : layout.legend) {
-    text += sample(layout, entry);
-    text += "  set label " + quoted(entry.text) + " at " + at(layout, entry.left + 37.0, entry.middle) +
-            " noenhanced front\n";
+    text += sample(layout, look, entry);
+    text += "  set label " + quoted(entry.text) + " at " +
+            at(layout, entry.left + look.sample_width + 7.0, entry.middle) + " noenhanced front\n";
   }
   return text;
 }
@@ -116,12 +133,24 @@ std::string plot_text(const Figure& figure, const Panel& panel) {
   return "  plot " + (elements.empty() ? "NaN notitle" : elements) + '\n';
 }
 
-std::string panel_text(const Figure& figure, const Layout& layout, std::size_t number) {
+/// The quantity of an axis, cut so that its label has at most so many characters.
+std::string fitting(const Axis& axis, std::size_t letters) {
+  const std::size_t others = letters_in(label_of(axis)) - letters_in(axis.quantity);
+  return letters_in(label_of(axis)) <= letters ? axis.quantity
+                                               : cut(axis.quantity, std::max(others + 4, letters) - others);
+}
+
+std::string panel_text(const Figure& figure, const Layout& layout, const FigureLook& look, std::size_t number) {
   const Place& place = layout.panels[number];
-  const Panel panel = with_settled_axes(figure, figure.panels[number], place);
+  const LettersOfPanel letters = letters_of(place, look);
+  Panel panel = with_settled_axes(figure, figure.panels[number], place);
+  if (look.style == FigureStyle::journal) {
+    panel.x.quantity = fitting(panel.x, letters.x);
+    panel.y.quantity = fitting(panel.y, letters.y);
+  }
   const bool with_x = figure.arrangement == Arrangement::grid || number + 1 == figure.panels.size();
   std::string text = margins(layout, place) + axes_text(panel, with_x) + "  set title " +
-                     quoted(cut(printable(panel.title), letters_above(place))) + " noenhanced offset 0,-0.6\n";
+                     quoted(cut(printable(panel.title), letters.title)) + " noenhanced offset 0,-0.6\n";
   if (shows_nothing(figure, panel)) {
     text += "  set label 'nothing to show' at graph 0.5, graph 0.5 center noenhanced textcolor rgb '#404040' front\n";
   }
@@ -142,8 +171,9 @@ double top_shade(const Figure& figure) {
 
 }  // namespace
 
-std::string script_text(const Figure& figure) {
-  const Layout layout = layout_of(figure);
+std::string script_text(const Figure& original, const FigureLook& look) {
+  const Figure figure = adapted(original, look);
+  const Layout layout = layout_of(figure, look);
   std::string text = "# Draws " + figure.name + " from " + figure.name +
                      ".tsv, with gnuplot 5.4 or later:\n#   gnuplot " + figure.name +
                      ".gp\n#   gnuplot -e \"formats='svg'\" " + figure.name + ".gp\n" +
@@ -154,8 +184,8 @@ std::string script_text(const Figure& figure) {
                      "set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.05\nset y2range [0:1]\n"
                      "unset colorbox\nset palette defined (0 '#b0b0b0', 1 '#000000')\nset cbrange [0:" +
                      number_text(std::round(top_shade(figure) * 1e4) / 1e4) + "]\ndo for [format in formats] {\n";
-  text += terminals(figure, layout) + "  set multiplot\n" + heading(figure, layout);
-  for (std::size_t i = 0; i < figure.panels.size(); ++i) text += panel_text(figure, layout, i);
+  text += terminals(figure, layout, look) + "  set multiplot\n" + heading(figure, layout, look);
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) text += panel_text(figure, layout, look, i);
   return text + "  unset multiplot\n  set output\n}\n";
 }
 

@@ -9,23 +9,18 @@
 namespace rocking::analysis {
 namespace {
 
-constexpr double full_width = 720.0;
-constexpr double line_height = 21.0;
-constexpr double letter_width = 7.4;   // mean width of a letter, slightly larger than that of DejaVu Sans at 12
-constexpr double sample_width = 42.0;  // of a legend entry, including the gap before its text
 constexpr std::size_t letters_of_a_legend = 80;
-constexpr double left_margin = 84.0;
-constexpr double wide_left_margin = 100.0;  // space for the ticks of a nearly constant slip: -0.00486
-constexpr double right_margin = 18.0;
-constexpr double below_axes = 68.0;
-constexpr double above_axes = 26.0;
+constexpr double gap_of_a_sample = 12.0;  // between the sample of a legend entry and its text
+constexpr double gap_of_an_entry = 18.0;
 
 /// Each legend entry once, in the order of the panels.
-std::vector<LegendEntry> entries_of(const Figure& figure) {
+std::vector<LegendEntry> entries_of(const Figure& figure, const FigureLook& look) {
+  const double room = look.width - look.sample_width - gap_of_a_sample - gap_of_an_entry;
+  const std::size_t letters = std::min(letters_of_a_legend, static_cast<std::size_t>(room / look.letter_width));
   std::vector<LegendEntry> entries;
   for (const Panel& panel : figure.panels) {
     for (const Layer& layer : panel.layers) {
-      const std::string text = cut(printable(layer.legend), letters_of_a_legend);
+      const std::string text = cut(printable(layer.legend), letters);
       const auto same = [&text](const LegendEntry& entry) { return entry.text == text; };
       if (layer.legend.empty() || std::any_of(entries.begin(), entries.end(), same)) continue;
       entries.push_back({.kind = layer.kind, .style = layer.style, .text = text, .left = 0.0, .middle = 0.0});
@@ -36,76 +31,80 @@ std::vector<LegendEntry> entries_of(const Figure& figure) {
 
 /// Arranges the entries in centred rows with as many entries as fit; `top` is measured from the top of the figure.
 /// Returns the height of the rows.
-double set_in_rows(std::vector<LegendEntry>& entries, double top) {
-  constexpr double widest = full_width - 30.0;
+double set_in_rows(std::vector<LegendEntry>& entries, double top, const FigureLook& look) {
+  const double widest = look.width - (look.style == FigureStyle::screen ? 30.0 : 0.0);
   const double begin = top;
-  for (std::size_t first = 0; first < entries.size(); top += line_height) {
+  for (std::size_t first = 0; first < entries.size(); top += look.line_height) {
     double width = 0.0;
     std::size_t last = first;
     for (; last < entries.size(); ++last) {
-      const double wanted = sample_width + letter_width * static_cast<double>(letters_in(entries[last].text)) + 18.0;
+      const double wanted = look.sample_width + gap_of_a_sample +
+                            look.letter_width * static_cast<double>(letters_in(entries[last].text)) + gap_of_an_entry;
       if (last > first && width + wanted > widest) break;
       entries[last].left = width;
-      entries[last].middle = top + 0.5 * line_height;
+      entries[last].middle = top + 0.5 * look.line_height;
       width += wanted;
     }
-    for (; first < last; ++first) entries[first].left += std::max(8.0, 0.5 * (full_width - width + 18.0));
+    for (; first < last; ++first) entries[first].left += std::max(8.0, 0.5 * (look.width - width + gap_of_an_entry));
   }
   return top - begin;
 }
 
-double left_margin_of(const Figure& figure) {
-  return figure.arrangement == Arrangement::stacked ? wide_left_margin : left_margin;
+double left_margin_of(const Figure& figure, const FigureLook& look) {
+  return figure.arrangement == Arrangement::stacked ? look.wide_left_margin : look.left_margin;
 }
 
-double columns_for(const Figure& figure) {
+int columns_for(const Figure& figure, const FigureLook& look) {
   const std::size_t panels = figure.panels.size();
-  if (figure.arrangement == Arrangement::stacked || panels < 2) return 1.0;
-  return panels <= 4 ? 2.0 : 3.0;
+  if (figure.arrangement == Arrangement::stacked || panels < 2) return 1;
+  return std::min(look.most_columns, panels <= 4 ? 2 : 3);
 }
 
-double height_of_axes(const Figure& figure, double columns) {
-  if (figure.arrangement == Arrangement::stacked && figure.panels.size() > 1) return 150.0;
-  return columns == 1.0 ? 330.0 : columns == 2.0 ? 240.0 : 170.0;
+double height_of_axes(const Figure& figure, int columns, const FigureLook& look) {
+  if (figure.arrangement == Arrangement::stacked && figure.panels.size() > 1) return look.stacked_height;
+  return look.axes_heights.at(static_cast<std::size_t>(columns - 1));
 }
 
 /// Arranges panels in rows below `top`. Returns the end of the last row; both are measured from the top of the figure.
-double place_panels(const Figure& figure, double top, std::vector<Place>& places) {
-  const double columns = columns_for(figure);
-  const double before_axes = left_margin_of(figure);
-  const double axes_width = (full_width - columns * (before_axes + right_margin)) / columns;
-  const double axes_height = height_of_axes(figure, columns);
+double place_panels(const Figure& figure, double top, const FigureLook& look, std::vector<Place>& places) {
+  const double columns = columns_for(figure, look);
+  const double before_axes = left_margin_of(figure, look);
+  const double axes_width = (look.width - columns * (before_axes + look.right_margin)) / columns;
+  const double axes_height = height_of_axes(figure, columns_for(figure, look), look);
   const bool joined = figure.arrangement == Arrangement::stacked;
   double left = before_axes;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const Panel& panel = figure.panels[i];
     const bool last = i + 1 == figure.panels.size();
     const bool row_ends = last || std::fmod(static_cast<double>(i) + 1.0, columns) == 0.0;
-    const double begin = top + (panel.title.empty() ? 8.0 : above_axes);
+    const double begin = top + (panel.title.empty() ? 8.0 : look.above_axes);
     const double end = begin + axes_height * panel.height;
     places.push_back({.left = left, .right = left + axes_width, .bottom = end, .top = begin});
-    left += axes_width + before_axes + right_margin;
+    left += axes_width + before_axes + look.right_margin;
     if (!row_ends) continue;
     left = before_axes;
-    top = end + (joined && !last ? 6.0 : below_axes);
+    top = end + (joined && !last ? 6.0 : look.below_axes);
   }
   return top;
 }
 
 }  // namespace
 
-static_assert(static_cast<double>(letters_across) <= full_width / letter_width);
-
-std::size_t letters_above(const Place& panel) {
-  return static_cast<std::size_t>((panel.right - panel.left + left_margin + right_margin) / letter_width);
+LettersOfPanel letters_of(const Place& panel, const FigureLook& look) {
+  const double width = panel.right - panel.left;
+  const auto letters = [&look](double length) { return static_cast<std::size_t>(length / look.letter_width); };
+  // Labels are centred on their axis and may be longer than it.
+  return {.title = letters(width + look.left_margin + look.right_margin),
+          .x = letters(width + 2.0 * look.right_margin),
+          .y = letters(panel.top - panel.bottom + look.below_axes)};
 }
 
-Layout layout_of(const Figure& figure) {
-  Layout layout{.width = full_width, .height = 0.0, .title = 18.0, .subtitle = 38.0, .panels = {}, .legend = {}};
-  layout.legend = entries_of(figure);
-  double top = figure.subtitle.empty() ? 32.0 : 52.0;
-  top += set_in_rows(layout.legend, top) + 4.0;
-  layout.height = std::ceil(place_panels(figure, top, layout.panels));
+Layout layout_of(const Figure& figure, const FigureLook& look) {
+  Layout layout{.width = look.width, .height = 0.0, .title = 18.0, .subtitle = 38.0, .panels = {}, .legend = {}};
+  layout.legend = entries_of(figure, look);
+  double top = look.above_figure + (figure.subtitle.empty() ? 0.0 : 20.0);
+  top += set_in_rows(layout.legend, top, look) + 4.0;
+  layout.height = std::ceil(place_panels(figure, top, look, layout.panels));
   for (double* height : {&layout.title, &layout.subtitle}) *height = layout.height - *height;
   for (LegendEntry& entry : layout.legend) entry.middle = layout.height - entry.middle;
   for (Place& place : layout.panels) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
+#include "analysis/look.hpp"
 
 /// Positions of the parts of a drawn figure, in pixels from its lower left corner.
 namespace rocking::analysis {
@@ -29,10 +30,16 @@ struct Layout {
   std::vector<LegendEntry> legend;
 };
 
-/// Number of characters that fit into a line across the figure or into the title of a panel.
+/// Number of characters that fit into a line across the figure.
 inline constexpr std::size_t letters_across = 97;
-[[nodiscard]] std::size_t letters_above(const Place& panel);
 
-[[nodiscard]] Layout layout_of(const Figure& figure);
+/// Number of characters that fit into the title of a panel, and along its axes.
+struct LettersOfPanel {
+  std::size_t title, x, y;
+};
+
+[[nodiscard]] LettersOfPanel letters_of(const Place& panel, const FigureLook& look);
+
+[[nodiscard]] Layout layout_of(const Figure& figure, const FigureLook& look);
 
 }  // namespace rocking::analysis

@@ -34,12 +34,13 @@ ExitCode DrawingFailures::tell(std::string_view consequence, PictureRole role) c
   return code;
 }
 
-WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const std::filesystem::path& folder) {
+WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const std::filesystem::path& folder,
+                             const analysis::FigureLook& look) {
   ensure_writable(folder);
   WrittenFigures written;
   for (const analysis::Figure& figure : figures) {
     const analysis::Drawing drawing =
-        analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal());
+        analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal(), look);
     written.failures.add(drawing);
     const std::string stem = (folder / figure.name).string();
     for (const char* ending : {".tsv", ".gp"}) written.files.push_back(stem + ending);
@@ -47,6 +48,27 @@ WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const
     for (const std::string& format : analysis::picture_formats()) written.files.push_back(stem + '.' + format);
   }
   return written;
+}
+
+void add_style(CLI::App& command, StyleRequest& request) {
+  command.add_option("--style", request.style, "For what figures are drawn: screen, or journal (8 pt, no titles)")
+      ->check(CLI::IsMember({"screen", "journal"}))
+      ->capture_default_str();
+  command.add_option("--width", request.width, "Column of a journal: single (84 mm, default) or double (174 mm)")
+      ->check(CLI::IsMember({"single", "double"}))
+      ->type_name("COLUMN");
+}
+
+analysis::FigureLook look_for(const StyleRequest& request) {
+  if (request.style == "journal") {
+    return analysis::journal_look(request.width == "double" ? analysis::JournalWidth::double_column
+                                                            : analysis::JournalWidth::single_column);
+  }
+  if (!request.width.empty()) {
+    throw UsageError(
+        fmt::format("--width {}: only figures for a journal have this width; add --style journal", request.width));
+  }
+  return analysis::screen_look();
 }
 
 }  // namespace rocking::program

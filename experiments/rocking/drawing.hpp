@@ -7,8 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include <CLI/CLI.hpp>
+
 #include "analysis/figure.hpp"
 #include "analysis/gnuplot.hpp"
+#include "analysis/look.hpp"
 #include "analysis/run_report.hpp"
 #include "exit_code.hpp"
 #include "run_folder.hpp"
@@ -50,6 +53,18 @@ struct WrittenFigures {
 /// Writes figures into a folder, which is created if necessary. If a picture cannot be drawn, its data and script are
 /// written. Throws std::system_error with the path.
 [[nodiscard]] WrittenFigures write_figures(const std::vector<analysis::Figure>& figures,
-                                           const std::filesystem::path& folder);
+                                           const std::filesystem::path& folder,
+                                           const analysis::FigureLook& look = analysis::screen_look());
+
+/// The flags `--style` and `--width`.
+struct StyleRequest {
+  std::string style = "screen";
+  std::string width;  ///< empty: not given
+};
+
+void add_style(CLI::App& command, StyleRequest& request);
+
+/// Throws UsageError if a width is given that the style does not have.
+[[nodiscard]] analysis::FigureLook look_for(const StyleRequest& request);
 
 }  // namespace rocking::program

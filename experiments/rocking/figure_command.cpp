@@ -21,6 +21,7 @@ struct FigureRequest {
   std::vector<std::string> files;
   std::string folder;
   analysis::Window window;
+  StyleRequest style;
   Loudness loudness;
 };
 
@@ -40,8 +41,9 @@ ExitCode draw(const FigureRequest& request) {
   if (!(request.window.from < request.window.to)) {
     throw UsageError(fmt::format("--from {:g}: must be less than --to {:g}", request.window.from, request.window.to));
   }
+  const analysis::FigureLook look = look_for(request.style);
   const auto figures = analysis::output_figures(read_all(request.files), request.window);
-  const WrittenFigures written = write_figures(figures, request.folder);
+  const WrittenFigures written = write_figures(figures, request.folder, look);
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written.files}})
                                      : base::printable(fmt::format("{}\n", fmt::join(written.files, "\n"))));
   return written.failures.tell(no_figure, PictureRole::purpose);
@@ -55,10 +57,10 @@ void add_figure(CLI::App& app, Action& action) {
       app.add_subcommand("figure", "Draw the output of trajectory, bifurcation, cost, fragility, check-normal");
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
-      "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, and "
-      "their\n"
-      "Poincare section. Also draws bifurcation.json, cost.json, fragility.json and the output of\n"
-      "`rocking check-normal --json`.");
+      "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, their "
+      "phase\n"
+      "portrait and their Poincare section. Also draws bifurcation.json, cost.json, fragility.json and the output of\n"
+      "`rocking check-normal --json`. `--style journal` draws for the column of a journal.");
   command->add_option("FILE", request->files, "JSON files that rocking printed")->required();
   command->add_option("-o,--output", request->folder, "Folder for the figures; created if necessary")
       ->required()
@@ -70,6 +72,7 @@ void add_figure(CLI::App& app, Action& action) {
   command->add_option("--to", request->window.to, "Last excitation period of trajectories to show; default: the last")
       ->check(number(0.0, 1e9))
       ->type_name("P");
+  add_style(*command, request->style);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return draw(*request); }; });
 }

@@ -34,6 +34,7 @@ const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex", "t
 struct ReportRequest {
   std::string folder;
   std::vector<std::string> formats = file_formats;
+  StyleRequest style;  ///< of the figures, not of the page
   Loudness loudness;
 };
 
@@ -79,6 +80,7 @@ std::string table_again(const analysis::RunReport& report) {
 }
 
 ExitCode report_again(const ReportRequest& request) {
+  const analysis::FigureLook look = look_for(request.style);
   const RunFolder folder(request.folder);
   const analysis::RunReport report = load_report(folder);
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
@@ -91,7 +93,7 @@ ExitCode report_again(const ReportRequest& request) {
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    WrittenFigures figures = write_figures(figures_of(folder, report), fs::path(request.folder) / "figures");
+    WrittenFigures figures = write_figures(figures_of(folder, report), fs::path(request.folder) / "figures", look);
     of_figures = std::move(figures.failures);
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
@@ -133,6 +135,7 @@ void add_report(CLI::App& app, Action& action) {
       ->delimiter(',')
       ->check(one_of(all_formats))
       ->type_name("LIST");
+  add_style(*command, request->style);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return report_again(*request); }; });
 }

@@ -146,6 +146,27 @@ TEST_F(Figures, OfOtherOutputsShowSomething) {
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("drawn/responses.png"), HasSubstr("drawn/time_history_2.svg")));
 }
 
+TEST_F(Figures, ForAJournalHaveTheSizeOfItsColumn) {
+  if (!has_gnuplot()) GTEST_SKIP() << "gnuplot was not found (Debian: gnuplot-nox)";
+  write("one.json", rocking("trajectory quick.json --periods 6 --samples 50").output);
+  const Outcome single = rocking("figure one.json -o single --style journal");
+  ASSERT_EQ(single.exit_code, 0) << single.errors;
+  expect_pictures(single.output);
+  EXPECT_THAT(single.output, AllOf(HasSubstr("single/phase_portrait.pdf"), HasSubstr("single/poincare.svg")));
+  ASSERT_EQ(rocking("figure one.json -o double --style journal --width double").exit_code, 0);
+  // Width in points, 1/72 inch: 84 and 174 mm.
+  EXPECT_THAT(read("single/poincare.pdf"), HasSubstr("/MediaBox [ 0 0 238"));
+  EXPECT_THAT(read("double/poincare.pdf"), HasSubstr("/MediaBox [ 0 0 493"));
+  EXPECT_EQ(read("single/poincare.tsv"), read("double/poincare.tsv"));
+  const Outcome screen = rocking("figure one.json -o screen --width single");
+  EXPECT_EQ(screen.exit_code, 64);
+  EXPECT_THAT(screen.errors, HasSubstr("--style journal"));
+  EXPECT_EQ(rocking("figure one.json -o screen --style poster").exit_code, 64);
+  ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
+  ASSERT_EQ(rocking("report out --format gnuplot --style journal --width double").exit_code, 0);
+  EXPECT_THAT(read("out/figures/mode_bands.pdf"), HasSubstr("/MediaBox [ 0 0 493"));
+}
+
 TEST_F(Figures, RefuseWhatTheyCannotDraw) {
   EXPECT_EQ(rocking("figure nowhere.json -o drawn").exit_code, 66);
   const Outcome other = rocking("figure quick.json -o drawn");

@@ -246,6 +246,57 @@ TEST_F(Drawn, ShowsAxesAndAWordWhereThereIsNothing) {
   EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
 }
 
+using rocking::analysis::FigureLook;
+using rocking::analysis::journal_look;
+using rocking::analysis::JournalWidth;
+
+/// The figure's SVG for this column.
+std::string journal_svg(const Figure& figure, JournalWidth width) {
+  const rocking::support::TemporaryFolder folder;
+  const auto drawing = write_figure(figure, folder / "", {"svg"}, {}, journal_look(width));
+  EXPECT_TRUE(drawing.is_drawn()) << drawing.reason;
+  return rocking::read_file(folder / (figure.name + ".svg"));
+}
+
+/// The numbers that follow each `key` in a text.
+std::vector<double> numbers_after(const std::string& key, const std::string& text) {
+  std::vector<double> numbers;
+  for (std::size_t place = text.find(key); place != std::string::npos; place = text.find(key, place + 1)) {
+    numbers.push_back(std::stod(text.substr(place + key.size())));
+  }
+  return numbers;
+}
+
+TEST_F(Drawn, ForAJournalHasTheWidthOfItsColumnNoTitleAndNoSmallTextOrThinLine) {
+  for (const auto& [width, millimetres] :
+       {std::pair(JournalWidth::single_column, 84.0), std::pair(JournalWidth::double_column, 174.0)}) {
+    for (Figure& figure : run_figures(run_report_of(sample_report()))) {
+      figure.subtitle = "A SUBTITLE";
+      const std::string svg = journal_svg(figure, width);
+      // gnuplot writes whole pixels, and font sizes with one decimal.
+      EXPECT_NEAR(numbers_after("width=\"", svg).front(), millimetres * 96.0 / 25.4, 1.0) << figure.name;
+      EXPECT_THAT(words_in(svg), Not(HasSubstr(figure.title)));
+      EXPECT_THAT(words_in(svg), Not(HasSubstr("A SUBTITLE")));
+      const auto sizes = numbers_after("font-size=\"", svg);
+      EXPECT_FALSE(sizes.empty());
+      const double largest = *std::max_element(sizes.begin(), sizes.end());
+      EXPECT_NEAR(largest, 8.0 * 96.0 / 72.0, 0.05) << figure.name;
+      for (const double size : sizes) EXPECT_GE(size, 0.79 * largest) << figure.name << ": only subscripts are smaller";
+      for (const double stroke : numbers_after("stroke-width=\"", svg)) EXPECT_GE(stroke, 0.66) << figure.name;
+    }
+  }
+}
+
+TEST_F(Drawn, ForAJournalLetsEveryLabelFitAndLettersItsPanels) {
+  Figure figure = figure_with("a");
+  figure.panels.push_back(figure.panels.front());
+  for (const char* letter : {"(a) a", "(b) a"}) {
+    EXPECT_THAT(words_in(journal_svg(figure, JournalWidth::single_column)), HasSubstr(letter));
+  }
+  figure.panels.front().x.quantity = std::string(200, 'q');
+  EXPECT_THAT(words_in(journal_svg(figure, JournalWidth::single_column)), HasSubstr("qqq\xE2\x80\xA6"));
+}
+
 /// Replaces gnuplot by a script during its lifetime.
 class OtherGnuplot {
  public:

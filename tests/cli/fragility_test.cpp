@@ -43,7 +43,9 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
   EXPECT_EQ(curves[1]["others"]["/restitution"], 0.2);
   const std::vector<std::size_t> order{1, 2, 0};  // by amplitude, without 0
   for (std::size_t curve = 0; curve < 2; ++curve) {
-    EXPECT_EQ(curves[curve]["outcome"], "fitted");
+    const bool is_rejected = curves[curve]["test"]["p_value"] <= 0.05;
+    EXPECT_EQ(curves[curve]["outcome"], is_rejected ? "rejected" : "fitted");
+    EXPECT_EQ(curves[curve]["law"].is_null(), is_rejected);
     ASSERT_EQ(curves[curve]["levels"].size(), 3U);
     for (std::size_t level = 0; level < 3; ++level) {
       const Json& found = curves[curve]["levels"][level];
@@ -51,6 +53,8 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
       EXPECT_EQ(found["intensity"], condition["parameters"]["/excitation/amplitude"]);
       EXPECT_EQ(found["overturned"], condition["counts"]["overturned"]);
       EXPECT_EQ(found["exact"], condition["probabilities"]["overturned"]["clopper_pearson"]);
+      EXPECT_EQ(found["isotonic"].is_null(), !is_rejected);
+      if (is_rejected) EXPECT_EQ(found["band"], found["simultaneous"]);
     }
   }
 }
@@ -64,6 +68,18 @@ TEST_F(Fragility, IsKeptAndDrawnAndToldInWords) {
   EXPECT_EQ(rocking("fragility out out -o kept --overwrite").exit_code, 0);
   EXPECT_EQ(rocking("figure kept/fragility.json -o drawn").exit_code, 0);
   EXPECT_THAT(read("drawn/fragility.tsv"), AllOf(HasSubstr("law_low"), HasSubstr("\n1.5\t40\t")));
+}
+
+TEST_F(Fragility, MarksAMedianOutsideTheLevels) {
+  auto low = shaken();
+  low["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [1.4, 1.5, 1.6, 1.65]}])");
+  low["restitution"] = 0.2;
+  low["realisations"] = 200;
+  const Json curve = fragility_of(low, "low")["curves"][0];
+  ASSERT_EQ(curve["outcome"], "fitted");
+  EXPECT_TRUE(curve["law"]["median"]["extrapolated"]);
+  EXPECT_GT(curve["law"]["median"]["value"], 1.65);
+  EXPECT_THAT(rocking("fragility low").output, HasSubstr("median > 1.65 (extrapolated: "));
 }
 
 TEST_F(Fragility, IsDiagnosedWhereThereIsNoLaw) {

@@ -22,8 +22,8 @@ void copy_common_realisations(const Store& former, const Experiment& experiment,
   former.for_each([&](const RealisationKey& key, const Summary& summary) {
     const std::uint64_t before = effective_realisations(experiment.conditions.at(key.condition));
     const std::uint64_t after = effective_realisations(extension.conditions.at(key.condition));
-    const bool was_alone = key.realisation % 2 == 0 && key.realisation + 1 == before;
-    if (key.realisation >= after || (was_alone && before < after)) return;
+    const bool is_alone_in_one = key.realisation % 2 == 0 && key.realisation + 1 == std::min(before, after);
+    if (key.realisation >= after || (is_alone_in_one && before != after)) return;
     into.add(key, summary);
   });
 }

@@ -11,9 +11,7 @@ void add_trajectory_output(CLI::App& command, TrajectoryOutput& output) {
       ->check(one_of({"json", "csv"}))
       ->capture_default_str()
       ->type_name("NAME");
-  command
-      .add_option("--units", output.units,
-                  "Units of states and times: Theta, X and tau of the equations, or radians, metres and seconds")
+  command.add_option("--units", output.units, "Units of states and times: Theta, X, tau; or rad, m, s")
       ->check(one_of({"normalised", "si"}))
       ->capture_default_str()
       ->type_name("NAME");

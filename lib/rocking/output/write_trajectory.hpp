@@ -25,8 +25,8 @@ enum class TrajectoryUnits : std::uint8_t { normalised, si };
                                           TrajectoryUnits units = TrajectoryUnits::normalised);
 
 /// The same as a table for spreadsheets: lines of metadata that start with `#`, a line of column names, and a row for
-/// each strobe point, event and sample of the history, by time. Of rows with equal times, events come first, because the
-/// other states are those after the events.
+/// each strobe point, event and sample of the history, by time. Of rows with equal times, events come first, because
+/// the other states are those after the events.
 [[nodiscard]] std::string trajectory_csv(const RealisationKey& key, const Trajectory& trajectory,
                                          TrajectoryUnits units = TrajectoryUnits::normalised);
 

@@ -246,7 +246,11 @@ TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
 }
 
 TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {
-  Json report = changed("/result/conditions/1/validity/clamped", 0);
+  Json report = quick_report();
+  for (Json& condition : report["result"]["conditions"]) {
+    condition["validity"]["clamped"] = 0;
+    for (auto& [kind, count] : condition["validity"]["clamped_draws"].items()) count = 0;
+  }
   Json& condition = report["result"]["conditions"][1];
   Json& validity = condition["validity"];
   condition["realisations"] = 1000;
@@ -254,9 +258,6 @@ TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {
   validity["first_realisations"]["clamped"] = {3};
   validity["draws"] = 100'000;
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1000;
-  for (Json& other : report["result"]["conditions"]) {
-    if (&other != &condition) other["validity"]["clamped"] = 0;
-  }
   EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::note) << "1 % of both";
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1001;
   const Check check = check_named(report, "clamped random numbers");

@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
@@ -145,12 +146,11 @@ void widen(Range& range) {
   range.high += room;
 }
 
-Figure figure_of(Diagram diagram, const std::string& pointer, const std::string& others) {
+Figure figure_of(Diagram diagram, Axis x, const std::string& pointer, const std::string& others) {
   Figure figure;
   figure.title = "Coexisting responses";
   figure.subtitle = others;
   figure.arrangement = Arrangement::stacked;
-  Axis x = axis_of_parameter(pointer);
   const Column value{last_key(pointer), label_of(x)};
   if (!(diagram.tilts.low <= diagram.tilts.high)) diagram.tilts = {.low = 0.0, .high = 0.0};
   widen(diagram.tilts);
@@ -216,7 +216,9 @@ std::vector<Figure> bifurcation_figures(const Json& output) {
     for (const Json& diagram : output.at("diagrams")) {
       const std::string others = others_in_words(diagram.at("others"));
       const std::string subtitle = title + (title.empty() || others.empty() ? "" : "; ") + others;
-      figures.push_back(figure_of(diagram_from(diagram), output.at("parameter"), subtitle));
+      const std::string pointer = output.at("parameter");
+      Axis x = axis_of_parameter(pointer, shakings_in(diagram.at("steps")));
+      figures.push_back(figure_of(diagram_from(diagram), std::move(x), pointer, subtitle));
       figures.back().name = names[figures.size() - 1];
     }
   });

@@ -29,7 +29,7 @@ Figure figure_of(const RunReport& report, const SweepView& view, std::string nam
   figure.subtitle = report.title;
   for (const Slice& slice : view.slices) {
     figure.panels.push_back({.title = slice.name,
-                             .x = view.axis,
+                             .x = slice.axis,
                              .y = {.quantity = "probability", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
                              .layers = {}});
   }

@@ -1,5 +1,7 @@
 #include "analysis/quantity.hpp"
 
+#include <algorithm>
+
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -9,6 +11,17 @@ double mean_of(const Json& quantity) {
   if (quantity.contains("normal")) return quantity.at("normal").at("mean").get<double>();
   const Json& ends = quantity.at("uniform");
   return 0.5 * (ends.at(0).get<double>() + ends.at(1).get<double>());
+}
+
+Spread spread_of(const std::vector<double>& numbers) {
+  const auto [low, high] = std::ranges::minmax(numbers);
+  return {.low = low, .high = high};
+}
+
+std::string spoken_spread(const Spread& spread, int digits) {
+  const std::string low = significant(spread.low, digits);
+  const std::string high = significant(spread.high, digits);
+  return low == high ? low : low + " to " + high;
 }
 
 std::string spoken_quantity(const Json& quantity) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "rocking/text/json.hpp"
 
@@ -8,6 +9,14 @@ namespace rocking::analysis {
 
 /// Mean of a number or a law as it stands in an experiment file.
 [[nodiscard]] double mean_of(const Json& quantity);
+
+/// Smallest and largest of some numbers: `0.5`, `0.5 to 2`; in `digits` digits.
+struct Spread {
+  double low, high;
+  [[nodiscard]] bool is_one() const { return low == high; }
+};
+[[nodiscard]] Spread spread_of(const std::vector<double>& numbers);
+[[nodiscard]] std::string spoken_spread(const Spread& spread, int digits);
 
 /// `0.5`, `0.4 to 0.6 (drawn)` or `0.5 (drawn, standard deviation 0.05)`.
 [[nodiscard]] std::string spoken_quantity(const Json& quantity);

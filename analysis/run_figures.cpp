@@ -22,7 +22,7 @@ std::vector<Figure> run_figures(const RunReport& report, const Store* store) {
   add(non_recurrence(report));
   add(divergence_quartiles(report));
   if (store != nullptr) add(divergence_times(report, *store));
-  figures.push_back(scene_sketch(report.experiment));
+  figures.push_back(scene_sketch(report));
   return figures;
 }
 

@@ -104,6 +104,7 @@ ConditionReport condition_from(const Json& json, double confidence) {
     condition.parameters.push_back(value);
     if (pointer == "/confidence") condition.confidence = value;
   }
+  if (json.contains("shaking")) condition.shaking = shaking_from(json.at("shaking"));
   condition.realisations = json.at("realisations");
   for (const auto& [name, probability] : json.at("probabilities").items()) {
     const auto mode = section::response_mode_named(name);

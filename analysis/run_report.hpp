@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
@@ -54,7 +55,8 @@ struct QuantileReport {
 };
 
 struct ConditionReport {
-  std::vector<Json> parameters;  ///< a value for each entry of the sweep
+  std::vector<Json> parameters;    ///< a value for each entry of the sweep
+  std::optional<Shaking> shaking;  ///< absent under a ground motion, and in reports of earlier versions
   std::uint64_t realisations = 0;
   std::map<section::ResponseMode, ModeShare> modes;
   /// By the key of the report, `peak_tilt`, `peak_slip`, ...; those that it has.

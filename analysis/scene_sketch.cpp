@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "analysis/data_file.hpp"
 #include "analysis/quantity.hpp"
+#include "analysis/sweep_view.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -132,7 +134,7 @@ std::string spoken(const Json& experiment, const char* pointer, const std::strin
 
 }  // namespace
 
-std::string spoken_scene(const Json& experiment) {
+std::string spoken_scene(const Json& experiment, const std::optional<Shaking>& shaking) {
   const double width = number_at(experiment, "/block/width_m");
   const double height = number_at(experiment, "/block/height_m");
   const double half_diagonal = 0.5 * std::hypot(width, height);
@@ -141,15 +143,22 @@ std::string spoken_scene(const Json& experiment) {
                      ", H = " + in_metres(experiment.at("block").at("height_m")) +
                      ", ψ = " + short_number(std::atan2(width, height)) + " rad, R = " + short_number(half_diagonal) +
                      " m, p = " + short_number(std::sqrt(0.75 * gravity / half_diagonal)) + " rad/s";
-  text += spoken(experiment, "/excitation/amplitude", "A_h =");
-  text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");
+  if (shaking) {
+    for (const std::string_view key : {shaking->given_amplitude, shaking->given_frequency}) {
+      text += ", " + with_greek(in_both_forms(*shaking, key));
+    }
+  } else {
+    text += spoken(experiment, "/excitation/amplitude", "A_h =");
+    text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");
+  }
   text += spoken(experiment, "/friction/static", "μ_s =");
   text += spoken(experiment, "/friction/kinetic", "μ_k =");
   text += spoken(experiment, "/fluctuation/friction/sigma", "friction fluctuates with σ =");
   return text;
 }
 
-Figure scene_sketch(const Json& experiment) {
+Figure scene_sketch(const RunReport& report) {
+  const Json experiment = experiment_of(report, 0);
   const double width = number_at(experiment, "/block/width_m");
   const double height = number_at(experiment, "/block/height_m");
   const double size = std::max(width, height);
@@ -177,8 +186,10 @@ Figure scene_sketch(const Json& experiment) {
   sketch.word("B", block.at(0.5 * width, height + 0.045 * size));
   sketch.word("H", block.at(width + 0.045 * size, 0.6 * height));
   sketch.finish(figure);
-  figure.caption = spoken_scene(experiment) + ". The tilt θ is drawn at " + short_number(tilt / shape_angle) +
-                   " ψ. N and F act at the edge on which the block stands.";
+  const bool is_first = report.conditions.size() > 1;
+  figure.caption = (is_first ? "The first of " + std::to_string(report.conditions.size()) + " conditions: " : "") +
+                   spoken_scene(experiment, report.conditions.front().shaking) + ". The tilt θ is drawn at " +
+                   short_number(tilt / shape_angle) + " ψ. N and F act at the edge on which the block stands.";
   return figure;
 }
 

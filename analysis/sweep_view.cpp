@@ -1,11 +1,15 @@
 #include "analysis/sweep_view.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
+#include <string_view>
+#include <utility>
 
 #include "rocking/output/mode_table.hpp"
 #include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -28,15 +32,68 @@ std::size_t shown_entry(const RunReport& report) {
   return shown;
 }
 
-std::string name_of_others(const RunReport& report, const ConditionReport& condition, std::size_t shown) {
+constexpr std::string_view excitation_place = "/excitation/";
+
+/// The key of an amplitude or a frequency; empty for other parameters, and where the conditions have no shaking.
+std::string_view shaking_key(const std::string& pointer, const std::optional<Shaking>& shaking) {
+  if (!shaking || !pointer.starts_with(excitation_place)) return {};
+  const std::string_view key = std::string_view(pointer).substr(excitation_place.size());
+  const auto* const found = std::ranges::find(shaking_numbers, key, &ShakingNumber::key);
+  return found == shaking_numbers.end() ? std::string_view() : found->key;
+}
+
+/// `1.1 g`, for a number that is swept in another unit.
+std::string other_form(const Shaking& shaking, std::string_view key) {
+  const std::string_view other = other_form_of(key);
+  return with_greek(in_unit(other, significant(number_of(shaking, other), 3)));
+}
+
+/// `other_forms`: also of a shaking.
+std::string name_of_others(const RunReport& report, const ConditionReport& condition, std::size_t shown,
+                           bool other_forms) {
   std::string name;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     if (i == shown) continue;
     const Axis axis = axis_of_parameter(report.swept[i]);
     name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + short_value(report.swept[i], condition.parameters[i]);
     if (!axis.unit.empty()) name += ' ' + axis.unit;
+    const std::string_view key = shaking_key(report.swept[i], condition.shaking);
+    if (other_forms && !key.empty()) name += " = " + other_form(*condition.shaking, key);
   }
   return name;
+}
+
+/// With the other forms, if they are the same for all conditions of the slice.
+std::string name_of_slice(const RunReport& report, const Slice& slice, std::size_t shown) {
+  const auto name_of = [&](std::size_t condition, bool other_forms) {
+    return name_of_others(report, report.conditions[condition], shown, other_forms);
+  };
+  const std::string name = name_of(slice.conditions.front(), true);
+  const bool is_common = std::ranges::all_of(slice.conditions, [&](std::size_t i) { return name_of(i, true) == name; });
+  return is_common ? name : name_of(slice.conditions.front(), false);
+}
+
+/// What 1 in the unit of `key` is in the other form, as far as all conditions agree: `1 = 0.245 g`. Of a period, what
+/// the frequency ratio is.
+std::string conversion_text(std::string_view key, Shakings shakings) {
+  constexpr double rounding = 1e-9;
+  const std::string_view other = other_form_of(key);
+  const bool is_period = key == "period_s";
+  std::optional<double> factor;
+  for (const auto& shaking : shakings) {
+    if (!shaking) return "";
+    const double number = number_of(*shaking, key);
+    if (number == 0.0) continue;
+    const double other_number = number_of(*shaking, other);
+    const double found = is_period ? other_number * number : other_number / number;
+    if (factor && std::abs(found - *factor) > rounding * *factor) return "";
+    factor = found;
+  }
+  if (!factor) return "";
+  const std::string digits = significant(*factor, 3);
+  if (is_period) return "Ω_h = " + digits + " s/period";
+  const bool is_normalised = key == "amplitude" || key == "frequency_ratio";
+  return (is_normalised ? "1" : in_unit(key, "1")) + " = " + with_greek(in_unit(other, digits));
 }
 
 /// Positions 0, 1, ... for values that are not numbers, with their names as ticks.
@@ -55,15 +112,36 @@ SweepView view_without_sweep(const RunReport& report) {
   view.axis = {.quantity = "the only condition", .symbol = "", .unit = "", .ticks = {{.place = 0.0, .text = " "}}};
   view.column = {"condition", "number of the condition"};
   view.x.assign(report.conditions.size(), 0.0);
-  view.slices.push_back({.name = "", .conditions = {0}});
+  view.slices.push_back({.name = "", .conditions = {0}, .axis = view.axis});
   return view;
+}
+
+/// As that of all conditions, unless the slice alone has a common conversion.
+Axis axis_of_slice(const RunReport& report, const Slice& slice, std::size_t shown, Axis axis) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const std::size_t i : slice.conditions) shakings.push_back(report.conditions[i].shaking);
+  axis.unit = axis_of_parameter(report.swept[shown], shakings).unit;
+  return axis;
 }
 
 }  // namespace
 
+std::string with_greek(std::string text) {
+  constexpr std::string_view word = "Omega_h";
+  for (auto place = text.find(word); place != std::string::npos; place = text.find(word)) {
+    text.replace(place, word.size(), "Ω_h");
+  }
+  return text;
+}
+
 Axis axis_of_parameter(const std::string& pointer) {
   static const std::map<std::string, Axis> known{{"/excitation/amplitude", {"base amplitude", "A_h", ""}},
                                                  {"/excitation/frequency_ratio", {"frequency ratio", "Ω_h", ""}},
+                                                 {"/excitation/amplitude_g", {"base amplitude", "", "g"}},
+                                                 {"/excitation/amplitude_m_s2", {"base amplitude", "", "m/s²"}},
+                                                 {"/excitation/frequency_hz", {"base frequency", "", "Hz"}},
+                                                 {"/excitation/period_s", {"base period", "", "s"}},
+                                                 {"/restitution/rate_ratio", {"rate ratio", "δ", ""}},
                                                  {"/excitation/phase_rad", {"phase", "Φ", "rad"}},
                                                  {"/excitation/scale", {"scale of the ground motion", "", ""}},
                                                  {"/friction/static", {"static friction", "μ_s", ""}},
@@ -90,8 +168,78 @@ Axis axis_of_parameter(const std::string& pointer) {
   return {.quantity = words, .symbol = "", .unit = ""};
 }
 
+Axis axis_of_parameter(const std::string& pointer, Shakings shakings) {
+  Axis axis = axis_of_parameter(pointer);
+  if (shakings.empty()) return axis;
+  const std::string_view key = shaking_key(pointer, shakings.front());
+  const std::string conversion = key.empty() ? "" : conversion_text(key, shakings);
+  if (!conversion.empty()) axis.unit += (axis.unit.empty() ? "" : "; ") + conversion;
+  return axis;
+}
+
+std::vector<std::optional<Shaking>> shakings_of(const RunReport& report) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const ConditionReport& condition : report.conditions) shakings.push_back(condition.shaking);
+  return shakings;
+}
+
+std::vector<std::optional<Shaking>> shakings_in(const Json& list) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const Json& each : list) {
+    if (!each.contains("shaking")) return {};
+    shakings.emplace_back(shaking_from(each.at("shaking")));
+  }
+  return shakings;
+}
+
+std::vector<ParameterColumn> parameter_columns(const RunReport& report) {
+  std::vector<ParameterColumn> columns;
+  for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
+    const std::string& pointer = report.swept[entry];
+    ParameterColumn column{.pointer = pointer, .axis = axis_of_parameter(pointer), .values = {}};
+    for (const ConditionReport& condition : report.conditions) {
+      column.values.push_back(short_value(pointer, condition.parameters[entry]));
+    }
+    columns.push_back(std::move(column));
+  }
+  for (const std::string_view key : shaking_columns(report.swept, shakings_of(report))) {
+    const std::string pointer = std::string(excitation_place) + std::string(key);
+    ParameterColumn column{.pointer = pointer, .axis = axis_of_parameter(pointer), .values = {}};
+    for (const ConditionReport& condition : report.conditions) {
+      column.values.push_back(column_cell(condition.shaking, key));
+    }
+    columns.push_back(std::move(column));
+  }
+  return columns;
+}
+
+Json experiment_of(const RunReport& report, std::size_t condition) {
+  Json experiment = report.experiment;
+  for (std::size_t i = 0; i < report.swept.size(); ++i) {
+    experiment[Json::json_pointer(report.swept[i])] = report.conditions[condition].parameters[i];
+  }
+  return experiment;
+}
+
+Json value_at(const RunReport& report, const ConditionReport& condition, const std::string& pointer) {
+  const auto at = [](const Json& document, const std::string& place) {
+    const Json::json_pointer found(place);
+    return document.contains(found) ? document.at(found) : Json();
+  };
+  Json value = at(report.experiment, pointer);
+  for (std::size_t i = 0; i < report.swept.size(); ++i) {
+    const std::string& swept = report.swept[i];
+    if (pointer == swept || pointer.starts_with(swept + '/')) {
+      value = at(condition.parameters[i], pointer.substr(swept.size()));
+    } else if (swept.starts_with(pointer + '/')) {
+      value[Json::json_pointer(swept.substr(pointer.size()))] = condition.parameters[i];
+    }
+  }
+  return value;
+}
+
 std::string name_of_condition(const RunReport& report, const ConditionReport& condition) {
-  return name_of_others(report, condition, report.swept.size());
+  return name_of_others(report, condition, report.swept.size(), true);
 }
 
 std::string short_value(const std::string& pointer, const Json& value) {
@@ -113,7 +261,7 @@ SweepView view_of(const RunReport& report) {
   if (report.swept.empty()) return view_without_sweep(report);
   SweepView view;
   const std::size_t shown = shown_entry(report);
-  view.axis = axis_of_parameter(report.swept[shown]);
+  view.axis = axis_of_parameter(report.swept[shown], shakings_of(report));
   view.column = {last_key(report.swept[shown]), label_of(view.axis)};
   view.is_line = numbers_taken(report, shown) > 1;
   if (numbers_taken(report, shown) > 0) {
@@ -125,13 +273,15 @@ SweepView view_of(const RunReport& report) {
   }
   std::map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const std::string name = name_of_others(report, report.conditions[i], shown);
+    const std::string name = name_of_others(report, report.conditions[i], shown, false);
     const auto [found, is_new] = known.try_emplace(name, view.slices.size());
     if (is_new) view.slices.push_back({.name = name, .conditions = {}});
     view.slices[found->second].conditions.push_back(i);
   }
   if (view.slices.size() > most_slices) view.slices.resize(most_slices);
   for (Slice& slice : view.slices) {
+    slice.name = name_of_slice(report, slice, shown);
+    slice.axis = axis_of_slice(report, slice, shown, view.axis);
     std::stable_sort(slice.conditions.begin(), slice.conditions.end(),
                      [&view](std::size_t a, std::size_t b) { return view.x[a] < view.x[b]; });
   }

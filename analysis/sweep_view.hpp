@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "analysis/figure.hpp"
 #include "analysis/run_report.hpp"
+#include "rocking/output/shaking_text.hpp"
 
 /// Selection of the swept parameter on the x axis, and of the curves or panels.
 namespace rocking::analysis {
@@ -14,6 +16,7 @@ namespace rocking::analysis {
 struct Slice {
   std::string name;                     ///< values of the other parameters; empty if there are none
   std::vector<std::size_t> conditions;  ///< indices in the report, by increasing `x`
+  Axis axis = {};                       ///< of the shown parameter, with the other form of the shaking in this slice
 };
 
 /// Largest number of slices in figures (the first ones); tables have all conditions.
@@ -34,8 +37,38 @@ struct SweepView {
 /// Name of a swept parameter: `base amplitude`, `A_h`.
 [[nodiscard]] Axis axis_of_parameter(const std::string& pointer);
 
-/// The values of all swept parameters of a condition: `friction 0.35/0.3, base amplitude 4.5`; empty if nothing is
-/// swept.
+/// The same for these conditions: its unit also has the other form of an amplitude or a frequency, `1 = 0.245 g`, if
+/// that is the same in all of them.
+[[nodiscard]] Axis axis_of_parameter(const std::string& pointer, Shakings shakings);
+
+/// `Omega_h` as `Ω_h`, as figures and pages write it.
+[[nodiscard]] std::string with_greek(std::string text);
+
+/// The shaking of each condition.
+[[nodiscard]] std::vector<std::optional<Shaking>> shakings_of(const RunReport& report);
+
+/// That of each object of a list; empty if one of them has none, as in files of earlier versions.
+[[nodiscard]] std::vector<std::optional<Shaking>> shakings_in(const Json& list);
+
+/// A column of a table of all conditions.
+struct ParameterColumn {
+  std::string pointer;              ///< of a swept parameter, or `/excitation/` and the key of a form of the shaking
+  Axis axis;                        ///< what it shows
+  std::vector<std::string> values;  ///< short text of each condition
+};
+
+/// The swept parameters, and beside them the other form of the shaking where it differs between conditions. What is
+/// common to all conditions: common_shaking(report.swept, shakings_of(report)).
+[[nodiscard]] std::vector<ParameterColumn> parameter_columns(const RunReport& report);
+
+/// The canonical experiment of one condition: the values of its parameters stand in their places.
+[[nodiscard]] Json experiment_of(const RunReport& report, std::size_t condition);
+
+/// What stands at a place of the canonical experiment of one condition; null if nothing does.
+[[nodiscard]] Json value_at(const RunReport& report, const ConditionReport& condition, const std::string& pointer);
+
+/// The values of all swept parameters of a condition, those of its shaking in both forms: `friction 0.35/0.3, base
+/// amplitude 4.5 = 1.1 g`; empty if nothing is swept.
 [[nodiscard]] std::string name_of_condition(const RunReport& report, const ConditionReport& condition);
 
 /// Short text of the value of a parameter: `0.35/0.3` for friction.

@@ -4,12 +4,14 @@
 #include <cstdint>
 #include <optional>
 #include <set>
+#include <string_view>
 #include <vector>
 
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -34,20 +36,36 @@ std::string end_of(const AnyShare& share, double stats::Interval::*end) {
   return share.interval ? number_text(*share.interval.*end) : "";
 }
 
-std::string csv_head(const RunReport& report) {
-  std::string text;
-  for (const std::string& pointer : report.swept) text += csv_field(pointer) + ',';
-  return text + 'n';
-}
-
-/// The parameters and n of a condition.
-std::string csv_start(const ConditionReport& condition) {
-  std::string text;
-  for (const Json& value : condition.parameters) {
-    text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
+/// The first columns of a CSV: the swept parameters; both forms of the shaking without those that are swept, whether they
+/// differ between conditions or not; n.
+class CsvStart {
+ public:
+  explicit CsvStart(const RunReport& report) {
+    for (const std::string& pointer : report.swept) head_ += csv_field(pointer) + ',';
+    for (const std::string_view key : shown_forms(shakings_of(report))) {
+      if (std::ranges::find(report.swept, "/excitation/" + std::string(key)) != report.swept.end()) continue;
+      shaking_.push_back(key);
+      head_ += std::string(key) + ',';
+    }
+    head_ += 'n';
   }
-  return text + std::to_string(condition.realisations);
-}
+
+  [[nodiscard]] const std::string& head() const { return head_; }
+  [[nodiscard]] std::string of(const ConditionReport& condition) const {
+    std::string text;
+    for (const Json& value : condition.parameters) {
+      text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
+    }
+    for (const std::string_view key : shaking_) {
+      text += (condition.shaking ? number_text(number_of(*condition.shaking, key)) : "") + ',';
+    }
+    return text + std::to_string(condition.realisations);
+  }
+
+ private:
+  std::vector<std::string_view> shaking_;
+  std::string head_;
+};
 
 /// The quantiles of a quantity in one unit.
 std::string quantile_lines(const std::string& start, const QuantileReport& quantiles,
@@ -83,10 +101,17 @@ std::string latex_text(const std::string& text) {
 }
 
 std::string latex_symbol(const std::string& pointer) {
-  static const std::map<std::string, std::string> symbols{
-      {"/excitation/amplitude", "$A_h$"}, {"/excitation/frequency_ratio", "$\\Omega_h$"},
-      {"/friction", "$\\mu_s/\\mu_k$"},   {"/friction/static", "$\\mu_s$"},
-      {"/friction/kinetic", "$\\mu_k$"},  {"/restitution", "$e$"}};
+  static const std::map<std::string, std::string> symbols{{"/excitation/amplitude", "$A_h$"},
+                                                          {"/excitation/frequency_ratio", "$\\Omega_h$"},
+                                                          {"/excitation/amplitude_g", "$a_h/g$"},
+                                                          {"/excitation/amplitude_m_s2", "$a_h$ [m/s$^2$]"},
+                                                          {"/excitation/frequency_hz", "$f$ [Hz]"},
+                                                          {"/excitation/period_s", "$T$ [s]"},
+                                                          {"/restitution/rate_ratio", "$\\delta$"},
+                                                          {"/friction", "$\\mu_s/\\mu_k$"},
+                                                          {"/friction/static", "$\\mu_s$"},
+                                                          {"/friction/kinetic", "$\\mu_k$"},
+                                                          {"/restitution", "$e$"}};
   const auto found = symbols.find(pointer);
   return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
 }
@@ -96,12 +121,22 @@ std::string latex_share(const AnyShare& share) {
   return per_cent(share.estimate) + (share.interval ? ' ' + per_cent(*share.interval) : "");
 }
 
-std::string latex_row(const RunReport& report, const ConditionReport& condition, const std::vector<ResponseMode>& modes,
-                      bool with_others) {
+/// `A_h 4.5 = 1.1 g, Omega_h 10 = 3.01 Hz`, with the symbols in mathematics mode.
+std::string latex_shaking(std::string text) {
+  const auto replace = [&text](std::string_view word, std::string_view symbol) {
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + symbol.size())) {
+      text.replace(at, word.size(), symbol);
+    }
+  };
+  replace("A_h", "$A_h$");
+  replace("Omega_h", "$\\Omega_h$");
+  replace("m/s^2", "m/s$^2$");
+  return text;
+}
+
+/// The row after its parameters.
+std::string latex_row(const ConditionReport& condition, const std::vector<ResponseMode>& modes, bool with_others) {
   std::string text;
-  for (std::size_t i = 0; i < condition.parameters.size(); ++i) {
-    text += latex_text(short_value(report.swept[i], condition.parameters[i])) + " & ";
-  }
   text += std::to_string(condition.realisations);
   std::uint64_t rest = condition.realisations;
   for (const ResponseMode& mode : modes) {
@@ -119,12 +154,13 @@ std::string latex_row(const RunReport& report, const ConditionReport& condition,
 }  // namespace
 
 std::string modes_csv(const RunReport& report) {
-  std::string text = csv_head(report) + ",mode,count,estimate,low,high\n";
+  const CsvStart start(report);
+  std::string text = start.head() + ",mode,count,estimate,low,high\n";
   const std::set<ResponseMode> listed = report.listed();
   for (const ConditionReport& condition : report.conditions) {
     for (const ResponseMode& mode : listed) {
       const AnyShare share = share_of(condition, mode);
-      text += csv_start(condition) + ',' + csv_field(to_string(mode)) + ',' + std::to_string(share.count) + ',' +
+      text += start.of(condition) + ',' + csv_field(to_string(mode)) + ',' + std::to_string(share.count) + ',' +
               number_text(share.estimate) + ',' + end_of(share, &stats::Interval::low) + ',' +
               end_of(share, &stats::Interval::high) + '\n';
     }
@@ -133,10 +169,10 @@ std::string modes_csv(const RunReport& report) {
 }
 
 std::string non_recurrence_csv(const RunReport& report) {
-  std::string text =
-      csv_head(report) + ",differ,low,high,entropy_nat,pairs,parted,lower_quartile,median,upper_quartile\n";
+  const CsvStart start(report);
+  std::string text = start.head() + ",differ,low,high,entropy_nat,pairs,parted,lower_quartile,median,upper_quartile\n";
   for (const ConditionReport& condition : report.conditions) {
-    text += csv_start(condition);
+    text += start.of(condition);
     if (!condition.difference) {
       text += ",,,,,,,,,\n";
       continue;
@@ -156,12 +192,13 @@ std::string non_recurrence_csv(const RunReport& report) {
 }
 
 std::string quantiles_csv(const RunReport& report) {
-  std::string text = csv_head(report) + ",quantity,unit,of,beyond,level,value,low,high\n";
+  const CsvStart start(report);
+  std::string text = start.head() + ",quantity,unit,of,beyond,level,value,low,high\n";
   for (const ConditionReport& condition : report.conditions) {
     for (const auto& [key, quantiles] : condition.quantiles) {
-      const std::string start = csv_start(condition) + ',' + key;
-      text += quantile_lines(start + (quantiles.levels_m.empty() ? ",1" : ",R"), quantiles, quantiles.levels);
-      text += quantile_lines(start + ",m", quantiles, quantiles.levels_m);
+      const std::string first = start.of(condition) + ',' + key;
+      text += quantile_lines(first + (quantiles.levels_m.empty() ? ",1" : ",R"), quantiles, quantiles.levels);
+      text += quantile_lines(first + ",m", quantiles, quantiles.levels_m);
     }
   }
   return text;
@@ -170,21 +207,26 @@ std::string quantiles_csv(const RunReport& report) {
 std::string modes_latex(const RunReport& report) {
   const std::vector<ResponseMode> modes = modes_to_show(report.occurring(), most_modes);
   const bool with_others = report.occurring().size() > modes.size();
-  const std::size_t leading = report.swept.size() + 1;
+  const std::vector<ParameterColumn> columns = parameter_columns(report);
+  const std::string common = common_shaking(report.swept, shakings_of(report));
+  const std::size_t leading = columns.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
           (report.is_random() ? "Response modes in per cent of $n$ realisations, with " + latex_text(report.level()) +
                                     " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
-                                    "end of the interval.}\n"
-                              : "Response modes in per cent; nothing is random.}\n");
+                                    "end of the interval."
+                              : "Response modes in per cent; nothing is random.") +
+          (common.empty() ? "" : " Shaking: " + latex_shaking(common) + '.') + "}\n";
   text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +
           "}\n    \\toprule\n    ";
-  for (const std::string& pointer : report.swept) text += latex_symbol(pointer) + " & ";
+  for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
   text += "$n$";
   for (const ResponseMode& mode : modes) text += " & " + to_string(mode);
   text += std::string(with_others ? " & others" : "") + " \\\\\n    \\midrule\n";
-  for (const ConditionReport& condition : report.conditions) {
-    text += "    " + latex_row(report, condition, modes, with_others);
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    text += "    ";
+    for (const ParameterColumn& column : columns) text += latex_text(column.values[i]) + " & ";
+    text += latex_row(report.conditions[i], modes, with_others);
   }
   return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
 }

@@ -7,12 +7,12 @@
 /// The numbers of a report as tables for other programs and for publications.
 namespace rocking::analysis {
 
-/// CSV (RFC 4180) with a line for each condition and each response mode that any condition lists: the parameters, `n`,
-/// `mode`, `count`, `estimate`, `low`, `high` (the interval shown in figures). Numbers with all their digits. `low` and
+/// CSV (RFC 4180) with a line for each condition and each response mode that any condition lists: the parameters, the
+/// shaking, `n`, `mode`, `count`, `estimate`, `low`, `high` (the interval shown in figures). Numbers with all their digits. `low` and
 /// `high` are empty where nothing is random, and where the report contains no interval of a mode that did not occur.
 [[nodiscard]] std::string modes_csv(const RunReport& report);
 
-/// CSV with a line for each condition: the parameters, `n`, `differ` with `low` and `high`, `entropy_nat`, `pairs`,
+/// CSV with a line for each condition: the parameters, the shaking, `n`, `differ` with `low` and `high`, `entropy_nat`, `pairs`,
 /// `diverged`, `lower_quartile`, `median`, `upper_quartile` [periods]. A field is empty if there is no value.
 [[nodiscard]] std::string non_recurrence_csv(const RunReport& report);
 

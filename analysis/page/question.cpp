@@ -1,8 +1,12 @@
 #include "analysis/page/question.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
-#include <numbers>
+#include <optional>
 #include <set>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -13,6 +17,7 @@
 #include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/input/excitation_words.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -33,11 +38,19 @@ struct Shape {
   [[nodiscard]] double frequency_parameter() const { return std::sqrt(0.75 * gravity / half_diagonal()); }
 };
 
-Shape shape_of(const Json& experiment) {
-  const Json& block = experiment.at("block");
+Shape shape_of(const Json& block) {
   return {.width = mean_of(block.at("width_m")),
           .height = mean_of(block.at("height_m")),
           .gravity = block.at("gravity_m_s2")};
+}
+
+/// A number of the mean block of each condition.
+Spread of_blocks(const RunReport& report, double (Shape::*number)() const) {
+  std::vector<double> numbers;
+  for (const ConditionReport& condition : report.conditions) {
+    numbers.push_back((shape_of(value_at(report, condition, "/block")).*number)());
+  }
+  return spread_of(numbers);
 }
 
 bool is_swept(const RunReport& report, const std::string& pointer) {
@@ -51,6 +64,67 @@ std::string swept_mark(const RunReport& report, const std::string& pointer) {
   return is_swept(report, pointer) ? " (swept)" : "";
 }
 
+/// Whether each realisation draws what stands at a place, in some condition.
+bool is_random(const RunReport& report, const std::string& pointer) {
+  const auto has_law = [&](const ConditionReport& condition) {
+    return value_at(report, condition, pointer).is_object();
+  };
+  return is_swept(report, pointer) ? std::ranges::any_of(report.conditions, has_law)
+                                   : has_law(report.conditions.front());
+}
+
+/// A form of the shaking over all conditions; absent if one of them has none.
+std::optional<Spread> shaking_spread(const RunReport& report, std::string_view key) {
+  std::vector<double> numbers;
+  for (const ConditionReport& condition : report.conditions) {
+    if (!condition.shaking) return std::nullopt;
+    numbers.push_back(number_of(*condition.shaking, key));
+  }
+  return spread_of(numbers);
+}
+
+/// `A_h = 4.5`, `1.1 g`, `0.5 to 1.1 g` in HTML.
+std::string form_html(std::string_view key, const Spread& spread, int digits) {
+  const std::string text = spoken_spread(spread, digits);
+  if (key == "amplitude") return symbol_html("A_h") + " = " + text;
+  if (key == "frequency_ratio") return "<i>&Omega;</i><sub>h</sub> = " + text;
+  if (key == "amplitude_m_s2") return text + " m/s<sup>2</sup>";
+  return in_unit(key, text);
+}
+
+/// The amplitude or the frequency as the file gives it, with the other form: `A_h = 4.5 (1.1 g)`. Empty if conditions
+/// differ in the kind of their shaking, or a report of an earlier version has none.
+std::string both_forms_html(const RunReport& report, std::string_view Shaking::*given) {
+  const auto& first = report.conditions.front().shaking;
+  if (!first) return "";
+  const std::string_view key = (*first).*given;
+  const auto is_given = [&](const ConditionReport& each) { return each.shaking && (*each.shaking).*given == key; };
+  if (!std::ranges::all_of(report.conditions, is_given)) return "";
+  const std::string_view other = other_form_of(key);
+  return fmt::format("{} ({})", form_html(key, shaking_spread(report, key).value(), 6),
+                     form_html(other, shaking_spread(report, other).value(), 3));
+}
+
+/// Whether each realisation has a block of its own size, so that one of the forms is that of the mean block.
+bool has_random_block(const RunReport& report) {
+  return is_random(report, "/block/width_m") || is_random(report, "/block/height_m");
+}
+
+/// `0.5 to 2 m wide (swept)`: a side of the blocks of all conditions.
+std::string side_in_brief(const RunReport& report, const std::string& pointer, std::string_view word) {
+  const auto spoken = [&](const std::string& size) {
+    return fmt::format("{} m {}{}", size, word, swept_mark(report, pointer));
+  };
+  const Json first = value_at(report, report.conditions.front(), pointer);
+  std::vector<double> numbers;
+  for (const ConditionReport& condition : report.conditions) {
+    const Json side = value_at(report, condition, pointer);
+    if (!side.is_number()) return spoken(spoken_quantity(first));
+    numbers.push_back(side);
+  }
+  return spoken(spoken_spread(spread_of(numbers), 6));
+}
+
 std::string shaking_in_brief(const RunReport& report) {
   const Json& excitation = report.experiment.at("excitation");
   const auto kind = excitation.at("kind").get<std::string>();
@@ -59,16 +133,68 @@ std::string shaking_in_brief(const RunReport& report) {
   if (excitation.contains("shape") && !is_swept(report, "/excitation/shape")) {
     text += fmt::format(" ({})", escaped(excitation.at("shape").get<std::string>()));
   }
-  if (!is_swept(report, "/excitation/amplitude")) {
-    text += fmt::format(" with amplitude {} = {}", symbol_html("A_h"), number(excitation.at("amplitude")));
+  const auto stands = [&](std::string_view key) {
+    return excitation.contains(key) && !is_swept(report, "/excitation/" + std::string(key));
+  };
+  for (const ShakingNumber& each : shaking_numbers) {
+    if (!stands(each.key)) continue;
+    const bool is_amplitude = each.key.starts_with("amplitude");
+    const std::string both =
+        both_forms_html(report, is_amplitude ? &Shaking::given_amplitude : &Shaking::given_frequency);
+    const double written = excitation.at(std::string(each.key));
+    text += is_amplitude ? " with amplitude " : each.key == "period_s" ? " at a period of " : " at ";
+    text += both.empty() ? form_html(each.key, {.low = written, .high = written}, 6) : both;
   }
-  if (!is_swept(report, "/excitation/frequency_ratio")) {
-    const double ratio = excitation.at("frequency_ratio");
-    const double hertz = ratio * shape_of(report.experiment).frequency_parameter() / (2.0 * std::numbers::pi);
-    text +=
-        fmt::format(" at {} = {} ({} Hz)", "<i>&Omega;</i><sub>h</sub>", significant(ratio, 6), significant(hertz, 3));
+  return text + (has_random_block(report) && report.conditions.front().shaking ? " for the mean block" : "");
+}
+
+/// The values of a setting in all conditions: `0.8 to 1.2`, or the first few; if it is not swept, its value.
+std::string setting_text(const RunReport& report, const std::string& pointer, const Json& value) {
+  const auto text_of = [](const Json& one) { return one.is_string() ? one.get<std::string>() : brief(one); };
+  if (!is_swept(report, pointer)) return text_of(value);
+  std::vector<double> numbers;
+  std::vector<std::string> texts;
+  for (const ConditionReport& condition : report.conditions) {
+    const Json own = value_at(report, condition, pointer);
+    if (own.is_null()) continue;
+    if (own.is_number()) numbers.push_back(own);
+    const std::string text = text_of(own);
+    if (texts.size() <= most_listed && std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
   }
-  return text;
+  if (numbers.size() == report.conditions.size()) return spoken_spread(spread_of(numbers), 6);
+  std::string list;
+  for (std::size_t i = 0; i < std::min(texts.size(), most_listed); ++i) list += (i == 0 ? "" : ", ") + texts[i];
+  return texts.size() > most_listed ? list + ", ..." : list;
+}
+
+/// What each realisation draws, `friction with &sigma; = 0.03, phase`; empty if nothing is random.
+std::string random_in_brief(const RunReport& report) {
+  std::string what;
+  const auto add = [&what](const std::string& words) { what += (what.empty() ? "" : ", ") + words; };
+  const Json sources = report.experiment.value("fluctuation", Json::object());
+  for (const auto& [name, scatter] : sources.items()) {
+    std::string words = name;
+    std::ranges::replace(words, '_', ' ');
+    words = escaped(words);
+    for (const char* key : {"sigma", "relative_sigma"}) {
+      if (!scatter.contains(key)) continue;
+      const std::string place = "/fluctuation/" + name + '/' + key;
+      words += fmt::format(" with {}&sigma; = {}{}", key == std::string_view("sigma") ? "" : "relative ",
+                           escaped(setting_text(report, place, scatter.at(key))), swept_mark(report, place));
+    }
+    add(words);
+  }
+  constexpr std::array<std::pair<const char*, const char*>, 6> quantities{
+      {{"/block/width_m", "width"},
+       {"/block/height_m", "height"},
+       {"/excitation/phase_rad", "phase"},
+       {"/initial/tilt", "initial tilt"},
+       {"/initial/tilt_rate", "initial tilt rate"},
+       {"/initial/slip_rate", "initial slip rate"}}};
+  for (const auto& [pointer, words] : quantities) {
+    if (is_random(report, pointer)) add(words);
+  }
+  return what;
 }
 
 std::string friction_in_brief(const RunReport& report) {
@@ -84,16 +210,8 @@ std::string friction_in_brief(const RunReport& report) {
                        swept_mark(report, "/friction/static"), number(friction.at("kinetic")),
                        swept_mark(report, "/friction/kinetic"));
   }
-  if (!experiment.contains("fluctuation")) return text + " Nothing is random.";
-  std::string what;
-  for (const auto& [name, scatter] : experiment["fluctuation"].items()) {
-    std::string spoken = name;
-    for (char& c : spoken) c = c == '_' ? ' ' : c;
-    what += (what.empty() ? "" : ", ") + escaped(spoken);
-    if (scatter.contains("sigma")) what += " with &sigma; = " + number(scatter["sigma"]);
-    if (scatter.contains("relative_sigma")) what += " with relative &sigma; = " + number(scatter["relative_sigma"]);
-  }
-  return text + (what.empty() ? "" : " Random: " + what + '.');
+  const std::string random = random_in_brief(report);
+  return text + (random.empty() ? " Nothing is random." : " Random: " + random + '.');
 }
 
 /// The distinct values of an entry of the sweep, in order.
@@ -113,13 +231,21 @@ std::string sweep_in_brief(const RunReport& report) {
     const std::string& pointer = report.swept[entry];
     const Axis axis = axis_of_parameter(pointer);
     const auto values = values_of(report, entry);
+    const std::string unit = axis.unit.empty() ? "" : ' ' + escaped(axis.unit);
     const auto spoken = [&](const Json& value) { return escaped(short_value(pointer, value)); };
     text += (text.empty() ? "" : "; ") + escaped(axis.quantity);
     if (!axis.symbol.empty()) text += ' ' + symbol_html(axis.symbol);
     if (values.size() <= most_listed) {
       for (std::size_t i = 0; i < values.size(); ++i) text += (i == 0 ? " " : ", ") + spoken(values[i]);
+      text += unit;
     } else {
-      text += fmt::format(" from {} to {} ({} values)", spoken(values.front()), spoken(values.back()), values.size());
+      text += fmt::format(" from {} to {}{} ({} values)", spoken(values.front()), spoken(values.back()), unit,
+                          values.size());
+    }
+    for (const ShakingNumber& each : shaking_numbers) {
+      if (pointer != "/excitation/" + std::string(each.key)) continue;
+      const std::string_view other = other_form_of(each.key);
+      if (const auto spread = shaking_spread(report, other)) text += " (" + form_html(other, *spread, 3) + ')';
     }
   }
   return text;
@@ -137,8 +263,7 @@ void add_settings(const RunReport& report, const std::string& pointer, const Jso
     }
     return;
   }
-  rows +=
-      row(pointer, escaped(value.is_string() ? value.get<std::string>() : brief(value)) + swept_mark(report, pointer));
+  rows += row(pointer, escaped(setting_text(report, pointer, value)) + swept_mark(report, pointer));
 }
 
 std::string horizon_in_brief(const RunReport& report) {
@@ -152,10 +277,9 @@ std::string horizon_in_brief(const RunReport& report) {
 }  // namespace
 
 std::string question_in_brief(const RunReport& report) {
-  const Json& block = report.experiment.at("block");
-  std::string text =
-      fmt::format("<p>A block {} m wide and {} m high stands {}. {}</p>\n", spoken_quantity(block.at("width_m")),
-                  spoken_quantity(block.at("height_m")), shaking_in_brief(report), friction_in_brief(report));
+  std::string text = fmt::format(
+      "<p>A block {} and {} stands {}. {}</p>\n", side_in_brief(report, "/block/width_m", "wide"),
+      side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report), friction_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
@@ -163,11 +287,15 @@ std::string question_in_brief(const RunReport& report) {
 }
 
 std::string question_in_full(const RunReport& report) {
-  const Shape shape = shape_of(report.experiment);
+  const auto spoken = [&](double (Shape::*number)() const) { return spoken_spread(of_blocks(report, number), 4); };
   std::string rows;
-  rows += row("shape angle", fmt::format("&psi; = {} rad", significant(shape.shape_angle(), 4)));
-  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", significant(shape.half_diagonal(), 4)));
-  rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", significant(shape.frequency_parameter(), 4)));
+  rows += row("shape angle", fmt::format("&psi; = {} rad", spoken(&Shape::shape_angle)));
+  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", spoken(&Shape::half_diagonal)));
+  rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", spoken(&Shape::frequency_parameter)));
+  const std::string amplitude = both_forms_html(report, &Shaking::given_amplitude);
+  const std::string frequency = both_forms_html(report, &Shaking::given_frequency);
+  if (!amplitude.empty()) rows += row("amplitude of the base", amplitude);
+  if (!frequency.empty()) rows += row("frequency of the base", frequency);
   for (const auto& [key, value] : report.experiment.items()) {
     if (key != "format" && key != "title" && key != "sweep") {
       add_settings(report, child_pointer("", key), value, rows);

@@ -80,8 +80,7 @@ std::string response_of(const ConditionReport& condition) {
   return "<span class=\"none\">none</span>";
 }
 
-std::string column_name(const std::string& pointer) {
-  const Axis axis = axis_of_parameter(pointer);
+std::string column_name(const Axis& axis) {
   return escaped(axis.quantity) + (axis.symbol.empty() ? "" : ' ' + symbol_html(axis.symbol)) +
          (axis.unit.empty() ? "" : " [" + escaped(axis.unit) + ']');
 }
@@ -106,7 +105,8 @@ std::string mode_table_html(const RunReport& report) {
         escaped(report.level()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
-  for (const std::string& pointer : report.swept) table.head.push_back(column_name(pointer));
+  const std::vector<ParameterColumn> columns = parameter_columns(report);
+  for (const ParameterColumn& column : columns) table.head.push_back(column_name(column.axis));
   const auto modes = report.occurring();
   if (random) {
     table.head.emplace_back("<i>n</i>");
@@ -119,9 +119,7 @@ std::string mode_table_html(const RunReport& report) {
     const ConditionReport& condition = report.conditions[i];
     std::vector<PageCell> row;
     if (report.swept.empty()) row.push_back(cell_of("the only one"));
-    for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
-      row.push_back(cell_of(escaped(short_value(report.swept[entry], condition.parameters[entry]))));
-    }
+    for (const ParameterColumn& column : columns) row.push_back(cell_of(escaped(column.values[i])));
     if (random) {
       row.push_back(cell_of(std::to_string(condition.realisations)));
       for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode));

@@ -63,8 +63,11 @@ analysis::RunReport load_report(const RunFolder& folder) {
 std::string table_again(const analysis::RunReport& report) {
   std::vector<TableRow> rows;
   for (const analysis::ConditionReport& condition : report.conditions) {
-    TableRow row{
-        .parameters = {}, .realisations = condition.realisations, .modes = {}, .is_random = condition.is_random};
+    TableRow row{.parameters = {},
+                 .realisations = condition.realisations,
+                 .modes = {},
+                 .is_random = condition.is_random,
+                 .shaking = condition.shaking};
     for (std::size_t i = 0; i < report.swept.size(); ++i) {
       row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
     }

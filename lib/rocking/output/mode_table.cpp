@@ -5,6 +5,7 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -65,14 +66,35 @@ std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& s
   return share_bar(counts, look);
 }
 
-/// The columns of the swept parameters.
+std::vector<std::string> swept_in(std::span<const TableRow> conditions) {
+  std::vector<std::string> swept;
+  for (const Parameter& parameter : conditions.front().parameters) swept.push_back(parameter.pointer);
+  return swept;
+}
+
+std::vector<std::optional<Shaking>> shakings_of(std::span<const TableRow> conditions) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const TableRow& condition : conditions) shakings.push_back(condition.shaking);
+  return shakings;
+}
+
+/// The shaking that all conditions have in common; empty if there is none.
+std::string common_line(std::span<const TableRow> conditions) {
+  const std::string common = common_shaking(swept_in(conditions), shakings_of(conditions));
+  return common.empty() ? "" : "shaking: " + common + '\n';
+}
+
+/// The columns of the swept parameters, and of the shaking in its other form.
 std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions) {
   TextRow header;
   for (const Parameter& parameter : conditions.front().parameters) header.push_back(last_key(parameter.pointer));
+  const auto beside = shaking_columns(swept_in(conditions), shakings_of(conditions));
+  header.insert(header.end(), beside.begin(), beside.end());
   std::vector<TextRow> rows{header};
   for (const TableRow& condition : conditions) {
     TextRow& row = rows.emplace_back();
     for (const Parameter& parameter : condition.parameters) row.push_back(short_value(parameter));
+    for (const std::string_view key : beside) row.push_back(column_cell(condition.shaking, key));
   }
   return rows;
 }
@@ -93,7 +115,7 @@ std::string response_table(std::span<const TableRow> conditions) {
     const auto found = std::ranges::find_if(modes, [](const TableEntry& entry) { return entry.count > 0; });
     rows[i + 1].push_back(found == modes.end() ? "." : to_string(found->mode));
   }
-  return aligned(rows);
+  return aligned(rows) + common_line(conditions);
 }
 
 /// `friction 0.4/0.35, amplitude 6`, or `the only condition`.
@@ -175,6 +197,7 @@ std::string short_value(const Parameter& parameter) {
   if (value.is_number_float()) return digits_of(value.get<double>());
   if (value.is_string()) return value.get<std::string>();
   if (!value.is_object()) return brief(value);
+  if (value.size() == 1 && value.contains("rate_ratio")) return "rate ratio " + significant(value["rate_ratio"], 6);
   std::string text;
   for (const auto& [key, part] : value.items()) {
     if (!text.empty()) text += '/';
@@ -207,7 +230,8 @@ std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentR
     TableRow row{.parameters = experiment.conditions[i].parameters,
                  .realisations = condition.realisations,
                  .modes = {},
-                 .is_random = is_random(experiment.conditions[i].scene)};
+                 .is_random = is_random(experiment.conditions[i].scene),
+                 .shaking = shaking_of(experiment.conditions[i].scene)};
     for (const auto& [mode, probability] : condition.modes) {
       TableEntry entry{
           .mode = mode, .count = probability.counts.successes, .estimate = probability.estimate, .interval = {}};
@@ -269,7 +293,7 @@ std::string mode_table(std::span<const TableRow> conditions, const TableLook& lo
     if (layout.bar > 0) rows[i + 1].push_back(bar_of(condition, shown, {.length = layout.bar, .letters = *look.bars}));
   }
   add_peak_tilt(conditions, look, rows);
-  return aligned(rows);
+  return aligned(rows) + common_line(conditions);
 }
 
 }  // namespace rocking

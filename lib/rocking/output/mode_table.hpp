@@ -12,6 +12,7 @@
 #include "rocking/ensemble/result.hpp"
 #include "rocking/output/share_bar.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/shaking.hpp"
 
 namespace rocking {
 
@@ -42,6 +43,7 @@ struct TableRow {
   std::uint64_t realisations = 0;
   std::vector<TableEntry> modes;
   bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
+  std::optional<Shaking> shaking = std::nullopt;  ///< absent under a ground motion
   std::string peak_tilt = {};  ///< peak_tilt_cell, or empty
 };
 
@@ -57,7 +59,8 @@ struct TableRow {
 [[nodiscard]] std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result);
 
 /// The response modes of every condition as text for a terminal: a row for each condition, a column for each swept
-/// parameter and each mode that occurs, with the estimate and its interval in per cent. A mode that did not occur in a
+/// parameter, for the shaking in its other form where that differs between conditions (a last line has what is common to
+/// all), and for each mode that occurs, with the estimate and its interval in per cent. A mode that did not occur in a
 /// condition has the upper end of its interval there: `< 2.8`. Modes for which there is no room are added up in a last
 /// column, so that each row accounts for every realisation. A bar of the modes' shares follows if bars are wanted,
 /// several modes occur, and there is room for it and for three modes (or all); its marks stand before the headings. If

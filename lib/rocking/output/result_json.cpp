@@ -5,6 +5,8 @@
 #include <string>
 
 #include "rocking/base/error.hpp"
+#include "rocking/output/shaking_text.hpp"
+#include "rocking/scene/shaking.hpp"
 
 namespace rocking {
 namespace {
@@ -158,6 +160,7 @@ Json validity_json(const Validity& validity, const OperationCounts& operations) 
 Json condition_json(const Condition& condition, const ConditionResult& result) {
   Json json = Json::object();
   json["parameters"] = parameters_json(condition);
+  if (const auto shaking = shaking_of(condition.scene)) json["shaking"] = shaking_json(*shaking);
   json["realisations"] = result.realisations;
   json["counts"] = counts_json(result);
   json["probabilities"] = probabilities_json(result);

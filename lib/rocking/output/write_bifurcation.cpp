@@ -1,11 +1,15 @@
 #include "rocking/output/write_bifurcation.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
 
 #include "rocking/base/digest.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/parameter_names.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {
@@ -36,6 +40,9 @@ Json step_json(const DrawnDiagrams& drawn, const DiagramStep& step, Branch branc
   json["branch"] = to_string(branch);
   json["start"] = step.continued ? "continued" : "initial";
   json["condition"] = step.condition;
+  if (const auto shaking = shaking_of(drawn.experiment->conditions[step.condition].scene)) {
+    json["shaking"] = shaking_json(*shaking);
+  }
   json["termination"] = to_string(step.termination);
   json["mode"] = to_string(step.classification.mode);
   json["reason"] = step.classification.reason ? Json(to_string(*step.classification.reason)) : Json();
@@ -63,15 +70,23 @@ std::string cell(const Diagram& diagram, Branch branch, std::size_t place) {
 }
 
 std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram) {
-  const std::string& pointer = parameters_of(drawn, diagram.conditions.front()).front().pointer;
-  std::vector<TextRow> rows{{last_key(pointer)}};
+  std::vector<std::string> swept;
+  for (const Parameter& parameter : parameters_of(drawn, diagram.conditions.front()))
+    swept.push_back(parameter.pointer);
+  std::vector<std::optional<Shaking>> shakings;
+  for (const std::size_t i : diagram.conditions) shakings.push_back(shaking_of(drawn.experiment->conditions[i].scene));
+  const auto beside = shaking_columns(swept, shakings);
+  std::vector<TextRow> rows{{last_key(swept.front())}};
+  rows.front().insert(rows.front().end(), beside.begin(), beside.end());
   for (const Branch branch : all_branches) rows.front().emplace_back(to_string(branch));
   for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
     TextRow row{short_value(parameters_of(drawn, diagram.conditions[i]).front())};
+    for (const std::string_view key : beside) row.push_back(column_cell(shakings[i], key));
     for (const Branch branch : all_branches) row.push_back(cell(diagram, branch, i));
     rows.push_back(std::move(row));
   }
-  return aligned(rows);
+  const std::string common = common_shaking(swept, shakings);
+  return aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
 }
 
 const std::string csv_header = "parameter,branch,tilt,tilt_rate,diagram\n";

@@ -1,0 +1,195 @@
+// Pages, figures and tables of a run show the shaking in the units of the file and in the other form, and each condition
+// with its own numbers.
+
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "analysis/page/question.hpp"
+#include "analysis/page/tables.hpp"
+#include "analysis/run_report.hpp"
+#include "analysis/scene_sketch.hpp"
+#include "analysis/sweep_view.hpp"
+#include "analysis/tables.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/write_report.hpp"
+#include "support/experiment_text.hpp"
+#include "support/json_schema.hpp"
+#include "support/sample_report.hpp"
+
+namespace shaking_on_pages {
+namespace {
+
+using namespace rocking;
+using namespace rocking::analysis;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+/// The report of a run in which every realisation had the mode (1,1).
+Json report_json(const Json& document) {
+  const Experiment experiment = read_experiment(document.dump());
+  ExperimentResult result{.conditions = {}, .digest = base::sha256("made up")};
+  for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {
+    ConditionResult condition;
+    condition.realisations = 1;
+    condition.modes.push_back({section::periodic(1, 1), support::sample_estimate(1, 1)});
+    result.conditions.push_back(std::move(condition));
+  }
+  SystemFacts facts;
+  facts.start = "2012-02-01T12:00:00Z";
+  return Json::parse(report_text(experiment, result, facts));
+}
+
+RunReport report_of(const std::string& excitation, const std::string& sweep = "") {
+  Json document = support::with(support::least_experiment(), "/excitation", excitation);
+  if (!sweep.empty()) document["sweep"] = Json::parse(sweep);
+  return run_report_of(report_json(document));
+}
+
+constexpr const char* normalised = R"({"amplitude": 4.5, "frequency_ratio": 10})";
+constexpr const char* physical = R"({"amplitude_g": 1.1, "frequency_hz": 3})";
+constexpr const char* widths = R"([{"parameter": "/block/width_m", "values": [0.5, 1, 2]}])";
+
+TEST(TheQuestion, StatesTheShakingInBothForms) {
+  EXPECT_THAT(
+      question_in_brief(report_of(normalised)),
+      HasSubstr("with amplitude <i>A<sub>h</sub></i> = 4.5 (1.1 g) at <i>&Omega;</i><sub>h</sub> = 10 (3.01 Hz)"));
+  EXPECT_THAT(
+      question_in_brief(report_of(physical)),
+      HasSubstr("with amplitude 1.1 g (<i>A<sub>h</sub></i> = 4.49) at 3 Hz (<i>&Omega;</i><sub>h</sub> = 9.98)"));
+  EXPECT_THAT(question_in_brief(report_of(R"({"amplitude_m_s2": 4, "period_s": 0.5})")),
+              HasSubstr("with amplitude 4 m/s<sup>2</sup> (<i>A<sub>h</sub></i> = 1.66) at a period of 0.5 s "
+                        "(<i>&Omega;</i><sub>h</sub> = 6.65)"));
+}
+
+// psi of the widths 0.5, 1 and 2 m is 0.124, 0.245 and 0.464.
+TEST(TheQuestion, GivesRangesWhereTheBlockIsSwept) {
+  const std::string of_ratio = question_in_brief(report_of(normalised, widths));
+  EXPECT_THAT(of_ratio, HasSubstr("A block 0.5 to 2 m wide (swept) and 4 m high"));
+  EXPECT_THAT(of_ratio, HasSubstr("<i>A<sub>h</sub></i> = 4.5 (0.56 to 2.09 g)"));
+  EXPECT_THAT(of_ratio, HasSubstr("<i>&Omega;</i><sub>h</sub> = 10 (2.89 to 3.04 Hz)"));
+  EXPECT_THAT(question_in_brief(report_of(physical, widths)),
+              HasSubstr("amplitude 1.1 g (<i>A<sub>h</sub></i> = 2.37 to 8.85)"));
+  EXPECT_THAT(question_in_full(report_of(physical, widths)), HasSubstr("&psi; = 0.1244 to 0.4636 rad"));
+  EXPECT_THAT(question_in_full(report_of(physical)), AllOf(HasSubstr("&psi; = 0.245 rad"), HasSubstr("1.1 g (")));
+}
+
+TEST(TheQuestion, GivesBothFormsOfASweptAmplitude) {
+  const char* sweep = R"([{"parameter": "/excitation/amplitude_g", "values": [0.5, 1]}])";
+  EXPECT_THAT(question_in_brief(report_of(physical, sweep)),
+              AllOf(HasSubstr("base amplitude 0.5, 1 g (<i>A<sub>h</sub></i> = 2.04 to 4.08)"),
+                    Not(HasSubstr("with amplitude"))));
+}
+
+TEST(TheQuestion, SaysOfARandomBlockWhoseNumbersItGives) {
+  Json document = support::least_experiment();
+  document["block"]["width_m"] = Json::parse(R"({"uniform": [0.9, 1.1]})");
+  EXPECT_THAT(question_in_brief(run_report_of(report_json(document))), HasSubstr("Hz) for the mean block"));
+}
+
+TEST(TheQuestion, SaysWhatIsRandom) {
+  EXPECT_THAT(question_in_brief(report_of(normalised)), HasSubstr("Nothing is random."));
+  Json document = support::least_experiment();
+  document["excitation"]["phase_rad"] = Json::parse(R"({"uniform": [0, 6]})");
+  document["fluctuation"] = Json::parse(R"({"amplitude": {"sigma": 0.1}, "restitution": {"sigma": 0.01}})");
+  document["sweep"] = Json::parse(R"([{"parameter": "/fluctuation/amplitude/sigma", "values": [0.1, 0.2]}])");
+  EXPECT_THAT(
+      question_in_brief(run_report_of(report_json(document))),
+      HasSubstr("Random: restitution with &sigma; = 0.01, amplitude with &sigma; = 0.1 to 0.2 (swept), phase."));
+}
+
+TEST(TheQuestion, ListsTheValuesOfEveryCondition) {
+  EXPECT_THAT(question_in_full(report_of(physical, widths)),
+              HasSubstr("<dt>/block/width_m</dt><dd>0.5 to 2 (swept)</dd>"));
+  const char* kinds = R"([{"parameter": "/excitation", "values": [{"amplitude": 4, "frequency_ratio": 9},
+                                {"kind": "pulse", "shape": "sine", "amplitude_g": 1, "frequency_ratio": 9}]}])";
+  EXPECT_THAT(question_in_full(report_of(normalised, kinds)),
+              AllOf(HasSubstr("<dt>/excitation/kind</dt><dd>harmonic, pulse (swept)</dd>"),
+                    HasSubstr("<dt>/excitation/amplitude</dt><dd>4.0 (swept)</dd>")));
+}
+
+TEST(TheQuestion, IsReadFromAReportOfAnEarlierVersion) {
+  Json sample = support::sample_report();
+  EXPECT_EQ(support::objections("report", sample.dump()), "");
+  for (Json& condition : sample["result"]["conditions"]) condition.erase("shaking");
+  EXPECT_EQ(support::objections("report", sample.dump()), "");
+  Json old = report_json(support::with(support::least_experiment(), "/excitation", normalised));
+  old["result"]["conditions"][0].erase("shaking");
+  const RunReport report = run_report_of(old);
+  EXPECT_THAT(question_in_brief(report), HasSubstr("<i>A<sub>h</sub></i> = 4.5 at"));
+  EXPECT_THAT(modes_csv(report), StartsWith("n,mode"));
+}
+
+TEST(TheSketch, IsThatOfTheFirstConditionWithItsOwnShaking) {
+  const std::string caption = scene_sketch(report_of(physical, widths)).caption;
+  EXPECT_THAT(caption, StartsWith("The first of 3 conditions: B = 0.5 m"));
+  EXPECT_THAT(caption, HasSubstr("1.1 g = A_h 8.85, 3 Hz = Ω_h "));
+  EXPECT_THAT(scene_sketch(report_of(normalised)).caption, HasSubstr("A_h 4.5 = 1.1 g, Ω_h 10 = 3.01 Hz"));
+}
+
+TEST(TheAxis, HasTheOtherFormWhereTheConversionIsTheSame) {
+  const auto label = [](const char* excitation, const char* sweep) {
+    return label_of(view_of(report_of(excitation, sweep)).axis);
+  };
+  EXPECT_EQ(label(normalised, R"([{"parameter": "/excitation/amplitude", "values": [0, 1, 2]}])"),
+            "base amplitude A_h [1 = 0.245 g]");
+  EXPECT_EQ(label(normalised, R"([{"parameter": "/excitation/frequency_ratio", "values": [5, 10]}])"),
+            "frequency ratio Ω_h [1 = 0.301 Hz]");
+  EXPECT_EQ(label(physical, R"([{"parameter": "/excitation/amplitude_g", "values": [1, 2]}])"),
+            "base amplitude [g; 1 g = A_h 4.08]");
+  EXPECT_EQ(label(R"({"amplitude_m_s2": 4, "period_s": 0.5})",
+                  R"([{"parameter": "/excitation/period_s", "values": [0.4, 0.5]}])"),
+            "base period [s; Ω_h = 3.33 s/period]");
+  EXPECT_EQ(label(normalised, R"([{"parameter": "/excitation/amplitude", "values": [1, 2, 3]},
+                                  {"parameter": "/block/width_m", "values": [1, 2]}])"),
+            "base amplitude A_h");
+}
+
+TEST(TheAxis, HasTheOtherFormOfItsOwnPanel) {
+  const SweepView view = view_of(report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [1, 2, 3]},
+                                                           {"parameter": "/block/width_m", "values": [1, 2]}])"));
+  ASSERT_EQ(view.slices.size(), 2U);
+  EXPECT_EQ(label_of(view.slices[0].axis), "base amplitude A_h [1 = 0.245 g]");
+  EXPECT_EQ(label_of(view.slices[1].axis), "base amplitude A_h [1 = 0.464 g]");
+}
+
+TEST(ACondition, IsNamedWithBothForms) {
+  const RunReport report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
+  EXPECT_EQ(name_of_condition(report, report.conditions[1]), "base amplitude 4.5 = 1.1 g");
+}
+
+TEST(ASlice, IsNotSplitByAFormThatTheOtherParameterChanges) {
+  const RunReport report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]},
+                                                     {"parameter": "/block/width_m", "values": [0.5, 1, 2]}])");
+  const SweepView view = view_of(report);
+  ASSERT_EQ(view.slices.size(), 2U);
+  EXPECT_EQ(view.slices[1].name, "base amplitude 4.5");
+}
+
+TEST(TablesOfARun, HaveTheOtherForm) {
+  const RunReport report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
+  EXPECT_THAT(mode_table_html(report, ModeCells::estimates),
+              AllOf(HasSubstr("base amplitude [g]"), HasSubstr("1.102")));
+  EXPECT_THAT(modes_csv(report), StartsWith("/excitation/amplitude,amplitude_g,frequency_ratio,frequency_hz,n,mode"));
+  EXPECT_THAT(modes_csv(report), HasSubstr("\n4.5,1.1024"));
+  EXPECT_THAT(modes_latex(report), AllOf(HasSubstr("$A_h$ & $a_h/g$ & $n$"), HasSubstr("4.5 & 1.102 & 1"),
+                                         HasSubstr("Shaking: $\\Omega_h$ 10 = 3.01 Hz.")));
+}
+
+TEST(AValue, IsThatOfTheConditionWhateverThePartThatIsSwept) {
+  const RunReport whole = report_of(normalised, R"([{"parameter": "/block", "values":
+      [{"width_m": 1, "height_m": 4}, {"width_m": 2, "height_m": 5}]}])");
+  EXPECT_EQ(value_at(whole, whole.conditions[1], "/block/height_m"), Json(5.0));
+  EXPECT_EQ(value_at(whole, whole.conditions[1], "/block").at("width_m"), Json(2.0));
+  const RunReport part = report_of(normalised, widths);
+  EXPECT_EQ(value_at(part, part.conditions[2], "/block").at("width_m"), Json(2.0));
+  EXPECT_EQ(value_at(part, part.conditions[2], "/block/height_m"), Json(4.0));
+  EXPECT_EQ(experiment_of(part, 2).at("block").at("width_m"), Json(2.0));
+}
+
+}  // namespace
+}  // namespace shaking_on_pages

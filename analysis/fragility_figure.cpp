@@ -139,7 +139,7 @@ void add_curve(const Json& curve, std::size_t number, Figure& figure) {
 
 Panel panel_for(const Json& curve) {
   return {.title = curve.at("title"),
-          .x = axis_of_parameter(curve.at("parameter")),
+          .x = axis_of_parameter(curve.at("parameter"), shakings_in(curve.at("levels"))),
           .y = {.quantity = "probability of overturning", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
           .layers = {}};
 }

@@ -29,8 +29,8 @@ RunFragility fragility_of(const std::string& name) {
   RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
   if (intensity_of(run.experiment).empty()) {
     throw UsageError(name +
-                     ": sweeps no intensity of the excitation; give a run whose sweep has /excitation/amplitude or "
-                     "/excitation/scale");
+                     ": sweeps no intensity of the excitation; give a run whose sweep has /excitation/amplitude (or "
+                     "amplitude_g, amplitude_m_s2) or /excitation/scale");
   }
   if (run.experiment.conditions.front().until) {
     throw UsageError(

@@ -1,5 +1,9 @@
 // `rocking fragility`: overturning as a function of the intensity.
 
+#include <cmath>
+#include <string>
+#include <utility>
+
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
@@ -56,6 +60,33 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
       EXPECT_EQ(found["isotonic"].is_null(), !is_rejected);
       if (is_rejected) EXPECT_EQ(found["band"], found["simultaneous"]);
     }
+  }
+}
+
+// The same shaking in g and in m/s^2: the same counts, and each output has the other form beside the intensity.
+TEST_F(Fragility, TakesAPhysicalAmplitudeAsItsIntensity) {
+  const double psi_g = std::atan(1.0 / 8.0) * 9.81;
+  const Json of_ratio = fragility_of(shaken(), "ratio")["curves"][0];
+  for (const auto& [key, unit] : {std::pair{"amplitude_g", psi_g / 9.81}, std::pair{"amplitude_m_s2", psi_g}}) {
+    auto physical = shaken();
+    physical["excitation"].erase("amplitude");
+    physical["excitation"][key] = 1.0;
+    physical["sweep"][1] = {{"parameter", std::string("/excitation/") + key},
+                            {"values", {3.0 * unit, 1.5 * unit, 2.0 * unit, 0.0}}};
+    const Json curve = fragility_of(physical, key)["curves"][0];
+    EXPECT_EQ(curve["parameter"], std::string("/excitation/") + key);
+    ASSERT_EQ(curve["levels"].size(), 3U);
+    for (std::size_t level = 0; level < 3; ++level) {
+      EXPECT_EQ(curve["levels"][level]["overturned"], of_ratio["levels"][level]["overturned"]);
+      EXPECT_NEAR(curve["levels"][level]["shaking"]["amplitude"].get<double>(),
+                  of_ratio["levels"][level]["intensity"].get<double>(), 1e-14);
+    }
+    EXPECT_NEAR(curve["law"]["median"]["value"].get<double>(), unit * of_ratio["law"]["median"]["value"].get<double>(),
+                1e-9);
+    const auto told = rocking(std::string("fragility ") + key + " -o kept_" + key);
+    EXPECT_THAT(told.output, AllOf(HasSubstr(std::string(key) + "  amplitude  "), HasSubstr("  1.5  "),
+                                   HasSubstr("shaking: Omega_h 4 = ")));
+    EXPECT_EQ(rocking(std::string("figure kept_") + key + "/fragility.json -o drawn_" + key).exit_code, 0);
   }
 }
 

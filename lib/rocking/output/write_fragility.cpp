@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <string_view>
+#include <vector>
 
 #include "rocking/base/digest.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/result_json.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -86,9 +92,36 @@ Json test_json(const stats::LackOfFit& test) {
       {"deviance", test.deviance}, {"samples", test.samples}, {"as_large", test.as_large}, {"p_value", test.p_value}};
 }
 
-Json level_json(const FragilityLevel& level) {
+/// Of the condition at each level of a curve.
+std::vector<std::optional<Shaking>> shakings_of(const RunFragility& run, const FragilityCurve& curve) {
+  std::vector<std::optional<Shaking>> shakings;
+  for (const FragilityLevel& level : curve.levels) {
+    const auto is_at_level = [&](const Condition& condition) {
+      return std::ranges::all_of(condition.parameters, [&](const Parameter& parameter) {
+        if (parameter.pointer == curve.parameter) return Json::parse(parameter.value) == Json(level.intensity);
+        return std::ranges::any_of(curve.others, [&](const Parameter& other) {
+          return other.pointer == parameter.pointer && other.value == parameter.value;
+        });
+      });
+    };
+    const auto condition = std::ranges::find_if(run.experiment.conditions, is_at_level);
+    ROCKING_EXPECT(condition != run.experiment.conditions.end());
+    shakings.push_back(shaking_of(condition->scene));
+  }
+  return shakings;
+}
+
+/// Pointers to all swept parameters.
+std::vector<std::string> swept_in(const FragilityCurve& curve) {
+  std::vector<std::string> swept{curve.parameter};
+  for (const Parameter& other : curve.others) swept.push_back(other.pointer);
+  return swept;
+}
+
+Json level_json(const FragilityLevel& level, const std::optional<Shaking>& shaking) {
   Json json = Json::object();
   json["intensity"] = level.intensity;
+  if (shaking) json["shaking"] = shaking_json(*shaking);
   json["realisations"] = level.overturned.trials;
   json["overturned"] = level.overturned.successes;
   json["estimate"] = level.estimate;
@@ -115,7 +148,8 @@ Json curve_json(const RunFragility& run, const FragilityCurve& curve) {
   json["test"] = curve.test ? test_json(*curve.test) : Json();
   json["missed_levels"] = curve.fit.law ? Json(curve.missed_levels()) : Json();
   Json& levels = json["levels"] = Json::array();
-  for (const FragilityLevel& level : curve.levels) levels.push_back(level_json(level));
+  const auto shakings = shakings_of(run, curve);
+  for (std::size_t i = 0; i < curve.levels.size(); ++i) levels.push_back(level_json(curve.levels[i], shakings[i]));
   return json;
 }
 
@@ -165,12 +199,20 @@ TextRow row_of(const FragilityLevel& level) {
   return row;
 }
 
-std::string table_of(const FragilityCurve& curve) {
+std::string table_of(const RunFragility& run, const FragilityCurve& curve) {
   const bool is_isotonic = curve.fit.outcome == FragilityOutcome::rejected;
   std::vector<TextRow> rows{
       {last_key(curve.parameter), "n", "overturned", "exact", is_isotonic ? "isotonic" : "fitted", "band"}};
-  for (const FragilityLevel& level : curve.levels) rows.push_back(row_of(level));
-  std::string text = aligned(rows);
+  const auto shakings = shakings_of(run, curve);
+  const auto beside = shaking_columns(swept_in(curve), shakings);
+  rows.front().insert(rows.front().begin() + 1, beside.begin(), beside.end());
+  for (std::size_t i = 0; i < curve.levels.size(); ++i) {
+    TextRow row = row_of(curve.levels[i]);
+    for (std::size_t k = beside.size(); k-- > 0;) row.insert(row.begin() + 1, column_cell(shakings[i], beside[k]));
+    rows.push_back(std::move(row));
+  }
+  const std::string common = common_shaking(swept_in(curve), shakings);
+  std::string text = aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
   if (curve.fit.law) {
     text +=
         "median " + spoken_median(curve) + ", dispersion " + spoken(curve.fit.law->dispersion(curve.confidence)) + '\n';
@@ -206,7 +248,7 @@ std::string fragility_text(const std::vector<RunFragility>& runs) {
 std::string fragility_table(const std::vector<RunFragility>& runs) {
   std::string text;
   for (const RunFragility& run : runs) {
-    for (const FragilityCurve& curve : run.curves) text += heading_of(run, curve) + table_of(curve) + '\n';
+    for (const FragilityCurve& curve : run.curves) text += heading_of(run, curve) + table_of(run, curve) + '\n';
   }
   return text +
          "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "

@@ -11,7 +11,8 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 2> intensities{"/excitation/amplitude", "/excitation/scale"};
+constexpr std::array<std::string_view, 4> intensities{"/excitation/amplitude", "/excitation/amplitude_g",
+                                                      "/excitation/amplitude_m_s2", "/excitation/scale"};
 
 double number_in(const std::string& json) {
   double number = 0.0;

@@ -17,6 +17,9 @@ constexpr const char* features[] = {
     R"({ "sweep": [ { "parameter": "/excitation/amplitude", "from": 2.0, "to": 4.0, "step": 1.0 },
                     { "parameter": "/friction", "values": [ { "static": 0.4, "kinetic": 0.3 } ] } ] })",
     R"({ "formulation": "as-printed", "accuracy": { "tolerance": 1e-8 }, "confidence": 0.9 })",
+    R"({ "excitation": { "amplitude": null, "amplitude_g": 1.0, "frequency_ratio": null, "period_s": 0.4 },
+         "restitution": { "rate_ratio": 0.9 },
+         "sweep": [ { "parameter": "/block/width_m", "values": [0.9, 1.2] } ] })",
     R"({ "fluctuation": { "amplitude": { "relative_sigma": 0.1 }, "restitution": { "sigma": 0.01 } } })"};
 
 }  // namespace

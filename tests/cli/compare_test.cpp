@@ -31,7 +31,7 @@ TEST_F(Compare, TellsWhatDiffersAndWhatItChanges) {
   ASSERT_EQ(rocking("run second.json -q -o b --realisations 30").exit_code, 0);
   const auto table = rocking("compare a b");
   EXPECT_EQ(table.exit_code, 0);
-  EXPECT_THAT(table.output, AllOf(HasSubstr("/fluctuation/friction/sigma is 0.03, not 0.1"), HasSubstr("4.2"),
+  EXPECT_THAT(table.output, AllOf(HasSubstr("/fluctuation/friction/sigma is 0.03, not 0.1"), HasSubstr("4.2 = 1.03 g"),
                                   HasSubstr("(1,1)"), HasSubstr("McNemar")));
   const auto text = rocking("compare a b --json");
   EXPECT_EQ(objections("comparison", text.output), "");

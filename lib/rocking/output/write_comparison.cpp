@@ -1,9 +1,14 @@
 #include "rocking/output/write_comparison.hpp"
 
+#include <optional>
+#include <string_view>
+
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/result_json.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -31,10 +36,21 @@ std::string level_of(const ComparedRuns& runs) {
   return common ? level_text(*common) + " % interval" : "interval at the confidence of each condition";
 }
 
+/// ` = 1.1 g`, the other form of a swept amplitude or frequency; empty for other parameters.
+std::string form_beside(const Parameter& parameter, const std::optional<Shaking>& shaking) {
+  for (const ShakingNumber& each : shaking_numbers) {
+    if (!shaking || parameter.pointer != "/excitation/" + std::string(each.key)) continue;
+    const std::string_view other = other_form_of(each.key);
+    return " = " + in_unit(other, significant(number_of(*shaking, other), 3));
+  }
+  return "";
+}
+
 std::string name_of(const ComparedRuns& runs, std::size_t condition) {
   std::string name;
+  const auto shaking = shaking_of(runs.first->conditions[condition].scene);
   for (const Parameter& parameter : runs.first->conditions[condition].parameters) {
-    name += (name.empty() ? "" : ", ") + short_value(parameter);
+    name += (name.empty() ? "" : ", ") + short_value(parameter) + form_beside(parameter, shaking);
   }
   return name.empty() ? std::to_string(condition) : name;
 }

@@ -36,8 +36,8 @@ std::string end_of(const AnyShare& share, double stats::Interval::*end) {
   return share.interval ? number_text(*share.interval.*end) : "";
 }
 
-/// The first columns of a CSV: the swept parameters; both forms of the shaking without those that are swept, whether they
-/// differ between conditions or not; n.
+/// The first columns of a CSV: the swept parameters; both forms of the shaking without those that are swept, whether
+/// they differ between conditions or not; n.
 class CsvStart {
  public:
   explicit CsvStart(const RunReport& report) {

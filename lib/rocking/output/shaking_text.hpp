@@ -22,8 +22,8 @@ namespace rocking {
 /// A number with its unit or symbol: `A_h 4.5`, `1.1 g`, `Omega_h 10`, `3.01 Hz`.
 [[nodiscard]] std::string in_unit(std::string_view key, const std::string& number);
 
-/// `A_h 4.5 = 1.1 g`, `0.4 g = A_h 1.63`. `given_key`: Shaking::given_amplitude or given_frequency. The first number has
-/// six digits, the second three.
+/// `A_h 4.5 = 1.1 g`, `0.4 g = A_h 1.63`. `given_key`: Shaking::given_amplitude or given_frequency. The first number
+/// has six digits, the second three.
 [[nodiscard]] std::string in_both_forms(const Shaking& shaking, std::string_view given_key);
 
 /// The shaking of the conditions of a table.
@@ -32,12 +32,12 @@ using Shakings = std::span<const std::optional<Shaking>>;
 /// The forms in which the conditions are shown: the keys that some condition gives, and the other form of each.
 [[nodiscard]] std::vector<std::string_view> shown_forms(Shakings shakings);
 
-/// Keys of the columns that a table has beside its swept parameters: both forms of the amplitude and of the frequency as
-/// far as they differ between the conditions, without those that are swept parameters.
+/// Keys of the columns that a table has beside its swept parameters: both forms of the amplitude and of the frequency
+/// as far as they differ between the conditions, without those that are swept parameters.
 [[nodiscard]] std::vector<std::string_view> shaking_columns(const std::vector<std::string>& swept, Shakings shakings);
 
-/// What a table need not repeat in every row, `A_h 4.5 = 1.1 g, Omega_h 10 = 3.01 Hz`: the forms that are neither columns
-/// nor swept. Empty if there are none.
+/// What a table need not repeat in every row, `A_h 4.5 = 1.1 g, Omega_h 10 = 3.01 Hz`: the forms that are neither
+/// columns nor swept. Empty if there are none.
 [[nodiscard]] std::string common_shaking(const std::vector<std::string>& swept, Shakings shakings);
 
 /// The number of a column in four digits; a point without a shaking.

@@ -213,11 +213,11 @@ struct Pulse {
 };
 
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
-/// `amplitude_draws`; `horizon_follows_from`, the places of the file from which the default horizon is computed; size(),
-/// the mean of a fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so that the
-/// quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
-/// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block), a
-/// normalised time; effects() as described to users; motion() of a realisation; and check(), which hands each number
+/// `amplitude_draws`; `horizon_follows_from`, the places of the file from which the default horizon is computed;
+/// size(), the mean of a fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
+/// that the quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
+/// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block),
+/// a normalised time; effects() as described to users; motion() of a realisation; and check(), which hands each number
 /// with its place and rule to a NumberChecker.
 using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 

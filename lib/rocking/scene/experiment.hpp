@@ -20,9 +20,9 @@ struct Friction {
   double kinetic_coefficient = 0.0;  ///< mean of mu_k [-]
 };
 
-/// Standard deviations, in the unit in which the mean is given: that of `amplitude` in g where the amplitude is, that of
-/// `restitution` as a rate ratio where the restitution is (`jy25`: of e). If one is 0, its source is off and no number
-/// is drawn for it.
+/// Standard deviations, in the unit in which the mean is given: that of `amplitude` in g where the amplitude is, that
+/// of `restitution` as a rate ratio where the restitution is (`jy25`: of e). If one is 0, its source is off and no
+/// number is drawn for it.
 struct Fluctuation {
   double static_friction = 0.0;
   double kinetic_friction = 0.0;

@@ -8,8 +8,8 @@
 
 namespace rocking {
 
-/// Amplitude and frequency of the base motion in every unit, for the mean block of a scene. Numbers that the scene gives
-/// are exactly those; the others follow from them.
+/// Amplitude and frequency of the base motion in every unit, for the mean block of a scene. Numbers that the scene
+/// gives are exactly those; the others follow from them.
 struct Shaking {
   double amplitude = 0.0;        ///< A_h [-]
   double amplitude_g = 0.0;      ///< peak acceleration over the gravity of the scene [-]

@@ -1,5 +1,5 @@
-// Pages, figures and tables of a run show the shaking in the units of the file and in the other form, and each condition
-// with its own numbers.
+// Pages, figures and tables of a run show the shaking in the units of the file and in the other form, and each
+// condition with its own numbers.
 
 #include <string>
 #include <vector>

@@ -1,5 +1,5 @@
-// Physical units in experiment files: an amplitude in g or m/s^2, a frequency in Hz or as a period in s, a measured ratio
-// of the tilt rates. What is read, what a sweep of the block leaves as it is, and what is refused.
+// Physical units in experiment files: an amplitude in g or m/s^2, a frequency in Hz or as a period in s, a measured
+// ratio of the tilt rates. What is read, what a sweep of the block leaves as it is, and what is refused.
 
 #include <cmath>
 #include <string>

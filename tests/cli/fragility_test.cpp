@@ -58,7 +58,7 @@ TEST_F(Fragility, CountsWhatTheReportCountsByGrowingAmplitudeForEachPointOfTheGr
       EXPECT_EQ(found["overturned"], condition["counts"]["overturned"]);
       EXPECT_EQ(found["exact"], condition["probabilities"]["overturned"]["clopper_pearson"]);
       EXPECT_EQ(found["isotonic"].is_null(), !is_rejected);
-      if (is_rejected) EXPECT_EQ(found["band"], found["simultaneous"]);
+      EXPECT_EQ(found["band"] == found["simultaneous"], is_rejected);
     }
   }
 }

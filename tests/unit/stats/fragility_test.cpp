@@ -154,6 +154,11 @@ TEST(Fragility, HasNoLawWhereTrialsDifferInOneWayAtMost) {
   EXPECT_EQ(fit_lognormal(levels).outcome, no_scatter);
 }
 
+// Levels with fewer trials give the trial numbers different scores, although all trials of a level do the same.
+TEST(Fragility, HasNoLawWhereTrialsDifferInTheirLevelsOnly) {
+  EXPECT_EQ(outcome_of({"0000", "111", "00", "1111", "1111"}), FragilityOutcome::no_scatter);
+}
+
 TEST(Fragility, HasALawOfPositiveWidthWhereTrialsDifferInTwoWays) {
   std::vector<IntensityLevel> levels =
       levels_of({"100000000000", "000000000000", "110111101111", std::string(12, '1')});

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/stats/probit.hpp"
 #include "support/split_mix.hpp"
 
 namespace {
@@ -42,6 +43,14 @@ TEST(LackOfFit, HasTheDevianceOfTheLevels) {
     deviance += 2.0 * (k * std::log(k / (100.0 * p)) + (100.0 - k) * std::log((100.0 - k) / (100.0 * (1.0 - p))));
   }
   EXPECT_NEAR(lack_of_fit(levels, *law, 0, seeded(1)).deviance, deviance, 1e-9);
+}
+
+TEST(ProbitDeviance, IsNoneWhereAStepDescribesTheCounts) {
+  using Counts = std::vector<ProbitCounts>;
+  EXPECT_EQ(probit_deviance(Counts{{-1.0, 0.0, 5.0}, {0.0, 2.0, 3.0}, {1.0, 5.0, 0.0}}), 0.0);
+  EXPECT_EQ(probit_deviance(Counts{{-1.0, 5.0, 0.0}, {1.0, 0.0, 5.0}}), 0.0);
+  EXPECT_EQ(probit_deviance(Counts{{-1.0, 0.0, 5.0}, {1.0, 0.0, 5.0}}), 0.0);
+  EXPECT_GT(probit_deviance(Counts{{-1.0, 0.0, 5.0}, {0.0, 5.0, 0.0}, {1.0, 0.0, 5.0}}), 10.0);
 }
 
 TEST(LackOfFit, OfTwoLevelsIsNone) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -138,6 +139,19 @@ std::string overturning_along(const Along& along) {
                             probability_at(along.at(most), overturned));
 }
 
+/// `; the least base amplitude is at friction 0.4/0.35, base amplitude 6`: the first condition along the sweep that
+/// overturns; empty if the sweep has no order.
+std::string least_place(const RunReport& report) {
+  const SweepView view = view_of(report);
+  if (!view.is_line) return "";
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    if (overturns(report.conditions[i]) && (!least || view.x[i] < view.x[*least])) least = i;
+  }
+  if (!least) return "";
+  return fmt::format("; the least {} is at {}", escaped(view.axis.quantity), escaped(condition_name(report, *least)));
+}
+
 /// All conditions together, where they are too many or have no order.
 std::string overturning_anywhere(const RunReport& report) {
   const Extreme worst = extreme_of(report, overturned);
@@ -158,9 +172,11 @@ std::string overturning_anywhere(const RunReport& report) {
     return fmt::format("Probability <strong>{}</strong>: {} of {}", probability_at(condition, overturned),
                        worst.share.count, counted(condition.realisations, "realisation"));
   }
-  if (!condition.is_random) return fmt::format("In {} of {} conditions", number, report.conditions.size());
-  return fmt::format("Seen in {} of {} conditions; most likely at {}: <strong>{}</strong>", number,
-                     report.conditions.size(), place, probability_at(condition, overturned));
+  const std::string where =
+      fmt::format("in {} of {} conditions{}", number, report.conditions.size(), least_place(report));
+  if (!condition.is_random) return "The block overturns " + where;
+  return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>", where, place,
+                     probability_at(condition, overturned));
 }
 
 /// The entry of the sweep that the view shows.
@@ -323,9 +339,8 @@ std::string modes_in_brief(const RunReport& report) {
                            meaning_of(mode));
   }
   return fmt::format(
-      "<ul class=\"modes\">\n{}</ul>\n<p class=\"small\">{}Drawings: tilt against time (dark) above the acceleration "
-      "of "
-      "the floor (pale); schematic.</p>\n",
+      "<ul class=\"modes\">\n{}</ul>\n<p class=\"small\">{}Drawings: tilt against time (thick line) above "
+      "the acceleration of the floor (thin line); schematic.</p>\n",
       entries,
       has_periodic ? "(<i>m</i>,<i>n</i>): the block rocks <i>m</i> times, to the left and to the right, in <i>n</i> "
                      "periods of the shaking, and repeats this. "

@@ -296,6 +296,20 @@ TEST(Page, TellsWhereOverturningIsMostLikely) {
                     HasSubstr("most likely at <i>A<sub>h</sub></i> = 4.2: <strong>75.0 % [")));
 }
 
+TEST(Page, SummarisesOverturningWhereTheSweepHasManyCombinations) {
+  Json report = rocking::support::sample_report();
+  Json& conditions = report["result"]["conditions"];
+  const Json first = conditions[1];  // 1 of 30 realisations overturns
+  for (int i = 0; i < 8; ++i) {
+    conditions.push_back(first);
+    conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
+    conditions.back()["parameters"]["/excitation/amplitude"] = 3.5 + 0.1 * i;
+  }
+  EXPECT_THAT(overturning_in_brief(run_report_of(report)),
+              AllOf(StartsWith("<p>Seen in 13 of 14 conditions; the least base amplitude is at friction 0.4/0.35, base "
+                               "amplitude 3; most likely at friction 0.4/0.35, base amplitude 5.5: <strong>16.7 % [")));
+}
+
 TEST(Page, BeginsWithOverturningAndExplainsModesAtOnce) {
   const std::string page = page_of(rocking::support::sample_report());
   const std::size_t answer = page.find("<dt>Overturning</dt>");

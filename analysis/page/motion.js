@@ -75,7 +75,8 @@ var motions = (function () {
   Player.prototype.build = function (holder) {
     var player = this;
     this.stage = shapes.make('div', { class: 'stage', tabindex: '0', role: 'group', 'aria-roledescription': 'animation',
-      'aria-label': 'Animation of the block. The space bar plays and pauses; the left and right arrows, Home and End move in time.'
+      'aria-label': 'Animation of the block. The space bar plays and pauses; ' +
+        'the left and right arrows, Home and End move in time.'
     });
     this.bar = shapes.make('div', { class: 'controls' }, holder);
     holder.appendChild(this.stage);
@@ -91,8 +92,9 @@ var motions = (function () {
     this.button = shapes.make('button', { type: 'button', text: 'Play' }, this.bar);
     this.slider = shapes.make('input', { type: 'range', min: '0', step: '1', 'aria-label': 'Time' },
       shapes.make('label', { class: 'time', text: 'Time ' }, this.bar));
-    this.speed = choice(this.bar, 'Speed', speeds.map(function (speed) { return [speed, speed + ' \u00d7 real time']; }), 1,
-      function () { player.from = null; });
+    this.speed = choice(this.bar, 'Speed', speeds.map(function (speed) {
+      return [speed, speed + ' \u00d7 real time'];
+    }), 1, function () { player.from = null; });
     this.factor = choice(this.bar, 'Tilt and slip', factors.map(function (factor) {
       return [factor, factor === 1 ? 'to scale' : factor + ' \u00d7 enlarged'];
     }), 1, function () { player.draw(); });
@@ -135,7 +137,7 @@ var motions = (function () {
     new IntersectionObserver(function (entries) {
       var seen = entries[entries.length - 1].isIntersecting;
       if (!seen && player.playing) { player.play(false); player.paused = true; }
-      else if (seen && !player.still.matches && (player.paused || !player.touched)) { player.paused = false; player.play(true); }
+      else if (seen && !player.still.matches && (player.paused || !player.touched)) player.play(true);
     }, { threshold: 0.6 }).observe(this.stage);
   };
 
@@ -172,7 +174,8 @@ var motions = (function () {
   Player.prototype.now = function () {
     var motion = this.motion, place = this.place;
     return { time: between(motion.times, place), tilt: between(motion.tilts, place), rate: between(motion.rates, place),
-      slip: between(motion.slips, place), base: between(motion.bases, place), contact: motion.contacts[Math.floor(place)] };
+      slip: between(motion.slips, place), base: between(motion.bases, place),
+      contact: motion.contacts[Math.floor(place)] };
   };
 
   // Time as it is shown: in periods of the excitation, or in seconds.
@@ -219,7 +222,8 @@ var motions = (function () {
     var motion = this.motion, factor = Number(this.factor.value), sheet = cleared(this.block), pen = sheet.pen;
     var limit = Math.PI / 2, angle = Math.max(-limit, Math.min(limit, factor * motion.shape * state.tilt));
     var most = Math.min(limit, factor * motion.mostTilt), reach = motion.height * Math.sin(most);
-    var slips = [factor * motion.slipEnds[0], factor * motion.slipEnds[1]], follows = slips[1] - slips[0] > 3 * motion.width;
+    var slips = [factor * motion.slipEnds[0], factor * motion.slipEnds[1]];
+    var follows = slips[1] - slips[0] > 3 * motion.width;
     var room = motion.width + 2 * reach + (follows ? 0 : slips[1] - slips[0]) + 0.6 * motion.width;
     var tall = Math.hypot(motion.height, motion.width);
     var scale = Math.min((sheet.width - 16) / room, (sheet.height - 78) / tall);
@@ -238,7 +242,9 @@ var motions = (function () {
     function point(along, up) {
       return [x(pivot + (own + along) * cosine - up * sine), floor - scale * ((own + along) * sine + up * cosine)];
     }
-    var outline = [point(0, 0), point(motion.width, 0), point(motion.width, motion.height), point(0, motion.height), point(0, 0)];
+    var outline = [[0, 0], [1, 0], [1, 1], [0, 1], [0, 0]].map(function (corner) {
+      return point(corner[0] * motion.width, corner[1] * motion.height);
+    });
     pen.beginPath();
     outline.forEach(function (corner) { pen.lineTo(corner[0], corner[1]); });
     pen.fillStyle = '#dbe9f6';
@@ -250,7 +256,8 @@ var motions = (function () {
     pen.fillStyle = ink;
     pen.fill();
     // The acceleration of the base, a scale bar, the factor.
-    if (motion.mostBase > 0) arrow(pen, sheet.width / 2, floor + 20, 0.3 * sheet.width * state.base / motion.mostBase, accent);
+    var largest = 0.3 * sheet.width;
+    if (motion.mostBase > 0) arrow(pen, sheet.width / 2, floor + 20, largest * state.base / motion.mostBase, accent);
     pen.fillStyle = ink;
     pen.fillText('floor acceleration ' + state.base.toFixed(2) + ' g', 8, sheet.height - 8);
     var bar = round(0.25 * sheet.width / scale), right = sheet.width - 10;
@@ -315,7 +322,8 @@ var motions = (function () {
       whole -= row[2];
       var y = scaleOf(range, foot - 3, top + 3);
       if (range[0] < 0 && range[1] > 0) line(pen, [[left, y(0)], [sheet.width - 8, y(0)]], pale, 0.5);
-      line(pen, row[1].map(function (number, i) { return [x(times[i]), y(number)]; }), row[0][0] === 'f' ? pale : ink, 1.3);
+      var curve = row[1].map(function (number, i) { return [x(times[i]), y(number)]; });
+      line(pen, curve, row[1] === motion.bases ? pale : ink, 1.3);
       line(pen, [[left, foot], [sheet.width - 8, foot]], pale, 0.75);
       pen.fillStyle = ink;
       pen.fillText(row[0], 4, 0.5 * (top + foot) + 4);
@@ -335,7 +343,8 @@ var motions = (function () {
       line(pen, [[x(at), bottom], [x(at), bottom + 4]], ink, 1);
       pen.fillText(String(Number(at.toPrecision(6))), Math.min(x(at), sheet.width - 16), bottom + 15);
     }
-    pen.fillText(motion.period > 0 ? 'time [periods of the excitation]' : 'time [s]', 0.5 * (left + sheet.width), bottom + 28);
+    var unit = motion.period > 0 ? 'periods of the excitation' : 's';
+    pen.fillText('time [' + unit + ']', 0.5 * (left + sheet.width), bottom + 28);
     pen.textAlign = 'left';
     return kept(sheet, player.history, { x: x });
   };
@@ -355,12 +364,12 @@ var motions = (function () {
 
   Player.prototype.tell = function (state) {
     var degrees = 180 / Math.PI * this.motion.shape * state.tilt, readout = this.readout, time = this.shown(state.time);
-    var when = this.motion.period > 0 ? 'period ' + time.toFixed(2) + ' (' + state.time.toFixed(2) + ' s)' : time.toFixed(2) + ' s';
+    var seconds = state.time.toFixed(2) + ' s';
+    var when = this.motion.period > 0 ? 'period ' + time.toFixed(2) + ' (' + seconds + ')' : seconds;
     readout.textContent = '';
-    [when, 'tilt ' + state.tilt.toFixed(3) + ' \u03c8 = ' + degrees.toFixed(2) + '\u00b0', 'slip ' + (1000 * state.slip).toFixed(1) + ' mm',
-      'floor ' + state.base.toFixed(2) + ' g', contacts[state.contact]].forEach(function (text) {
-      shapes.make('span', { text: text }, readout);
-    });
+    [when, 'tilt ' + state.tilt.toFixed(3) + ' \u03c8 = ' + degrees.toFixed(2) + '\u00b0',
+      'slip ' + (1000 * state.slip).toFixed(1) + ' mm', 'floor ' + state.base.toFixed(2) + ' g',
+      contacts[state.contact]].forEach(function (text) { shapes.make('span', { text: text }, readout); });
     this.slider.setAttribute('aria-valuetext', when);
   };
 

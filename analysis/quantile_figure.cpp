@@ -80,15 +80,30 @@ Table quantile_table(const RunReport& report, const SweepView& view, const Slice
   return table;
 }
 
-/// Adds the curves of the table that was added last.
+/// The ends of the median's interval where both exist: gnuplot would fill a ribbon with one end down to the axis.
+Table ribbon_table(const Table& whole) {
+  Table table{.name = whole.name,
+              .columns = {whole.columns[0], whole.columns[4], whole.columns[5]},
+              .rows = {},
+              .grid = std::nullopt,
+              .only_drawn = true};
+  for (const std::vector<Cell>& row : whole.rows) {
+    const bool has_both = std::holds_alternative<double>(row[4]) && std::holds_alternative<double>(row[5]);
+    table.rows.push_back(has_both ? std::vector<Cell>{row[0], row[4], row[5]} : std::vector<Cell>{row[0], {}, {}});
+  }
+  return table;
+}
+
+/// Adds the curves of the table that was added last, and the table of their ribbon.
 void add_quantile_curves(const Slice& slice, std::size_t number, const Drawn& drawn, Figure& figure) {
   Panel& panel = figure.panels.front();
   const std::size_t table = figure.tables.size() - 1;
+  figure.tables.push_back(ribbon_table(figure.tables.back()));
   Style ribbon = style_of_curve(number);
   ribbon.hatch = 0;
   ribbon.opacity = 0.2;
   const std::string name = slice.name.empty() ? "" : slice.name + ", ";
-  panel.layers.push_back({.kind = LayerKind::ribbon, .table = table, .columns = {0, 4, 5}, .style = ribbon});
+  panel.layers.push_back({.kind = LayerKind::ribbon, .table = table + 1, .columns = {0, 1, 2}, .style = ribbon});
   panel.layers.push_back({.kind = LayerKind::line,
                           .table = table,
                           .columns = {0, 3},

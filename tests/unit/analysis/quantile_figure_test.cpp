@@ -56,9 +56,22 @@ TEST(QuantileFigures, ShowTheNumbersOfTheReport) {
   EXPECT_EQ(std::get<double>(table.rows[1][4]), 0.25);
   EXPECT_EQ(table.columns.at(9).name, "q95");
   EXPECT_TRUE(std::holds_alternative<std::monostate>(table.rows[1][9])) << "above every value";
+  const Table& ribbon = figures[0].tables.at(1);
+  EXPECT_EQ(std::get<double>(ribbon.rows[1][1]), 0.25);
   EXPECT_EQ(figures[1].name, "peak_slip");
   EXPECT_EQ(std::get<double>(figures[1].tables.at(0).rows[1][3]), 16.0) << "in metres";
   EXPECT_EQ(figures[1].panels.at(0).y.unit, "m");
+}
+
+// A ribbon with one end would be filled down to the axis.
+TEST(QuantileFigures, DrawNoRibbonWhereAnIntervalIsOpen) {
+  RunReport report = made();
+  report.conditions[1].quantiles["peak_tilt"].levels[1].high.reset();
+  const Table ribbon = quantile_figures(report).at(0).tables.at(1);
+  EXPECT_TRUE(ribbon.only_drawn);
+  EXPECT_TRUE(std::holds_alternative<double>(ribbon.rows[0][1]));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(ribbon.rows[1][1]));
+  EXPECT_TRUE(std::holds_alternative<std::monostate>(ribbon.rows[1][2]));
 }
 
 TEST(QuantileFigures, AreNoneWithoutQuantiles) {

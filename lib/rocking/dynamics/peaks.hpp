@@ -118,38 +118,53 @@ template <base::Lane Real>
   return slope;
 }
 
+/// The largest S theta, from a step in which w changes its sign in the lanes `turns`, or the one before.
+template <base::Lane Real, class Truth>
+[[gnu::noinline]] Real tilt_after_turn(const MotionSeries<Real>& m, std::size_t order, const StepFinish<Real>& end,
+                                       const Real& before, Truth turns) {
+  using base::in_any, base::select;
+  turns = turns && before < larger(m.tilt[0], end.tilt) + rise(m.tilt.data(), end.length);
+  if (!in_any(turns)) return before;
+  const Real largest =
+      maximum<Real>({m.tilt.data(), order + 2, end.length, Real(1.0), m.tilt_rate[0], end.tilt_rate}, turns);
+  return select(turns, larger(before, largest), before);
+}
+
+/// The largest abs(w), from a step in which it grows at first in the lanes `grows`, or the one before.
+template <base::Lane Real, class Truth>
+[[gnu::noinline]] Real rate_after_growth(const MotionSeries<Real>& m, std::size_t order, const StepFinish<Real>& end,
+                                         const Real& before, Truth grows) {
+  using base::in_any, base::select;
+  const Real zero(0.0);
+  const Real one(1.0);
+  const Real sign = select(m.tilt_rate[0] + end.tilt_rate < zero, -one, one);
+  const Real at_end = sign * slope_at(m.tilt_rate.data(), order + 1, end.length);
+  grows = grows && at_end < zero;
+  if (!in_any(grows)) return before;
+  const Real largest =
+      maximum<Real>({m.tilt_rate.data(), order + 1, end.length, sign, sign * m.tilt_rate[1], at_end}, grows);
+  return select(grows, larger(before, largest), before);
+}
+
 }  // namespace peaks
 
-/// The peaks after a step of a rocking block with these series, `order` the order of the step.
+/// The peaks after a step of a rocking block with these series, `order` the order of the step. What seldom happens is
+/// not inlined: the tests before it are all that most steps need.
 template <base::Lane Real>
 [[nodiscard]] inline TiltPeaks<Real> peaks_after(const MotionSeries<Real>& m, std::size_t order,
                                                  const StepFinish<Real>& end, const TiltPeaks<Real>& before) {
-  using base::at_most, base::in_any, base::magnitude, base::select;
+  using base::at_most, base::in_any, base::magnitude;
   const Real zero(0.0);
-  const Real one(1.0);
   const Real& rate = m.tilt_rate[0];
+  const Real fastest = peaks::larger(magnitude(rate), magnitude(end.tilt_rate));
   TiltPeaks<Real> now{.tilt = peaks::larger(before.tilt, end.tilt),
                       .tilt_rate = peaks::larger(before.tilt_rate, magnitude(end.tilt_rate))};
-  auto turns = at_most(zero, rate) && end.tilt_rate < zero;
-  if (in_any(turns)) {
-    turns = turns && now.tilt < peaks::larger(m.tilt[0], end.tilt) + peaks::rise(m.tilt.data(), end.length);
-    if (in_any(turns)) {
-      const Real largest =
-          peaks::maximum<Real>({m.tilt.data(), order + 2, end.length, one, rate, end.tilt_rate}, turns);
-      now.tilt = select(turns, peaks::larger(now.tilt, largest), now.tilt);
-    }
-  }
-  auto may_exceed = now.tilt_rate < peaks::larger(magnitude(rate), magnitude(end.tilt_rate)) +
-                                        peaks::rise(m.tilt_rate.data(), end.length);
-  if (!in_any(may_exceed)) return now;
-  const Real sign = select(rate + end.tilt_rate < zero, -one, one);
-  const Real at_start = sign * m.tilt_rate[1];
-  const Real at_end = sign * peaks::slope_at(m.tilt_rate.data(), order + 1, end.length);
-  may_exceed = may_exceed && at_most(zero, at_start) && at_end < zero;
-  if (!in_any(may_exceed)) return now;
-  const Real largest =
-      peaks::maximum<Real>({m.tilt_rate.data(), order + 1, end.length, sign, at_start, at_end}, may_exceed);
-  now.tilt_rate = select(may_exceed, peaks::larger(now.tilt_rate, largest), now.tilt_rate);
+  const auto turns = at_most(zero, rate) && end.tilt_rate < zero;
+  if (in_any(turns)) now.tilt = peaks::tilt_after_turn(m, order, end, now.tilt, turns);
+  const auto grows = at_most(zero, (rate + end.tilt_rate) * m.tilt_rate[1]);
+  if (!in_any(grows)) return now;
+  const auto may_exceed = grows && now.tilt_rate < fastest + peaks::rise(m.tilt_rate.data(), end.length);
+  if (in_any(may_exceed)) now.tilt_rate = peaks::rate_after_growth(m, order, end, now.tilt_rate, may_exceed);
   return now;
 }
 

@@ -110,7 +110,7 @@ void add_quantile_curves(const Slice& slice, std::size_t number, const Drawn& dr
                           .style = style_of_curve(number),
                           .legend = name + "median"});
   Style outer = style_of_curve(number);
-  outer.dash = 3;
+  outer.dash = 2;
   outer.width = 1.0;
   outer.marker = 6;  // a circle: not filled
   outer.size = 0.4;

@@ -43,14 +43,14 @@ std::optional<Difference> difference_from(const Json& json) {
 }
 
 std::vector<stats::QuantileEstimate> levels_from(const Json& json) {
-  std::vector<stats::QuantileEstimate> levels;
+  std::vector<stats::QuantileEstimate> estimates;
   for (const Json& quantile : json) {
-    levels.push_back({.level = quantile.at(0),
-                      .value = number_from(quantile.at(1)),
-                      .low = number_from(quantile.at(2)),
-                      .high = number_from(quantile.at(3))});
+    estimates.push_back({.level = quantile.at(0),
+                         .value = number_from(quantile.at(1)),
+                         .low = number_from(quantile.at(2)),
+                         .high = number_from(quantile.at(3))});
   }
-  return levels;
+  return estimates;
 }
 
 /// Reports of earlier versions have no quantiles.

@@ -44,7 +44,7 @@ struct TableRow {
   std::vector<TableEntry> modes;
   bool is_random = true;  ///< otherwise the single realisation is the response of the condition, with certainty
   std::optional<Shaking> shaking = std::nullopt;  ///< absent under a ground motion
-  std::string peak_tilt = {};  ///< peak_tilt_cell, or empty
+  std::string peak_tilt = {};                     ///< peak_tilt_cell, or empty
 };
 
 /// Median and 95 % quantile of the peak tilt in two digits, `0.41 0.53`. `-`: the realisations that ended before their

@@ -96,9 +96,9 @@ TEST(Report, HasItsKeysInAFixedOrder) {
   EXPECT_THAT(keys, ::testing::ElementsAre("format", "input", "result", "system", "internal"));
   keys.clear();
   for (const auto& [key, value] : report["result"]["conditions"][0].items()) keys.push_back(key);
-  EXPECT_THAT(keys, ::testing::ElementsAre("parameters", "shaking", "realisations", "counts", "probabilities", "non_recurrence",
-                                           "peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip", "validity",
-                                           "stopped_because"));
+  EXPECT_THAT(keys, ::testing::ElementsAre("parameters", "shaking", "realisations", "counts", "probabilities",
+                                           "non_recurrence", "peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip",
+                                           "validity", "stopped_because"));
 }
 
 TEST(Report, HoldsTheExperimentAndItsDigest) {

@@ -43,6 +43,20 @@ std::string called(const CLI::App& app, const CLI::App& command) {
   return &command == &app ? app.get_name() : app.get_name() + ' ' + command.get_name();
 }
 
+/// Broken at blanks into lines of at most 92 letters, which is what a line of help has room for beside the names.
+std::string in_lines(const std::string& text) {
+  constexpr std::size_t width = 92;
+  std::string lines;
+  std::size_t begin = 0;
+  while (text.size() - begin > width) {
+    const std::size_t blank = text.rfind(' ', begin + width);
+    if (blank == std::string::npos || blank <= begin) break;
+    lines += text.substr(begin, blank - begin) + '\n';
+    begin = blank + 1;
+  }
+  return lines + text.substr(begin);
+}
+
 }  // namespace
 
 std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, const char* const* argv) {
@@ -85,7 +99,7 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   const auto choices = choices_of(*option);
-  return option->get_description() + (choices.empty() ? "" : fmt::format(": {}", fmt::join(choices, ", ")));
+  return in_lines(option->get_description() + (choices.empty() ? "" : fmt::format(": {}", fmt::join(choices, ", "))));
 }
 
 std::vector<std::string> choices_of(const CLI::Option& option) {

@@ -108,31 +108,25 @@ inline void solve_rock_slide_variation(const VariationCoefficients<Real>& of, Va
   m.tilt[order + 1] = m.tilt_rate[order] * Real(over<order + 1>);
 }
 
-/// How tangent vectors change from the start of a step to an instant within it. In fixed axes and in the side frame
-/// alike.
+/// How the slip part of tangent vectors changes from the start of a step to an instant within it. In fixed axes and in
+/// the side frame alike.
 template <base::Lane Real>
-struct StepVariation {
+struct SlipVariation {
   Real duration;
-  // The derivatives of a and b now with respect to those at the start.
-  Real tilt_by_tilt = Real(0.0);
-  Real tilt_by_rate = Real(0.0);
-  Real rate_by_tilt = Real(0.0);
-  Real rate_by_rate = Real(0.0);
   // 0 without rocking and slipping.
   Real lever_at_start = Real(0.0);  ///< c - nu s
   Real lever_now = Real(0.0);
   Real swing_at_start = Real(0.0);  ///< its rate of change, omega (s + nu c)
   Real swing_now = Real(0.0);
 
-  [[nodiscard]] Tangent<Real> apply(const Tangent<Real>& start) const {
-    const Real tilt = tilt_by_tilt * start.tilt + tilt_by_rate * start.tilt_rate;
-    const Real rate = rate_by_tilt * start.tilt + rate_by_rate * start.tilt_rate;
+  /// The vector now, from that at the start and its changes of theta and w now.
+  [[nodiscard]] Tangent<Real> apply(const Tangent<Real>& start, const Real& tilt, const Real& tilt_rate) const {
     const Real pull_at_start = lever_at_start * start.tilt_rate + swing_at_start * start.tilt;
     const Real slip_rate = start.slip_rate - pull_at_start;
     return {.tilt = tilt,
-            .tilt_rate = rate,
+            .tilt_rate = tilt_rate,
             .slip = start.slip + duration * slip_rate + (lever_now * tilt - lever_at_start * start.tilt),
-            .slip_rate = slip_rate + (lever_now * rate + swing_now * tilt)};
+            .slip_rate = slip_rate + (lever_now * tilt_rate + swing_now * tilt)};
   }
 };
 

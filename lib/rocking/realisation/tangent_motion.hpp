@@ -69,9 +69,9 @@ class TangentMotion : public Motion {
     if (time_went_on_) {
       begin_step();
       tangents_ = tangents_until(x);
-      end_of_step_ = moving_base(x);
+      length_ = x;
       at_event_ = tangents_;
-      delays_ = {};
+      is_later_ = false;
     }
     Motion::move(x);
   }
@@ -84,6 +84,7 @@ class TangentMotion : public Motion {
                       .kinetic_friction = this->kinetic_friction(),
                       .impact = impact_of(fired, at_breakpoint)};
     if (time_went_on_) count_coincidence(fired, at_breakpoint);
+    if (event.guard && time_went_on_) end_of_step_ = moving_base(length_);
     Motion::reset(fired, at_breakpoint);
     pass(event);
   }
@@ -165,6 +166,7 @@ class TangentMotion : public Motion {
     const Tangent rates = rates_of(event.before, end_of_step_.now, event.kinetic_friction, constants());
     const std::optional<dynamics::GuardSlope> guard = slope_of(event, rates);
     if (!guard) return;
+    is_later_ = true;
     for (std::size_t i = 0; i < count; ++i) {
       delays_[i] = -dot(guard->gradient, tangents_[i]) / guard->rate;
       at_event_[i] = plus(tangents_[i], delays_[i], rates);
@@ -223,25 +225,22 @@ class TangentMotion : public Motion {
     if (is_expanded_) return;
     is_expanded_ = true;
     const dynamics::State& state = this->state();
-    const Tangent rates = rates_of(state, this->base_at(0.0), this->kinetic_friction(), constants());
-    for (std::size_t i = 0; i < count; ++i) tangents_[i] = plus(at_event_[i], -delays_[i], rates);
-    at_event_ = tangents_;
-    delays_ = {};
-    const double side = frame_side(state);
+    tangents_ = at_event_;
+    if (is_later_) {
+      const Tangent rates = rates_of(state, this->base_at(0.0), this->kinetic_friction(), constants());
+      for (std::size_t i = 0; i < count; ++i) tangents_[i] = plus(at_event_[i], -delays_[i], rates);
+      at_event_ = tangents_;
+      is_later_ = false;
+    }
     variation_.expand(this->series().rows(),
                       {.contact = state.contact,
                        .order = this->series().order(),
                        .has_vertical = this->excitation().has_vertical(),
-                       .drag = side * state.slip_direction * this->kinetic_friction()},
-                      constants());
+                       .drag = frame_side(state) * state.slip_direction * this->kinetic_friction()},
+                      constants(), tangents_);
   }
 
-  [[nodiscard]] Tangents tangents_until(double x) const {
-    const dynamics::StepVariation<double> over = variation_.until(x, this->series().rows());
-    Tangents now;
-    for (std::size_t i = 0; i < count; ++i) now[i] = over.apply(tangents_[i]);
-    return now;
-  }
+  [[nodiscard]] Tangents tangents_until(double x) const { return variation_.at(x, this->series().rows()); }
 
   [[nodiscard]] dynamics::MovingBase moving_base(double x) const {
     const double side = frame_side(this->state());
@@ -259,11 +258,13 @@ class TangentMotion : public Motion {
 
   [[nodiscard]] dynamics::EquationConstants<double> constants() const { return equation_constants(this->setting()); }
 
-  dynamics::VariationOfStep variation_;
+  dynamics::VariationOfStep<count> variation_;
   Tangents tangents_{};  ///< at the start of the step
   Tangents at_event_;    ///< changes of the state at the last event, before time went on
   Tangents at_strobe_{};
-  std::array<double, count> delays_{};  ///< changes of the instant of that event
+  std::array<double, count> delays_{};  ///< changes of the instant of that event, if is_later_
+  bool is_later_ = false;               ///< its instant depends on the initial state
+  double length_ = 0.0;                 ///< of the last step
   dynamics::MovingBase end_of_step_{};
   NotDifferentiable not_differentiable_;
   bool is_expanded_ = false;  ///< `variation_` is that of the present step

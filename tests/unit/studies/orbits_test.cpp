@@ -141,6 +141,9 @@ TEST(Orbits, AreDistinctAndPairedWithTheirMirrorImages) {
     for (std::size_t i = 0; i < orbits.size(); ++i) {
       seen.insert(std::string(to_string(orbits[i].stability.kind)));
       seen.insert(std::string(to_string(orbits[i].points.front().contact)));
+      for (std::size_t k = 1; k < orbits[i].points.size(); ++k) {  // its period is the smallest
+        EXPECT_GT(distance(orbits[i].points[0].point, orbits[i].points[k].point), 1e-8) << name_of(orbits[i]);
+      }
       for (std::size_t k = i + 1; k < orbits.size(); ++k) {
         EXPECT_FALSE(is_same_cycle(orbits[i].points, orbits[k].points)) << name_of(orbits[i]);
       }

@@ -81,8 +81,8 @@ bool is_isotonic(const Json& curve) {
   return level.contains("isotonic") && !level.at("isotonic").is_null();
 }
 
-/// Columns: intensity, next intensity, probability, low, high. Between two levels a probability that does not decrease is
-/// at least the lower end of the band at the first and at most its upper end at the second.
+/// Columns: intensity, next intensity, probability, low, high. Between two levels a probability that does not decrease
+/// is at least the lower end of the band at the first and at most its upper end at the second.
 Table isotonic_table(const Json& curve, const std::string& name) {
   const std::string level = level_text(curve.at("confidence")) + " % band of all levels at once";
   Table table{.name = "isotonic estimate of " + name,

@@ -35,9 +35,9 @@ struct FigureLook {
 
 [[nodiscard]] FigureLook screen_look();
 
-/// 84 mm (single) or 174 mm (double column) wide, without title and subtitle, all text in 8 points except subscripts, no
-/// line thinner than 0.5 points, PNG with 600 pixels per inch. These widths fit the columns of Springer (84 and 174 mm)
-/// and of Elsevier (90 and 190 mm).
+/// 84 mm (single) or 174 mm (double column) wide, without title and subtitle, all text in 8 points except subscripts,
+/// no line thinner than 0.5 points, PNG with 600 pixels per inch. These widths fit the columns of Springer (84 and 174
+/// mm) and of Elsevier (90 and 190 mm).
 [[nodiscard]] FigureLook journal_look(JournalWidth width);
 
 /// The figure as this look shows it: for a journal without title and subtitle, panels of a grid lettered (a), (b), ...,

@@ -15,8 +15,8 @@ namespace rocking::analysis {
 /// a history.
 [[nodiscard]] Figure responses(const std::vector<TrajectoryFile>& files, const Window& window);
 
-/// `phase_portrait`: the paths of several realisations in the plane (Theta, Theta'), with their strobe points. Each file
-/// must have a history.
+/// `phase_portrait`: the paths of several realisations in the plane (Theta, Theta'), with their strobe points. Each
+/// file must have a history.
 [[nodiscard]] Figure phase_portrait(const std::vector<TrajectoryFile>& files, const Window& window);
 
 /// `poincare`: strobe points in the plane (Theta, Theta'), with a style for each file.

@@ -23,8 +23,8 @@ struct MotionExtent {
                                                                 const MotionExtent& extent);
 
 /// The motions in the page of a run: of the condition whose realisations differ most, one of each response mode. If no
-/// condition has different responses, one of each response mode of the run. Without a store, or if this program does not
-/// give the bits of the store, there are none, and the explanation says why.
+/// condition has different responses, one of each response mode of the run. Without a store, or if this program does
+/// not give the bits of the store, there are none, and the explanation says why.
 [[nodiscard]] analysis::ShownMotions motions_of(const RunFolder& folder, const analysis::RunReport& report);
 
 }  // namespace rocking::program

@@ -33,8 +33,8 @@ class Automaton : public Landing<Coefficients> {
   [[nodiscard]] bool was_past_balance() const { return was_past_balance_; }
   [[nodiscard]] bool is_off_ground() const { return contact_.is_off_ground(); }  ///< N <= 0
   [[nodiscard]] std::uint64_t losses_of_contact() const { return contact_.losses(); }
-  /// Of these, the losses before the final fall. That fall begins when abs(Theta) exceeds 1 for the last time in a motion
-  /// that overturns; a loss of contact in it cannot change what follows any more.
+  /// Of these, the losses before the final fall. That fall begins when abs(Theta) exceeds 1 for the last time in a
+  /// motion that overturns; a loss of contact in it cannot change what follows any more.
   [[nodiscard]] std::uint64_t losses_before_fall() const {
     const bool has_fallen = this->termination() == Termination::overturned;
     return contact_.losses() - (has_fallen ? contact_.since_balance() : 0);

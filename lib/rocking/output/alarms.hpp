@@ -12,8 +12,8 @@
 /// What a reader of a result must know before using it, and what to do about it.
 namespace rocking {
 
-/// Clamped draws are reported as an alarm above this share of the realisations of a condition, or of its draws: below it
-/// they change a probability by less than the usual half-width of an interval.
+/// Clamped draws are reported as an alarm above this share of the realisations of a condition, or of its draws: below
+/// it they change a probability by less than the usual half-width of an interval.
 inline constexpr double tolerable_clamped_share = 0.01;
 
 /// The number of a condition's realisations with a clamped draw, and of its clamped draws.

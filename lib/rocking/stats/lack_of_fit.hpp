@@ -18,8 +18,8 @@ struct LackOfFit {
   double p_value = 1.0;        ///< (as_large + 1)/(samples + 1)
 };
 
-/// Two independent uniform numbers in [0, 1) that belong to trial `number` of bootstrap sample `sample`. A pure function
-/// of both, so that the test repeats to the bit.
+/// Two independent uniform numbers in [0, 1) that belong to trial `number` of bootstrap sample `sample`. A pure
+/// function of both, so that the test repeats to the bit.
 using BootstrapNumbers = std::function<std::array<double, 2>(std::uint64_t sample, std::uint64_t number)>;
 
 /// Tests the law by its deviance. `levels` are those to which it was fitted.

@@ -71,8 +71,8 @@ ProbitShape shape_of(const std::vector<ProbitCounts>& counts) {
   return ProbitShape::has_maximum;
 }
 
-// A Newton step is halved until the likelihood increases. Near the maximum, where rounding would hide the increase, full
-// steps are taken; the method converges there without halving.
+// A Newton step is halved until the likelihood increases. Near the maximum, where rounding would hide the increase,
+// full steps are taken; the method converges there without halving.
 ProbitLine most_likely_line(const std::vector<ProbitCounts>& counts, const ProbitLine& start) {
   auto [a, b] = start;
   ProbitLikelihood here = probit_likelihood(counts, a, b);

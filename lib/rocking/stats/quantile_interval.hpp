@@ -16,10 +16,10 @@ struct QuantileRanks {
 /// The quantile at `level` of the distribution behind n independent values: the interval from the `low`-th to the
 /// `high`-th value covers it with probability at least `confidence`, whatever the distribution is.
 ///
-/// With K binomial (n, level), `low` is the largest l with P(K <= l - 1) <= (1 - confidence)/2 and `high` the smallest u
-/// with P(K >= u) <= (1 - confidence)/2. Each end is missed with at most that probability. For a distribution with
-/// ties the coverage is larger. `level` and `confidence` in (0, 1).
-/// Source: David & Nagaraja (2003), Order Statistics, 3rd ed., section 7.1.
+/// With K binomial (n, level), `low` is the largest l with P(K <= l - 1) <= (1 - confidence)/2 and `high` the smallest
+/// u with P(K >= u) <= (1 - confidence)/2. Each end is missed with at most that probability. For a distribution with
+/// ties the coverage is larger. `level` and `confidence` in (0, 1). Source: David & Nagaraja (2003), Order Statistics,
+/// 3rd ed., section 7.1.
 [[nodiscard]] QuantileRanks quantile_ranks(std::uint64_t n, double level, double confidence);
 
 /// A quantile with its interval. `value` is absent if it is one of the values beyond, or if there are no values; an end

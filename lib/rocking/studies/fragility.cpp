@@ -130,8 +130,8 @@ void test_fit(const std::vector<stats::IntensityLevel>& levels, std::uint64_t se
   }
 }
 
-/// Gives the levels of a curve whose function was rejected their isotonic estimates. Where pooling moves an estimate out
-/// of the intervals of probabilities that do not decrease, the nearest end is the estimate.
+/// Gives the levels of a curve whose function was rejected their isotonic estimates. Where pooling moves an estimate
+/// out of the intervals of probabilities that do not decrease, the nearest end is the estimate.
 void set_isotonic(FragilityCurve& curve) {
   if (curve.fit.outcome != stats::FragilityOutcome::rejected) return;
   std::vector<stats::Proportion> counts;

@@ -93,8 +93,8 @@ TEST(IsotonicBand, IsAbsentWhereTheCountsContradictEveryProbabilityThatDoesNotDe
 
 constexpr std::uint64_t of_each = 7;
 
-/// Probability of the counts `first` and `second` if trials at the two levels are independent or, with `common`, if each
-/// trial has one uniform number for both.
+/// Probability of the counts `first` and `second` if trials at the two levels are independent or, with `common`, if
+/// each trial has one uniform number for both.
 double probability_of(std::uint64_t first, std::uint64_t second, double p, double q, bool common) {
   const auto binomial = [](std::uint64_t k, std::uint64_t n, double chance) {
     return std::tgamma(double(n) + 1.0) / std::tgamma(double(k) + 1.0) / std::tgamma(double(n - k) + 1.0) *

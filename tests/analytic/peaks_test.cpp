@@ -70,14 +70,14 @@ TEST(Peaks, OfAnOverturnedBlockEndWhereItOverturned) {
   EXPECT_NEAR(trajectory.peaks.tilt, 0.5 * pi / block.shape_angle, 1e-12);
 }
 
-struct Case {
+struct PeakCase {
   std::string name;
   Condition condition;
 };
 
-std::vector<Case> cases() {
+std::vector<PeakCase> cases() {
   const Friction rough{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
-  std::vector<Case> all{
+  std::vector<PeakCase> all{
       {"no sliding", shaken_from(4.5, 0.1)},
       {"barely lifts", shaken_from(1.03, 0.0)},
       {"slips", shaken_from(7.0, 0.0, rough)},
@@ -103,7 +103,8 @@ double largest(const Trajectory& trajectory, const std::function<double(const Hi
                                           .tilt_rate = event.tilt_rate,
                                           .slip = event.slip,
                                           .slip_rate = event.slip_rate,
-                                          .contact = {}})));
+                                          .contact = {},
+                                          .base_acceleration = 0.0})));
   }
   return most;
 }
@@ -112,9 +113,9 @@ double largest(const Trajectory& trajectory, const std::function<double(const Hi
 // abs(Theta'') < 30, abs(Theta''') < 300 and abs(V) < 3 in these motions.
 TEST(Peaks, AreThoseOfDenseSamples) {
   constexpr int samples = 2000;
-  for (const Case& one : cases()) {
+  for (const PeakCase& one : cases()) {
     const Trajectory trajectory = trajectory_of(one.condition, 7, 3, {20, samples});
-    const double frequency = frequency_ratio(one.condition.scene.excitation);
+    const double frequency = support::mean_frequency_ratio(one.condition.scene);
     const double d = 2.0 * pi / frequency / samples;
     const double tilt = largest(trajectory, [](const HistorySample& sample) { return sample.tilt; });
     const double rate = largest(trajectory, [](const HistorySample& sample) { return sample.tilt_rate; });
@@ -133,7 +134,7 @@ TEST(Peaks, AreThoseOfDenseSamples) {
 // At the instant of a smooth peak the rate vanishes: a peak found at a wrong instant would be too low by the square of
 // the error. A tighter tolerance has shorter steps, in which the peaks lie elsewhere.
 TEST(Peaks, DoNotDependOnTheStepsInWhichTheyLie) {
-  for (const Case& one : cases()) {
+  for (const PeakCase& one : cases()) {
     Condition finer = one.condition;
     Condition coarser = one.condition;
     finer.tolerance = 1e-15;

@@ -95,7 +95,7 @@ RealisationResult run_watched(const Condition& condition, std::uint64_t realisat
   support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
   support::WatchedMotion watched(run.motion(), watch, overlooked);
   while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
-  if (PerturbedPair* perturbed_pair = run.name()) run_alone(*perturbed_pair);
+  if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair);
   return run.finish();
 }
 

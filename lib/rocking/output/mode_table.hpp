@@ -18,8 +18,8 @@ namespace rocking {
 
 /// What the terminal can show.
 struct TableLook {
-  std::size_t width = 120;      ///< largest length of a line in letters
-  std::optional<Letters> bars;  ///< letters from which bars are drawn; absent: no bars
+  std::size_t width = 120;                     ///< largest length of a line in letters
+  std::optional<Letters> bars = std::nullopt;  ///< letters from which bars are drawn; absent: no bars
 };
 
 /// A response mode in a row of the table.

@@ -26,9 +26,10 @@ TEST(ParameterNames, HaveTwoKeysWhereOneIsNotEnough) {
 }
 
 TEST(ParameterNames, AreSafeInAFileSystem) {
-  const std::vector<std::vector<Parameter>> parts{{{"/friction", R"({"static":0.35,"kinetic":0.3})"}},
-                                                  {{"/excitation/file", R"("../data/a b\\é:*?\"<>|.txt")"}},
-                                                  {{"/excitation/file", '"' + std::string(500, 'x') + '"'}}};
+  const std::vector<std::vector<Parameter>> parts{
+      {{"/friction", R"({"static":0.35,"kinetic":0.3})"}},
+      {{"/excitation/file", R"("../data/a b\\é:*?\"<>|.txt")"}},
+      {{"/excitation/file", std::string("\"").append(500, 'x').append("\"")}}};
   const auto names = parameter_names(parts);
   EXPECT_EQ(names[0], "friction_0.35_0.3");
   for (const std::string& name : names) {

@@ -74,11 +74,11 @@ TEST_F(Figures, OfARunShowSomethingAndAreDrawnWithoutRunning) {
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("out/figures/parting_times.svg"), HasSubstr("out/figures/scene.pdf"),
                                     HasSubstr("out/tables/modes.tex"), HasSubstr("out/tables/non_recurrence.csv")));
   EXPECT_EQ(read("out/report.json"), report);
-  const std::string bands = read("out/figures/mode_bands.pdf");
+  const std::string bands = read("out/figures/mode_bands.svg");
   ASSERT_EQ(shell("rm out/realisations.sqlite").exit_code, 0);
   const Outcome again = rocking("report out --format gnuplot");
   EXPECT_EQ(again.exit_code, 0) << again.errors;
-  EXPECT_EQ(read("out/figures/mode_bands.pdf"), bands);
+  EXPECT_EQ(read("out/figures/mode_bands.svg"), bands);
 }
 
 TEST_F(Figures, AreWrittenAsDataWithoutGnuplot) {

@@ -46,11 +46,11 @@ TEST(LackOfFit, HasTheDevianceOfTheLevels) {
 }
 
 TEST(ProbitDeviance, IsNoneWhereAStepDescribesTheCounts) {
-  using Counts = std::vector<ProbitCounts>;
-  EXPECT_EQ(probit_deviance(Counts{{-1.0, 0.0, 5.0}, {0.0, 2.0, 3.0}, {1.0, 5.0, 0.0}}), 0.0);
-  EXPECT_EQ(probit_deviance(Counts{{-1.0, 5.0, 0.0}, {1.0, 0.0, 5.0}}), 0.0);
-  EXPECT_EQ(probit_deviance(Counts{{-1.0, 0.0, 5.0}, {1.0, 0.0, 5.0}}), 0.0);
-  EXPECT_GT(probit_deviance(Counts{{-1.0, 0.0, 5.0}, {0.0, 5.0, 0.0}, {1.0, 0.0, 5.0}}), 10.0);
+  using Levels = std::vector<ProbitCounts>;
+  EXPECT_EQ(probit_deviance(Levels{{-1.0, 0.0, 5.0}, {0.0, 2.0, 3.0}, {1.0, 5.0, 0.0}}), 0.0);
+  EXPECT_EQ(probit_deviance(Levels{{-1.0, 5.0, 0.0}, {1.0, 0.0, 5.0}}), 0.0);
+  EXPECT_EQ(probit_deviance(Levels{{-1.0, 0.0, 5.0}, {1.0, 0.0, 5.0}}), 0.0);
+  EXPECT_GT(probit_deviance(Levels{{-1.0, 0.0, 5.0}, {0.0, 5.0, 0.0}, {1.0, 0.0, 5.0}}), 10.0);
 }
 
 TEST(LackOfFit, OfTwoLevelsIsNone) {

@@ -45,7 +45,7 @@ TEST(QuantileRanks, AreTheInnermostThatKeepThePromiseAtEachEnd) {
     for (const double level : {0.16, 0.5, 0.84}) {
       const QuantileRanks ranks = quantile_ranks(n, level, 0.95);
       const boost::math::binomial_distribution<double> law(static_cast<double>(n), level);
-      ASSERT_TRUE(ranks.low && ranks.high || n == 20U);
+      ASSERT_TRUE((ranks.low && ranks.high) || n == 20U);
       if (ranks.low) {
         EXPECT_LE(cdf(law, static_cast<double>(*ranks.low) - 1.0), 0.025);
         EXPECT_GT(cdf(law, static_cast<double>(*ranks.low)), 0.025);

@@ -159,7 +159,9 @@ TEST_F(Drawn, TwiceGivesTheSameBytes) {
       EXPECT_GT(content.size(), 200U) << figure.name << ending;
       if (ending == ".pdf" && !has_plain_date) continue;
       EXPECT_EQ(content, rocking::read_file(second / (figure.name + ending))) << figure.name << ending;
-      if (ending == ".pdf") EXPECT_THAT(content, HasSubstr("(D:20000101000000"));
+      if (ending == ".pdf") {
+        EXPECT_THAT(content, HasSubstr("(D:20000101000000"));
+      }
     }
   }
 }

@@ -16,14 +16,15 @@ namespace rocking::program {
 namespace {
 
 // Bytes, measured with 10^4 and 10^5 conditions (lib/docs/scale.md).
-constexpr std::uint64_t page = 350'000;          ///< without what grows with the conditions
+constexpr std::uint64_t page = 450'000;          ///< without what grows with the conditions
 constexpr std::uint64_t row = 200;               ///< of the store; 155 to 270
-constexpr std::uint64_t reported_alone = 4'900;  ///< in the report, of a condition of one realisation
+constexpr std::uint64_t reported_alone = 6'900;  ///< in the report, of a condition of one realisation
 /// Of one of several, which has more response modes and a non-recurrence.
-constexpr std::uint64_t reported_together = 6'500;
-constexpr std::uint64_t drawn_together = 800;         ///< on the page
+constexpr std::uint64_t reported_together = 10'300;
+constexpr std::uint64_t drawn_alone = 1'400;  ///< on the page
+constexpr std::uint64_t drawn_together = 2'400;
 constexpr std::uint64_t program_itself = 15'000'000;  ///< in memory
-constexpr std::uint64_t kept_alone = 7'000;           ///< in memory, of a condition of one realisation
+constexpr std::uint64_t kept_alone = 7'700;           ///< in memory, of a condition of one realisation
 constexpr std::uint64_t kept_together = 13'500;
 constexpr std::uint64_t kept_in_shard = 700;  ///< a shard makes no report
 
@@ -63,7 +64,8 @@ Needs needs_of(const Experiment& experiment, const Means& means) {
       continue;
     }
     const bool alone = realisations == 1;
-    needs.disk_bytes += (alone ? reported_alone : reported_together + drawn_together) + parameters_in(condition);
+    needs.disk_bytes +=
+        (alone ? reported_alone + drawn_alone : reported_together + drawn_together) + parameters_in(condition);
     needs.memory_bytes += (alone ? kept_alone : kept_together) + 2 * parameters_in(condition);
   }
   if (means.shard) rows = (rows + means.shard->parts - 1) / means.shard->parts;

@@ -84,11 +84,15 @@ std::string common_line(std::span<const TableRow> conditions) {
   return common.empty() ? "" : "shaking: " + common + '\n';
 }
 
-/// The columns of the swept parameters, and of the shaking in its other form.
-std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions) {
+/// The columns of the swept parameters, and of the shaking in its other form if the lines stay within `width`.
+std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions, std::size_t width) {
   TextRow header;
   for (const Parameter& parameter : conditions.front().parameters) header.push_back(last_key(parameter.pointer));
-  const auto beside = shaking_columns(swept_in(conditions), shakings_of(conditions));
+  auto beside = shaking_columns(swept_in(conditions), shakings_of(conditions));
+  std::size_t needed = 0;
+  for (const std::string& name : header) needed += name.size() + gap;
+  for (const std::string_view name : beside) needed += name.size() + gap;
+  if (width < needed) beside.clear();
   header.insert(header.end(), beside.begin(), beside.end());
   std::vector<TextRow> rows{header};
   for (const TableRow& condition : conditions) {
@@ -99,16 +103,17 @@ std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions) {
   return rows;
 }
 
-std::vector<TextRow> leading_columns(std::span<const TableRow> conditions) {
-  std::vector<TextRow> rows = parameter_columns(conditions);
+std::vector<TextRow> leading_columns(std::span<const TableRow> conditions, const TableLook& look) {
+  const std::size_t rest = cell_width + rest_width + gap;
+  std::vector<TextRow> rows = parameter_columns(conditions, look.width - std::min(look.width, rest));
   rows[0].emplace_back("n");
   for (std::size_t i = 0; i < conditions.size(); ++i) rows[i + 1].push_back(std::to_string(conditions[i].realisations));
   return rows;
 }
 
 /// The table of a run in which nothing is random.
-std::string response_table(std::span<const TableRow> conditions) {
-  std::vector<TextRow> rows = parameter_columns(conditions);
+std::string response_table(std::span<const TableRow> conditions, const TableLook& look) {
+  std::vector<TextRow> rows = parameter_columns(conditions, look.width - std::min(look.width, rest_width));
   rows[0].emplace_back("response");
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const auto& modes = conditions[i].modes;
@@ -276,8 +281,8 @@ std::string overturning_line(std::span<const TableRow> conditions) {
 
 std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
   if (conditions.empty()) return {};
-  if (std::ranges::none_of(conditions, &TableRow::is_random)) return response_table(conditions);
-  std::vector<TextRow> rows = leading_columns(conditions);
+  if (std::ranges::none_of(conditions, &TableRow::is_random)) return response_table(conditions, look);
+  std::vector<TextRow> rows = leading_columns(conditions, look);
   const auto occurring = occurring_modes(conditions);
   const Layout layout = layout_of(width_of(rows) + rest_width, occurring.size(), look);
   const std::vector<ResponseMode> shown = modes_to_show(occurring, layout.modes);

@@ -191,7 +191,7 @@ describe('the page', () => {
     const place = pointed.match(/^Ah = ([0-9.]+)/)?.[1];
     assert.ok(place, pointed);
     const row = (await column(figure.locator('table'), 1)).indexOf(place);
-    const cell = (await column(figure.locator('table'), 3))[row];
+    const cell = (await column(figure.locator('table'), 4))[row];
     const [estimate, low, high] = cell.match(/[0-9.]+/g).map((text) => Number(text) / 100);
     const told = pointed.match(/\(1,1\): ([0-9.]+) \[([0-9.]+), ([0-9.]+)\]/).slice(1).map(Number);
     [estimate, low, high].forEach((number, i) => assert.ok(Math.abs(number - told[i]) < 0.0006, `${cell} / ${pointed}`));
@@ -220,7 +220,7 @@ describe('the page', () => {
     const table = page.locator('#mode_probabilities table');
     const head = table.getByRole('columnheader', { name: '(1,1)' });
     await head.getByRole('button').click();
-    const numbers = async () => (await column(table, 3)).map((text) => (text.startsWith('<') ? 0 : Number.parseFloat(text)));
+    const numbers = async () => (await column(table, 4)).map((text) => (text.startsWith('<') ? 0 : Number.parseFloat(text)));
     const up = await numbers();
     assert.equal(await head.getAttribute('aria-sort'), 'ascending');
     assert.deepEqual(up, [...up].sort((a, b) => a - b));

@@ -307,7 +307,8 @@ TEST(Page, SummarisesOverturningWhereTheSweepHasManyCombinations) {
   }
   EXPECT_THAT(overturning_in_brief(run_report_of(report)),
               AllOf(StartsWith("<p>Seen in 13 of 14 conditions; the least base amplitude is at friction 0.4/0.35, base "
-                               "amplitude 3; most likely at friction 0.4/0.35, base amplitude 5.5: <strong>16.7 % [")));
+                               "amplitude 3 = 0.735 g; most likely at friction 0.4/0.35, base amplitude 5.5 = 1.35 g: "
+                               "<strong>16.7 % [")));
 }
 
 TEST(Page, BeginsWithOverturningAndExplainsModesAtOnce) {

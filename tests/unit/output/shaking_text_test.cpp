@@ -126,9 +126,9 @@ TEST(ModeTableOfShaking, HasTheOtherFormBesideTheSweptOne) {
   condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
   const auto rows = table_rows(experiment, {.conditions = {condition, condition}, .digest = {}});
   EXPECT_EQ(mode_table(rows),
-            "amplitude  amplitude_g  n                (1,1)\n"
-            "        3       0.7349  1  100.0 [50.0, 100.0]\n"
-            "      4.5        1.102  1  100.0 [50.0, 100.0]\n"
+            "amplitude  amplitude_g  response\n"
+            "        3       0.7349     (1,1)\n"
+            "      4.5        1.102     (1,1)\n"
             "shaking: Omega_h 10 = 3.01 Hz\n");
 }
 

@@ -182,7 +182,8 @@ TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
   EXPECT_EQ(json["events"][0]["tau"].get<double>(), 0.1 + 0.2);
   EXPECT_EQ(json["events"][0]["kind"], "impact_slip");
   EXPECT_EQ(json["validity"],
-            Json::parse(R"({"losses_of_contact": 2, "first_loss_of_contact": 0.7, "contradictions": 3})"));
+            Json::parse(R"({"losses_of_contact": 2, "first_loss_of_contact": 0.7, "losses_before_fall": 0,
+                           "contradictions": 3})"));
   EXPECT_EQ(json["energy"], Json::parse(R"({"at_start": 1.0, "at_end": 2.0, "base_work": 4.0, "friction_work": -1.0,
                             "lost_in_impacts": 1.5, "gained_in_impacts": 0.25, "unaccounted": -0.75})"));
   EXPECT_EQ(json["condition"], 3);

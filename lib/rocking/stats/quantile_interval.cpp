@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include <boost/math/special_functions/beta.hpp>
 
@@ -25,6 +24,23 @@ double below(std::uint64_t k, std::uint64_t n, double p) {
   return boost::math::ibetac(static_cast<double>(k), static_cast<double>(n - k + 1), p);
 }
 
+/// The first rank from 1 to n for which a condition does not hold that holds for all ranks before it; n + 1 if it holds
+/// for all. By bisection.
+template <class Condition>
+std::uint64_t first_without(std::uint64_t n, Condition holds) {
+  std::uint64_t low = 1;
+  std::uint64_t high = n + 1;
+  while (low < high) {
+    const std::uint64_t middle = low + (high - low) / 2;
+    if (holds(middle)) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
 /// Nearest rank (Hyndman & Fan 1996, definition 1), from 1. Level and product are rounded, see censored_quantile.
 std::uint64_t nearest_rank(std::uint64_t n, double level) {
   const double rank = std::ceil(level * static_cast<double>(n) * (1.0 - 0x1p-51));
@@ -37,14 +53,11 @@ QuantileRanks quantile_ranks(std::uint64_t n, double level, double confidence) {
   ROCKING_EXPECT(0.0 < level && level < 1.0);
   ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
   const double tail = 0.5 * (1.0 - confidence);
-  const auto ranks = std::views::iota(std::uint64_t{1}, n + 1);
-  const auto after_low =
-      std::ranges::partition_point(ranks, [&](std::uint64_t rank) { return below(rank, n, level) <= tail; });
-  const auto high =
-      std::ranges::partition_point(ranks, [&](std::uint64_t rank) { return at_least(rank, n, level) > tail; });
+  const std::uint64_t after_low = first_without(n, [&](std::uint64_t rank) { return below(rank, n, level) <= tail; });
+  const std::uint64_t high = first_without(n, [&](std::uint64_t rank) { return at_least(rank, n, level) > tail; });
   QuantileRanks result;
-  if (after_low != ranks.begin()) result.low = *after_low - 1;
-  if (high != ranks.end()) result.high = *high;
+  if (after_low > 1) result.low = after_low - 1;
+  if (high <= n) result.high = high;
   return result;
 }
 

@@ -1,7 +1,6 @@
 #include "analysis/run_report.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 #include "rocking/base/error.hpp"
@@ -68,35 +67,6 @@ std::map<std::string, QuantileReport> quantiles_from(const Json& condition) {
   return quantiles;
 }
 
-/// Whether a part of an experiment contains a law, from which each realisation draws.
-bool has_law(const Json& part) {
-  if (!part.is_object()) return false;
-  if (part.contains("uniform") || part.contains("normal")) return true;
-  return std::ranges::any_of(part, has_law);
-}
-
-/// Whether realisations of this experiment differ.
-bool is_random(const Json& experiment) {
-  for (const char* key : {"block", "excitation", "initial"}) {
-    if (experiment.contains(key) && has_law(experiment.at(key))) return true;
-  }
-  if (!experiment.contains("fluctuation")) return false;
-  return std::ranges::any_of(experiment.at("fluctuation"), [](const Json& source) {
-    return std::ranges::any_of(std::array{"sigma", "relative_sigma"}, [&source](const char* key) {
-      return source.is_object() && source.contains(key) && source.at(key) != 0;
-    });
-  });
-}
-
-/// The experiment with the values that the sweep sets for a condition.
-Json experiment_at(const Json& parameters, Json experiment) {
-  for (const auto& [pointer, value] : parameters.items()) {
-    const Json::json_pointer place(pointer);
-    if (experiment.contains(place.parent_pointer())) experiment[place] = value;
-  }
-  return experiment;
-}
-
 ConditionReport condition_from(const Json& json, double confidence) {
   ConditionReport condition;
   condition.confidence = confidence;
@@ -106,6 +76,7 @@ ConditionReport condition_from(const Json& json, double confidence) {
   }
   if (json.contains("shaking")) condition.shaking = shaking_from(json.at("shaking"));
   condition.realisations = json.at("realisations");
+  condition.is_random = json.at("stopped_because") != "deterministic";
   for (const auto& [name, probability] : json.at("probabilities").items()) {
     const auto mode = section::response_mode_named(name);
     condition.stopped_by_data = condition.stopped_by_data || probability.contains("anytime");
@@ -142,7 +113,6 @@ class RunReportBuilder {
       for (const auto& [pointer, value] : condition.at("parameters").items()) report_.swept.push_back(pointer);
     }
     report_.conditions.push_back(condition_from(condition, confidence_));
-    report_.conditions.back().is_random = is_random(experiment_at(condition.at("parameters"), report_.experiment));
     report_.text["result"]["conditions"].push_back(kept_of(condition));
   }
 

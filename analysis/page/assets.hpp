@@ -9,7 +9,7 @@ namespace rocking::analysis {
 [[nodiscard]] std::string dygraphs_script();
 [[nodiscard]] std::string dygraphs_style();
 
-/// The project's own script and style of a page: shapes.js, series.js, charts.js, motion.js and page.js; page.css.
+/// The project's own script and style of a page: shapes.js, series.js, charts.js, animation.js and page.js; page.css.
 [[nodiscard]] std::string page_script();
 [[nodiscard]] std::string page_style();
 

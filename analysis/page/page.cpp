@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "analysis/page/animation.hpp"
 #include "analysis/page/answer.hpp"
 #include "analysis/page/frame.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/limits.hpp"
-#include "analysis/page/motion.hpp"
 #include "analysis/page/question.hpp"
 #include "analysis/page/trust.hpp"
 
@@ -62,16 +62,17 @@ std::map<std::string, std::string> figures_by_part(const RunReport& report, cons
 }
 
 /// The motions of one condition.
-std::string motions_section(const ShownMotions& shown) {
+std::string animations_section(const ShownAnimations& shown) {
   if (shown.explanation.empty()) return "";
   return section(
       "motion", "See it move",
-      "<p>" + escaped(shown.explanation) + "</p>\n" + (shown.motions.empty() ? "" : motions_html(shown.motions)));
+      "<p>" + escaped(shown.explanation) + "</p>\n" + (shown.motions.empty() ? "" : animations_html(shown.motions)));
 }
 
 }  // namespace
 
-std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures, const ShownMotions& motions) {
+std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures,
+                      const ShownAnimations& motions) {
   const std::string title = report.title.empty() ? "A rocking block" : report.title;
   const auto checks = checks_of(report);
   auto content = figures_by_part(report, figures);
@@ -80,7 +81,7 @@ std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& f
   text += card("asked", "What was simulated?", question_in_brief(report), "question");
   text += card("repeats", "Is the response repeatable?", recurrence_in_brief(report), link("recurrence"));
   text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
-  text += "</div>\n" + motions_section(motions);
+  text += "</div>\n" + animations_section(motions);
   for (const Part& part : parts()) {
     if (part.id != std::string_view("question") && content.contains(part.id)) {
       text += section(part.id, part.heading, content[part.id]);

@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "analysis/page/animation.hpp"
 #include "analysis/page/figure_section.hpp"
-#include "analysis/page/motion.hpp"
 #include "analysis/run_report.hpp"
 
 namespace rocking::analysis {
 
 /// Realisations that a page animates.
-struct ShownMotions {
+struct ShownAnimations {
   std::string explanation;  ///< which ones they are, as plain text
-  std::vector<AnimatedMotion> motions;
+  std::vector<Animation> motions;
 };
 
 /// A report as one HTML page without external resources. Its content-security policy allows only its own script and
@@ -20,6 +20,6 @@ struct ShownMotions {
 ///
 /// The page says what it omits: rows of tables beyond `most_rows`, charts beyond `most_charts`.
 [[nodiscard]] std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures,
-                                    const ShownMotions& motions = {});
+                                    const ShownAnimations& motions = {});
 
 }  // namespace rocking::analysis

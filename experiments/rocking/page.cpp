@@ -6,9 +6,9 @@
 
 #include "analysis/draw.hpp"
 #include "analysis/page/page.hpp"
+#include "animation.hpp"
 #include "drawing.hpp"
 #include "interrupt.hpp"
-#include "motion.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::program {
@@ -22,7 +22,7 @@ DrawingFailures write_page(const RunFolder& folder, const analysis::RunReport& r
     failures.add(drawing);
     figures.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }
-  write_atomically(folder.page_path(), analysis::page_text(report, figures, motions_of(folder, report)));
+  write_atomically(folder.page_path(), analysis::page_text(report, figures, animations_of(folder, report)));
   return failures;
 }
 

@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "animation.hpp"
 #include "commands.hpp"
-#include "motion.hpp"
 #include "output.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
@@ -30,16 +30,16 @@ struct TrajectoryRequest {
   Loudness loudness;
 };
 
-ExitCode write_motion_page(const TrajectoryRequest& request, const Experiment& experiment, std::int64_t periods) {
+ExitCode write_animation_page(const TrajectoryRequest& request, const Experiment& experiment, std::int64_t periods) {
   const auto samples = request.samples > 0 ? std::optional(request.samples) : std::nullopt;
-  auto motion = motion_of(experiment, request.key,
-                          {.periods = periods,
-                           .shown_periods = periods,
-                           .most_samples = analysis::most_samples_alone,
-                           .samples_per_period = samples});
+  auto motion = animation_of(experiment, request.key,
+                             {.periods = periods,
+                              .shown_periods = periods,
+                              .most_samples = analysis::most_samples_alone,
+                              .samples_per_period = samples});
   if (!motion) throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
   motion->name = fmt::format("condition {}, {}", request.key.condition, motion->name);
-  write_atomically(request.page, analysis::motion_page_text(experiment.title, *motion));
+  write_atomically(request.page, analysis::animation_page_text(experiment.title, *motion));
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", std::vector{request.page}}})
                                      : base::printable(request.page + '\n'));
   return ExitCode::done;
@@ -56,7 +56,7 @@ ExitCode print_trajectory(const TrajectoryRequest& request) {
   const Condition& condition = experiment.conditions[request.key.condition];
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
   const std::int64_t periods = request.periods.value_or(horizon);
-  if (!request.page.empty()) return write_motion_page(request, experiment, periods);
+  if (!request.page.empty()) return write_animation_page(request, experiment, periods);
   const auto trajectory =
       trajectory_of(condition, experiment.seed, request.key.realisation, TrajectoryExtent(periods, request.samples));
   print_result(text_of(request.key, trajectory, request.output));

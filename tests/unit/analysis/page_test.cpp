@@ -9,11 +9,11 @@
 #include <gmock/gmock.h>
 
 #include "analysis/draw.hpp"
+#include "analysis/page/animation.hpp"
 #include "analysis/page/answer.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/limits.hpp"
 #include "analysis/page/mode_drawing.hpp"
-#include "analysis/page/motion.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/page/tables.hpp"
 #include "analysis/page/trust.hpp"
@@ -389,8 +389,8 @@ TEST(Page, TellsAboutItsLimitsWhatTheDocumentsTell) {
   EXPECT_EQ(compared, 8U + 8U + 10U);
 }
 
-AnimatedMotion made_up_motion() {
-  AnimatedMotion motion{.name = "(1,1): <script>", .command = "rocking trajectory a.json", .width = 1.0, .height = 4.0};
+Animation made_up_motion() {
+  Animation motion{.name = "(1,1): <script>", .command = "rocking trajectory a.json", .width = 1.0, .height = 4.0};
   for (int i = 0; i <= 4; ++i) {
     motion.samples.push_back({.time = 0.1 * i, .tilt = 0.01 * i, .slip = 1e-7, .contact = i < 2 ? "rock" : "slide"});
   }
@@ -399,7 +399,7 @@ AnimatedMotion made_up_motion() {
 }
 
 TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
-  const ShownMotions shown{.explanation = "Some <motion>.", .motions = {made_up_motion()}};
+  const ShownAnimations shown{.explanation = "Some <motion>.", .motions = {made_up_motion()}};
   const std::string page = page_text(run_report_of(quick_report()), {}, shown);
   EXPECT_THAT(page, AllOf(HasSubstr("<p>Some &lt;motion&gt;.</p>"), HasSubstr("data-motions=\"motions\""),
                           HasSubstr("(1,1): &lt;script&gt;: tilt against time, 0 to 0.4 of 0.8 seconds")));
@@ -409,7 +409,7 @@ TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
   EXPECT_EQ(motion["contacts"], Json({2, 2, 1, 1, 1}));
   EXPECT_EQ(motion["tilts"][3], 0.03);
   EXPECT_EQ(motion["slips"][0], 0.0);
-  for (const std::string& each : {page, motion_page_text("t", made_up_motion())}) {
+  for (const std::string& each : {page, animation_page_text("t", made_up_motion())}) {
     std::set<std::string> expected;
     for (const std::string& text : between(each, "<script>", "</script>")) expected.insert(policy_hash(text));
     for (const std::string& text : between(each, "<style>", "</style>")) expected.insert(policy_hash(text));

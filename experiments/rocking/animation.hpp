@@ -11,7 +11,7 @@
 namespace rocking::program {
 
 /// What is shown of a realisation.
-struct MotionExtent {
+struct AnimationExtent {
   std::int64_t periods = 1;               ///< computed, from the start; at least 1
   std::int64_t shown_periods = 1;         ///< the last ones, if the excitation is periodic; otherwise all are shown
   std::size_t most_samples = 1;           ///< of what is shown
@@ -19,12 +19,12 @@ struct MotionExtent {
 };
 
 /// A realisation as a page animates it, computed again from its seed. Absent if it ends before there are two samples.
-[[nodiscard]] std::optional<analysis::AnimatedMotion> motion_of(const Experiment& experiment, const RealisationKey& key,
-                                                                const MotionExtent& extent);
+[[nodiscard]] std::optional<analysis::Animation> animation_of(const Experiment& experiment, const RealisationKey& key,
+                                                              const AnimationExtent& extent);
 
 /// The motions in the page of a run: of the condition whose realisations differ most, one of each response mode. If no
 /// condition has different responses, one of each response mode of the run. Without a store, or if this program does
 /// not give the bits of the store, there are none, and the explanation says why.
-[[nodiscard]] analysis::ShownMotions motions_of(const RunFolder& folder, const analysis::RunReport& report);
+[[nodiscard]] analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis::RunReport& report);
 
 }  // namespace rocking::program

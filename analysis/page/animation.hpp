@@ -21,7 +21,7 @@ struct MotionSample {
   std::string contact = "rest";    ///< `rest`, `slide`, `rock`, `rock_slide`, `overturned`
 };
 
-struct AnimatedMotion {
+struct Animation {
   std::string name;     ///< in a list of motions: `(1,3): realisation 7`
   std::string command;  ///< command that prints its numbers
   double width = 0.0;   ///< of the block [m]
@@ -33,9 +33,9 @@ struct AnimatedMotion {
 
 /// HTML: a place in which the script of the page animates these motions, with a choice between them, and the tilt of
 /// each against time as a drawing for paper and for pages without scripts. There is at least one motion.
-[[nodiscard]] std::string motions_html(const std::vector<AnimatedMotion>& motions);
+[[nodiscard]] std::string animations_html(const std::vector<Animation>& motions);
 
 /// A page that shows one motion. Its policy is that of page_text.
-[[nodiscard]] std::string motion_page_text(const std::string& title, const AnimatedMotion& motion);
+[[nodiscard]] std::string animation_page_text(const std::string& title, const Animation& motion);
 
 }  // namespace rocking::analysis

@@ -1,4 +1,4 @@
-#include "analysis/page/motion.hpp"
+#include "analysis/page/animation.hpp"
 
 #include <algorithm>
 #include <array>
@@ -22,7 +22,7 @@ int place_of(std::string_view contact) {
   return static_cast<int>(std::ranges::find(contacts, contact) - contacts.begin());
 }
 
-Json motion_json(const AnimatedMotion& motion) {
+Json motion_json(const Animation& motion) {
   Json json = {{"name", motion.name},     {"width", motion.width},    {"height", motion.height},
                {"period", motion.period}, {"length", motion.length},  {"times", Json::array()},
                {"tilts", Json::array()},  {"rates", Json::array()},   {"slips", Json::array()},
@@ -39,11 +39,9 @@ Json motion_json(const AnimatedMotion& motion) {
 }
 
 /// Time in the unit in which the motion is shown.
-double shown_time(const AnimatedMotion& motion, double time) {
-  return motion.period > 0.0 ? time / motion.period : time;
-}
+double shown_time(const Animation& motion, double time) { return motion.period > 0.0 ? time / motion.period : time; }
 
-std::string shown_part(const AnimatedMotion& motion) {
+std::string shown_part(const Animation& motion) {
   const char* unit = motion.period > 0.0 ? "periods of the excitation" : "seconds";
   return fmt::format("{} to {} of {} {}", significant(shown_time(motion, motion.samples.front().time), 5),
                      significant(shown_time(motion, motion.samples.back().time), 5),
@@ -51,7 +49,7 @@ std::string shown_part(const AnimatedMotion& motion) {
 }
 
 /// The tilt against time.
-std::string still(const AnimatedMotion& motion) {
+std::string still(const Animation& motion) {
   constexpr double width = 600.0;
   constexpr double height = 90.0;
   const auto& samples = motion.samples;
@@ -74,12 +72,12 @@ std::string still(const AnimatedMotion& motion) {
 
 }  // namespace
 
-std::string motions_html(const std::vector<AnimatedMotion>& motions) {
+std::string animations_html(const std::vector<Animation>& motions) {
   Json all = Json::array();
   std::size_t samples = 0;
   std::string stills;
   std::string commands;
-  for (const AnimatedMotion& motion : motions) {
+  for (const Animation& motion : motions) {
     all.push_back(motion_json(motion));
     samples += motion.samples.size();
     stills += still(motion);
@@ -98,9 +96,10 @@ std::string motions_html(const std::vector<AnimatedMotion>& motions) {
       data, stills, samples, (data.size() + 999) / 1000, commands);
 }
 
-std::string motion_page_text(const std::string& title, const AnimatedMotion& motion) {
+std::string animation_page_text(const std::string& title, const Animation& motion) {
   const Frame frame{.title = title.empty() ? "A rocking block" : title, .has_charts = false};
-  return framed(frame, "<section id=\"motion\" aria-label=\"Animation\">\n" + motions_html({motion}) + "</section>\n");
+  return framed(frame,
+                "<section id=\"motion\" aria-label=\"Animation\">\n" + animations_html({motion}) + "</section>\n");
 }
 
 }  // namespace rocking::analysis

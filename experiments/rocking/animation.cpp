@@ -1,4 +1,4 @@
-#include "motion.hpp"
+#include "animation.hpp"
 
 #include <algorithm>
 #include <map>
@@ -30,7 +30,7 @@ std::int64_t horizon_of(const Condition& condition) {
   return std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
 }
 
-int samples_per_period(bool periodic, const MotionExtent& extent) {
+int samples_per_period(bool periodic, const AnimationExtent& extent) {
   if (extent.samples_per_period) return *extent.samples_per_period;
   if (periodic) return smooth_samples;
   const auto affordable = static_cast<std::int64_t>(extent.most_samples) / extent.periods;
@@ -131,8 +131,8 @@ std::vector<Choice> choices_across(const Store& store, const analysis::RunReport
 
 }  // namespace
 
-std::optional<analysis::AnimatedMotion> motion_of(const Experiment& experiment, const RealisationKey& key,
-                                                  const MotionExtent& extent) {
+std::optional<analysis::Animation> animation_of(const Experiment& experiment, const RealisationKey& key,
+                                                const AnimationExtent& extent) {
   const Condition& condition = experiment.conditions.at(key.condition);
   const bool periodic = is_periodic(condition.scene.excitation);
   const int samples = samples_per_period(periodic, extent);
@@ -141,7 +141,7 @@ std::optional<analysis::AnimatedMotion> motion_of(const Experiment& experiment, 
   if (trajectory.history.size() < 2) return std::nullopt;
   const double p = dynamics::geometry_of(trajectory.block).frequency_parameter;
   const double period = trajectory.history[1].tau * samples / p;
-  analysis::AnimatedMotion motion{
+  analysis::Animation motion{
       .name = fmt::format("realisation {}", key.realisation),
       .command = fmt::format("rocking trajectory EXPERIMENT.json --condition {} --realisation {} --samples {}",
                              key.condition, key.realisation, samples),
@@ -160,8 +160,8 @@ std::optional<analysis::AnimatedMotion> motion_of(const Experiment& experiment, 
   return motion;
 }
 
-analysis::ShownMotions motions_of(const RunFolder& folder, const analysis::RunReport& report) {
-  analysis::ShownMotions shown;
+analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis::RunReport& report) {
+  analysis::ShownAnimations shown;
   const auto none = [&shown](const std::string& reason) {
     shown.explanation = "No realisation is shown: " + reason + '.';
     return shown;
@@ -182,11 +182,11 @@ analysis::ShownMotions motions_of(const RunFolder& folder, const analysis::RunRe
   for (const Choice& choice : choices) {
     const std::int64_t periods = horizon_of(experiment->conditions.at(choice.key.condition));
     if (periods > longest_run) continue;
-    auto motion = motion_of(*experiment, choice.key,
-                            {.periods = periods,
-                             .shown_periods = shown_periods(choice.mode),
-                             .most_samples = analysis::most_samples_of_a_run,
-                             .samples_per_period = {}});
+    auto motion = animation_of(*experiment, choice.key,
+                               {.periods = periods,
+                                .shown_periods = shown_periods(choice.mode),
+                                .most_samples = analysis::most_samples_of_a_run,
+                                .samples_per_period = {}});
     if (!motion) continue;
     motion->name = fmt::format(
         "{}: {}{}", to_string(choice.mode),

@@ -27,6 +27,40 @@ struct Forces {
   return largest_base_acceleration + 1.0;
 }
 
+/// Which guards of a block that rocks and sticks cannot fire over a step, whatever its series are.
+template <class Truth>
+struct OutOfReach {
+  Truth past_balance;
+  Truth normal;
+};
+
+/// What bounds the guards of a block that rocks and sticks over a step.
+template <base::Lane Real>
+struct ReachOfStep {
+  Real tilt;            ///< S theta
+  Real tilt_rate;       ///< S w
+  Real base_amplitude;  ///< a bound of abs(beta) is its magnitude
+  Real length;          ///< of the step
+};
+
+/// Over a step without vertical base motion that begins at a tilt between contact and balance. Until one of the two is
+/// reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, a bound of abs(beta), and N =
+/// 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave
+/// room for the rounding and the tolerance of the series.
+template <base::Lane Real>
+[[nodiscard]] auto out_of_reach(const ReachOfStep<Real>& step, const EquationConstants<Real>& constants) {
+  using base::fused, base::magnitude;
+  const Real zero(0.0);
+  const Real most = magnitude(step.base_amplitude);
+  const Real rate = magnitude(step.tilt_rate);
+  using Truth = decltype(step.tilt < zero);
+  const Truth below = fused(fused(most, step.length, rate), step.length, step.tilt) < constants.shape_angle;
+  const Real acceleration = most + constants.sine;
+  const Real fastest = fused(acceleration, step.length, rate);
+  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, constants.sine, Real(1.25)));
+  return OutOfReach<Truth>{.past_balance = below, .normal = below && presses};
+}
+
 /// Whether a block in full contact stays on both edges: abs(alpha) <= tan(psi) (1 + alpha_v).
 ///
 /// Written as w' of rocking, which must be > 0 after a lift. Another form could round to the opposite sign at the
@@ -41,7 +75,7 @@ struct Forces {
 }
 
 /// How a rocking block moves at an instant, seen from its side: one motion or a pack.
-template <base::Lane Real>
+template <base::Number Real>
 struct EdgeMotion {
   base::SinCos<Real> edge;  ///< of phi
   Real omega;               ///< S w
@@ -50,7 +84,7 @@ struct EdgeMotion {
 };
 
 /// Contact forces and acceleration, seen from the block's side.
-template <base::Lane Real>
+template <base::Number Real>
 struct SideForces {
   Real normal;        ///< N
   Real friction;      ///< S F
@@ -59,7 +93,7 @@ struct SideForces {
 
 /// Forces of rocking without slip: bit for bit the first coefficients of the series that `expand_rock` computes. The
 /// comparison after an event and the guard of the coming step must agree where friction is exactly at its limit.
-template <base::Lane Real>
+template <base::Number Real>
 [[nodiscard]] inline SideForces<Real> forces_without_slip(const EdgeMotion<Real>& now) {
   using base::fused;
   const auto& [s, c] = now.edge;

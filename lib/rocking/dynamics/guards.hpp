@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "rocking/base/lane.hpp"
+#include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 
 namespace rocking::dynamics {
@@ -24,40 +25,6 @@ enum class Guard : std::size_t {
 };
 
 inline constexpr std::size_t guard_count = 10;
-
-/// Which guards of a block that rocks and sticks cannot fire over a step, whatever its series are.
-template <class Truth>
-struct OutOfReach {
-  Truth past_balance;
-  Truth normal;
-};
-
-/// What bounds the guards of a block that rocks and sticks over a step.
-template <base::Lane Real>
-struct ReachOfStep {
-  Real tilt;            ///< S theta
-  Real tilt_rate;       ///< S w
-  Real base_amplitude;  ///< a bound of abs(beta) is its magnitude
-  Real length;          ///< of the step
-};
-
-/// Over a step without vertical base motion that begins at a tilt between contact and balance. Until one of the two is
-/// reached 0 <= phi <= psi, so that w' = beta c - s lies between -(A + sin(psi)) and A, a bound of abs(beta), and N =
-/// 4/3 + w' s - w^2 c is at least 4/3 - (A + sin(psi)) sin(psi) - w^2. A second A length^2/2, and 5/4 for 4/3, leave
-/// room for the rounding and the tolerance of the series.
-template <base::Lane Real>
-[[nodiscard]] auto out_of_reach(const ReachOfStep<Real>& step, const EquationConstants<Real>& constants) {
-  using base::fused, base::magnitude;
-  const Real zero(0.0);
-  const Real most = magnitude(step.base_amplitude);
-  const Real rate = magnitude(step.tilt_rate);
-  using Truth = decltype(step.tilt < zero);
-  const Truth below = fused(fused(most, step.length, rate), step.length, step.tilt) < constants.shape_angle;
-  const Real acceleration = most + constants.sine;
-  const Real fastest = fused(acceleration, step.length, rate);
-  const Truth presses = zero < fused(-fastest, fastest, fused(-acceleration, constants.sine, Real(1.25)));
-  return OutOfReach<Truth>{.past_balance = below, .normal = below && presses};
-}
 
 /// A number of coefficients that is known to the compiler.
 template <std::size_t count>

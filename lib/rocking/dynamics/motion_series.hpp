@@ -76,13 +76,6 @@ template <int k, bool vertical, base::Lane Real>
   }
 }
 
-template <base::Lane Real>
-inline void begin_angle(MotionSeries<Real>& m, const EquationConstants<Real>& constants) {
-  const auto angle = edge_angle(m.tilt[0], constants);
-  m.sine[0] = angle.sine;
-  m.cosine[0] = angle.cosine;
-}
-
 /// From omega_k and the products at k: sine, cosine and tilt at k + 1.
 template <int k, base::Lane Real>
 inline void extend_angle(MotionSeries<Real>& m) {
@@ -94,14 +87,23 @@ inline void extend_angle(MotionSeries<Real>& m) {
 
 }  // namespace kernel
 
-/// Rock: from base, weight, tilt[0], tilt_rate[0] to the motion's series, to `order`.
+/// The angle of the edge at the start, sine[0] and cosine[0], from tilt[0]. A function of its own, so that the registers
+/// need not hold the coefficients of sine and cosine besides those of the series.
+template <base::Lane Real>
+inline void begin_angle(MotionSeries<Real>& m, const EquationConstants<Real>& constants) {
+  const auto angle = edge_angle(m.tilt[0], constants);
+  m.sine[0] = angle.sine;
+  m.cosine[0] = angle.cosine;
+}
+
+/// Rock: from base, weight, tilt[0], tilt_rate[0] and the angle to the motion's series, to `order`.
 ///
 /// `first_rate_gate` is 0 where omega' is known to vanish at the start (a lift at the threshold), else 1.
 template <int order, bool vertical, base::Lane Real>
-inline void expand_rock(MotionSeries<Real>& m, const EquationConstants<Real>& constants, Real first_rate_gate) {
+inline void expand_rock(MotionSeries<Real>& m, [[maybe_unused]] const EquationConstants<Real>& constants,
+                        Real first_rate_gate) {
   using base::fused;
   using namespace kernel;
-  begin_angle(m, constants);
   repeat<order>([&](auto index) {
     constexpr int k = index;
     m.rate_sine[k] = product<k>(m.tilt_rate.data(), m.sine.data());
@@ -134,7 +136,7 @@ inline void expand_normal(MotionSeries<Real>& m) {
   });
 }
 
-/// Rock-slide: from base, weight, tilt[0], tilt_rate[0], slip_rate[0], slip[0] to all series, to `order`.
+/// Rock-slide: from base, weight, tilt[0], tilt_rate[0], slip_rate[0], slip[0] and the angle to all series, to `order`.
 ///
 /// N_k = (4/3) g_k + (k + 1) (omega s)_{k+1}, where all is known but the term omega_{k+1} s_0. From omega_k to
 /// omega_{k+1} there are three dependent operations; all other products are formed before.
@@ -143,7 +145,6 @@ inline void expand_rock_slide(MotionSeries<Real>& m, const EquationConstants<Rea
                               const SlipParameters<Real>& slip) {
   using base::fused;
   using namespace kernel;
-  begin_angle(m, constants);
   m.arm[0] = fused(slip.drag, m.cosine[0], m.sine[0]);
   m.rate_sine[0] = m.tilt_rate[0] * m.sine[0];
   const Real minus_over_d = Real(-1.0) / fused(m.sine[0], m.arm[0], constants.inertia);

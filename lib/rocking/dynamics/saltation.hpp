@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "rocking/base/dual.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/impact.hpp"
@@ -52,25 +53,32 @@ struct MovingBase {
   BaseMotion slope;
 };
 
-/// g = by_normal N + by_friction S F of a block that rocks without slip. N and S F are those of forces_without_slip.
+/// g = by_normal N + by_friction S F of a block that rocks without slip. N and S F are those of forces_without_slip,
+/// evaluated with dual numbers.
 [[nodiscard]] inline GuardSlope slope_of_forces(const State& state, const MovingBase& base,
                                                 const EquationConstants<double>& constants, double by_normal,
                                                 double by_friction) {
   const auto [s, c] = edge_angle(state, constants);
   const double omega = state.side * state.tilt_rate;
-  const double beta = state.side * base.now.horizontal;
-  const double weight = base.now.weight;
-  const double acceleration = beta * c - weight * s;  // S w'
-  const double stiffness = beta * s + weight * c;     // its derivative by S theta
-  const double normal_by_tilt = stiffness * s - acceleration * c - omega * omega * s;
-  const double friction_by_tilt = -stiffness * c - acceleration * s + omega * omega * c;
-  const double by_tilt = by_normal * normal_by_tilt + by_friction * friction_by_tilt;
-  const double by_rate = -2.0 * omega * (by_normal * c + by_friction * s);
-  const double by_horizontal = by_normal * c * s + by_friction * (4.0 / 3.0 - c * c);
-  const double by_weight = by_normal * (4.0 / 3.0 - s * s) + by_friction * s * c;
-  const double by_time = by_horizontal * (state.side * base.slope.horizontal) + by_weight * base.slope.weight;
-  return {.gradient = {.tilt = state.side * by_tilt, .tilt_rate = state.side * by_rate},
-          .rate = by_tilt * omega + by_rate * acceleration + by_time};
+  struct Direction {
+    double tilt = 0.0, omega = 0.0, beta = 0.0, weight = 0.0;
+  };
+  const auto forces_along = [&](const Direction& d) {  // phi = psi - S theta
+    return forces_without_slip<base::Dual>({.edge = {{s, -c * d.tilt}, {c, s * d.tilt}},
+                                            .omega = {omega, d.omega},
+                                            .beta = {state.side * base.now.horizontal, d.beta},
+                                            .weight = {base.now.weight, d.weight}});
+  };
+  const auto slope = [&](const Direction& d) {
+    const auto forces = forces_along(d);
+    return by_normal * forces.normal.slope + by_friction * forces.friction.slope;
+  };
+  const double acceleration = forces_along({}).acceleration.value;
+  return {.gradient = {.tilt = state.side * slope({.tilt = 1.0}), .tilt_rate = state.side * slope({.omega = 1.0})},
+          .rate = slope({.tilt = omega,
+                         .omega = acceleration,
+                         .beta = state.side * base.slope.horizontal,
+                         .weight = base.slope.weight})};
 }
 
 /// Derivative of the rates after an impact with respect to the rates before it: w2 and V2 by w1 and V1. An impact is

@@ -85,12 +85,12 @@ class StepSeries {
       case ContactState::rest: return length(rows_.base);
       case ContactState::slide: expand_slide<order, vertical>(rows_, slip); return length(rows_.slip_rate);
       case ContactState::rock:
-        begin_rocking(state);
+        begin_rocking(state, constants);
         expand_rock<order, vertical>(rows_, constants, start.lift_starts_flat ? 0.0 : 1.0);
         expand_normal<order, vertical>(rows_);
         return length(rows_.tilt_rate);
       case ContactState::rock_slide:
-        begin_rocking(state);
+        begin_rocking(state, constants);
         expand_rock_slide<order, vertical>(rows_, constants, slip);
         return std::min(length(rows_.tilt_rate), length(rows_.slip_rate));
       case ContactState::overturned: break;
@@ -105,9 +105,10 @@ class StepSeries {
     return sum;
   }
 
-  void begin_rocking(const State& state) {
+  void begin_rocking(const State& state, const EquationConstants<double>& constants) {
     rows_.tilt[0] = state.side * state.tilt;
     rows_.tilt_rate[0] = state.side * state.tilt_rate;
+    begin_angle(rows_, constants);
   }
 
   MotionSeries<double> rows_{};

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
@@ -39,7 +38,7 @@ class LaneScheduler {
   }
 
   /// One step of the group that has most runs.
-  void step() { advance(static_cast<std::size_t>(std::ranges::max_element(sizes_) - sizes_.begin())); }
+  void step() { advance(largest_group()); }
 
   /// A run that has finished and was not taken yet; null if there is none.
   [[nodiscard]] Run* take_finished() {
@@ -51,8 +50,17 @@ class LaneScheduler {
 
  private:
   template <class Use>
-  static void for_each_lane(std::uint32_t lanes, Use&& use) {
-    for (; lanes != 0; lanes &= lanes - 1) use(static_cast<std::size_t>(std::countr_zero(lanes)));
+  static void for_each_bit(std::uint32_t bits, Use&& use) {
+    for (; bits != 0; bits &= bits - 1) use(static_cast<std::size_t>(std::countr_zero(bits)));
+  }
+
+  /// The first of equals. Most groups are for other kinds of base motion and have never had a run.
+  [[nodiscard]] std::size_t largest_group() const {
+    std::size_t largest = 0;
+    for_each_bit(used_, [&](std::size_t index) {
+      if (sizes_[largest] < sizes_[index]) largest = index;
+    });
+    return largest;
   }
 
   /// The kind of the next step of the run that a lane can compute, after the steps that it does alone; empty if it
@@ -74,25 +82,26 @@ class LaneScheduler {
   void wait(Run& run, const StepKind& kind) {
     groups_[kind.index()].wait(run);
     ++sizes_[kind.index()];
+    used_ |= 1U << kind.index();
   }
 
   void advance(std::size_t index) {
     LaneGroup<Run>& group = groups_[index];
     const StepKind kind = step_kind(index);
-    for_each_lane(all_lanes() & ~group.occupied(), [&group](std::size_t lane) {
+    for_each_bit(all_lanes() & ~group.occupied(), [&group](std::size_t lane) {
       if (group.has_waiting()) group.fill(lane);
     });
     LaneState& block = group.block();
     kernels_.advance[kind.excitation][static_cast<std::size_t>(kind.kind)](block);
-    for_each_lane(block.no_event & block.strobed & group.occupied(),
-                  [&group](std::size_t lane) { group.pass_strobe(lane); });
-    for_each_lane(block.landed & group.occupied(), [&group](std::size_t lane) { group.pass_impact(lane); });
+    for_each_bit(block.no_event & block.strobed & group.occupied(),
+                 [&group](std::size_t lane) { group.pass_strobe(lane); });
+    for_each_bit(block.landed & group.occupied(), [&group](std::size_t lane) { group.pass_impact(lane); });
     const std::uint32_t at_breakpoint = block.at_breakpoint & group.occupied();
-    for_each_lane(at_breakpoint, [&](std::size_t lane) {
+    for_each_bit(at_breakpoint, [&](std::size_t lane) {
       group.catch_up(lane, kind, true);
       go_on(kind, lane);
     });
-    for_each_lane(~(block.no_event | block.held | at_breakpoint) & group.occupied(), [&](std::size_t lane) {
+    for_each_bit(~(block.no_event | block.held | at_breakpoint) & group.occupied(), [&](std::size_t lane) {
       group.catch_up(lane, kind, false);
       group.finish_step(lane);
       go_on(kind, lane);
@@ -115,6 +124,8 @@ class LaneScheduler {
   base::StopRequest stop_;
   std::array<LaneGroup<Run>, step_kind_count> groups_;
   std::array<std::uint32_t, step_kind_count> sizes_{};  ///< runs of each group
+  std::uint32_t used_ = 0;                              ///< groups that have had runs, as bits
+  static_assert(step_kind_count <= 32);
   std::vector<Run*> finished_;
   std::size_t size_ = 0;
 };

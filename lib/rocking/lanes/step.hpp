@@ -42,6 +42,7 @@ class Step : public LaneAccess<kind, Shaking, Real> {
     Shaking::template expand<order_of(kind)>(m_, piece, load(b_.amplitude), moment());
     m_.tilt[0] = load(b_.tilt);
     m_.tilt_rate[0] = load(b_.tilt_rate);
+    dynamics::begin_angle(m_, this->constants());
   }
 
   /// The series from there, and the length of the step.

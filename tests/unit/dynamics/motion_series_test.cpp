@@ -63,6 +63,13 @@ Start lifted(Start start, support::SplitMix& draw) {
   return start;
 }
 
+EquationConstants<double> constants_of(const Start& start) {
+  return {.shape_angle = start.block.shape_angle,
+          .sine = start.block.sine,
+          .cosine = start.block.cosine,
+          .inertia = start.inertia};
+}
+
 template <int order>
 void begin(Series& m, const Start& start) {
   expand_harmonic<order>(m.base, start.side * start.amplitude, start.frequency, base::sin_cos(start.angle));
@@ -73,13 +80,7 @@ void begin(Series& m, const Start& start) {
   m.tilt_rate[0] = start.side * start.tilt_rate;
   m.slip_rate[0] = start.side * start.slip_rate;
   m.slip[0] = 0.0;
-}
-
-EquationConstants<double> constants_of(const Start& start) {
-  return {.shape_angle = start.block.shape_angle,
-          .sine = start.block.sine,
-          .cosine = start.block.cosine,
-          .inertia = start.inertia};
+  begin_angle(m, constants_of(start));
 }
 
 SlipParameters<double> slip_of(const Start& start) {

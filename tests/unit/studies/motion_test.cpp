@@ -56,7 +56,7 @@ TEST(IntensityMeasures, OfASampledSineAreItsSums) {
 }
 
 TEST(IntensityMeasures, OfAFineSineTendToThoseOfASine) {
-  const int n = 200'000;  // the error is (2 pi/n)^2/12 < 1e-10
+  const int n = 400'000;  // the error is at most (2 pi/n)^2/6 < 1e-10
   const double a = 2.0;
   const double period = 0.5;
   const auto found = intensity_measures(sampled_sine(a / standard, period, 1, n), standard);

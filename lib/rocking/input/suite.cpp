@@ -125,6 +125,14 @@ Json record_of(const Json& canonical) {
   return record;
 }
 
+std::optional<SweepAxis> suite_axis(const Json& canonical) {
+  const Json::json_pointer place("/excitation/suite");
+  if (!canonical.contains(place) || !canonical.at(place).is_array()) return std::nullopt;
+  SweepAxis axis{.pointer = std::string(suite_place), .values = {}};
+  for (const Json& record : canonical.at(place)) axis.values.push_back(record.contains("file") ? record.at("file") : record);
+  return axis;
+}
+
 void write_suite(Json& canonical, const std::vector<Json>& records) {
   Json written = Json::object();
   for (const auto& [key, value] : canonical.at("excitation").items()) {

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <optional>
 #include <string_view>
 #include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/input/object_reader.hpp"
+#include "rocking/input/sweep.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/json.hpp"
 
@@ -24,6 +26,9 @@ void put_record(Json& document, const Json& record);
 
 /// The record that a condition in canonical form has.
 [[nodiscard]] Json record_of(const Json& canonical);
+
+/// The suite of a canonical experiment as an entry of its sweep, with the names of the files; absent if it has none.
+[[nodiscard]] std::optional<SweepAxis> suite_axis(const Json& canonical);
 
 /// Writes records in canonical form in place of the one record that a canonical experiment has.
 void write_suite(Json& canonical, const std::vector<Json>& records);

@@ -30,7 +30,7 @@ RunFragility fragility_of(const std::string& name) {
   if (intensity_of(run.experiment).empty()) {
     throw UsageError(name +
                      ": sweeps no intensity of the excitation; give a run whose sweep has /excitation/amplitude (or "
-                     "amplitude_g, amplitude_m_s2) or /excitation/scale");
+                     "amplitude_g, amplitude_m_s2) or /excitation/scale (or pga_g, pgv_m_s)");
   }
   if (run.experiment.conditions.front().until) {
     throw UsageError(

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_ground_motion.hpp"
@@ -30,13 +31,20 @@ inline std::string made_up_file(const std::string& name, std::size_t) {
   if (name.find("absent") != std::string::npos) {
     throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory), name);
   }
+  if (name.find("at2") != std::string::npos) return "a\nb\nUNITS OF G\nNPTS= 3, DT= .1 SEC\n .5 -.7\n .4\n";
   if (name.find("vertical") != std::string::npos) return "0 0.5 0\n0.1 6 -3\n0.1 -7 2\n0.5 4 1\n";
   return name.find("bad") != std::string::npos ? "0 x\n" : "0 0.5\n0.1 6\n0.1 -7\n0.5 4\n";
 }
 
+/// Files that a pattern fits: two, unless it is about an absent one.
+inline std::vector<std::string> made_up_matches(const std::string& pattern) {
+  if (pattern.find("absent") != std::string::npos) return {};
+  return {"one.at2", "two.txt"};
+}
+
 /// Reads an experiment with few conditions. Throws base::InputError if it is not valid.
 inline Experiment read_small_experiment(std::string_view text) {
-  return read_experiment(text, {}, {.files = made_up_file, .most_conditions = 32});
+  return read_experiment(text, {}, {.files = made_up_file, .matches = made_up_matches, .most_conditions = 32});
 }
 
 /// A text is refused with its problems, or its canonical text reproduces itself and has the same number of conditions.
@@ -60,16 +68,23 @@ inline void try_experiment(std::string_view text) {
   }
 }
 
-/// A ground motion is refused with its problems, or it is valid. The first byte selects whether it has times.
+/// A ground motion in any format is refused with its problems, or it is valid. The first byte selects whether a time
+/// step and a unit are given.
 inline void try_record(std::string_view text) {
   if (text.empty()) return;
   GroundMotionReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
-  if (text.front() % 2 == 0) how.time_step = 0.01;
+  const auto choice = static_cast<unsigned char>(text.front());
+  if (choice % 2 == 0) how.time_step = 0.01;
+  if (choice >= 128) how.unit = static_cast<RecordUnit>(choice / 2 % 3);
   Problems problems;
   const auto motion = read_ground_motion(text.substr(1), how, problems);
   demand(motion.has_value() == problems.empty(), "a ground motion is read, or its problems are reported");
   if (!motion) return;
   demand(motion->samples.size() >= 2, "a ground motion has samples");
+  demand(!motion->format.empty() && !motion->unit.empty(), "its format and unit are known");
+  const std::size_t declared = motion->declared.value_or(motion->samples.size());
+  demand(motion->samples.size() <= declared + 1 && declared <= motion->samples.size() + 1, "it has what it declares");
+  demand(motion->warnings.empty() == (declared == motion->samples.size()), "a difference is told");
   double before = 0.0;
   for (const auto& sample : motion->samples) {
     demand(sample.time >= before, "times do not fall");

@@ -8,6 +8,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/check_document.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/section/response_mode.hpp"
@@ -84,6 +85,7 @@ class ReportChecker {
       if (problems_.empty()) check_swept_values(axes);
       if (!problems_.empty()) return;
     }
+    if (auto records = suite_axis(experiment_)) axes.insert(axes.begin(), *std::move(records));
     const Json& conditions = report_["result"]["conditions"];
     if (conditions.size() != grid_size(axes)) {
       reject("/result/conditions", "",

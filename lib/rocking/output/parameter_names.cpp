@@ -36,10 +36,16 @@ std::string key_of(const std::string& pointer, const std::vector<Parameter>& all
   return last_key(std::string_view(pointer).substr(0, parent)) + '_' + last;
 }
 
+/// A text in full, also the folder of a file; otherwise as in tables.
+std::string value_in_name(const Parameter& parameter) {
+  const Json value = Json::parse(parameter.value);
+  return value.is_string() ? value.get<std::string>() : short_value(parameter);
+}
+
 std::string name_of(const std::vector<Parameter>& parameters) {
   std::string name;
   for (const Parameter& parameter : parameters) {
-    name += (name.empty() ? "" : "_") + key_of(parameter.pointer, parameters) + '_' + short_value(parameter);
+    name += (name.empty() ? "" : "_") + key_of(parameter.pointer, parameters) + '_' + value_in_name(parameter);
   }
   return in_safe_letters(name.substr(0, longest_name));
 }

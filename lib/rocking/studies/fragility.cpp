@@ -11,8 +11,9 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 4> intensities{"/excitation/amplitude", "/excitation/amplitude_g",
-                                                      "/excitation/amplitude_m_s2", "/excitation/scale"};
+constexpr std::array<std::string_view, 6> intensities{"/excitation/amplitude",      "/excitation/amplitude_g",
+                                                      "/excitation/amplitude_m_s2", "/excitation/scale",
+                                                      "/excitation/pga_g",          "/excitation/pgv_m_s"};
 
 double number_in(const std::string& json) {
   double number = 0.0;

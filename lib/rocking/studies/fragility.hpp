@@ -62,7 +62,7 @@ inline constexpr double fragility_significance = 0.05;
                                              std::uint64_t seed);
 
 /// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/amplitude_g`,
-/// `/excitation/amplitude_m_s2` or `/excitation/scale`; empty where it sweeps none of them.
+/// `/excitation/amplitude_m_s2`, `/excitation/scale`, `pga_g` or `pgv_m_s`; empty where it sweeps none of them.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
 
 /// A curve for each point of the grid of the other entries. An intensity of 0 has no logarithm and is left out. The

@@ -38,6 +38,8 @@ std::map<std::string, Rule> rules_by_place() {
                                   {"/excitation/frequency_hz", rules::frequency_hz},
                                   {"/excitation/period_s", rules::period_s},
                                   {"/excitation/scale", rules::scale},
+                                  {"/excitation/pga_g", rules::pga_g},
+                                  {"/excitation/pgv_m_s", rules::pgv_m_s},
                                   {"/excitation/time_step_s", rules::time_step},
                                   {"/friction/static", rules::friction_coefficient},
                                   {"/friction/kinetic", rules::friction_coefficient},

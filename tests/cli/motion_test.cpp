@@ -1,0 +1,128 @@
+// `rocking motion`: what is read, the measures, and faults.
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+#include "support/record_text.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::esm_asc;
+using rocking::support::objections;
+using rocking::support::peer_at2;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class MotionCommand : public rocking::support::ProgramTest {
+ protected:
+  MotionCommand() {
+    write("a.AT2", peer_at2({0.1, -0.25, 0.03, 0.0}, ".02"));
+    write("b.asc", esm_asc("0.01", "cm/s^2", "3", "98.1\n-196.2\n0.0\n"));
+    write("c.txt", "0 1\n1 -2\n3 0\n");
+  }
+
+  Json measured(const std::string& arguments) {
+    const auto found = rocking("motion " + arguments + " --json");
+    EXPECT_EQ(found.exit_code, 0) << found.errors;
+    EXPECT_EQ(objections("motion", found.output), "");
+    return Json::parse(found.output);
+  }
+};
+
+TEST_F(MotionCommand, SaysWhatWasReadInEachFormat) {
+  const Json found = measured("a.AT2 b.asc c.txt --periods 0.5 1 --block 0.35 1.6")["motions"];
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0]["format"], "peer_at2");
+  EXPECT_EQ(found[0]["unit"], "g");
+  EXPECT_EQ(found[0]["samples"], 4);
+  EXPECT_EQ(found[0]["time_step_s"], 0.02);
+  EXPECT_EQ(found[0]["duration_s"], 0.06);
+  EXPECT_EQ(found[0]["pga_g"], 0.25);
+  EXPECT_DOUBLE_EQ(found[0]["uplift_scale"], 0.35 / 1.6 / 0.25);
+  ASSERT_EQ(found[0]["spectrum"].size(), 2U);
+  EXPECT_EQ(found[0]["spectrum"][1]["period_s"], 1.0);
+  EXPECT_EQ(found[1]["format"], "esm_asc");
+  EXPECT_EQ(found[1]["unit"], "cm/s2");
+  EXPECT_DOUBLE_EQ(found[1]["pga_g"], 0.2);
+  EXPECT_EQ(found[2]["format"], "columns");
+  EXPECT_TRUE(found[2]["time_step_s"].is_null());
+  EXPECT_DOUBLE_EQ(found[2]["pgv_m_s"], 2.5);
+}
+
+TEST_F(MotionCommand, PrintsTables) {
+  const auto found = rocking("motion a.AT2 --periods 0.5 --damping 0.02");
+  EXPECT_EQ(found.exit_code, 0);
+  EXPECT_THAT(found.output, AllOf(HasSubstr("PGA [g]"), HasSubstr("0.25"), HasSubstr("2 % damping")));
+  EXPECT_EQ(found.errors, "");
+  EXPECT_THAT(rocking("motion c.txt").errors, HasSubstr("m/s2 is assumed"));
+}
+
+TEST_F(MotionCommand, ChangesWithTheGravityOnlyWhatIsInMetres) {
+  const Json here = measured("a.AT2 --gravity 9.81")["motions"][0];
+  const Json moon = measured("a.AT2 --gravity 1.62")["motions"][0];
+  EXPECT_EQ(here["pga_g"], moon["pga_g"]);
+  EXPECT_DOUBLE_EQ(here["pgv_m_s"].get<double>() / 9.81, moon["pgv_m_s"].get<double>() / 1.62);
+}
+
+TEST_F(MotionCommand, DrawsFiguresAndSavesWhatAFigureNeeds) {
+  const auto drawn = rocking("motion a.AT2 b.asc --figure out --json");
+  EXPECT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_EQ(objections("motion", drawn.output), "");
+  for (const char* name : {"ground_motion_1.tsv", "ground_motion_2.tsv", "response_spectra.tsv"}) {
+    EXPECT_TRUE(exists("out/" + std::string(name))) << name;
+  }
+  EXPECT_EQ(rocking("motion a.AT2 --json --series > m.json; exit $?").exit_code, 0);
+  const Json series = measured("a.AT2 --series")["motions"][0]["series"];
+  EXPECT_EQ(series["time_s"].size(), 4U);
+  EXPECT_DOUBLE_EQ(series["acceleration_g"][1], -0.25);
+  write("m.json", rocking("motion a.AT2 --json --series").output);
+  EXPECT_EQ(rocking("figure m.json -o again").exit_code, 0);
+  EXPECT_EQ(read("again/response_spectra.tsv").empty(), false);
+  write("n.json", rocking("motion a.AT2 --json").output);
+  const auto refused = rocking("figure n.json -o again");
+  EXPECT_EQ(refused.exit_code, 65);
+  EXPECT_THAT(refused.errors, HasSubstr("--series"));
+}
+
+TEST_F(MotionCommand, WarnsOfOneSampleMoreOrFewerThanDeclared) {
+  write("d.AT2", peer_at2("NPTS= 5, DT= .01 SEC", {0.1, 0.2, 0.3, 0.4}));
+  const auto found = rocking("motion d.AT2 --json");
+  EXPECT_EQ(found.exit_code, 0);
+  EXPECT_THAT(found.errors, AllOf(HasSubstr("contains 4 samples"), HasSubstr("declares 5")));
+  const Json motion = Json::parse(found.output)["motions"][0];
+  EXPECT_EQ(motion["samples"], 4);
+  EXPECT_EQ(motion["declared_samples"], 5);
+  EXPECT_EQ(motion["warnings"].size(), 1U);
+}
+
+TEST_F(MotionCommand, RefusesWithTheSuitableExitCode) {
+  EXPECT_EQ(rocking("motion nowhere.AT2").exit_code, 66);
+  write("bad.AT2", "a\nNPTS= 2, DT= .01\n1 x\n");
+  const auto bad = rocking("motion bad.AT2 a.AT2");
+  EXPECT_EQ(bad.exit_code, 65);
+  EXPECT_THAT(bad.errors, HasSubstr("bad.AT2, line 3 = \"x\": is not a number"));
+  EXPECT_EQ(bad.output, "");
+  EXPECT_EQ(rocking("motion a.AT2 --units cm/s2").exit_code, 65);
+  EXPECT_EQ(rocking("motion a.AT2 --format esm_asc").exit_code, 65);
+  EXPECT_EQ(rocking("motion c.txt --format columns").exit_code, 64);
+  EXPECT_EQ(rocking("motion c.txt --format columns --units g").exit_code, 0);
+  EXPECT_EQ(rocking("motion a.AT2 --block 1").exit_code, 64);
+  EXPECT_EQ(rocking("motion a.AT2 --block 1 -2").exit_code, 64);
+  EXPECT_EQ(rocking("motion a.AT2 --damping 1").exit_code, 64);
+  EXPECT_EQ(rocking("motion a.AT2 --periods 0").exit_code, 64);
+  EXPECT_EQ(rocking("motion").exit_code, 64);
+}
+
+TEST_F(MotionCommand, TakesAVerticalComponent) {
+  write("v.AT2", peer_at2({0.01, 0.02, -0.03, 0.0}, ".02"));
+  const Json found = measured("a.AT2 --vertical v.AT2 --block 0.35 1.6")["motions"][0];
+  EXPECT_EQ(found["vertical_pga_g"], 0.03);
+  const double slope = 0.35 / 1.6;
+  EXPECT_DOUBLE_EQ(found["uplift_scale"], slope / (0.25 - slope * 0.02));
+}
+
+}  // namespace

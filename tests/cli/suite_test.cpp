@@ -1,0 +1,115 @@
+// A run of a suite of ground motions: one store, one report, each record a point of the sweep.
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+#include "support/record_text.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::objections;
+using rocking::support::peer_at2;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class SuiteRun : public rocking::support::ProgramTest {
+ protected:
+  SuiteRun() {
+    std::filesystem::create_directory(folder_ / "records");
+    write("records/push.at2", peer_at2(std::vector<double>(60, 0.3), ".01"));
+    write("records/shake.at2", peer_at2({0.0, 0.3, -0.3, 0.3, -0.3, 0.3, -0.3, 0.0}, ".2"));
+    write("records/weak.at2", peer_at2({0.0, 0.001, -0.001, 0.0}, ".2"));
+    write("e.json", experiment().dump());
+  }
+
+  static Json experiment() {
+    return Json::parse(R"({
+      "format": "rocking.experiment/1", "title": "a suite", "block": { "width_m": 0.35, "height_m": 1.6 },
+      "excitation": { "kind": "recorded", "suite": "records/*.at2" },
+      "fluctuation": { "restitution": { "sigma": 0.05 } },
+      "sweep": [ { "parameter": "/excitation/scale", "values": [0.5, 1.0, 2.0] } ],
+      "realisations": 5, "seed": "0x21" })");
+  }
+
+  Json report(const std::string& folder) const { return Json::parse(read(folder + "/report.json")); }
+};
+
+TEST_F(SuiteRun, HasOneReportWithARowForEachRecordAndLevel) {
+  const auto ran = rocking("run e.json -o out");
+  ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+  EXPECT_EQ(objections("report", read("out/report.json")), "");
+  const Json conditions = report("out")["result"]["conditions"];
+  ASSERT_EQ(conditions.size(), 9U);
+  EXPECT_EQ(conditions[4]["parameters"]["/excitation/file"], "records/shake.at2");
+  EXPECT_EQ(conditions[4]["parameters"]["/excitation/scale"], 1.0);
+  EXPECT_EQ(conditions[2]["counts"]["overturned"], 5);  // a push of 0.6 g for 0.6 s
+  EXPECT_EQ(conditions[8]["counts"]["overturned"], 0);
+  EXPECT_THAT(ran.output, AllOf(HasSubstr("push.at2"), HasSubstr("shake.at2"), Not(HasSubstr("records/push"))));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("shake.at2"));
+  EXPECT_EQ(rocking("report out --format csv").exit_code, 0);
+  EXPECT_THAT(read("out/tables/modes.csv"), HasSubstr("records/shake.at2"));
+}
+
+TEST_F(SuiteRun, TellsBeforeItStartsWhichRecordLiftsTheBlockAtNoScale) {
+  const auto planned = rocking("run e.json --dry-run");
+  EXPECT_EQ(planned.exit_code, 0);
+  EXPECT_THAT(planned.errors,
+              AllOf(HasSubstr("records/weak.at2: is too weak to lift the block at any scale"),
+                    HasSubstr("from a scale of 218.7 on"), Not(HasSubstr("push")), Not(HasSubstr("shake"))));
+  Json moving = experiment();
+  moving["initial"]["tilt"] = 0.1;
+  write("m.json", moving.dump());
+  EXPECT_THAT(rocking("run m.json --dry-run").errors, Not(HasSubstr("too weak")));
+}
+
+TEST_F(SuiteRun, CanBeVerifiedReplayedAndExtended) {
+  ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
+  const auto replayed = rocking("replay out --condition 5 --realisation 3");
+  EXPECT_EQ(replayed.exit_code, 0);
+  EXPECT_EQ(replayed.output, rocking("trajectory e.json --condition 5 --realisation 3").output);
+  EXPECT_EQ(rocking("resume out --realisations 8 -q").exit_code, 0);
+  EXPECT_EQ(rocking("run e.json -q -o whole --realisations 8").exit_code, 0);
+  EXPECT_EQ(report("out")["result"], report("whole")["result"]);
+  // A record that is added later belongs to no run that exists.
+  write("records/later.at2", peer_at2({0.0, 0.1, 0.0}, ".2"));
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
+}
+
+TEST_F(SuiteRun, IsThatOfEachRecordAlone) {
+  ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
+  Json alone = experiment();
+  alone["excitation"].erase("suite");
+  alone["excitation"]["file"] = "records/shake.at2";
+  write("alone.json", alone.dump());
+  ASSERT_EQ(rocking("run alone.json -q -o alone").exit_code, 0);
+  const Json together = report("out")["result"]["conditions"];
+  const Json one = report("alone")["result"]["conditions"];
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(together[3 + i]["counts"], one[i]["counts"]);
+}
+
+TEST_F(SuiteRun, IsRefusedWhenARecordHasChanged) {
+  ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
+  write("records/push.at2", peer_at2(std::vector<double>(60, 0.31), ".01"));
+  const auto refused = rocking("verify out");
+  EXPECT_NE(refused.exit_code, 0);
+  EXPECT_THAT(refused.errors, HasSubstr("is not the digest of the file"));
+}
+
+TEST_F(SuiteRun, StopsAndGoesOn) {
+  Json longer = experiment();
+  longer["realisations"] = 400;
+  write("l.json", longer.dump());
+  const auto stopped = rocking("run l.json -q -o out --max-time 0.05s -j 1");
+  EXPECT_TRUE(stopped.exit_code == 75 || stopped.exit_code == 0) << stopped.errors;
+  EXPECT_EQ(rocking("resume out -q").exit_code, stopped.exit_code == 75 ? 0 : rocking("resume out -q").exit_code);
+  ASSERT_EQ(rocking("run l.json -q -o whole").exit_code, 0);
+  EXPECT_EQ(report("out")["result"], report("whole")["result"]);
+}
+
+}  // namespace

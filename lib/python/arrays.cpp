@@ -61,12 +61,12 @@ void add_arrays(py::module_& module) {
   PYBIND11_NUMPY_DTYPE(TrajectoryEvent, tau, kind, tilt, tilt_rate, slip, slip_rate);
   PYBIND11_NUMPY_DTYPE(HistorySample, tau, tilt, tilt_rate, slip, slip_rate, contact, base_acceleration);
   py::class_<Trajectory, std::shared_ptr<Trajectory>>(module, "Trajectory")
-      .def_property_readonly(
-          "strobe", [](const py::object& self) { return rows(self.cast<const Trajectory&>().strobe, self); })
-      .def_property_readonly(
-          "events", [](const py::object& self) { return rows(self.cast<const Trajectory&>().events, self); })
-      .def_property_readonly(
-          "history", [](const py::object& self) { return rows(self.cast<const Trajectory&>().history, self); })
+      .def_property_readonly("strobe",
+                             [](const py::object& self) { return rows(self.cast<const Trajectory&>().strobe, self); })
+      .def_property_readonly("events",
+                             [](const py::object& self) { return rows(self.cast<const Trajectory&>().events, self); })
+      .def_property_readonly("history",
+                             [](const py::object& self) { return rows(self.cast<const Trajectory&>().history, self); })
       .def_readonly("period_length", &Trajectory::period_length)
       .def_readonly("losses_of_contact", &Trajectory::losses_of_contact)
       .def_readonly("first_loss_of_contact", &Trajectory::first_loss_of_contact)
@@ -81,10 +81,9 @@ void add_arrays(py::module_& module) {
       "trajectory",
       [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation, std::int64_t periods,
          int samples) {
-        return std::make_shared<Trajectory>(trajectory(experiment, {.condition = condition,
-                                                                    .realisation = realisation,
-                                                                    .periods = periods,
-                                                                    .samples_per_period = samples}));
+        return std::make_shared<Trajectory>(trajectory(
+            experiment,
+            {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}));
       },
       py::call_guard<py::gil_scoped_release>());
 }

@@ -77,10 +77,10 @@ void add_experiment(py::module_& module) {
     const ExperimentText source{.text = std::move(text), .name = std::move(name), .folder = folder};
     return read_experiment(source, overrides_of(std::move(seed), std::move(realisations)));
   });
-  module.def("read", [](const std::string& path, std::optional<std::string> seed,
-                        std::optional<std::string> realisations) {
-    return read_experiment_file(path, overrides_of(std::move(seed), std::move(realisations)));
-  });
+  module.def("read",
+             [](const std::string& path, std::optional<std::string> seed, std::optional<std::string> realisations) {
+               return read_experiment_file(path, overrides_of(std::move(seed), std::move(realisations)));
+             });
 }
 
 }  // namespace

@@ -34,9 +34,7 @@ struct RealisationRow {
   double final_slip_m;
 };
 
-double or_nan(const std::optional<double>& number) {
-  return number.value_or(std::numeric_limits<double>::quiet_NaN());
-}
+double or_nan(const std::optional<double>& number) { return number.value_or(std::numeric_limits<double>::quiet_NaN()); }
 
 /// (names of the modes, array of rows); the array takes the rows over.
 py::tuple rows_of(const RunResult& run) {
@@ -70,8 +68,8 @@ py::tuple rows_of(const RunResult& run) {
   });
   const py::capsule owner(rows.get(), [](void* held) { delete static_cast<std::vector<RealisationRow>*>(held); });
   const std::vector<RealisationRow>& kept = *rows.release();
-  return py::make_tuple(names, py::array(py::dtype::of<RealisationRow>(), {kept.size()}, {sizeof(RealisationRow)},
-                                         kept.data(), owner));
+  return py::make_tuple(
+      names, py::array(py::dtype::of<RealisationRow>(), {kept.size()}, {sizeof(RealisationRow)}, kept.data(), owner));
 }
 
 py::list counts_of(const RunResult& run) {
@@ -136,11 +134,9 @@ void add_runs(py::module_& module) {
       .def("report", [](const RunResult& run, const Experiment& experiment, std::string machine, std::string start,
                         double duration, unsigned threads) {
         const py::gil_scoped_release release;
-        return report(experiment, run,
-                      {.machine = std::move(machine),
-                       .start = std::move(start),
-                       .duration_s = duration,
-                       .threads = threads});
+        return report(
+            experiment, run,
+            {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
       });
   module.def("run", &run_watched);
   module.def("orbits", &orbits_watched);

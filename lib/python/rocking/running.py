@@ -35,10 +35,14 @@ def run(
     """Simulate all realisations of an experiment and estimate the probability of each response.
 
     source: a dictionary as in an experiment file, the path of one, or an Experiment.
+
     seed, realisations: replace those of the source.
+
     threads: default: one for each processor. Changes the time, never the result.
+
     folder: keeps the realisations in ``folder/realisations.sqlite``, as the program does; a run that was stopped goes
-        on there. Default: in memory.
+    on there. Default: in memory.
+
     progress: called now and then with (finished realisations, all).
 
     Ctrl-C raises Interrupted, a KeyboardInterrupt with what is done. An exception of ``progress`` stops the run and is

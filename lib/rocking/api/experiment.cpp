@@ -23,10 +23,8 @@ Experiment experiment_of(std::vector<Condition> conditions, const Declaration& d
                             .remedy = "give at least one",
                             .where = {}});
   }
-  Experiment experiment{.title = declaration.title,
-                        .seed = declaration.seed,
-                        .conditions = std::move(conditions),
-                        .canonical_text = {}};
+  Experiment experiment{
+      .title = declaration.title, .seed = declaration.seed, .conditions = std::move(conditions), .canonical_text = {}};
   check_experiment(experiment);
   return experiment;
 }

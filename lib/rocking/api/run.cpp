@@ -36,11 +36,8 @@ std::string code_name() {
 }
 
 base::InputError refused(const fs::path& folder, std::string reason, std::string remedy) {
-  return base::InputError({.place = folder.string(),
-                           .value = "",
-                           .reason = std::move(reason),
-                           .remedy = std::move(remedy),
-                           .where = {}});
+  return base::InputError(
+      {.place = folder.string(), .value = "", .reason = std::move(reason), .remedy = std::move(remedy), .where = {}});
 }
 
 Store store_for(const Experiment& experiment, const Execution& execution) {

@@ -17,7 +17,8 @@ rocking::Condition condition() {
   rocking::Condition condition;
   condition.scene.block = {.width = 1.0, .height = 4.0};
   condition.scene.restitution = 0.9;
-  condition.scene.excitation = rocking::Harmonic{.amplitude = 2.0, .frequency_ratio = 10.0, .phase = rocking::Uniform{0.0, 6.28}};
+  condition.scene.excitation =
+      rocking::Harmonic{.amplitude = 2.0, .frequency_ratio = 10.0, .phase = rocking::Uniform{0.0, 6.28}};
   condition.horizon = {.transient_periods = 20, .sampled_periods = 20};
   condition.realisations = 10;
   return condition;
@@ -46,8 +47,8 @@ void stops(const rocking::Experiment& experiment) {
   std::atomic<bool> stop{true};
   const rocking::RunResult run = rocking::run(experiment, {.stop = &stop});
   expect(!run.is_complete() && run.all == 10 && run.done < run.all, "a flag stops the run");
-  const rocking::RunResult told = rocking::run(
-      experiment, {.on_progress = [](std::uint64_t, std::uint64_t) { return rocking::Decision::stop; }});
+  const rocking::RunResult told =
+      rocking::run(experiment, {.on_progress = [](std::uint64_t, std::uint64_t) { return rocking::Decision::stop; }});
   expect(told.done <= told.all, "the function that is told of progress stops the run");
 }
 

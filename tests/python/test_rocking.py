@@ -181,7 +181,7 @@ class Errors(unittest.TestCase):
                 rocking.open_run(folder)
 
 
-LONG = changed(realisations=100000)
+LONG = changed(realisations=100000, sweep=[{"parameter": "/excitation/amplitude", "values": [4.0]}])
 
 
 class Interrupting(unittest.TestCase):

@@ -1,5 +1,6 @@
 # Installs rocking/rocking.hpp and every header that it includes, directly or not: no other header is public. Variables:
 # SOURCE, the folder that holds rocking/; DESTINATION, the include folder.
+cmake_policy(VERSION 3.25)
 set(waiting rocking/rocking.hpp)
 set(installed "")
 while(waiting)

@@ -185,6 +185,10 @@ LONG = changed(realisations=100000, sweep=[{"parameter": "/excitation/amplitude"
 
 
 class Interrupting(unittest.TestCase):
+    def setUp(self):  # a background process of a shell ignores the signal
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+
     def test_ctrl_c_keeps_what_is_done(self):
         def interrupt(done, all):
             if done > 20:

@@ -1,4 +1,5 @@
 # `cpack -G DEB` in the build folder makes one package of what is installed.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)  # it packs what is built, and builds nothing
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME rocking)
 set(CPACK_PACKAGE_VENDOR "the authors of rocking")

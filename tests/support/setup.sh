@@ -28,6 +28,11 @@ full_packages=(
   clang libbenchmark-dev
   valgrind  # for a profile
   libsundials-dev  # for one test and a benchmark; installs MPI, PETSc and a Fortran compiler too
+  pybind11-dev python3-dev python3-numpy  # for the Python module
+  python3-pip python3-setuptools python3-wheel  # to install it with pip
+  doxygen python3-sphinx  # for the reference documentation
+  dpkg-dev file groff-base  # for the package of the system, and to check the manual pages
+  python3-matplotlib  # for a tutorial
   python3-pandas r-base-core octave  # to load results as in lib/docs/loading.md
   libopenmpi-dev openmpi-bin iproute2  # for rocking-mpi and its test between two hosts
   slurm-wlm munge  # for a cluster of one machine

@@ -43,6 +43,8 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"input", {"base", "dynamics", "section", "text", "scene"}},
     {"output",
      {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "store", "ensemble", "studies"}},
+    {"api",
+     {"base", "stats", "section", "scene", "realisation", "store", "ensemble", "studies", "text", "input", "output"}},
 };
 
 /// Rooms whose code affects the bits of the result of a realisation.

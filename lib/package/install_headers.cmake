@@ -1,0 +1,23 @@
+# Installs rocking/rocking.hpp and every header that it includes, directly or not: no other header is public. Variables:
+# SOURCE, the folder that holds rocking/; DESTINATION, the include folder.
+cmake_policy(VERSION 3.25)
+set(waiting rocking/rocking.hpp)
+set(installed "")
+while(waiting)
+  list(POP_FRONT waiting header)
+  if(header IN_LIST installed)
+    continue()
+  endif()
+  list(APPEND installed ${header})
+  set(file ${SOURCE}/${header})
+  if(header STREQUAL "rocking/rocking.hpp")
+    set(file ${SOURCE}/rocking/api/rocking.hpp)  # the header that users include has no room in its name
+  endif()
+  get_filename_component(folder ${header} DIRECTORY)
+  file(INSTALL ${file} DESTINATION ${DESTINATION}/${folder})
+  file(STRINGS ${file} includes REGEX "^#include \"rocking/")
+  foreach(line IN LISTS includes)
+    string(REGEX REPLACE "^#include \"(.*)\".*" "\\1" next "${line}")
+    list(APPEND waiting ${next})
+  endforeach()
+endwhile()

@@ -1,0 +1,102 @@
+#include "module.hpp"
+
+#include <array>
+#include <string>
+#include <system_error>
+
+#include <pybind11/stl.h>
+
+#include "rocking/base/error.hpp"
+#include "rocking/dynamics/contact.hpp"
+#include "rocking/dynamics/termination.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/write_facts.hpp"
+#include "rocking/rocking.hpp"
+#include "rocking/store/sqlite.hpp"
+
+namespace rocking::python {
+namespace {
+
+namespace py = pybind11;
+
+/// Sets the Python error for an exception of the library; the classes are those of rocking/errors.py.
+void set_error(const char* name, const py::object& argument) {
+  const py::object type = py::module_::import("rocking.errors").attr(name);
+  PyErr_SetObject(type.ptr(), type(argument).ptr());
+}
+
+py::list tuples_of(const std::vector<base::Problem>& problems) {
+  py::list list;
+  for (const base::Problem& problem : problems) {
+    list.append(py::make_tuple(problem.place, problem.value, problem.reason, problem.remedy, problem.where));
+  }
+  return list;
+}
+
+void translate(std::exception_ptr pointer) {
+  try {
+    if (pointer) std::rethrow_exception(pointer);
+  } catch (const base::InputError& error) {
+    set_error("InputError", tuples_of(error.problems()));
+  } catch (const sqlite::UnusableFile& error) {
+    set_error("StoreError", py::str(error.what()));
+  } catch (const std::system_error& error) {
+    // With two arguments OSError becomes FileNotFoundError, PermissionError and so on.
+    const py::object os_error = py::reinterpret_borrow<py::object>(PyExc_OSError);
+    PyErr_SetObject(PyExc_OSError, py::make_tuple(error.code().value(), error.what()).ptr());
+  }
+}
+
+Overrides overrides_of(std::optional<std::string> seed, std::optional<std::string> realisations) {
+  return {.seed = std::move(seed), .realisations = std::move(realisations)};
+}
+
+template <class Enumeration, std::size_t Count>
+py::tuple names_of() {
+  py::tuple names(Count);
+  for (std::size_t i = 0; i < Count; ++i) names[i] = std::string(to_string(static_cast<Enumeration>(i)));
+  return names;
+}
+
+void add_experiment(py::module_& module) {
+  py::class_<Experiment>(module, "Experiment")
+      .def_readonly("title", &Experiment::title)
+      .def_readonly("seed", &Experiment::seed)
+      .def_property_readonly("text", [](const Experiment& experiment) { return experiment.canonical_text; })
+      .def_property_readonly("shape", [](const Experiment& experiment) { return experiment.sweep_sizes; })
+      .def_property_readonly("conditions", [](const Experiment& experiment) { return experiment.conditions.size(); })
+      .def("parameters", [](const Experiment& experiment, std::size_t condition) {
+        py::list list;
+        for (const Parameter& parameter : experiment.conditions.at(condition).parameters) {
+          list.append(py::make_tuple(parameter.pointer, parameter.value));
+        }
+        return list;
+      });
+  module.def("parse", [](std::string text, std::string name, const std::string& folder, std::optional<std::string> seed,
+                         std::optional<std::string> realisations) {
+    const ExperimentText source{.text = std::move(text), .name = std::move(name), .folder = folder};
+    return read_experiment(source, overrides_of(std::move(seed), std::move(realisations)));
+  });
+  module.def("read",
+             [](const std::string& path, std::optional<std::string> seed, std::optional<std::string> realisations) {
+               return read_experiment_file(path, overrides_of(std::move(seed), std::move(realisations)));
+             });
+}
+
+}  // namespace
+}  // namespace rocking::python
+
+PYBIND11_MODULE(_core, module) {
+  namespace py = pybind11;
+  using namespace rocking;
+  module.doc() = "Core of the package rocking; its interface is that of the package.";
+  py::register_exception_translator(&python::translate);
+  python::add_experiment(module);
+  python::add_arrays(module);
+  python::add_runs(module);
+  module.def("version", [] { return std::string(version()); });
+  module.def("schema", [](const std::string& name) { return std::string(schema(name)); });
+  module.attr("contacts") = python::names_of<dynamics::ContactState, 5>();
+  module.attr("events") = python::names_of<dynamics::EventKind, dynamics::event_kind_count>();
+  module.attr("terminations") = python::names_of<dynamics::Termination, dynamics::terminations.size()>();
+}

@@ -1,0 +1,67 @@
+"""How likely is each response of a rocking block?
+
+>>> import rocking
+>>> slab = {
+...     "format": "rocking.experiment/1",
+...     "block": {"width_m": 1.0, "height_m": 4.0},
+...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0},
+...     "friction": {"static": 0.40, "kinetic": 0.35},
+...     "fluctuation": {"friction": {"sigma": 0.0016}},
+...     "horizon": {"transient_periods": 100, "sampled_periods": 40},
+...     "realisations": 20,
+...     "seed": "0x1",
+... }
+>>> result = rocking.run(slab)
+>>> result.probabilities.shape == (1, len(result.modes))
+True
+"""
+
+from . import _core
+from .errors import InputError, Interrupted, Problem, StoreError
+from .experiments import Experiment, ExperimentLike, experiment, validate
+from .results import Result
+from .running import open_run, run
+from .studies import FragilityCurve, Orbit, OrbitsOfCondition, fragility, orbits
+from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
+
+__version__ = _core.version()
+
+__all__ = [
+    "CONTACTS",
+    "EVENTS",
+    "Experiment",
+    "ExperimentLike",
+    "FragilityCurve",
+    "InputError",
+    "Interrupted",
+    "Orbit",
+    "OrbitsOfCondition",
+    "Problem",
+    "Result",
+    "StoreError",
+    "TERMINATIONS",
+    "Trajectory",
+    "experiment",
+    "fragility",
+    "open_run",
+    "orbits",
+    "run",
+    "schema",
+    "trajectory",
+    "validate",
+]
+
+
+def schema(name: str) -> dict:
+    """The JSON Schema (draft 07) of a format: ``experiment``, ``report``, ``trajectory``, ...
+
+    >>> import rocking
+    >>> rocking.schema("experiment")["type"]
+    'object'
+    """
+    import json
+
+    text = _core.schema(name)
+    if not text:
+        raise KeyError(f"{name}: no format of this name")
+    return json.loads(text)

@@ -1,0 +1,69 @@
+"""Exceptions of the package. A file that cannot be read or written raises :class:`OSError`."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple
+
+if TYPE_CHECKING:
+    from .results import Result
+
+__all__ = ["InputError", "Interrupted", "Problem", "StoreError"]
+
+
+class Problem(NamedTuple):
+    """One fault of the input."""
+
+    place: str  #: JSON pointer such as ``/block/width_m``, or name of the argument
+    value: str  #: the value found there, as written; empty if there is none
+    reason: str  #: why it is not accepted
+    remedy: str  #: what would be accepted; empty if the reason says it
+    where: str  #: file and line; empty if ``place`` says it
+
+    def __str__(self) -> str:
+        text = f"{self.where}: " if self.where else ""
+        text += self.place
+        if self.value:
+            text += f" = {self.value}"
+        text += f": {self.reason}"
+        return f"{text}; {self.remedy}" if self.remedy else text
+
+
+class InputError(ValueError):
+    """The input cannot be used. Has all problems that were found.
+
+    >>> import rocking
+    >>> try:
+    ...     rocking.validate({"format": "rocking.experiment/1", "block": {"width_m": -1, "height_m": 4}})
+    ... except rocking.InputError as error:
+    ...     print(error.pointer)
+    /block/width_m
+    """
+
+    problems: Tuple[Problem, ...]
+
+    def __init__(self, problems: Sequence[Tuple[str, str, str, str, str]]) -> None:
+        self.problems = tuple(Problem(*problem) for problem in problems)
+        super().__init__("\n".join(str(problem) for problem in self.problems))
+
+    def __reduce__(self):  # so that it reaches the parent of a process pool
+        return type(self), (tuple(tuple(problem) for problem in self.problems),)
+
+    @property
+    def pointer(self) -> str:
+        """Place of the first problem: a JSON pointer."""
+        return self.problems[0].place if self.problems else ""
+
+
+class StoreError(RuntimeError):
+    """A store of realisations is damaged, or is none."""
+
+
+class Interrupted(KeyboardInterrupt):
+    """Ctrl-C stopped the run. What is done is kept in ``result``, and in the folder if there is one."""
+
+    result: "Result"
+
+    def __init__(self, result: "Result") -> None:
+        self.result = result
+        kept = f"; {result.folder} keeps them, and the same call goes on" if result.folder else ""
+        super().__init__(f"stopped after {result.done} of {result.all} realisations{kept}")

@@ -1,0 +1,89 @@
+"""Runs."""
+
+from __future__ import annotations
+
+import datetime
+import os
+import platform
+import time
+from typing import Callable, Optional, Union
+
+from . import _core
+from .errors import Interrupted
+from .experiments import Experiment, ExperimentLike, experiment
+from .results import Result
+
+__all__ = ["Progress", "open_run", "run"]
+
+Progress = Callable[[int, int], object]
+
+
+def processors() -> int:
+    """Processors that this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def run(
+    source: ExperimentLike,
+    *,
+    seed: Union[int, str, None] = None,
+    realisations: Optional[int] = None,
+    threads: Optional[int] = None,
+    folder: Union[str, "os.PathLike[str]", None] = None,
+    progress: Optional[Progress] = None,
+) -> Result:
+    """Simulate all realisations of an experiment and estimate the probability of each response.
+
+    source: a dictionary as in an experiment file, the path of one, or an Experiment.
+
+    seed, realisations: replace those of the source.
+
+    threads: default: one for each processor. Changes the time, never the result.
+
+    folder: keeps the realisations in ``folder/realisations.sqlite``, as the program does; a run that was stopped goes
+    on there. Default: in memory.
+
+    progress: called now and then with (finished realisations, all).
+
+    Ctrl-C raises Interrupted, a KeyboardInterrupt with what is done. An exception of ``progress`` stops the run and is
+    passed on. Raises InputError with all problems of the experiment, and OSError where a file cannot be used. Other
+    Python threads go on meanwhile.
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "realisations": 10, "seed": "0x1"}
+    >>> result = rocking.run(slab)
+    >>> int(result.counts.sum())
+    10
+    >>> result.digest == rocking.run(slab, threads=1).digest
+    True
+    """
+    checked = experiment(source, seed=seed, realisations=realisations)
+    if threads is None:
+        threads = processors()
+    if threads < 1:
+        raise ValueError(f"threads = {threads}: must be at least 1")
+    where = None if folder is None else os.fspath(folder)
+    start = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+    began = time.perf_counter()
+    core, interrupted = _core.run(checked._core, threads, where or "", checked._files, progress)
+    occasion = (platform.platform(), start, time.perf_counter() - began, threads)
+    result = Result(checked, core, occasion, where)
+    if interrupted and not result.is_complete:
+        raise Interrupted(result)
+    if interrupted:
+        raise KeyboardInterrupt
+    return result
+
+
+def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:
+    """The run in a folder that ``run(folder=...)`` or the program has filled; it need not be complete.
+
+    Raises OSError if there is none, StoreError if it is damaged.
+    """
+    where = os.fspath(folder)
+    core_experiment, core = _core.open_run(where)
+    occasion = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
+    return Result(Experiment(core_experiment, where), core, occasion, where)

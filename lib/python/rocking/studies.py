@@ -1,0 +1,113 @@
+"""Periodic orbits and fragility functions."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, List, Mapping, Optional, Union
+
+import numpy as np
+
+from . import _core
+from .experiments import ExperimentLike, experiment
+from .results import Result
+from .running import Progress, open_run, processors, run
+
+__all__ = ["FragilityCurve", "Orbit", "OrbitsOfCondition", "fragility", "orbits"]
+
+_POINT = np.dtype([("tilt", float), ("tilt_rate", float), ("slip_rate", float)])
+
+
+class Orbit:
+    """A periodic orbit, stable or not."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.period: int = data["period"]  #: n: excitation periods until it repeats
+        self.cycles: int = data["cycles"]  #: m: pairs of impacts in them
+        self.contact: str = data["contact"]  #: contact state at the section
+        self.residual: float = data["residual"]  #: of the map over n periods
+        self.kind: str = data["kind"]  #: ``node``, ``focus``, ``saddle``, ...
+        self.is_stable: Optional[bool] = data["stable"]  #: None where there are no multipliers
+        self.is_symmetric: bool = data["symmetric"]  #: equals its mirror image
+        self.mirror: int = data["mirror"]  #: place of its mirror image in the list
+        self.found_by: str = data["found_by"]  #: ``run``, ``grid`` or ``mirror``
+        #: at the n instants of the section: tilt (Theta), tilt_rate (Theta'), slip_rate (V)
+        self.points: np.ndarray = np.array([tuple(point) for point in data["points"]], dtype=_POINT)
+        #: eigenvalues of the derivative of the map, by falling modulus
+        self.multipliers: np.ndarray = np.array([complex(*pair) for pair in data["multipliers"]], dtype=complex)
+
+    def __repr__(self) -> str:
+        return f"<rocking.Orbit ({self.cycles},{self.period}), {self.kind}>"
+
+
+class OrbitsOfCondition:
+    """The orbits that were found in one condition."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.parameters: Dict[str, Any] = dict(data["parameters"])  #: swept values by JSON pointer
+        self.mode: str = data["run"]["mode"]  #: response of the run from the initial state
+        self.run_on: Optional[int] = data["run"]["orbit"]  #: the stable orbit on which it ended
+        self.orbits: List[Orbit] = [Orbit(orbit) for orbit in data["orbits"]]
+        self.searches: int = data["searches"]  #: Newton iterations started
+        self.converged: int = data["converged"]  #: of these, to an orbit
+
+
+def orbits(
+    source: ExperimentLike,
+    *,
+    longest: int = 5,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> List[OrbitsOfCondition]:
+    """Find the periodic orbits of each condition, stable and unstable, with their multipliers.
+
+    longest: largest period that is searched, in excitation periods, at most 12. progress: called with (finished
+    conditions, all). Raises InputError if a condition is random or its excitation is not harmonic.
+
+    >>> import rocking
+    >>> found = rocking.orbits({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 200, "sampled_periods": 60}}, longest=1)
+    >>> all(orbit.residual <= 1e-13 for orbit in found[0].orbits)
+    True
+    """
+    checked = experiment(source)
+    text, interrupted = _core.orbits(checked._core, longest, threads or processors(), progress)
+    if interrupted or text is None:
+        raise KeyboardInterrupt
+    return [OrbitsOfCondition(condition) for condition in json.loads(text)["conditions"]]
+
+
+class FragilityCurve:
+    """Probability of overturning as a function of intensity. Arrays are by growing intensity."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        levels = data["levels"]
+        self.data: Mapping[str, Any] = data  #: the curve as in ``rocking.fragility/1``
+        self.parameter: str = data["parameter"]  #: JSON pointer to the intensity
+        self.intensity = np.array([level["intensity"] for level in levels], dtype=float)
+        self.overturned = np.array([level["overturned"] for level in levels], dtype=np.int64)
+        self.realisations = np.array([level["realisations"] for level in levels], dtype=np.int64)
+        self.estimate = np.array([level["estimate"] for level in levels], dtype=float)
+        #: Clopper-Pearson, of each level alone, shape (levels, 2)
+        self.exact = np.array([level["exact"] for level in levels], dtype=float)
+        #: the fitted function; NaN where none is fitted
+        self.fitted = np.array([np.nan if level["fitted"] is None else level["fitted"] for level in levels])
+
+    def __repr__(self) -> str:
+        return f"<rocking.FragilityCurve of {self.parameter}, {len(self.intensity)} levels>"
+
+
+def fragility(
+    source: Union[Result, ExperimentLike], *, threads: Optional[int] = None, progress: Optional[Progress] = None
+) -> List[FragilityCurve]:
+    """Fit the probability of overturning as a function of the swept intensity; a curve for each point of the rest.
+
+    source: a Result, the folder of a finished run, or an experiment, which is run first. Raises InputError if the
+    experiment sweeps no intensity of the excitation or its number of realisations is not fixed.
+    """
+    if isinstance(source, (str, os.PathLike)) and os.path.isdir(source):
+        source = open_run(source)
+    result = source if isinstance(source, Result) else run(source, threads=threads, progress=progress)
+    data = json.loads(_core.fragility(result.experiment._core, result._core))
+    return [FragilityCurve(curve) for curve in data["curves"]]

@@ -1,0 +1,118 @@
+"""One realisation in detail."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Optional, Union
+
+import numpy as np
+
+from . import _core
+from .experiments import ExperimentLike, experiment
+
+if TYPE_CHECKING:
+    import pandas
+
+__all__ = ["CONTACTS", "EVENTS", "TERMINATIONS", "Trajectory", "trajectory"]
+
+#: Names of the contact states, by the number in the arrays.
+CONTACTS = _core.contacts
+#: Names of the kinds of events, by the number in the arrays.
+EVENTS = _core.events
+#: Names of the ways in which a realisation ends, by the number in the arrays.
+TERMINATIONS = _core.terminations
+
+
+class Trajectory:
+    """One realisation: structured arrays, without copies.
+
+    States are Theta (tilt over psi), Theta', X (slip over R) and V; times are tau = p t.
+    """
+
+    def __init__(self, core: _core.Trajectory) -> None:
+        self._core = core
+        self.strobe: np.ndarray = core.strobe  #: at each excitation period: period, tilt, tilt_rate, slip, slip_rate, contact
+        self.events: np.ndarray = core.events  #: tau, kind (place in EVENTS), and the state after the event
+        self.history: np.ndarray = core.history  #: tau, state, contact, base_acceleration [g]; empty unless asked for
+
+    @property
+    def block(self) -> dict:
+        """The block of this realisation: width_m, height_m, gravity_m_s2, shape_angle_rad, ..."""
+        return self._core.block
+
+    @property
+    def period_length(self) -> float:
+        """Normalised time from one strobe point to the next, 2 pi/Omega_h."""
+        return self._core.period_length
+
+    @property
+    def peaks(self) -> dict:
+        """Largest tilt, tilt_rate and slip, and the slip at the end."""
+        return self._core.peaks
+
+    @property
+    def energy(self) -> dict:
+        """Energy balance, over m R^2 p^2."""
+        return self._core.energy
+
+    @property
+    def termination(self) -> str:
+        """Why it ended: ``reached_horizon``, ``overturned``, ``painleve`` or ``stopped``."""
+        return self._core.termination
+
+    @property
+    def losses_of_contact(self) -> int:
+        """Number of downward crossings of N = 0."""
+        return self._core.losses_of_contact
+
+    @property
+    def first_loss_of_contact(self) -> Optional[float]:
+        """Normalised time of the first one, if there was one."""
+        return self._core.first_loss_of_contact
+
+    @property
+    def contradictions(self) -> int:
+        """Instants at which neither sticking nor slipping agrees with the equations."""
+        return self._core.contradictions
+
+    def to_pandas(self, rows: str = "strobe") -> "pandas.DataFrame":
+        """``strobe``, ``events`` or ``history`` as a table, with names of contacts and events."""
+        import pandas
+
+        if rows not in ("strobe", "events", "history"):
+            raise ValueError(f"rows = {rows!r}: must be 'strobe', 'events' or 'history'")
+        table = pandas.DataFrame(getattr(self, rows))
+        for column, names in (("contact", CONTACTS), ("kind", EVENTS)):
+            if column in table:
+                table[column] = pandas.Categorical.from_codes(table[column], names)
+        return table
+
+
+def trajectory(
+    source: ExperimentLike,
+    *,
+    condition: int = 0,
+    realisation: int = 0,
+    periods: Optional[int] = None,
+    samples_per_period: int = 0,
+    seed: Union[int, str, None] = None,
+) -> Trajectory:
+    """Simulate one realisation and return its states and events.
+
+    periods: excitation periods; default: all of the horizon. samples_per_period: of the history; 0: none.
+    Raises InputError if the experiment has no such condition or a number is out of range.
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0}, "restitution": 0.9}
+    >>> motion = rocking.trajectory(slab, periods=3)
+    >>> motion.strobe["period"]
+    array([1, 2, 3])
+    >>> rocking.EVENTS[motion.events["kind"][0]]
+    'lift'
+    """
+    if periods is not None and periods < 1:
+        raise ValueError(f"periods = {periods}: must be at least 1")
+    checked = experiment(source, seed=seed)
+    return Trajectory(
+        _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period)
+    )

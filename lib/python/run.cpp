@@ -1,0 +1,156 @@
+#include <cmath>
+#include <limits>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <pybind11/numpy.h>
+#include <pybind11/stl.h>
+
+#include "module.hpp"
+#include "rocking/rocking.hpp"
+#include "rocking/store/store.hpp"
+#include "watched.hpp"
+
+namespace rocking::python {
+namespace {
+
+namespace py = pybind11;
+
+/// A stored realisation, as a row of an array. Numbers that a row of a former layout lacks are NaN.
+struct RealisationRow {
+  std::uint64_t condition;
+  std::uint64_t realisation;
+  std::int32_t mode;  ///< place in the list of names
+  std::uint8_t termination;
+  bool left_ground;
+  bool past_balance;
+  double margin;
+  double peak_tilt;
+  double peak_tilt_rate;
+  double peak_slip;
+  double peak_slip_m;
+  double final_slip;
+  double final_slip_m;
+};
+
+double or_nan(const std::optional<double>& number) { return number.value_or(std::numeric_limits<double>::quiet_NaN()); }
+
+/// (names of the modes, array of rows); the array takes the rows over.
+py::tuple rows_of(const RunResult& run) {
+  auto rows = std::make_unique<std::vector<RealisationRow>>();
+  std::map<section::ResponseMode, std::int32_t> places;
+  for (const auto& counts : run.counts) {
+    for (const auto& [mode, count] : counts) places.emplace(mode, 0);
+  }
+  py::list names;
+  for (auto& [mode, place] : places) {
+    place = static_cast<std::int32_t>(names.size());
+    names.append(name_of(mode));
+  }
+  run.store->for_each([&](const RealisationKey& key, const Summary& summary) {
+    const auto place = places.find(summary.mode);
+    if (place == places.end()) return;  // beyond the realisations of the experiment
+    const StoredPeaks& peaks = summary.peaks;
+    rows->push_back({.condition = key.condition,
+                     .realisation = key.realisation,
+                     .mode = place->second,
+                     .termination = static_cast<std::uint8_t>(summary.termination),
+                     .left_ground = summary.left_ground,
+                     .past_balance = summary.was_past_balance,
+                     .margin = summary.margin,
+                     .peak_tilt = or_nan(peaks.tilt),
+                     .peak_tilt_rate = or_nan(peaks.tilt_rate),
+                     .peak_slip = or_nan(peaks.slip),
+                     .peak_slip_m = or_nan(peaks.slip_m),
+                     .final_slip = or_nan(peaks.final_slip),
+                     .final_slip_m = or_nan(peaks.final_slip_m)});
+  });
+  const py::capsule owner(rows.get(), [](void* held) { delete static_cast<std::vector<RealisationRow>*>(held); });
+  const std::vector<RealisationRow>& kept = *rows.release();
+  return py::make_tuple(
+      names, py::array(py::dtype::of<RealisationRow>(), {kept.size()}, {sizeof(RealisationRow)}, kept.data(), owner));
+}
+
+py::list counts_of(const RunResult& run) {
+  py::list list;
+  for (const auto& counts : run.counts) {
+    py::dict dict;
+    for (const auto& [mode, count] : counts) dict[py::str(name_of(mode))] = count;
+    list.append(dict);
+  }
+  return list;
+}
+
+py::tuple numbers(const stats::Interval& interval) { return py::make_tuple(interval.low, interval.high); }
+
+/// For each condition, for each listed mode: (name, successes, trials, estimate, interval), where the interval is the
+/// one of the program's table.
+py::list estimates_of(const RunResult& run) {
+  py::list conditions;
+  if (!run.result) return conditions;
+  for (const ConditionResult& condition : run.result->conditions) {
+    py::list modes;
+    for (const auto& [mode, probability] : condition.modes) {
+      const auto& interval = probability.anytime ? *probability.anytime : probability.simultaneous;
+      modes.append(py::make_tuple(name_of(mode), probability.counts.successes, probability.counts.trials,
+                                  probability.estimate, numbers(interval)));
+    }
+    conditions.append(modes);
+  }
+  return conditions;
+}
+
+/// (run, whether Ctrl-C stopped it).
+py::tuple run_watched(const Experiment& experiment, unsigned threads, const std::string& folder,
+                      const std::string& files, py::object on_progress) {
+  Watched<RunResult> watched(std::move(on_progress));
+  auto result = watched.run({.threads = threads, .folder = folder, .files = files},
+                            [&](const Execution& execution) { return run(experiment, execution); });
+  return py::make_tuple(std::move(result), watched.was_interrupted());
+}
+
+/// (JSON text or None, whether Ctrl-C stopped it).
+py::tuple orbits_watched(const Experiment& experiment, int longest, unsigned threads, py::object on_progress) {
+  Watched<std::string> watched(std::move(on_progress));
+  auto text = watched.run({.threads = threads},
+                          [&](const Execution& execution) { return orbits(experiment, longest, execution); });
+  return py::make_tuple(std::move(text), watched.was_interrupted());
+}
+
+}  // namespace
+
+void add_runs(py::module_& module) {
+  PYBIND11_NUMPY_DTYPE(RealisationRow, condition, realisation, mode, termination, left_ground, past_balance, margin,
+                       peak_tilt, peak_tilt_rate, peak_slip, peak_slip_m, final_slip, final_slip_m);
+  py::class_<RunResult>(module, "Run")
+      .def_readonly("done", &RunResult::done)
+      .def_readonly("all", &RunResult::all)
+      .def_property_readonly("is_complete", &RunResult::is_complete)
+      .def_property_readonly("counts", &counts_of)
+      .def_property_readonly("estimates", &estimates_of)
+      .def("rows", &rows_of)
+      .def("digest", &digest_of)
+      .def("report", [](const RunResult& run, const Experiment& experiment, std::string machine, std::string start,
+                        double duration, unsigned threads) {
+        const py::gil_scoped_release release;
+        return report(
+            experiment, run,
+            {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
+      });
+  module.def("run", &run_watched);
+  module.def("orbits", &orbits_watched);
+  module.def("fragility", [](const Experiment& experiment, const RunResult& run) {
+    const py::gil_scoped_release release;
+    return fragility(experiment, run);
+  });
+  module.def("open_run", [](const std::string& folder) {
+    StoredRun stored = [&] {
+      const py::gil_scoped_release release;
+      return open_run(folder);
+    }();
+    return py::make_tuple(std::move(stored.experiment), std::move(stored.run));
+  });
+}
+
+}  // namespace rocking::python

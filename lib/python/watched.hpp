@@ -1,0 +1,105 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include <pybind11/pybind11.h>
+
+#include "rocking/rocking.hpp"
+
+namespace rocking::python {
+
+/// A computation in a thread of its own, while the calling thread, without the interpreter's lock, waits for it, looks
+/// for signals and tells Python of progress. Ctrl-C, or an exception of the Python function, stops it.
+template <class Result>
+class Watched {
+ public:
+  explicit Watched(pybind11::object on_progress) : on_progress_(std::move(on_progress)) {}
+
+  /// compute(execution) with the fields that stop it and tell of progress. Absent only where it threw base::Stopped.
+  template <class Compute>
+  std::optional<Result> run(Execution execution, const Compute& compute) {
+    execution.stop = &stop_;
+    execution.on_progress = [this](std::uint64_t done, std::uint64_t all) {
+      done_.store(done, std::memory_order_relaxed);
+      all_.store(all, std::memory_order_relaxed);
+      return Decision::proceed;
+    };
+    std::thread worker([&] {
+      try {
+        result_ = compute(execution);
+      } catch (...) {
+        failure_ = std::current_exception();
+      }
+      const std::lock_guard lock(mutex_);
+      has_ended_ = true;
+      ended_.notify_one();
+    });
+    while (!wait()) look_up();
+    {
+      const pybind11::gil_scoped_release release;
+      worker.join();
+    }
+    return conclude();
+  }
+
+  [[nodiscard]] bool was_interrupted() const { return was_interrupted_; }
+
+ private:
+  bool wait() {
+    const pybind11::gil_scoped_release release;
+    std::unique_lock lock(mutex_);
+    return ended_.wait_for(lock, std::chrono::milliseconds(50), [this] { return has_ended_; });
+  }
+
+  void look_up() {
+    if (stop_) return;
+    try {
+      if (PyErr_CheckSignals() != 0) throw pybind11::error_already_set();
+      tell();
+    } catch (pybind11::error_already_set& error) {
+      was_interrupted_ = error.matches(PyExc_KeyboardInterrupt);
+      if (!was_interrupted_) python_error_ = std::current_exception();
+      stop_ = true;
+    }
+  }
+
+  void tell() {
+    const std::uint64_t done = done_.load(std::memory_order_relaxed);
+    const std::uint64_t all = all_.load(std::memory_order_relaxed);
+    if (on_progress_.is_none() || all == 0 || (done == told_done_ && all == told_all_)) return;
+    told_done_ = done;
+    told_all_ = all;
+    on_progress_(done, all);
+  }
+
+  std::optional<Result> conclude() {
+    if (python_error_) std::rethrow_exception(python_error_);
+    try {
+      if (failure_) std::rethrow_exception(failure_);
+    } catch (const base::Stopped&) {
+      return std::nullopt;
+    }
+    if (!was_interrupted_) tell();
+    return std::move(result_);
+  }
+
+  pybind11::object on_progress_;
+  std::atomic<bool> stop_{false};
+  std::atomic<std::uint64_t> done_{0}, all_{0};
+  std::uint64_t told_done_ = 0, told_all_ = 0;
+  bool was_interrupted_ = false;
+  std::exception_ptr python_error_, failure_;
+  std::optional<Result> result_;
+  std::mutex mutex_;
+  std::condition_variable ended_;
+  bool has_ended_ = false;
+};
+
+}  // namespace rocking::python

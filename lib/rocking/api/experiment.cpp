@@ -1,0 +1,38 @@
+#include "rocking/api/experiment.hpp"
+
+#include <utility>
+
+#include "rocking/base/build_info.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/text/schema.hpp"
+
+namespace rocking {
+
+Experiment read_experiment(const std::filesystem::path& file) { return read_experiment_file(file); }
+
+Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder, const std::string& name) {
+  return read_experiment(ExperimentText{.text = std::string(text), .name = name, .folder = folder}, Overrides{});
+}
+
+Experiment experiment_of(std::vector<Condition> conditions, const Declaration& declaration) {
+  if (conditions.empty()) {
+    throw base::InputError({.place = "",
+                            .value = "",
+                            .reason = "the experiment has no condition",
+                            .remedy = "give at least one",
+                            .where = {}});
+  }
+  Experiment experiment{
+      .title = declaration.title, .seed = declaration.seed, .conditions = std::move(conditions), .canonical_text = {}};
+  check_experiment(experiment);
+  return experiment;
+}
+
+std::string name_of(const section::ResponseMode& mode) { return to_string(mode); }
+
+std::string_view version() { return base::build_info().version; }
+
+std::string_view schema(std::string_view name) { return schema_text(name).value_or(std::string_view{}); }
+
+}  // namespace rocking

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/api/export.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/scene/experiment.hpp"
+
+/// Experiments: from a file, from JSON text, or from conditions made in C++.
+namespace rocking {
+
+/// Reads an experiment file (`rocking.experiment/1`), works out its sweep and checks every condition. Throws
+/// base::InputError with all problems found, each with its JSON pointer, and std::system_error with the path where the
+/// file, or one that it names, cannot be read.
+[[nodiscard]] ROCKING_API Experiment read_experiment(const std::filesystem::path& file);
+
+/// The same of JSON text; `folder` is that of the files that the text names, `name` stands for the text in problems.
+[[nodiscard]] ROCKING_API Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder = ".",
+                                                      const std::string& name = "experiment");
+
+/// What is declared beside the conditions.
+struct Declaration {
+  std::uint64_t seed = 0;
+  std::string title = {};
+};
+
+/// An experiment of conditions that are made in C++, without JSON text; they need not be on a grid. Throws
+/// base::InputError with all problems found. Such an experiment can be run in memory only, because a folder keeps the
+/// text of its experiment.
+[[nodiscard]] ROCKING_API Experiment experiment_of(std::vector<Condition> conditions,
+                                                   const Declaration& declaration = {});
+
+/// The experiment as JSON text with every default written out: equal for equal experiments. Empty for one made in C++.
+[[nodiscard]] inline const std::string& text_of(const Experiment& experiment) { return experiment.canonical_text; }
+
+/// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
+[[nodiscard]] ROCKING_API std::string name_of(const section::ResponseMode& mode);
+
+/// Version of the library, MAJOR.MINOR.PATCH. In 0.x a minor version may change the interface.
+[[nodiscard]] ROCKING_API std::string_view version();
+
+/// The JSON Schema (draft 07) of a format: `experiment`, `report`, ... ; empty where there is none of this name.
+[[nodiscard]] ROCKING_API std::string_view schema(std::string_view name);
+
+}  // namespace rocking

@@ -1,0 +1,137 @@
+#include "rocking/api/run.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "rocking/api/written_experiment.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/ensemble/run.hpp"
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/write_report.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/store/store.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path store_in(const fs::path& folder) { return folder / "realisations.sqlite"; }
+
+bool has_store(const fs::path& folder) {
+  std::error_code none;
+  const auto bytes = fs::file_size(store_in(folder), none);
+  return !none && bytes > 0;
+}
+
+std::string code_name() {
+  const base::BuildInfo build = base::build_info();
+  return std::string(build.version) + ' ' + std::string(build.revision);
+}
+
+base::InputError refused(const fs::path& folder, std::string reason, std::string remedy) {
+  return base::InputError(
+      {.place = folder.string(), .value = "", .reason = std::move(reason), .remedy = std::move(remedy), .where = {}});
+}
+
+Store store_for(const Experiment& experiment, const Execution& execution) {
+  const fs::path& folder = execution.folder;
+  Identity identity{.experiment = experiment.canonical_text, .code = code_name(), .files = ".", .shard = {}};
+  if (folder.empty()) return Store::in_memory(identity);
+  if (experiment.canonical_text.empty()) {
+    throw refused(folder, "an experiment without text cannot be kept in a folder",
+                  "read the experiment from a file or from text, or run it in memory");
+  }
+  ensure_writable(folder);
+  if (!has_store(folder)) {
+    identity.files = fs::absolute(execution.files).lexically_normal().string();
+    return Store::create(store_in(folder), identity);
+  }
+  Store store = Store::open(store_in(folder), sqlite::Access::write);
+  if (store.identity().experiment != experiment.canonical_text) {
+    throw refused(folder, "has realisations of another experiment", "choose another folder");
+  }
+  if (store.identity().shard) {
+    throw refused(folder, "has one part of a divided run", "use the program for it: `rocking resume`");
+  }
+  if (!store.is_of_current_layout() || store.identity().results != results_version) {
+    throw refused(folder, "was written by another version", "`rocking resume` brings it up to date");
+  }
+  return store;
+}
+
+/// What both ways to a result have in common.
+RunResult look_at(const Experiment& experiment, Store store, base::StopRequest stop = {}) {
+  const Completeness state = completeness(experiment, store);
+  RunResult run{.result = {}, .done = state.done, .all = state.all, .counts = {}, .store = {}};
+  for (std::size_t i = 0; i < experiment.conditions.size(); ++i) {
+    run.counts.push_back(store.mode_counts(i, effective_realisations(experiment.conditions[i])));
+  }
+  try {
+    if (!store.identity().shard) run.result = result_of(experiment, store, stop);
+  } catch (const base::Stopped&) {
+    run.result.reset();
+  }
+  run.store = std::make_shared<Store>(std::move(store));
+  return run;
+}
+
+const ExperimentResult& complete(const RunResult& run) {
+  if (!run.result) throw std::invalid_argument("the run is not complete: it was stopped before its end");
+  return *run.result;
+}
+
+}  // namespace
+
+RunResult run(const Experiment& experiment, const Execution& execution) {
+  check_experiment(experiment);
+  Store store = store_for(experiment, execution);
+  std::atomic<bool> own_flag{false};
+  std::atomic<bool>& stop = execution.stop != nullptr ? *execution.stop : own_flag;
+  RunOptions options;
+  options.threads = std::max(1U, execution.threads);
+  options.stop_requested = &stop;
+  if (execution.on_progress) {
+    options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
+      if (execution.on_progress(done, all) == Decision::stop) stop = true;
+    };
+  }
+  // Whether it ended or was stopped follows from the rows.
+  static_cast<void>(run(experiment, store, options));
+  if (!execution.folder.empty()) store.close_up();
+  return look_at(experiment, std::move(store), &stop);
+}
+
+StoredRun open_run(const std::filesystem::path& folder) {
+  if (!has_store(folder)) {
+    throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
+                            folder.string() + ": contains no run (there is no realisations.sqlite)");
+  }
+  Store store = Store::open(store_in(folder), sqlite::Access::read);
+  if (const auto damage = store.damage()) throw sqlite::UnusableFile(*damage);
+  const Identity& identity = store.identity();
+  StoredRun stored{
+      .experiment = read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)}),
+      .run = {}};
+  stored.run = look_at(stored.experiment, std::move(store));
+  return stored;
+}
+
+std::string report(const Experiment& experiment, const RunResult& run, const Occasion& occasion) {
+  const SystemFacts system{.build = base::build_info(),
+                           .machine = occasion.machine,
+                           .start = occasion.start,
+                           .duration_s = occasion.duration_s,
+                           .threads = occasion.threads};
+  return report_text(with_text(experiment), complete(run), system);
+}
+
+std::string digest_of(const RunResult& run) { return base::to_hex(complete(run).digest); }
+
+}  // namespace rocking

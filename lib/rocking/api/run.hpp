@@ -1,0 +1,85 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rocking/api/export.hpp"
+#include "rocking/ensemble/result.hpp"
+#include "rocking/scene/experiment.hpp"
+
+/// Runs of experiments.
+namespace rocking {
+
+class Store;
+
+/// What the owner of a run says when it is told of progress.
+enum class Decision : std::uint8_t { proceed, stop };
+
+/// How an experiment is run. No field changes a result.
+struct Execution {
+  unsigned threads = 1;  ///< at least 1
+  /// Called from time to time, by one thread at a time, with the numbers of finished realisations and of all.
+  std::function<Decision(std::uint64_t done, std::uint64_t all)> on_progress = {};
+  /// A flag that stops the run when it is set, by any thread or a signal handler; looked at within realisations too. It
+  /// must outlive the run, which sets it where on_progress says stop. Null: none.
+  std::atomic<bool>* stop = nullptr;
+  /// Folder for the store of the realisations, `realisations.sqlite`, which the program reads and resumes; created if
+  /// necessary. A run in a folder that has realisations of the same experiment continues it. Empty: in memory.
+  std::filesystem::path folder = {};
+  /// Folder of the ground motions that the experiment names; kept in the store, so that the run can be resumed.
+  std::filesystem::path files = ".";
+};
+
+/// What is known of an experiment after a run.
+struct RunResult {
+  std::optional<ExperimentResult> result;  ///< absent if the run was stopped before the end
+  std::uint64_t done = 0;                  ///< realisations that are finished
+  std::uint64_t all = 0;                   ///< realisations of the experiment
+  /// Finished realisations by response mode, for each condition; also of a run that was stopped.
+  std::vector<std::map<section::ResponseMode, std::uint64_t>> counts;
+  std::shared_ptr<const Store> store;  ///< the realisations
+
+  [[nodiscard]] bool is_complete() const { return result.has_value(); }
+};
+
+/// Runs the realisations of an experiment that are not done yet. The result depends on the experiment alone, not on
+/// threads, interruptions or the machine; calls from several threads are independent. Throws base::InputError if a
+/// condition is not valid, if the folder has realisations of another experiment, or if an experiment without text is to
+/// be kept in a folder; std::system_error with the path where the folder cannot be used.
+[[nodiscard]] ROCKING_API RunResult run(const Experiment& experiment, const Execution& execution = {});
+
+/// The run in a folder, with its experiment.
+struct StoredRun {
+  Experiment experiment;
+  RunResult run;
+};
+
+/// Reads the folder that run(), or the program, has filled. Throws std::system_error with the path where there is none,
+/// std::runtime_error if the store is damaged, and base::InputError if a file that the experiment names has changed.
+[[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
+
+/// What the report says of the machine and the time, which the library does not read itself.
+struct Occasion {
+  std::string machine = "unknown";             ///< processor and operating system
+  std::string start = "1970-01-01T00:00:00Z";  ///< ISO 8601 in UTC
+  double duration_s = 0.0;                     ///< [s]
+  unsigned threads = 1;
+};
+
+/// The report of a complete run as JSON text (`rocking.report/1`). All but `system` has the same bytes as that of the
+/// program; `input.experiment` of an experiment made in C++ is null. Throws std::invalid_argument if the run is not complete.
+[[nodiscard]] ROCKING_API std::string report(const Experiment& experiment, const RunResult& run,
+                                             const Occasion& occasion = {});
+
+/// SHA-256 of the results of all realisations of a complete run, 64 hexadecimal digits: `result.digest` of the report.
+/// Throws std::invalid_argument if the run is not complete.
+[[nodiscard]] ROCKING_API std::string digest_of(const RunResult& run);
+
+}  // namespace rocking

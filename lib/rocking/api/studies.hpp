@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "rocking/api/export.hpp"
+#include "rocking/api/run.hpp"
+#include "rocking/realisation/trajectory.hpp"
+#include "rocking/scene/experiment.hpp"
+
+/// What is asked of an experiment beside its probabilities. One realisation is looked at with `trajectory_of`.
+namespace rocking {
+
+/// One realisation of an experiment, and how long it is followed.
+struct TrajectoryRequest {
+  std::uint64_t condition = 0;    ///< from 0
+  std::uint64_t realisation = 0;  ///< from 0
+  std::int64_t periods = 0;       ///< excitation periods; 0: all of the horizon
+  int samples_per_period = 0;     ///< of the history; 0: none
+};
+
+/// The trajectory of one realisation: strobe points, events, history, peaks, energy. Throws base::InputError if the
+/// experiment has no such condition or a number is out of range.
+[[nodiscard]] ROCKING_API Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request = {});
+
+/// Periodic orbits of all conditions, as JSON text (`rocking.orbits/1`); `longest` is the largest period that is
+/// searched, in excitation periods. Throws base::InputError if a condition is random or not harmonic, and base::Stopped
+/// if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions.
+[[nodiscard]] ROCKING_API std::string orbits(const Experiment& experiment, int longest,
+                                             const Execution& execution = {});
+
+/// Probability of overturning as a function of the swept intensity, as JSON text (`rocking.fragility/1`). Throws
+/// base::InputError if the experiment sweeps no intensity, has no fixed number of realisations, or is not finished.
+[[nodiscard]] ROCKING_API std::string fragility(const Experiment& experiment, const RunResult& run);
+
+}  // namespace rocking

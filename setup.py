@@ -1,0 +1,48 @@
+"""Builds the Python module with CMake.
+
+ROCKING_BUILD_FOLDER names a configured build folder, in which it is then built; by default it is built in a folder of
+its own. CMAKE_ARGS, separated by blanks, go to CMake, for example -DROCKING_ARCHITECTURE=x86-64.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from setuptools import Extension, setup
+from setuptools.command.build_ext import build_ext
+
+TOP = Path(__file__).resolve().parent
+
+
+def version():
+    return re.search(r"project\(rocking VERSION (\S+)", (TOP / "CMakeLists.txt").read_text())[1]
+
+
+class CMakeBuild(build_ext):
+    def build_extension(self, extension):
+        target = Path(self.get_ext_fullpath(extension.name)).resolve()
+        target.parent.mkdir(parents=True, exist_ok=True)
+        folder = os.environ.get("ROCKING_BUILD_FOLDER")
+        if folder is None:
+            folder = Path(self.build_temp).resolve()
+            options = ["PROGRAM", "TESTS", "INSTALL"]
+            command = ["cmake", "-S", TOP, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON"]
+            command += [f"-DROCKING_{option}=OFF" for option in options]
+            command += ["-DROCKING_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
+            subprocess.run(command + os.environ.get("CMAKE_ARGS", "").split(), check=True)
+        jobs = str(self.parallel or os.cpu_count() or 1)
+        subprocess.run(["cmake", "--build", folder, "--target", "rocking_python", "-j", jobs], check=True)
+        (built,) = (Path(folder) / "python/rocking").glob("_core*.so")
+        shutil.copyfile(built, target)
+
+
+(TOP / "build").mkdir(exist_ok=True)
+setup(
+    version=version(),
+    ext_modules=[Extension("rocking._core", sources=[])],
+    cmdclass={"build_ext": CMakeBuild},
+    options={"egg_info": {"egg_base": "build"}},
+)

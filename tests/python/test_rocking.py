@@ -1,0 +1,346 @@
+"""Tests of the Python module: the same bits as the program, errors, Ctrl-C, cost.
+
+Environment: ROCKING_PROGRAM, the program; ROCKING_SOURCE, the root of the clone.
+"""
+
+import doctest
+import importlib
+import json
+import os
+import pickle
+import pkgutil
+import signal
+import subprocess
+import tempfile
+import threading
+import time
+import unittest
+
+import numpy as np
+
+import rocking
+
+PROGRAM = os.environ["ROCKING_PROGRAM"]
+SOURCE = os.environ["ROCKING_SOURCE"]
+
+SLAB = {
+    "format": "rocking.experiment/1",
+    "block": {"width_m": 1.0, "height_m": 4.0},
+    "excitation": {
+        "kind": "harmonic",
+        "amplitude": 2.0,
+        "frequency_ratio": 10.0,
+        "phase_rad": {"uniform": [0.0, 6.28]},
+    },
+    "restitution": 0.9,
+    "horizon": {"transient_periods": 20, "sampled_periods": 20},
+    "sweep": [{"parameter": "/excitation/amplitude", "values": [1.0, 4.0, 12.0]}],
+    "realisations": 20,
+    "seed": "0x1",
+}
+
+
+def changed(**keys):
+    return {**SLAB, **keys}
+
+
+def write(folder, experiment):
+    path = os.path.join(folder, "experiment.json")
+    with open(path, "w") as file:
+        json.dump(experiment, file)
+    return path
+
+
+class AgainstTheProgram(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = write(self.folder.name, SLAB)
+        self.out = os.path.join(self.folder.name, "out")
+
+    def program(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+    def test_has_the_bits_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        with open(os.path.join(self.out, "report.json")) as file:
+            report = json.load(file)
+        for source in (SLAB, self.path, rocking.experiment(SLAB)):
+            for threads in (1, 3):
+                result = rocking.run(source, threads=threads)
+                self.assertEqual(result.digest, report["result"]["digest"])
+                own = result.report()
+                for key in report:
+                    if key != "system":
+                        self.assertEqual(own[key], report[key], key)
+
+    def test_has_the_numbers_of_the_report(self):
+        result = rocking.run(SLAB)
+        for i, condition in enumerate(result.report()["result"]["conditions"]):
+            for name, count in condition["counts"].items():
+                j = result.modes.index(name)
+                self.assertEqual(result.counts[i, j], count)
+                probability = condition["probabilities"][name]
+                self.assertEqual(result.probabilities[i, j], probability["estimate"])
+                np.testing.assert_array_equal(result.intervals[i, j], probability["simultaneous"])
+
+    def test_program_and_module_read_each_others_folders(self):
+        by_module = rocking.run(self.path, folder=self.out)
+        self.assertIn("60 of 60", self.program("status", self.out))
+        self.program("resume", self.out, "--no-page", "-q")
+        with open(os.path.join(self.out, "report.json")) as file:
+            self.assertEqual(json.load(file)["result"]["digest"], by_module.digest)
+        self.assertEqual(rocking.open_run(self.out).digest, by_module.digest)
+
+    def test_trajectory_is_that_of_the_program(self):
+        theirs = json.loads(self.program("trajectory", self.path, "--condition", "1", "--realisation", "3"))
+        ours = rocking.trajectory(self.path, condition=1, realisation=3, samples_per_period=4)
+        self.assertEqual(len(ours.strobe), len(theirs["strobe"]))
+        self.assertEqual([rocking.EVENTS[kind] for kind in ours.events["kind"]], [e["kind"] for e in theirs["events"]])
+        for name in ("tau", "tilt", "tilt_rate"):
+            np.testing.assert_array_equal(ours.events[name], [event[name] for event in theirs["events"]])
+        self.assertEqual(ours.termination, theirs["termination"])
+        self.assertEqual(len(ours.history), 4 * 40 + 1)
+
+    def test_orbits_are_those_of_the_program(self):
+        still = changed(
+            excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, sweep=[], realisations=1
+        )
+        del still["sweep"]
+        path = write(self.folder.name, still)
+        self.program("orbits", path, "-o", self.out, "--periods", "1", "-q")
+        with open(os.path.join(self.out, "orbits.json")) as file:
+            theirs = json.load(file)["conditions"][0]["orbits"]
+        ours = rocking.orbits(still, longest=1)[0].orbits
+        self.assertEqual(len(ours), len(theirs))
+        for one, other in zip(ours, theirs):
+            self.assertEqual([list(point) for point in one.points], other["points"])
+            self.assertEqual([[m.real, m.imag] for m in one.multipliers], other["multipliers"])
+
+    def test_fragility_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        theirs = json.loads(self.program("fragility", self.out, "--json"))["curves"][0]
+        for source in (SLAB, self.out, rocking.run(SLAB)):
+            self.assertEqual(rocking.fragility(source)[0].data, theirs)
+
+    def test_validate_is_that_of_the_program(self):
+        theirs = json.loads(self.program("validate", self.path, "--json"))
+        self.assertEqual(rocking.validate(self.path), theirs["experiment"])
+
+
+class Errors(unittest.TestCase):
+    def test_has_every_problem_with_its_pointer(self):
+        bad = changed(block={"width_m": -1.0, "height_m": 4.0}, restitution=7)
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.run(bad)
+        self.assertIsInstance(caught.exception, ValueError)
+        places = [problem.place for problem in caught.exception.problems]
+        self.assertEqual(places[:1], [caught.exception.pointer])
+        self.assertIn("/block/width_m", places)
+        self.assertIn("/restitution", places)
+        self.assertIn("metres", str(caught.exception))
+
+    def test_unknown_keys_are_errors(self):
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.validate(changed(blok={}))
+        self.assertEqual(caught.exception.pointer, "/blok")
+
+    def test_survives_pickling(self):
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.validate(changed(restitution=7))
+        again = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual(again.problems, caught.exception.problems)
+
+    def test_missing_files_are_oserrors(self):
+        with self.assertRaises(FileNotFoundError):
+            rocking.run("/nowhere/experiment.json")
+        with self.assertRaises(FileNotFoundError):
+            rocking.open_run("/nowhere")
+
+    def test_bad_arguments_are_refused(self):
+        with self.assertRaises(rocking.InputError):
+            rocking.trajectory(SLAB, condition=3)
+        with self.assertRaises(rocking.InputError):
+            rocking.run(SLAB, realisations=0)
+        with self.assertRaises(ValueError):
+            rocking.run(SLAB, threads=0)
+        with self.assertRaises(TypeError):
+            rocking.run(rocking.experiment(SLAB), seed=3)
+
+    def test_a_folder_of_another_experiment_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rocking.run(SLAB, folder=folder)
+            with self.assertRaises(rocking.InputError):
+                rocking.run(SLAB, seed=2, folder=folder)
+
+    def test_a_damaged_store_is_a_store_error(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with open(os.path.join(folder, "realisations.sqlite"), "w") as file:
+                file.write("no store " * 1000)
+            with self.assertRaises(rocking.StoreError):
+                rocking.open_run(folder)
+
+
+LONG = changed(realisations=100000, sweep=[{"parameter": "/excitation/amplitude", "values": [4.0]}])
+
+
+class Interrupting(unittest.TestCase):
+    def setUp(self):  # a background process of a shell ignores the signal
+        before = signal.signal(signal.SIGINT, signal.default_int_handler)
+        self.addCleanup(signal.signal, signal.SIGINT, before)
+
+    def test_ctrl_c_keeps_what_is_done(self):
+        def interrupt(done, all):
+            if done > 20:
+                os.kill(os.getpid(), signal.SIGINT)
+
+        with self.assertRaises(rocking.Interrupted) as caught:
+            rocking.run(LONG, progress=interrupt)
+        result = caught.exception.result
+        self.assertIsInstance(caught.exception, KeyboardInterrupt)
+        self.assertTrue(20 < result.done < result.all)
+        self.assertEqual(result.counts.sum(), result.done)
+        with self.assertRaises(ValueError):
+            result.probabilities
+
+    def test_a_stopped_run_goes_on_in_its_folder(self):
+        longer = changed(realisations=1500)
+        with tempfile.TemporaryDirectory() as folder:
+            class Enough(Exception):
+                pass
+
+            def stop(done, all):
+                if done > 100:
+                    raise Enough
+
+            with self.assertRaises(Enough):
+                rocking.run(longer, folder=folder, progress=stop)
+            part = rocking.open_run(folder)
+            self.assertTrue(100 < part.done < part.all)
+            self.assertEqual(rocking.run(longer, folder=folder).digest, rocking.run(longer).digest)
+
+    def test_other_threads_go_on_meanwhile(self):
+        ticks = []
+        over = threading.Event()
+
+        def tick():
+            while not over.wait(0.01):
+                ticks.append(None)
+
+        thread = threading.Thread(target=tick)
+        thread.start()
+        rocking.run(changed(realisations=1000), threads=1)
+        over.set()
+        thread.join()
+        self.assertGreater(len(ticks), 3)
+
+    def test_runs_of_several_threads_are_independent(self):
+        digests = {}
+
+        def work(seed):
+            digests[seed] = rocking.run(SLAB, seed=seed, threads=1).digest
+
+        threads = [threading.Thread(target=work, args=(seed,)) for seed in (1, 2, 3, 4)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        self.assertEqual(digests[1], rocking.run(SLAB, seed=1).digest)
+        self.assertEqual(len(set(digests.values())), 4)
+
+
+class Arrays(unittest.TestCase):
+    def test_are_views_that_outlive_their_trajectory(self):
+        events = rocking.trajectory(SLAB, condition=1).events
+        copy = events.copy()
+        for _ in range(20):
+            rocking.trajectory(SLAB, condition=2)
+        np.testing.assert_array_equal(events, copy)
+        self.assertFalse(events.flags.writeable)
+        self.assertFalse(events.flags.owndata)
+
+    def test_realisations_have_the_counts(self):
+        result = rocking.run(SLAB)
+        rows = result.realisations()
+        self.assertEqual(len(rows), 60)
+        for j, mode in enumerate(result.realisation_modes):
+            for condition in range(3):
+                here = rows[(rows["condition"] == condition) & (rows["mode"] == j)]
+                self.assertEqual(len(here), result.counts[condition, result.modes.index(mode)])
+
+    def test_parameters_are_those_of_the_sweep(self):
+        result = rocking.run(SLAB)
+        np.testing.assert_array_equal(result.parameter("/excitation/amplitude"), [1.0, 4.0, 12.0])
+        self.assertEqual(result.experiment.shape, (3,))
+        with self.assertRaises(KeyError):
+            result.parameter("/seed")
+
+    def test_accepts_numbers_of_numpy(self):
+        swept = changed(sweep=[{"parameter": "/excitation/amplitude", "values": np.array([1.0, 4.0, 12.0])}])
+        self.assertEqual(rocking.run(swept).digest, rocking.run(SLAB).digest)
+        self.assertEqual(rocking.validate(changed(realisations=np.int64(20)))["realisations"], 20)
+
+    def test_to_pandas(self):
+        try:
+            import pandas  # noqa: F401
+        except ImportError:
+            self.skipTest("pandas was not found (Debian: python3-pandas)")
+        result = rocking.run(SLAB)
+        table = result.to_pandas()
+        self.assertEqual(len(table), result.counts.size)
+        self.assertEqual(table["count"].sum(), 60)
+        self.assertEqual(rocking.trajectory(SLAB, condition=1).to_pandas("events")["kind"][0], "lift")
+
+
+class Cost(unittest.TestCase):
+    def test_a_call_with_one_realisation_takes_at_most_3_ms(self):
+        one = changed(realisations=1)
+        del one["sweep"]
+        least = min(self.seconds_of(one) for _ in range(30))
+        print(f"\none call with one realisation: {1e3 * least:.2f} ms")
+        self.assertLess(least, 3e-3)
+
+    @staticmethod
+    def seconds_of(experiment):
+        began = time.perf_counter()
+        rocking.run(experiment)
+        return time.perf_counter() - began
+
+    def test_many_calls_keep_no_memory(self):
+        one = changed(realisations=1)
+        del one["sweep"]
+
+        def resident():
+            with open("/proc/self/statm") as file:
+                return int(file.read().split()[1]) * os.sysconf("SC_PAGE_SIZE")
+
+        def calls():
+            for _ in range(300):
+                rocking.run(one, threads=1).realisations()
+                rocking.trajectory(one)
+
+        calls()
+        before = resident()
+        calls()
+        self.assertLess(resident() - before, 4_000_000)
+
+
+class Stubs(unittest.TestCase):
+    def test_name_everything_in_the_core(self):
+        with open(os.path.join(SOURCE, "lib/python/rocking/_core.pyi")) as file:
+            stub = file.read()
+        for name in dir(rocking._core):
+            if not name.startswith("_"):
+                self.assertRegex(stub, rf"(def|class) {name}\b|^{name}:|\n{name}:")
+        self.assertTrue(os.path.exists(os.path.join(SOURCE, "lib/python/rocking/py.typed")))
+
+
+def load_tests(loader, tests, pattern):
+    for module in pkgutil.iter_modules(rocking.__path__):
+        tests.addTests(doctest.DocTestSuite(importlib.import_module(f"rocking.{module.name}")))
+    tests.addTests(doctest.DocTestSuite(rocking))
+    return tests
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -109,6 +109,13 @@ BlockModel::Particle BlockModel::go_on(const Particle& parent, const Stream& str
   return particle;
 }
 
+BlockModel::Particle BlockModel::replay(const Particle& particle) const {
+  Particle again = begin(particle.history, particle.number);
+  const bool to_end = particle.motion->ended();
+  advance(again, to_end ? event_score : particle.score);
+  return again;
+}
+
 BlockModel::Particle BlockModel::begin(std::shared_ptr<const DrawHistory> history, std::uint64_t number) const {
   Particle particle{.history = std::move(history), .number = number, .motion = {}, .score = 0.0, .work = 0.0};
   const random::BranchedDraws draws(random::Draws(settings_.seed, number), particle.history.get());

@@ -65,6 +65,8 @@ class BlockModel {
   /// Changes the numbers drawn once by `chain_steps` Metropolis steps, given that the level is reached, then draws those
   /// along the way anew from there on.
   [[nodiscard]] Particle go_on(const Particle& parent, const Stream& stream, double level, double target) const;
+  /// The same trajectory, run again from its start with its random numbers, as far as it was run: to its score.
+  [[nodiscard]] Particle replay(const Particle& particle) const;
   [[nodiscard]] static double score(const Particle& particle) { return particle.score; }
   [[nodiscard]] static double work(const Particle& particle) { return particle.work; }
 

@@ -48,15 +48,15 @@ Condition drawn_once() {
   return condition;
 }
 
-BlockModel model_of(const Condition& condition) {
-  return {condition, {.seed = rare_seed, .event = {}, .score = rocking::rare::Score::tilt, .chain_steps = 3}};
+BlockModel model_of(const Condition& condition, int chain_steps) {
+  return {condition, {.seed = rare_seed, .event = {}, .score = rocking::rare::Score::tilt, .chain_steps = chain_steps}};
 }
 
 TEST(RareModel, StartsWithTheBitsOfAPlainRealisation) {
   for (const Condition& condition : {fluctuating(), drawn_once()}) {
     for (std::uint64_t i = 0; i < 5; ++i) {
       const Stream stream{.repetition = 1, .stage = 0, .particle = i, .move = 0};
-      const auto particle = model_of(condition).start(stream, event_score);
+      const auto particle = model_of(condition, 0).start(stream, event_score);
       const auto plain = rocking::realise(condition, rare_seed, number_of(stream));
       EXPECT_EQ(particle.motion->peaks().tilt / particle.motion->setting().block.shape_angle, plain.peaks.tilt);
       EXPECT_EQ(particle.motion->termination(), plain.termination);
@@ -69,7 +69,7 @@ TEST(RareModel, StartsWithTheBitsOfAPlainRealisation) {
 // is drawn anew, and everything after it.
 TEST(RareModel, BranchesWithoutAChangeOfThePast) {
   const Condition condition = fluctuating();
-  const BlockModel model = model_of(condition);
+  const BlockModel model = model_of(condition, 0);
   int branched = 0;
   for (std::uint64_t i = 0; i < 20; ++i) {
     const Stream stream{.repetition = 1, .stage = 0, .particle = i, .move = 0};
@@ -94,7 +94,7 @@ TEST(RareModel, BranchesWithoutAChangeOfThePast) {
 
 TEST(RareModel, MovesNumbersDrawnOnceAndKeepsTheLevel) {
   const Condition condition = drawn_once();
-  const BlockModel model = model_of(condition);
+  const BlockModel model = model_of(condition, 3);
   int moved = 0;
   for (std::uint64_t i = 0; i < 30; ++i) {
     const Stream stream{.repetition = 1, .stage = 0, .particle = i, .move = 0};

@@ -95,7 +95,7 @@ BlockModel::Particle BlockModel::go_on(const Particle& parent, const Stream& str
                                        double target) const {
   Particle particle = parent;
   double work = 0.0;
-  for (int step = 0; step < settings_.chain_steps && !moves_.once.empty(); ++step) {
+  for (int step = 0; step < settings_.chain_steps; ++step) {
     Stream of_step = stream;
     of_step.move = static_cast<std::uint64_t>(step) + 1;
     Particle candidate = begin(proposal(particle, of_step), particle.number);
@@ -135,6 +135,7 @@ std::shared_ptr<DrawHistory> BlockModel::proposal(const Particle& particle, cons
   for (random::GivenDraw& draw : history->given) {
     draw.number = moved(condition_->scene, draw.source, draw.number, size, draws);
   }
+  if (moves_.along_the_way) history->branches.push_back({.number = number_of(stream), .from = {}, .size = size});
   return history;
 }
 

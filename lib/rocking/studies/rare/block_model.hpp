@@ -45,7 +45,7 @@ class BlockModel {
     std::uint64_t seed = 0;
     Event event;
     Score score = Score::tilt;
-    int chain_steps = 2;  ///< Markov chain steps of a particle at a level
+    int chain_steps = 2;  ///< Markov chain steps of a particle at a level; 0 only where all draws are along the way
   };
 
   /// A trajectory as far as it has been run. The motion refers to the random numbers.
@@ -62,8 +62,8 @@ class BlockModel {
   BlockModel(const Condition& condition, const Settings& settings, base::StopRequest stop = {});
 
   [[nodiscard]] Particle start(const Stream& stream, double target) const;
-  /// Changes the numbers drawn once by `chain_steps` Metropolis steps, given that the level is reached, then draws those
-  /// along the way anew from there on.
+  /// Changes all numbers by `chain_steps` Metropolis steps, given that the level is reached, then draws those along the
+  /// way anew from there on.
   [[nodiscard]] Particle go_on(const Particle& parent, const Stream& stream, double level, double target) const;
   /// The same trajectory, run again from its start with its random numbers, as far as it was run: to its score.
   [[nodiscard]] Particle replay(const Particle& particle) const;

@@ -121,7 +121,7 @@ void add_rare(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("rare", "Estimate the probability of rare overturning by multilevel splitting");
   command->footer(
-      "Example: rocking rare experiments/rare/fluctuating.json -o out\n"
+      "Example: rocking rare experiments/headline/headline.json -o out --at-most-work 10min\n"
       "goes to the event by levels: trajectories that reach a level are continued, with new random numbers, to the "
       "next "
       "one.\n"

@@ -49,7 +49,7 @@ TEST_F(Rare, IsWrittenAndPrinted) {
     EXPECT_LE(condition["interval"][0].get<double>(), probability);
     EXPECT_GE(condition["interval"][1].get<double>(), probability);
     EXPECT_GT(condition["work"].get<double>(), 0.0);
-    EXPECT_EQ(condition["method"], "splitting");
+    EXPECT_EQ(condition["method"], "splitting_and_markov_chain");
     double sum = 0.0;
     for (const Json& repetition : condition["repetitions"]) sum += repetition[0].get<double>();
     EXPECT_NEAR(sum / static_cast<double>(condition["repetitions"].size()), probability, 1e-12);

@@ -24,9 +24,7 @@ constexpr std::size_t repetitions_at_any_rate = 8;
 constexpr std::size_t most_repetitions = 20'000;
 
 RareMethod method_of(const Scene& scene) {
-  const rare::Moves moves = rare::moves_of(scene);
-  if (moves.once.empty()) return RareMethod::splitting;
-  return moves.along_the_way ? RareMethod::both : RareMethod::markov_chain;
+  return rare::moves_of(scene).along_the_way ? RareMethod::both : RareMethod::markov_chain;
 }
 
 rare::ForEach on(unsigned threads) {
@@ -227,7 +225,6 @@ std::string_view to_string(RareDiagnosis diagnosis) {
 
 std::string_view to_string(RareMethod method) {
   switch (method) {
-    case RareMethod::splitting: return "splitting";
     case RareMethod::markov_chain: return "markov_chain";
     case RareMethod::both: return "splitting_and_markov_chain";
   }

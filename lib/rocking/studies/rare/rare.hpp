@@ -52,7 +52,10 @@ enum class RareDiagnosis : std::uint8_t {
 [[nodiscard]] std::string_view to_string(RareDiagnosis diagnosis);
 
 /// How the random numbers of a condition are changed.
-enum class RareMethod : std::uint8_t { splitting, markov_chain, both };
+enum class RareMethod : std::uint8_t {
+  markov_chain,  ///< of numbers drawn once
+  both,          ///< a Markov chain of all numbers, then a branch of those drawn along the way
+};
 [[nodiscard]] std::string_view to_string(RareMethod method);
 
 /// The probability of the event for one condition.
@@ -60,7 +63,7 @@ struct RareEstimate {
   double probability = 0.0;
   std::optional<double> relative_error;  ///< standard error over the probability; absent for 0
   stats::Interval interval;              ///< for a probability 0: from 0 to the upper end for the highest level
-  RareMethod method = RareMethod::splitting;
+  RareMethod method = RareMethod::markov_chain;
   std::vector<double> levels;   ///< of the score, rising
   std::vector<double> reached;  ///< mean shares of the particles at each level, and the event last
   std::vector<rare::Repetition> repetitions;

@@ -37,6 +37,7 @@ void add_commands(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_compare(app, action);
   add_bifurcation(app, action);
   add_orbits(app, action);
+  add_rare(app, action);
   add_cost(app, action);
   add_fragility(app, action);
   add_motion(app, action);

@@ -52,6 +52,10 @@ inline constexpr std::array allowances{
     Allowance{"FragilityTest.RejectsATrueLawAsOftenAsTheDocumentsSay", 1, 6},
     Allowance{"FragilityTest.RejectsTwoCapacitiesThatALognormalFunctionCannotDescribe", 1, 2},
     Allowance{"FragilityCurves.StateNothingFalseMoreOftenThanTheDocumentsSay", 1, 16},
+    Allowance{"Splitting.OfAGaussianTailIsUnbiased", 1, 3},
+    Allowance{"Splitting.OfAWalkIsUnbiasedWhereScoresTie", 1, 2},
+    Allowance{"Splitting.OfOrnsteinAndUhlenbecksProcessIsUnbiased", 1, 2},
+    Allowance{"Splitting.HasIntervalsThatCover", 1, 2},
 };
 
 constexpr int all_comparisons() {

@@ -38,7 +38,8 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"store", {"base", "random", "dynamics", "section", "scene", "realisation"}},
     {"ensemble", {"base", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store"}},
     {"studies",
-     {"base", "random", "stats", "dynamics", "lanes", "section", "scene", "realisation", "store", "ensemble"}},
+     {"base", "random", "stats", "dynamics", "integrate", "lanes", "section", "scene", "realisation", "store",
+      "ensemble"}},
     {"text", {"base", "stats"}},  // its intervals
     {"input", {"base", "dynamics", "section", "text", "scene"}},
     {"output",

@@ -61,6 +61,9 @@ class MotionProgress : public Automaton<Coefficients> {
     this->go_on();
   }
 
+  /// From now on the coefficients are these. The values in force stay the same until the next event or breakpoint.
+  void continue_with(const Coefficients& coefficients) { coefficients_ = coefficients; }
+
   /// One step begins: counts it and the piece of the ground motion that it expands.
   void begin_step() {
     count_step();

@@ -40,6 +40,9 @@ class Draws {
     ROCKING_EXPECT(realisation < realisation_limit);
   }
 
+  /// The numbers of another realisation under the same seed.
+  [[nodiscard]] constexpr Draws of(std::uint64_t realisation) const { return {seed_, realisation}; }
+
   /// 64 random bits.
   [[nodiscard]] std::uint64_t bits(Source source, std::uint64_t index) const;
 

@@ -21,6 +21,7 @@ enum class Source : std::uint8_t {
   block_width = 10,
   block_height = 11,
   fragility_bootstrap = 12,
+  rare_choice = 13,
 };
 
 [[nodiscard]] constexpr std::string_view to_string(Source source) {
@@ -37,6 +38,7 @@ enum class Source : std::uint8_t {
     case Source::block_width: return "block_width";
     case Source::block_height: return "block_height";
     case Source::fragility_bootstrap: return "fragility_bootstrap";
+    case Source::rare_choice: return "rare_choice";
   }
   return {};
 }

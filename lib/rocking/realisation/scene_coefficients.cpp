@@ -21,7 +21,7 @@ bool redraws_amplitude(const Scene& scene) {
 
 }  // namespace
 
-SceneCoefficients::SceneCoefficients(const Scene& scene, const random::Draws& draws, const dynamics::Geometry& own)
+SceneCoefficients::SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws, const dynamics::Geometry& own)
     : friction_(scene.friction),
       fluctuation_(scene.fluctuation),
       restitution_mean_(restitution_of(scene, own)),
@@ -80,6 +80,21 @@ SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) cons
   return other;
 }
 
+random::FirstUnused SceneCoefficients::first_unused() const {
+  random::FirstUnused first{};
+  const auto at = [&first](Source source) -> std::uint64_t& { return first[static_cast<std::size_t>(source) - 1]; };
+  at(Source::static_friction) = random::paired_index(static_count_.chatters, static_count_.since) + 1;
+  at(Source::kinetic_friction) = static_cast<std::uint64_t>(interval_ + 1);
+  at(Source::restitution) = random::paired_index(impacts_.chatters, impacts_.since);
+  at(Source::amplitude) = static_cast<std::uint64_t>(amplitude_period_ + 1);
+  return first;
+}
+
+void SceneCoefficients::continue_with(const random::BranchedDraws& draws) {
+  draws_ = draws;
+  drawn_from_ = none_drawn;  // those ahead may belong to another branch
+}
+
 double SceneCoefficients::kinetic_friction(const Clock& clock) {
   return held_kinetic_friction(fluctuation_.kinetic_friction > 0.0 ? drawn_kinetic_friction(clock)
                                                                    : friction_->kinetic_coefficient);
@@ -119,7 +134,9 @@ void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
 
 /// Kinetic friction as far as it has been drawn. Only valid if no other coefficient changes with time.
 dynamics::KnownIntervals SceneCoefficients::known_intervals() const {
-  if (fluctuation_.kinetic_friction == 0.0 || redraws_amplitude_ || interval_ < 0) return {};
+  if (fluctuation_.kinetic_friction == 0.0 || redraws_amplitude_ || interval_ < 0 || drawn_from_ == none_drawn) {
+    return {};
+  }
   const auto present = static_cast<std::size_t>(interval_ - drawn_from_);
   return {.wanted = std::span(drawn_).subspan(present),
           .per_period = fluctuation_.refreshes_per_period,

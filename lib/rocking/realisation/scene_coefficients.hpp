@@ -7,7 +7,7 @@
 
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/coefficients.hpp"
-#include "rocking/random/draws.hpp"
+#include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/scene/experiment.hpp"
 
@@ -24,9 +24,9 @@ namespace rocking {
 class SceneCoefficients {
  public:
   /// `own`: the block of the realisation, in whose units A_h and e are.
-  SceneCoefficients(const Scene& scene, const random::Draws& draws, const dynamics::Geometry& own);
+  SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws, const dynamics::Geometry& own);
   /// Of the mean block.
-  SceneCoefficients(const Scene& scene, const random::Draws& draws)
+  SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws)
       : SceneCoefficients(scene, draws, dynamics::geometry_of(mean_block(scene))) {}
 
   [[nodiscard]] bool has_friction() const { return friction_.has_value(); }
@@ -45,6 +45,12 @@ class SceneCoefficients {
 
   /// The same random numbers with continued counts, for the means and standard deviations of others.
   [[nodiscard]] SceneCoefficients under(const SceneCoefficients& others) const;
+
+  /// The first index of each source that no draw up to now has used, and none before it will be used.
+  [[nodiscard]] random::FirstUnused first_unused() const;
+  /// From now on the draws are these, which differ from the former ones only from first_unused() on. The values in
+  /// force stay.
+  void continue_with(const random::BranchedDraws& draws);
 
   /// Adds the number of draws made so far, and of those clamped when used.
   void add_to(OperationCounts& operations) const;
@@ -73,7 +79,7 @@ class SceneCoefficients {
   double restitution_mean_;
   double amplitude_mean_;
   bool redraws_amplitude_;  ///< at each excitation period
-  random::Draws draws_;
+  random::BranchedDraws draws_;
 
   double static_friction_;
   Count stops_;

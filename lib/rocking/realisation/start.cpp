@@ -11,7 +11,7 @@ using random::Source;
 
 class QuantityReader {
  public:
-  explicit QuantityReader(const random::Draws& draws) : draws_(&draws) {}
+  explicit QuantityReader(const random::BranchedDraws& draws) : draws_(&draws) {}
 
   [[nodiscard]] double value(const Quantity& quantity, Source source) {
     if (const auto* number = std::get_if<double>(&quantity)) return *number;
@@ -36,7 +36,7 @@ class QuantityReader {
   [[nodiscard]] const Clamps& clamps() const { return clamps_; }
 
  private:
-  const random::Draws* draws_;
+  const random::BranchedDraws* draws_;
   std::uint64_t count_ = 0;
   Clamps clamps_;
 };
@@ -51,7 +51,7 @@ double wrapped(double angle) {
 
 }  // namespace
 
-Start start_of(const Scene& scene, const random::Draws& draws) {
+Start start_of(const Scene& scene, const random::BranchedDraws& draws) {
   QuantityReader reader(draws);
   Start start{};
   start.block = {.width = reader.length(scene.block.width, Source::block_width),
@@ -68,7 +68,7 @@ Start start_of(const Scene& scene, const random::Draws& draws) {
   return start;
 }
 
-Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start, Strobe strobe,
+Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws, const Start& start, Strobe strobe,
                             std::int64_t periods) {
   const Scene& scene = condition.scene;
   const dynamics::Clock clock(frequency_ratio_for(scene, start.geometry), start.phase);

@@ -6,7 +6,7 @@
 #include "rocking/dynamics/block_motion.hpp"
 #include "rocking/integrate/hybrid.hpp"
 #include "rocking/integrate/step_length.hpp"
-#include "rocking/random/draws.hpp"
+#include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/realisation/scene_coefficients.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -33,7 +33,7 @@ struct Start {
   Clamps clamps;        ///< of these draws
 };
 
-[[nodiscard]] Start start_of(const Scene& scene, const random::Draws& draws);
+[[nodiscard]] Start start_of(const Scene& scene, const random::BranchedDraws& draws);
 
 /// Instants of the strobe points. `poincare`: the argument of the excitation is a multiple of 2 pi. `start`: a whole
 /// number of periods after tau = 0.
@@ -51,7 +51,7 @@ struct Beginning {
 };
 
 /// Precondition: the condition is valid (check_condition).
-[[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::Draws& draws, const Start& start,
+[[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws, const Start& start,
                                           Strobe strobe, std::int64_t periods);
 
 /// The base motion that the scene asks for.

@@ -11,7 +11,7 @@ namespace {
 constexpr const char* commands[] = {"run",         "resume",     "status",       "merge",    "verify", "compare",
                                     "bifurcation", "cost",       "fragility",    "figure",   "report", "replay",
                                     "schema",      "trajectory", "check-normal", "validate", "doctor", "completion",
-                                    "orbits",      "--help",     "--version",    "nothing",  ""};
+                                    "orbits",      "rare",       "--help",     "--version",    "nothing",  ""};
 constexpr const char* flags[] = {"-o",
                                  "-j",
                                  "--seed",
@@ -89,7 +89,7 @@ void attack_flags(Attack& attack) {
   std::vector<std::string> arguments{command};
   if (attack.random.below(3) > 0) {
     arguments.emplace_back(command == "run" || command == "validate" || command == "cost" || command == "trajectory" ||
-                                   command == "bifurcation" || command == "orbits"
+                                   command == "bifurcation" || command == "orbits" || command == "rare"
                                ? "quick.json"
                                : "out");
   }

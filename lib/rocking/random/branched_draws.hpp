@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "rocking/random/draws.hpp"
+#include "rocking/random/source.hpp"
+
+namespace rocking::random {
+
+/// Sources that are drawn along the way: the first four.
+inline constexpr std::size_t sources_along_the_way = 4;
+
+/// For each of them, at the place of its number minus 1, the index from which on no draw has been made.
+using FirstUnused = std::array<std::uint64_t, sources_along_the_way>;
+
+/// From these indices on, the normal draws z along the way become sqrt(1 - size^2) z + size z', with z' of another
+/// realisation number, the branch number. This leaves their law as it is; size 1 draws them anew.
+struct Branch {
+  std::uint64_t number = 0;
+  FirstUnused from{};
+  double size = 1.0;  ///< in (0, 1]
+};
+
+/// Draw 0 of a source that is drawn once: this number in place of it.
+struct GivenDraw {
+  Source source;
+  double number;
+};
+
+/// In what the draws of a realisation differ from those of its number.
+struct DrawHistory {
+  std::vector<GivenDraw> given;
+  std::vector<Branch> branches;  ///< in the order in which they were made
+};
+
+/// The random numbers of one realisation, with the branches of its history, one after another. Without a history these
+/// are the numbers of Draws, to the bit.
+class BranchedDraws {
+ public:
+  /// The history must outlive this object and its copies.
+  BranchedDraws(const Draws& draws, const DrawHistory* history = nullptr) : draws_(draws), history_(history) {}
+
+  /// As Draws. Uniform numbers are not changed by branches.
+  [[nodiscard]] double uniform(Source source, std::uint64_t index) const;
+  [[nodiscard]] double standard_normal(Source source, std::uint64_t index) const;
+  void standard_normals(Source source, std::uint64_t first_index, std::span<double> numbers) const;
+
+ private:
+  [[nodiscard]] const double* given(Source source, std::uint64_t index) const;
+  /// The last branch that draws the number anew, counted from 1; 0 if none does.
+  [[nodiscard]] std::size_t origin(Source source, std::uint64_t index) const;
+  [[nodiscard]] Draws after(std::size_t branches) const;
+
+  Draws draws_;
+  const DrawHistory* history_;
+};
+
+}  // namespace rocking::random

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <span>
+
+#include "rocking/stats/interval.hpp"
+
+namespace rocking::stats {
+
+/// The mean of independent, unbiased, non-negative estimates of one number > 0.
+struct RepeatedEstimate {
+  double mean = 0.0;
+  std::optional<double> relative_error;  ///< standard error over the mean; absent for a mean of 0 or one estimate
+  std::optional<Interval> interval;      ///< absent likewise
+};
+
+/// Mean, standard error and confidence interval from repetitions:
+///
+///     mean exp(-+ t s/(mean sqrt(n))),   t the quantile of Student's law with n - 1 degrees of freedom
+///
+/// Student's interval for the logarithm of the mean, by the delta method: the error of estimates of a small probability
+/// is nearer to lognormal than to normal, and the lower end stays positive. The coverage is measured in
+/// lib/docs/rare.md. `confidence` in (0, 1). Requires an estimate.
+[[nodiscard]] RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double confidence);
+
+}  // namespace rocking::stats

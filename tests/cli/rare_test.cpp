@@ -1,0 +1,90 @@
+// `rocking rare`: probabilities of rare overturning.
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::objections;
+using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+
+class Rare : public rocking::support::ProgramTest {
+ protected:
+  Rare() {
+    Json experiment = quick_experiment();
+    experiment["fluctuation"]["amplitude"] = {{"sigma", 0.5}};
+    experiment["horizon"] = {{"transient_periods", 5}, {"sampled_periods", 10}};
+    experiment["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [4.2, 5.0]}])");
+    write("quick.json", experiment.dump());
+  }
+
+  /// Options with which it is quick.
+  static constexpr const char* quickly = " --particles 40 --relative-error 1 --peak-tilt 0.5 --no-progress ";
+
+  /// Returns the exit code; tests that no file was written.
+  int refused(const std::string& arguments) const {
+    const auto outcome = rocking("rare " + arguments + " -o refused");
+    EXPECT_NE(outcome.errors, "");
+    EXPECT_FALSE(exists("refused")) << arguments;
+    return outcome.exit_code;
+  }
+};
+
+TEST_F(Rare, IsWrittenAndPrinted) {
+  const auto outcome = rocking(std::string("rare quick.json -o out") + quickly);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("probability"),
+                                    HasSubstr("exceeds 0.5"), HasSubstr("out/rare.json")));
+  const std::string text = read("out/rare.json");
+  EXPECT_EQ(objections("rare", text), "");
+  const Json json = Json::parse(text);
+  ASSERT_EQ(json["conditions"].size(), 2U);
+  for (const Json& condition : json["conditions"]) {
+    const auto probability = condition["probability"].get<double>();
+    EXPECT_LE(condition["interval"][0].get<double>(), probability);
+    EXPECT_GE(condition["interval"][1].get<double>(), probability);
+    EXPECT_GT(condition["work"].get<double>(), 0.0);
+    EXPECT_EQ(condition["method"], "splitting_and_markov_chain");
+    double sum = 0.0;
+    for (const Json& repetition : condition["repetitions"]) sum += repetition[0].get<double>();
+    EXPECT_NEAR(sum / static_cast<double>(condition["repetitions"].size()), probability, 1e-12);
+    EXPECT_EQ(condition["reached"].size(), condition["levels"].size() + 1);
+  }
+}
+
+TEST_F(Rare, HasTheSameBytesOnAnyNumberOfThreadsAndAsJson) {
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o one -j 1") + quickly).exit_code, 0);
+  const auto printed = rocking(std::string("rare quick.json -q -o two -j 3 --json") + quickly);
+  EXPECT_EQ(printed.output, read("one/rare.json"));
+  EXPECT_EQ(read("two/rare.json"), read("one/rare.json"));
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o three --seed 5") + quickly).exit_code, 0);
+  EXPECT_NE(Json::parse(read("three/rare.json"))["digest"], Json::parse(read("one/rare.json"))["digest"]);
+}
+
+TEST_F(Rare, ReplacesAFileOnlyWhenTold) {
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
+  const auto refusal = rocking(std::string("rare quick.json -q -o out --seed 6") + quickly);
+  EXPECT_EQ(refusal.exit_code, 74);
+  EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
+  EXPECT_EQ(rocking(std::string("rare quick.json -q -o out --seed 6 --overwrite") + quickly).exit_code, 0);
+  EXPECT_EQ(Json::parse(read("out/rare.json"))["settings"]["seed"], "0x6");
+}
+
+TEST_F(Rare, IsRefusedWhereNothingIsRandom) {
+  Json experiment = quick_experiment();
+  experiment.erase("fluctuation");
+  write("sure.json", experiment.dump());
+  EXPECT_EQ(refused("sure.json"), 65);
+  EXPECT_EQ(refused("absent.json"), 66);
+  EXPECT_EQ(refused("quick.json --relative-error 0"), 64);
+  EXPECT_EQ(refused("quick.json --particles 3"), 64);
+  EXPECT_EQ(refused("quick.json --score height"), 64);
+  EXPECT_THAT(rocking("rare sure.json -o x").errors, AllOf(HasSubstr("/fluctuation"), HasSubstr("rocking run")));
+}
+
+}  // namespace

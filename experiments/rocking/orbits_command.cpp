@@ -10,6 +10,7 @@
 #include "arguments.hpp"
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
@@ -82,10 +83,16 @@ ConditionFamily family_of(const Experiment& experiment, const std::string& point
   };
 }
 
-/// What is asked for; absent if the sweep has no branches. Throws UsageError where the range is empty.
+/// What is asked for; absent if there are no branches. Throws UsageError if a range is given and there are none in it.
 std::optional<BranchQuestion> branch_question(const Experiment& experiment, const OrbitsRequest& request) {
   const auto pointer = branch_parameter(experiment);
-  if (!pointer || request.without_branches) return std::nullopt;
+  const bool has_range = request.from || request.to;
+  if (!pointer || request.without_branches) {
+    if (!has_range) return std::nullopt;
+    throw UsageError(
+        "--from and --to limit branches, but none are followed: sweep one number of the motion, and omit "
+        "--no-branches");
+  }
   BranchQuestion question{.conditions = family_of(experiment, *pointer),
                           .values = {},
                           .range = {},
@@ -96,13 +103,14 @@ std::optional<BranchQuestion> branch_question(const Experiment& experiment, cons
   }
   const auto [least, greatest] = std::ranges::minmax(question.values);
   question.range = {.low = request.from.value_or(least), .high = request.to.value_or(greatest)};
-  if (!(question.range.low < question.range.high)) return std::nullopt;
-  return question;
+  if (question.range.low < question.range.high) return question;
+  if (!has_range) return std::nullopt;
+  throw UsageError(fmt::format("--from {} --to {}: the range of branches must begin below its end", question.range.low,
+                               question.range.high));
 }
 
-std::optional<FoundBranches> branches(const Experiment& experiment, const OrbitsRequest& request,
-                                      std::vector<OrbitsOfCondition>& conditions) {
-  const auto question = branch_question(experiment, request);
+std::optional<FoundBranches> branches(const Experiment& experiment, const std::optional<BranchQuestion>& question,
+                                      const OrbitsRequest& request, std::vector<OrbitsOfCondition>& conditions) {
   if (!question) return std::nullopt;
   if (!request.execution.loudness.quiet) print_notice("following branches; --no-branches omits them");
   return FoundBranches{.pointer = experiment.conditions.front().parameters.front().pointer,
@@ -114,6 +122,7 @@ std::optional<FoundBranches> branches(const Experiment& experiment, const Orbits
 ExitCode orbits(const OrbitsRequest& request) {
   const Experiment experiment = load_experiment(request.file, {});
   refuse_without_orbits(experiment, request.file);  // before any file is written
+  const std::optional<BranchQuestion> question = branch_question(experiment, request);
   const std::filesystem::path path(request.folder);
   const std::filesystem::path file = path / "orbits.json";
   RunFolder folder(path);
@@ -130,7 +139,7 @@ ExitCode orbits(const OrbitsRequest& request) {
   if (!conditions) return explain_stop();
   FoundOrbits found{.experiment = &experiment, .longest = static_cast<int>(request.longest), .conditions = {}};
   try {
-    found.branches = branches(experiment, request, *conditions);
+    found.branches = branches(experiment, question, request, *conditions);
   } catch (const base::Stopped&) {
     return explain_stop();
   }

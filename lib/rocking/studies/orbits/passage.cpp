@@ -70,7 +70,7 @@ PassageSearch::Pair PassageSearch::change_of_contact(const CurvePoint& a, const 
 
 template <class Test>
 std::optional<LocatedBifurcation> PassageSearch::locate(const CurvePoint& a, const CurvePoint& b, BifurcationKind kind,
-                                                        Test&& test) const {
+                                                        Test&& test, Passage& passage) const {
   const std::optional<double> at_a = test(a);
   const std::optional<double> at_b = test(b);
   if (!at_a || !at_b || !changes_sign(*at_a, *at_b)) return std::nullopt;
@@ -92,9 +92,16 @@ std::optional<LocatedBifurcation> PassageSearch::locate(const CurvePoint& a, con
   };
   static_cast<void>(shorten({.low = 0.0, .high = 1.0, .at_low = *at_a, .at_high = *at_b}, value,
                             [&](const Bracket&) { return is_near(low, high); }));
-  const double error = std::max(width(low, high), 1e-12);
+  if (!is_near(low, high)) {
+    // Newton's method failed in between. From points that are closer together it may not.
+    passage.is_broken = passage.is_broken || norm(plus(a.at, -1.0, b.at)) > state_width;
+    return std::nullopt;
+  }
   const double of_low = std::abs(test(low).value_or(1.0));
   const double of_high = std::abs(test(high).value_or(1.0));
+  // Where it jumps or has a pole instead, it does not become small.
+  if (!(std::min(of_low, of_high) < std::min(std::abs(*at_a), std::abs(*at_b)) + 1e-9)) return std::nullopt;
+  const double error = std::max(width(low, high), 1e-12);
   return LocatedBifurcation{.kind = kind, .point = of_low < of_high ? std::move(low) : std::move(high), .error = error};
 }
 
@@ -123,20 +130,25 @@ void PassageSearch::pass_smoothly(const CurvePoint& a, const CurvePoint& b, Pass
   const bool is_symmetric = family_->orbits().is_symmetric;
   if (a.asymmetry && b.asymmetry && product(*a.asymmetry, *b.asymmetry) < 0.0) {
     const bool halves = family_->orbits().period % 2 == 0;
-    auto joint = locate(a, b, halves ? BifurcationKind::period_doubling : BifurcationKind::symmetry_breaking,
-                        [&a](const CurvePoint& point) -> std::optional<double> {
-                          if (!point.asymmetry) return std::nullopt;
-                          return product(*point.asymmetry, *a.asymmetry);
-                        });
+    auto joint = locate(
+        a, b, halves ? BifurcationKind::period_doubling : BifurcationKind::symmetry_breaking,
+        [&a](const CurvePoint& point) -> std::optional<double> {
+          if (!point.asymmetry) return std::nullopt;
+          return product(*point.asymmetry, *a.asymmetry);
+        },
+        passage);
+    if (passage.is_broken) return;
     if (joint) {
       passage.bifurcations.push_back(std::move(*joint));
       passage.is_joined = true;
       return;
     }
   }
-  auto fold = locate(a, b, BifurcationKind::fold, [](const CurvePoint& point) { return std::optional(point.fold()); });
-  auto flip = locate(a, b, is_symmetric ? BifurcationKind::symmetry_breaking : BifurcationKind::period_doubling,
-                     [](const CurvePoint& point) { return std::optional(point.flip); });
+  auto fold = locate(
+      a, b, BifurcationKind::fold, [](const CurvePoint& point) { return std::optional(point.fold()); }, passage);
+  auto flip = locate(
+      a, b, is_symmetric ? BifurcationKind::symmetry_breaking : BifurcationKind::period_doubling,
+      [](const CurvePoint& point) { return std::optional(point.flip); }, passage);
   if (fold) {
     add_wanted(a, fold->point, passage.points);
     passage.points.push_back(fold->point);

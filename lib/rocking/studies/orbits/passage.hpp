@@ -19,7 +19,7 @@ struct LocatedBifurcation {
 struct Passage {
   std::vector<CurvePoint> points;  ///< in order, without the first point; with the last one, unless the curve ends
   std::vector<LocatedBifurcation> bifurcations;
-  bool is_broken = false;  ///< a change of contact could not be located: the two points may not be on one curve
+  bool is_broken = false;  ///< a bifurcation could not be located: the two points may not be on one curve
   bool is_joined = false;  ///< it ends where it branches off from the family of the mirror image or of half the period
 };
 
@@ -54,7 +54,7 @@ class PassageSearch {
   [[nodiscard]] Pair change_of_contact(const CurvePoint& a, const CurvePoint& b) const;
   template <class Test>
   [[nodiscard]] std::optional<LocatedBifurcation> locate(const CurvePoint& a, const CurvePoint& b, BifurcationKind kind,
-                                                         Test&& test) const;
+                                                         Test&& test, Passage& passage) const;
   [[nodiscard]] std::optional<CurvePoint> at_share(const CurvePoint& a, const CurvePoint& b, double share) const;
   [[nodiscard]] double width(const CurvePoint& a, const CurvePoint& b) const;
   [[nodiscard]] bool is_near(const CurvePoint& a, const CurvePoint& b) const;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double first_step = 0.004;
 constexpr double largest_step = 0.02;
-constexpr double least_step = 1e-9;
+constexpr double least_step = 1e-10;
 constexpr double least_cosine = 0.9;
 constexpr double kink_step = 1e-5;  ///< below it the tangent may jump at a change of contact
 constexpr int few_newton_steps = 5;

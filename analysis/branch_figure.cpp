@@ -1,39 +1,31 @@
 #include "analysis/branch_figure.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "analysis/output_file.hpp"
-#include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/parameter_names.hpp"
-#include "rocking/studies/orbits/branch.hpp"
 
 namespace rocking::analysis {
 namespace {
 
 constexpr double most_tilt = 2.0;  ///< of an axis: some unstable orbits go far beyond the balance
 
-/// A marker for each kind of bifurcation.
-Style style_of_bifurcation(BifurcationKind kind) {
-  Style style{.colour = "#000000", .size = 0.9};
-  switch (kind) {
-    case BifurcationKind::fold: style.marker = 9; break;                // filled triangle
-    case BifurcationKind::period_doubling: style.marker = 5; break;     // filled square
-    case BifurcationKind::symmetry_breaking: style.marker = 13; break;  // filled diamond
-    case BifurcationKind::grazing: style.marker = 2; break;             // cross
-    case BifurcationKind::contact_change: style.marker = 1; break;      // plus
-  }
-  return style;
-}
+/// The kinds of bifurcation as in the file, with the marker of each.
+constexpr std::array<std::pair<std::string_view, int>, 5> markers{
+    {{"fold", 9}, {"period_doubling", 5}, {"symmetry_breaking", 13}, {"grazing", 2}, {"contact_change", 1}}};
 
-std::string in_words(BifurcationKind kind) {
-  std::string words(to_string(kind));
-  for (char& letter : words) letter = letter == '_' ? ' ' : letter;
+std::string in_words(std::string_view kind) {
+  std::string words(kind);
+  std::ranges::replace(words, '_', ' ');
   return words;
 }
 
@@ -70,7 +62,7 @@ Table line_table(const Json& output, bool stable) {
   return table;
 }
 
-Table bifurcation_table(const Json& output, BifurcationKind kind) {
+Table bifurcation_table(const Json& output, std::string_view kind) {
   Table table{.name = in_words(kind),
               .columns = {value_column(output.at("parameter")),
                           {"tilt", "Θ at the strobe"},
@@ -78,7 +70,7 @@ Table bifurcation_table(const Json& output, BifurcationKind kind) {
                           {"branch", "its place"}},
               .rows = {}};
   for (const Json& one : output.at("bifurcations")) {
-    if (one.at("kind") != to_string(kind) || one.at("orbit").is_null()) continue;
+    if (one.at("kind").get<std::string>() != kind || one.at("orbit").is_null()) continue;
     for (const Json& point : one.at("orbit").at("points")) {
       table.rows.push_back({one.at("value").get<double>(), point.at(0).get<double>(), one.at("error").get<double>(),
                             one.at("branch").get<double>()});
@@ -116,8 +108,9 @@ void add_branches(const Json& output, Figure& figure) {
             "unstable orbit", figure);
   add_layer(line_table(output, true), LayerKind::line, {.colour = "#1f4e79", .dash = 1, .marker = 0, .width = 1.8},
             "stable orbit", figure);
-  for (const BifurcationKind kind : all_bifurcation_kinds) {
-    add_layer(bifurcation_table(output, kind), LayerKind::points, style_of_bifurcation(kind), in_words(kind), figure);
+  for (const auto& [kind, marker] : markers) {
+    add_layer(bifurcation_table(output, kind), LayerKind::points, {.colour = "#000000", .marker = marker, .size = 0.9},
+              in_words(kind), figure);
   }
 }
 

@@ -33,7 +33,7 @@ class Orbits : public rocking::support::ProgramTest {
 };
 
 TEST_F(Orbits, AreWrittenAndPrinted) {
-  const auto outcome = rocking("orbits quick.json -o out --periods 3 --no-progress");
+  const auto outcome = rocking("orbits quick.json -o out --periods 3 --no-progress --branches 2");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("saddle"), HasSubstr("*"),
                                     HasSubstr("out/orbits.json")));
@@ -59,7 +59,7 @@ TEST_F(Orbits, AreWrittenAndPrinted) {
 
 // A trajectory that starts on an orbit comes back to it: the states are in the units of `rocking trajectory`.
 TEST_F(Orbits, AreThoseOfTrajectories) {
-  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 3").exit_code, 0);
+  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 3 --branches 1").exit_code, 0);
   const Json condition = Json::parse(read("out/orbits.json"))["conditions"][0];
   for (const Json& orbit : condition["orbits"]) {
     Json experiment = Json::parse(read("quick.json"));
@@ -75,7 +75,7 @@ TEST_F(Orbits, AreThoseOfTrajectories) {
 }
 
 TEST_F(Orbits, AreFollowedOverTheSweptParameter) {
-  const auto outcome = rocking("orbits quick.json -o out --periods 3 --no-progress --from 4 --to 6");
+  const auto outcome = rocking("orbits quick.json -o out --periods 3 --no-progress --from 4 --to 6 --branches 3");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
   EXPECT_THAT(outcome.output, AllOf(HasSubstr("symmetric"), HasSubstr("range"), HasSubstr("backed by a stable orbit")));
   const Json json = Json::parse(read("out/orbits.json"));
@@ -105,7 +105,7 @@ TEST_F(Orbits, AreFollowedOverTheSweptParameter) {
   const Json end = Json::parse(trajectory.output)["strobe"].back();
   EXPECT_NEAR(end["tilt"].get<double>(), point["state"]["tilt"].get<double>(), 1e-8);
   EXPECT_EQ(rocking("figure out/orbits.json -o figures").exit_code, 0);
-  EXPECT_TRUE(exists("figures/branches.dat"));
+  EXPECT_TRUE(exists("figures/branches.tsv"));
 }
 
 TEST_F(Orbits, AreNotFollowedWhereNoneOrNoNumberOfTheMotionIsSwept) {
@@ -127,19 +127,19 @@ TEST_F(Orbits, AreRefusedOverAnEmptyRange) {
 }
 
 TEST_F(Orbits, AreTheSameBytesOnAnyNumberOfThreadsAndAsJson) {
-  ASSERT_EQ(rocking("orbits quick.json -q -o one -j 1 --periods 2").exit_code, 0);
-  const auto printed = rocking("orbits quick.json -q -o two -j 2 --periods 2 --json");
+  ASSERT_EQ(rocking("orbits quick.json -q -o one -j 1 --periods 2 --branches 1").exit_code, 0);
+  const auto printed = rocking("orbits quick.json -q -o two -j 2 --periods 2 --branches 1 --json");
   EXPECT_EQ(printed.output, read("one/orbits.json"));
   EXPECT_EQ(read("two/orbits.json"), read("one/orbits.json"));
 }
 
 TEST_F(Orbits, ReplaceAFileOnlyWhenTold) {
-  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 1").exit_code, 0);
+  ASSERT_EQ(rocking("orbits quick.json -q -o out --periods 1 --no-branches").exit_code, 0);
   const auto refusal = rocking("orbits quick.json -q -o out --periods 2");
   EXPECT_EQ(refusal.exit_code, 74);
   EXPECT_THAT(refusal.errors, HasSubstr("--overwrite"));
   EXPECT_EQ(Json::parse(read("out/orbits.json"))["longest_period"], 1);
-  EXPECT_EQ(rocking("orbits quick.json -q -o out --periods 2 --overwrite").exit_code, 0);
+  EXPECT_EQ(rocking("orbits quick.json -q -o out --periods 2 --no-branches --overwrite").exit_code, 0);
   EXPECT_EQ(Json::parse(read("out/orbits.json"))["longest_period"], 2);
 }
 

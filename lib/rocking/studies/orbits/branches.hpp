@@ -20,8 +20,8 @@ struct BranchQuestion {
   std::size_t most_branches = 0;  ///< in all
 };
 
-inline constexpr std::size_t default_branch_points = 4000;
-inline constexpr std::size_t default_branches = 200;
+inline constexpr std::size_t default_branch_points = 1000;
+inline constexpr std::size_t default_branches = 50;
 
 /// Branches and their bifurcations.
 struct BranchStudy {

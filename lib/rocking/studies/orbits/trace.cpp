@@ -16,7 +16,9 @@ constexpr double least_cosine = 0.9;
 constexpr double kink_step = 1e-5;  ///< below it the tangent may jump at a change of contact
 constexpr int few_newton_steps = 5;
 constexpr double least_asymmetry = 1e-7;  ///< below it an orbit is one of the family from which its own branches off
-constexpr double cause_distance = 1e-7;   ///< of the motion that shows why a curve ends
+constexpr double crawling_step = 1e-5;
+constexpr int most_crawls = 40;          ///< successive steps below it
+constexpr double cause_distance = 1e-7;  ///< of the motion that shows why a curve ends
 
 class CurveTrace {
  public:
@@ -35,6 +37,8 @@ class CurveTrace {
         if (step < least_step) return ended(why_lost(at, step));
         continue;
       }
+      crawls_ = step < crawling_step ? crawls_ + 1 : 0;
+      if (crawls_ > most_crawls) return ended(why_lost(at, step));
       const bool is_last = next->is_at_end;
       const bool closes = curve_.points.size() > 3 && comes_back(start, at, next->point);
       if (const auto end = advance(passage)) return ended(*end);
@@ -123,6 +127,7 @@ class CurveTrace {
   base::StopRequest stop_;
   PassageSearch search_;
   TracedCurve curve_;
+  int crawls_ = 0;
 };
 
 }  // namespace

@@ -41,6 +41,33 @@ void check_bifurcation(const Json& output, Problems& problems) {
   }
 }
 
+/// Each branch's points have as many states as its period, and places lead to what they name.
+void check_orbits_output(const Json& output, Problems& problems) {
+  check_quoted_experiment(output, problems);
+  const std::size_t branches = output.contains("branches") ? output["branches"].size() : 0;
+  for (std::size_t i = 0; i < branches && problems.empty(); ++i) {
+    const Json& branch = output["branches"][i];
+    for (std::size_t j = 0; j < branch["points"].size() && problems.empty(); ++j) {
+      if (branch["points"][j]["points"].size() == branch["period"].get<std::size_t>()) continue;
+      reject(problems, "/branches/" + std::to_string(i) + "/points/" + std::to_string(j) + "/points",
+             "differs in length from the period of the branch");
+    }
+  }
+  for (std::size_t i = 0; i < output["conditions"].size() && problems.empty(); ++i) {
+    const Json& condition = output["conditions"][i];
+    const std::string place = "/conditions/" + std::to_string(i);
+    const Json& orbit = condition["run"]["orbit"];
+    if (!orbit.is_null() && orbit.get<std::size_t>() >= condition["orbits"].size()) {
+      reject(problems, place + "/run/orbit", "is not the place of an orbit");
+    }
+    if (branches == 0) continue;
+    const std::string parameter = output["parameter"];
+    if (!condition["parameters"].contains(parameter) || !condition["parameters"][parameter].is_number()) {
+      reject(problems, place + "/parameters", "lacks a number for the parameter of the branches");
+    }
+  }
+}
+
 void check_cost(const Json& output, Problems& problems) {
   check_quoted_experiment(output, problems);
   const Json::json_pointer tolerance("/input/experiment/accuracy/tolerance");
@@ -141,6 +168,7 @@ struct Format {
 void check_output(const Json& output) {
   static const std::map<std::string, Format> formats{{"rocking.trajectory/1", {"trajectory", check_trajectory}},
                                                      {"rocking.bifurcation/1", {"bifurcation", check_bifurcation}},
+                                                     {"rocking.orbits/1", {"orbits", check_orbits_output}},
                                                      {"rocking.cost/1", {"cost", check_cost}},
                                                      {"rocking.fragility/1", {"fragility", check_fragility}},
                                                      {"rocking.motion/1", {"motion", check_motion}},

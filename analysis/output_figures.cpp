@@ -5,6 +5,7 @@
 #include <map>
 
 #include "analysis/bifurcation_figure.hpp"
+#include "analysis/branch_figure.hpp"
 #include "analysis/check_output.hpp"
 #include "analysis/cost_figures.hpp"
 #include "analysis/fragility_figure.hpp"
@@ -22,7 +23,22 @@ namespace {
 struct Collection {
   std::vector<TrajectoryFile> trajectories;
   std::vector<Figure> figures;
+  std::vector<Json> bifurcations;
+  std::vector<Json> branches;
 };
+
+/// Branches are drawn over the strobe points of diagrams over the same parameter, and by themselves.
+void draw_bifurcations(Collection& found) {
+  for (const Json& output : found.bifurcations) {
+    for (Figure& figure : bifurcation_figures(output)) {
+      for (const Json& branches : found.branches) {
+        if (branches.at("parameter") == output.at("parameter")) draw_branches_over(branches, figure);
+      }
+      found.figures.push_back(std::move(figure));
+    }
+  }
+  for (const Json& branches : found.branches) found.figures.push_back(branch_figure(branches));
+}
 
 void collect(const OutputFile& file, Collection& found) {
   const Json output = parsed_output(file.text);
@@ -31,7 +47,9 @@ void collect(const OutputFile& file, Collection& found) {
   if (format == "rocking.trajectory/1") {
     found.trajectories.push_back(read_trajectory(output, std::filesystem::path(file.path).stem().string()));
   } else if (format == "rocking.bifurcation/1") {
-    for (Figure& figure : bifurcation_figures(output)) found.figures.push_back(std::move(figure));
+    found.bifurcations.push_back(output);
+  } else if (format == "rocking.orbits/1" && has_branches(output)) {
+    found.branches.push_back(output);
   } else if (format == "rocking.cost/1") {
     for (Figure& figure : cost_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.fragility/1") {
@@ -51,9 +69,9 @@ void collect(const OutputFile& file, Collection& found) {
     throw base::InputError({.place = "/format",
                             .value = '"' + format + '"',
                             .reason = "has no figure in this command",
-                            .remedy =
-                                "give a trajectory, a bifurcation, a cost, a fragility, a motion or a check-normal; "
-                                "`rocking report DIR` draws a run"});
+                            .remedy = "give a trajectory, a bifurcation, orbits with branches, a cost, a fragility, a "
+                                      "motion or a check-normal; "
+                                      "`rocking report DIR` draws a run"});
   }
 }
 
@@ -75,6 +93,7 @@ std::vector<Figure> output_figures(const std::vector<OutputFile>& files, const W
       throw located(error, file.text, file.path);
     }
   }
+  draw_bifurcations(found);
   std::vector<Figure> figures;
   std::vector<TrajectoryFile> with_history;
   for (const TrajectoryFile& file : found.trajectories) {

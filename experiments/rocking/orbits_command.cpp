@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -9,12 +10,15 @@
 #include "arguments.hpp"
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "exit_code.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/section/period.hpp"
+#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
@@ -29,6 +33,11 @@ struct OrbitsRequest {
   std::uint64_t longest = default_longest_orbit;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
   bool overwrite = false;
+  bool without_branches = false;
+  std::optional<double> from;  ///< of the range of branches; absent: the smallest swept value
+  std::optional<double> to;    ///< likewise the largest one
+  std::uint64_t branch_points = default_branch_points;
+  std::uint64_t branches = default_branches;
 };
 
 /// Throws InputError, with the file and the line, where the experiment has no orbits.
@@ -49,9 +58,71 @@ std::optional<std::vector<OrbitsOfCondition>> search(const Experiment& experimen
   return orbits(experiment, static_cast<int>(request.longest), options);
 }
 
+/// The pointer of the only swept parameter, if branches can be followed over it.
+std::optional<std::string> branch_parameter(const Experiment& experiment) {
+  const auto& parameters = experiment.conditions.front().parameters;
+  if (parameters.size() != 1 || !can_be_continued(parameters.front().pointer)) return std::nullopt;
+  for (const Condition& condition : experiment.conditions) {
+    if (!Json::parse(condition.parameters.front().value).is_number()) return std::nullopt;
+  }
+  return parameters.front().pointer;
+}
+
+/// The experiment's condition at any value of its swept parameter.
+ConditionFamily family_of(const Experiment& experiment, const std::string& pointer) {
+  Json document = Json::parse(experiment.canonical_text);
+  document.erase("sweep");
+  return [document, place = Json::json_pointer(pointer)](double value) -> std::optional<Condition> {
+    Json one = document;
+    one[place] = value;
+    try {
+      return read_experiment(one.dump()).conditions.front();
+    } catch (const base::InputError&) {
+      return std::nullopt;  // not an allowed value
+    }
+  };
+}
+
+/// What is asked for; absent if there are no branches. Throws UsageError if a range is given and there are none in it.
+std::optional<BranchQuestion> branch_question(const Experiment& experiment, const OrbitsRequest& request) {
+  const auto pointer = branch_parameter(experiment);
+  const bool has_range = request.from || request.to;
+  if (!pointer || request.without_branches) {
+    if (!has_range) return std::nullopt;
+    throw UsageError(
+        "--from and --to limit branches, but none are followed: sweep one number of the motion, and omit "
+        "--no-branches");
+  }
+  BranchQuestion question{.conditions = family_of(experiment, *pointer),
+                          .values = {},
+                          .range = {},
+                          .most_points = request.branch_points,
+                          .most_branches = request.branches};
+  for (const Condition& condition : experiment.conditions) {
+    question.values.push_back(Json::parse(condition.parameters.front().value).get<double>());
+  }
+  const auto [least, greatest] = std::ranges::minmax(question.values);
+  question.range = {.low = request.from.value_or(least), .high = request.to.value_or(greatest)};
+  if (question.range.low < question.range.high) return question;
+  if (!has_range) return std::nullopt;
+  throw UsageError(fmt::format("--from {} --to {}: the range of branches must begin below its end", question.range.low,
+                               question.range.high));
+}
+
+std::optional<FoundBranches> branches(const Experiment& experiment, const std::optional<BranchQuestion>& question,
+                                      const OrbitsRequest& request, std::vector<OrbitsOfCondition>& conditions) {
+  if (!question) return std::nullopt;
+  if (!request.execution.loudness.quiet) print_notice("following branches; --no-branches omits them");
+  return FoundBranches{.pointer = experiment.conditions.front().parameters.front().pointer,
+                       .range = question->range,
+                       .most_points = request.branch_points,
+                       .study = branches_of(*question, conditions, &stop_on_interrupt())};
+}
+
 ExitCode orbits(const OrbitsRequest& request) {
   const Experiment experiment = load_experiment(request.file, {});
   refuse_without_orbits(experiment, request.file);  // before any file is written
+  const std::optional<BranchQuestion> question = branch_question(experiment, request);
   const std::filesystem::path path(request.folder);
   const std::filesystem::path file = path / "orbits.json";
   RunFolder folder(path);
@@ -60,13 +131,19 @@ ExitCode orbits(const OrbitsRequest& request) {
     throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
   }
   auto conditions = search(experiment, request);
-  if (!conditions) {
+  const auto explain_stop = [&request] {
     print_notice(fmt::format("interrupted; nothing was written. `rocking orbits {} -o {}` starts again", request.file,
                              request.folder));
     return ExitCode::interrupted;
+  };
+  if (!conditions) return explain_stop();
+  FoundOrbits found{.experiment = &experiment, .longest = static_cast<int>(request.longest), .conditions = {}};
+  try {
+    found.branches = branches(experiment, question, request, *conditions);
+  } catch (const base::Stopped&) {
+    return explain_stop();
   }
-  const FoundOrbits found{
-      .experiment = &experiment, .longest = static_cast<int>(request.longest), .conditions = std::move(*conditions)};
+  found.conditions = std::move(*conditions);
   const std::string text = orbits_text(found);
   write_atomically(file, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
@@ -85,6 +162,7 @@ void add_orbits(CLI::App& app, Action& action) {
       "Example: rocking orbits experiments/reference_block/no_sliding.json -o out\n"
       "searches in each condition by Newton's method on the Poincare map, from the end of a run and from a grid of "
       "states.\n"
+      "If one number is swept, follows the orbits over it, through folds, and locates their bifurcations.\n"
       "Writes the orbits to out/orbits.json and prints them. The excitation must be harmonic, and nothing may be "
       "random.");
   command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
@@ -95,6 +173,18 @@ void add_orbits(CLI::App& app, Action& action) {
       ->add_option("--periods", request->longest,
                    "Longest period that is searched from the grid, in excitation periods")
       ->check(whole_number(1, section::longest_period))
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_flag("--no-branches", request->without_branches, "Do not follow the orbits over the swept parameter");
+  command->add_option("--from", request->from, "Smallest value of the swept parameter for branches; else of the sweep")
+      ->type_name("X");
+  command->add_option("--to", request->to, "Largest value of it; else of the sweep")->type_name("X");
+  command->add_option("--branch-points", request->branch_points, "Largest number of points of a branch")
+      ->check(whole_number(1, 1'000'000))
+      ->capture_default_str()
+      ->type_name("N");
+  command->add_option("--branches", request->branches, "Largest number of branches")
+      ->check(whole_number(1, 100'000))
       ->capture_default_str()
       ->type_name("N");
   add_threads(*command, request->execution);

@@ -84,7 +84,7 @@ struct Subject {
 double allowed(double tolerance, double growth) { return growth * (40.0 * tolerance + 400.0 * 0x1p-53); }
 
 /// A row of the table: growth and errors, each the largest of those added.
-struct Row {
+struct ErrorRow {
   double growth = 0.0;
   std::array<double, tolerances.size()> errors{};
 
@@ -125,7 +125,7 @@ TEST_P(ReferenceCase, HasErrorsThatFollowTheTolerance) {
     truth.insert(truth.end(), {tests::reference_number(event[0]), tests::reference_number(event[3])});
   }
   ASSERT_FALSE(truth.empty());
-  Row row;
+  ErrorRow row;
   row.add(subject, truth);
   row.print(GetParam());
 }
@@ -162,7 +162,7 @@ class FrozenDraws : public testing::TestWithParam<std::size_t> {};
 // to rounding.
 TEST_P(FrozenDraws, LeaveErrorsThatFollowTheTolerance) {
   const auto& [name, fluctuation] = fluctuations().at(GetParam());
-  Row row;
+  ErrorRow row;
   for (std::uint64_t realisation = 0; realisation < 8; ++realisation) {
     const Subject subject{
         .condition = fluctuating(fluctuation), .realisation = realisation, .periods = {1, 2, 3, 5, 10}};

@@ -15,6 +15,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
+#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/stability.hpp"
 #include "support/event_log.hpp"
@@ -342,6 +343,59 @@ TEST(SlenderOrbit, IsFoundWithTheMultipliersOfTheClosedForm) {
       EXPECT_NEAR(stability.multipliers[0].real(), largest, 1e-5) << name_of(orbit) << ", " << multiplier;
       EXPECT_EQ(stability.is_stable(), largest < 1.0);
       EXPECT_EQ(stability.kind, largest < 1.0 ? OrbitKind::node : OrbitKind::saddle);
+    }
+  }
+}
+
+/// The branch of the family over the amplitude, followed from its orbit with the multiplier 0.85 of the half.
+BranchStudy branch_of(const Family& family) {
+  const Orbit start = with_multiplier(family, 0.85);
+  const double amplitude = family.amplitude(start.x);
+  const BranchQuestion question{
+      .conditions =
+          [start](double value) {
+            Condition condition = slender(start, 1e5, {}, 0.0);
+            support::harmonic(condition.scene).amplitude = value;
+            return std::optional(condition);
+          },
+      .values = {amplitude},
+      .range = {.low = 0.9 * family.amplitude(family.x_fold()), .high = 1.1 * family.amplitude(family.x_symmetry())},
+      .most_points = 400,
+      .most_branches = 1};
+  const PoincareMap map(*question.conditions(amplitude));
+  std::vector<OrbitsOfCondition> found(1);
+  const auto fixed = find_fixed_point(map, on_section(start), family.n);
+  if (!fixed) return {};
+  add_orbit(found[0], map, orbit_through(fixed->point, fixed->image, fixed->residual, FoundBy::grid), {});
+  return branches_of(question, found, {});
+}
+
+// Bifurcations are located to 1e-8. At H/B = 1e5 the amplitudes of the block differ from those of the limit by
+// psi^2 = 1e-10 times some tens.
+TEST(SlenderOrbit, HasItsFoldAndItsLossOfSymmetryWhereTheClosedFormHasThem) {
+  for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 5.0, .n = 3},
+                               Family{.r = 0.9, .omega = 10.0, .n = 5}}) {
+    const BranchStudy study = branch_of(family);
+    ASSERT_EQ(study.branches.size(), 1U) << family.omega;
+    EXPECT_TRUE(study.branches[0].is_symmetric);
+    int folds = 0;
+    int losses = 0;
+    for (const Bifurcation& one : study.bifurcations) {
+      EXPECT_LE(one.error, 1e-8);
+      if (one.kind == BifurcationKind::fold) {
+        EXPECT_NEAR(one.value, family.amplitude(family.x_fold()), 2e-8) << family.omega;
+        ++folds;
+      } else if (one.kind == BifurcationKind::symmetry_breaking) {
+        EXPECT_NEAR(one.value, family.amplitude(family.x_symmetry()), 2e-8) << family.omega;
+        ++losses;
+      }
+    }
+    EXPECT_EQ(folds, 1) << family.omega;
+    EXPECT_EQ(losses, 1) << family.omega;
+    for (const BranchPoint& point : study.branches[0].points) {
+      if (!point.orbit.stability.is_stable()) continue;
+      EXPECT_GT(point.value, family.amplitude(family.x_fold()) - 1e-7);
+      EXPECT_LT(point.value, family.amplitude(family.x_symmetry()) + 1e-7);
     }
   }
 }

@@ -1,7 +1,9 @@
 #include "rocking/output/write_orbits.hpp"
 
+#include <algorithm>
 #include <complex>
 #include <cstddef>
+#include <utility>
 
 #include "rocking/base/digest.hpp"
 #include "rocking/output/mode_table.hpp"
@@ -27,9 +29,9 @@ Json multipliers_json(const Stability& stability) {
 
 bool is_known(const Stability& stability) { return stability.kind != OrbitKind::not_differentiable; }
 
-Json orbit_json(const Orbit& orbit, std::size_t place) {
+/// What does not depend on the list in which an orbit stands.
+void add_orbit_json(const Orbit& orbit, Json& json) {
   const SectionState& start = orbit.points.front();
-  Json json = Json::object();
   json["period"] = orbit.period;
   json["cycles"] = orbit.cycles;
   json["state"] = {
@@ -39,12 +41,91 @@ Json orbit_json(const Orbit& orbit, std::size_t place) {
   json["multipliers"] = multipliers_json(orbit.stability);
   json["stable"] = is_known(orbit.stability) ? Json(orbit.stability.is_stable()) : Json();
   json["kind"] = to_string(orbit.stability.kind);
-  json["symmetric"] = orbit.mirror == place;
-  json["mirror"] = orbit.mirror;
+}
+
+void add_points_json(const Orbit& orbit, Json& json) {
   json["found_by"] = to_string(orbit.found_by);
   Json& points = json["points"] = Json::array();
   for (const SectionState& state : orbit.points) points.push_back(point_json(state));
+}
+
+Json orbit_json(const Orbit& orbit, std::size_t place) {
+  Json json = Json::object();
+  add_orbit_json(orbit, json);
+  json["symmetric"] = orbit.mirror == place;
+  json["mirror"] = orbit.mirror;
+  add_points_json(orbit, json);
   return json;
+}
+
+/// Absent keys: `mirror`, since a branch has no list of orbits.
+Json branch_point_json(const BranchPoint& point, bool is_symmetric) {
+  Json json = Json::object();
+  json["value"] = point.value;
+  add_orbit_json(point.orbit, json);
+  json["symmetric"] = is_symmetric;
+  add_points_json(point.orbit, json);
+  return json;
+}
+
+std::string branch_text(const OrbitBranch& branch) {
+  const Json head = {{"period", branch.period},
+                     {"symmetric", branch.is_symmetric},
+                     {"from", branch.from ? Json(*branch.from) : Json()},
+                     {"ends", Json::array({to_string(branch.ends[0]), to_string(branch.ends[1])})}};
+  std::string text = "\n    { " + head.dump().substr(1);
+  text.pop_back();
+  text += ",\n      \"points\": [";
+  bool is_first = true;
+  for (const BranchPoint& point : branch.points) {
+    if (point.orbit.points.empty()) continue;
+    text += (is_first ? "\n        " : ",\n        ") + branch_point_json(point, branch.is_symmetric).dump();
+    is_first = false;
+  }
+  return text + "\n      ] }";
+}
+
+Json bifurcation_json(const Bifurcation& bifurcation, bool is_symmetric) {
+  Json json = Json::object();
+  json["kind"] = to_string(bifurcation.kind);
+  json["value"] = bifurcation.value;
+  json["error"] = bifurcation.error;
+  json["branch"] = bifurcation.branch;
+  json["orbit"] = bifurcation.orbit.points.empty()
+                      ? Json()
+                      : branch_point_json({.value = bifurcation.value, .orbit = bifurcation.orbit}, is_symmetric);
+  return json;
+}
+
+std::string branches_text(const FoundBranches& found) {
+  const BranchStudy& study = found.study;
+  std::string text = ",\n  \"parameter\": " + Json(found.pointer).dump();
+  text += ",\n  \"range\": " + Json::array({found.range.low, found.range.high}).dump();
+  text += ",\n  \"most_points\": " + std::to_string(found.most_points);
+  text += ",\n  \"complete\": " + Json(study.is_complete).dump() + ",\n  \"branches\": [";
+  for (std::size_t i = 0; i < study.branches.size(); ++i) {
+    text += (i == 0 ? "" : ",") + branch_text(study.branches[i]);
+  }
+  text += "\n  ],\n  \"bifurcations\": [";
+  for (std::size_t i = 0; i < study.bifurcations.size(); ++i) {
+    const Bifurcation& one = study.bifurcations[i];
+    text += (i == 0 ? "\n    " : ",\n    ") + bifurcation_json(one, study.branches[one.branch].is_symmetric).dump();
+  }
+  return text + "\n  ]";
+}
+
+/// Whether the run is (m,n), and whether a stable orbit with the same m and n, on which it ended, backs that.
+struct Label {
+  bool is_periodic = false;
+  bool is_certified = false;
+};
+
+Label label_of(const OrbitsOfCondition& found) {
+  Label label{.is_periodic = found.mode.kind == section::ResponseKind::periodic};
+  if (!label.is_periodic || !found.run_on) return label;
+  const Orbit& orbit = found.orbits[*found.run_on];
+  label.is_certified = orbit.stability.is_stable() && section::periodic(orbit.cycles, orbit.period) == found.mode;
+  return label;
 }
 
 Json run_json(const OrbitsOfCondition& found) {
@@ -52,6 +133,26 @@ Json run_json(const OrbitsOfCondition& found) {
   json["termination"] = to_string(found.termination);
   json["mode"] = to_string(found.mode);
   json["orbit"] = found.run_on ? Json(*found.run_on) : Json();
+  const Label label = label_of(found);
+  json["certified"] = label.is_periodic ? Json(label.is_certified) : Json();
+  return json;
+}
+
+/// How many (m,n) are certified, and the conditions of those that are not.
+Json labels_json(const std::vector<OrbitsOfCondition>& conditions) {
+  std::size_t periodic = 0;
+  std::size_t certified = 0;
+  Json others = Json::array();
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    const Label label = label_of(conditions[i]);
+    periodic += label.is_periodic ? 1 : 0;
+    certified += label.is_certified ? 1 : 0;
+    if (label.is_periodic && !label.is_certified) others.push_back(i);
+  }
+  Json json = Json::object();
+  json["periodic"] = periodic;
+  json["certified"] = certified;
+  json["not_certified"] = std::move(others);
   return json;
 }
 
@@ -74,6 +175,51 @@ std::string largest_multiplier(const Stability& stability) {
   return significant(stability.multipliers.empty() ? 0.0 : std::abs(stability.multipliers.front()), 4);
 }
 
+/// A row for each branch and one for each bifurcation; empty without branches.
+std::string branches_table(const FoundOrbits& found) {
+  if (!found.branches) return "";
+  const BranchStudy& study = found.branches->study;
+  const std::string parameter = last_key(found.branches->pointer);
+  std::vector<TextRow> branches{{"branch", "orbits", "symmetric", "points", parameter + " from", "to", "ends"}};
+  for (std::size_t i = 0; i < study.branches.size(); ++i) {
+    const OrbitBranch& branch = study.branches[i];
+    const auto [low, high] = std::ranges::minmax(branch.points, {}, &BranchPoint::value);
+    branches.push_back({std::to_string(i), mode_of(branch.points.front().orbit), branch.is_symmetric ? "yes" : "no",
+                        std::to_string(branch.points.size()), significant(low.value, 8), significant(high.value, 8),
+                        std::string(to_string(branch.ends[0])) + ", " + std::string(to_string(branch.ends[1]))});
+  }
+  std::vector<TextRow> bifurcations{{"bifurcation", "branch", parameter, "error", "orbit"}};
+  for (const Bifurcation& one : study.bifurcations) {
+    bifurcations.push_back({std::string(to_string(one.kind)), std::to_string(one.branch), significant(one.value, 12),
+                            significant(one.error, 1), one.orbit.points.empty() ? "-" : mode_of(one.orbit)});
+  }
+  std::string text = '\n' + aligned(branches);
+  if (!study.is_complete) text += "There are more: the largest number of branches was reached.\n";
+  if (!study.bifurcations.empty()) text += '\n' + aligned(bifurcations);
+  return text + '\n';
+}
+
+/// How many response modes (m,n) are backed by an orbit, and the conditions of those that are not.
+std::string labels_note(const FoundOrbits& found) {
+  const Json labels = labels_json(found.conditions);
+  const auto periodic = labels["periodic"].get<std::size_t>();
+  if (periodic == 0) return "";
+  std::string text = std::to_string(labels["certified"].get<std::size_t>()) + " of " + std::to_string(periodic) +
+                     " responses (m,n) of runs are backed by a stable orbit of this m and n, found by Newton's method";
+  const std::size_t conditions = labels["not_certified"].size();
+  if (conditions == 0) return text + "\n";
+  text += "; not:\n";
+  for (const Json& index : labels["not_certified"]) {
+    const auto i = index.get<std::size_t>();
+    std::string where;
+    for (const Parameter& parameter : found.experiment->conditions[i].parameters) {
+      where += (where.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+    }
+    text += "  " + (where.empty() ? "the condition" : where) + ": " + to_string(found.conditions[i].mode) + '\n';
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string orbits_text(const FoundOrbits& found) {
@@ -81,11 +227,14 @@ std::string orbits_text(const FoundOrbits& found) {
   std::string text = "{\n  \"format\": " + Json(orbits_format).dump();
   text += ",\n  \"input\": { \"experiment\": " + canonical;
   text += ",\n    \"sha256\": " + Json(base::to_hex(base::sha256(canonical))).dump() + " }";
-  text += ",\n  \"longest_period\": " + std::to_string(found.longest) + ",\n  \"conditions\": [";
+  text += ",\n  \"longest_period\": " + std::to_string(found.longest);
+  text += ",\n  \"labels\": " + labels_json(found.conditions).dump() + ",\n  \"conditions\": [";
   for (std::size_t i = 0; i < found.conditions.size(); ++i) {
     text += (i == 0 ? "" : ",") + condition_json(found.conditions[i], found.experiment->conditions[i]);
   }
-  return text + "\n  ]\n}\n";
+  text += "\n  ]";
+  if (found.branches) text += branches_text(*found.branches);
+  return text + "\n}\n";
 }
 
 std::string orbits_table(const FoundOrbits& found) {
@@ -115,9 +264,11 @@ std::string orbits_table(const FoundOrbits& found) {
       rows.push_back(std::move(row));
     }
   }
-  return aligned(rows) +
+  return aligned(rows) + branches_table(found) +
          "tilt, tilt_rate: where the argument of the excitation is 0; multiplier: modulus of the largest one; *: the "
-         "run\nfrom the initial state ended on this orbit. Other orbits may exist: the search is from a finite grid.\n";
+         "run\nfrom the initial state ended on this orbit. Other orbits may exist: the search is from a finite "
+         "grid.\n" +
+         labels_note(found);
 }
 
 }  // namespace rocking

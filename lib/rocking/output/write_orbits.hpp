@@ -1,27 +1,40 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "rocking/scene/experiment.hpp"
+#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 
 namespace rocking {
 
 inline constexpr std::string_view orbits_format = "rocking.orbits/1";
 
+/// The branches of an experiment that sweeps one number.
+struct FoundBranches {
+  std::string pointer;  ///< of the parameter
+  ParameterRange range;
+  std::size_t most_points;
+  BranchStudy study;
+};
+
 /// The orbits of an experiment.
 struct FoundOrbits {
   const Experiment* experiment;
-  int longest;                                ///< largest period searched from the grid
-  std::vector<OrbitsOfCondition> conditions;  ///< of the experiment
+  int longest;                                           ///< largest period searched from the grid
+  std::vector<OrbitsOfCondition> conditions;             ///< of the experiment
+  std::optional<FoundBranches> branches = std::nullopt;  ///< absent where none were asked for, or nothing is swept
 };
 
 /// `rocking.orbits/1` (lib/docs/formats.md): a line for each orbit.
 [[nodiscard]] std::string orbits_text(const FoundOrbits& found);
 
-/// The orbits as text: a row for each orbit.
+/// The orbits as text: a row for each orbit; the branches and their bifurcations; which response modes of runs are
+/// backed by an orbit.
 [[nodiscard]] std::string orbits_table(const FoundOrbits& found);
 
 }  // namespace rocking

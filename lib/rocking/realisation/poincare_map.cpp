@@ -13,13 +13,17 @@ namespace {
 
 constexpr double largest_tolerance = 1e-16;
 
-/// Keeps the contact states too.
+/// Sides times slip directions after a change of contact: each is negative, absent or positive.
+constexpr int directions = 9;
+
+/// Keeps the contact states and their changes too.
 class SectionObserver final : public dynamics::Observer {
  public:
   SectionObserver(double shape_angle, int periods) : recorder_(shape_angle, periods + 1) {}
 
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
     recorder_.event(kind, tau, state);
+    note(kind, state);
   }
   void strobe(const dynamics::State& state) override {
     recorder_.strobe(state);
@@ -36,10 +40,27 @@ class SectionObserver final : public dynamics::Observer {
   }
   [[nodiscard]] dynamics::ContactState first_contact() const { return contacts_.front(); }
   [[nodiscard]] const std::vector<section::Period>& periods() const { return recorder_.periods(); }
+  [[nodiscard]] const ContactSequence& sequence() const { return sequence_; }
 
  private:
+  void note(dynamics::EventKind kind, const dynamics::State& after) {
+    using dynamics::EventKind;
+    if (kind == EventKind::past_balance) return;
+    if (kind == EventKind::to_rest || kind == EventKind::to_slide) {
+      while (!sequence_.empty() && is_impact(sequence_.back())) sequence_.pop_back();
+    }
+    const int side = dynamics::is_rocking(after.contact) ? (after.side > 0.0 ? 2 : 0) : 1;
+    const int slip = dynamics::is_sliding(after.contact) ? (after.slip_direction > 0.0 ? 2 : 0) : 1;
+    sequence_.push_back(static_cast<std::uint8_t>(directions * static_cast<int>(kind) + 3 * side + slip));
+  }
+  static bool is_impact(std::uint8_t change) {
+    const auto kind = static_cast<dynamics::EventKind>(change / directions);
+    return kind == dynamics::EventKind::impact_stick || kind == dynamics::EventKind::impact_slip;
+  }
+
   StrobeRecorder recorder_;
   std::vector<dynamics::ContactState> contacts_;
+  ContactSequence sequence_;
 };
 
 /// The scene with its clock at 0 at the start.
@@ -64,6 +85,25 @@ SectionMatrix in_units_of_section(const TangentMotion<Motion, 3>::Tangents& colu
 
 }  // namespace
 
+bool is_same_sequence(const ContactSequence& a, const ContactSequence& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t shift = 0; shift < std::max<std::size_t>(b.size(), 1); ++shift) {
+    ContactSequence rotated = b;
+    std::rotate(rotated.begin(), rotated.begin() + static_cast<std::ptrdiff_t>(shift), rotated.end());
+    if (a == rotated) return true;
+  }
+  return false;
+}
+
+ContactSequence mirrored(const ContactSequence& sequence) {
+  ContactSequence mirror;
+  for (const int change : sequence) {
+    mirror.push_back(
+        static_cast<std::uint8_t>(directions * (change / directions) + directions - 1 - change % directions));
+  }
+  return mirror;
+}
+
 PoincareMap::PoincareMap(const Condition& condition)
     : scene_(from_section(condition.scene)), at_zero_(beginning_of(condition)) {
   ROCKING_EXPECT(!is_random(condition.scene));
@@ -77,10 +117,11 @@ Beginning PoincareMap::beginning(const section::StrobePoint& from, const dynamic
   return beginning;
 }
 
-std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from, int periods) const {
-  const Beginning begin = beginning(from, {.first_strobe = {.period = 1, .time = 0.0}, .strobes = periods});
+std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from,
+                                                const dynamics::Schedule& schedule) const {
+  const Beginning begin = beginning(from, schedule);
   const double psi = begin.setting.block.shape_angle;
-  SectionObserver observer(psi, periods);
+  SectionObserver observer(psi, static_cast<int>(schedule.strobes));
   TangentMotion<Motion, 3> motion(motion_of(scene_, begin, observer),
                                   {{{.tilt = 1.0}, {.tilt_rate = 1.0}, {.slip_rate = 1.0}}});
   observer.strobe(motion.state());  // the edge about which the block turns at the start
@@ -89,10 +130,30 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
   PoincareImage image{.contact = observer.first_contact(),
                       .states = observer.later_states(),
                       .derivative = in_units_of_section(motion.at_strobe(), psi),
-                      .not_differentiable = motion.not_differentiable()};
+                      .not_differentiable = motion.not_differentiable(),
+                      .sequence = observer.sequence(),
+                      .crossings = motion.crossings()};
   for (std::size_t k = 1; k < observer.periods().size(); ++k) {
     image.impacts += observer.periods()[k].impacts;
     image.moved = image.moved || observer.periods()[k].moved;
+  }
+  return image;
+}
+
+std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from, int periods) const {
+  return image(from, {.first_strobe = {.period = 1, .time = 0.0}, .strobes = periods});
+}
+
+std::optional<PoincareImage> PoincareMap::mirrored_half(const section::StrobePoint& from, int periods) const {
+  ROCKING_EXPECT(periods % 2 == 1);
+  const double half = 0.5 * at_zero_.clock.period_length();
+  auto image = this->image(from, {.first_strobe = {.period = 0, .time = half}, .strobes = (periods + 1) / 2});
+  if (!image) return std::nullopt;
+  image->states = {image->states.back()};
+  section::StrobePoint& end = image->states.front().point;
+  end = {.tilt = -end.tilt, .tilt_rate = -end.tilt_rate, .slip_rate = -end.slip_rate};
+  for (auto& row : image->derivative) {
+    for (double& entry : row) entry = -entry;
   }
   return image;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -21,6 +22,10 @@ struct SectionState {
   dynamics::ContactState contact = dynamics::ContactState::rest;
 };
 
+/// Changes of contact in their order, each as its kind with the side and the slip direction after it; the impacts of a
+/// chatter that ends are left out, as are passages of the balance.
+using ContactSequence = std::vector<std::uint8_t>;
+
 /// Where a state goes in a number of periods.
 struct PoincareImage {
   dynamics::ContactState contact = dynamics::ContactState::rest;  ///< at the start
@@ -30,9 +35,17 @@ struct PoincareImage {
   int impacts = 0;                                                ///< that changed the edge; a chatter counts once
   bool moved = false;                                             ///< false: at rest in full contact throughout
   NotDifferentiable not_differentiable;
+  ContactSequence sequence;
+  std::vector<GuardCrossing> crossings;  ///< rates at which guards were reached
 
   [[nodiscard]] const section::StrobePoint& end() const { return states.back().point; }
 };
+
+/// Whether two sequences are one, up to the instant at which the cycle begins.
+[[nodiscard]] bool is_same_sequence(const ContactSequence& a, const ContactSequence& b);
+
+/// The same changes of the mirrored motion.
+[[nodiscard]] ContactSequence mirrored(const ContactSequence& sequence);
 
 /// The Poincare map of a condition with harmonic excitation in which nothing is random: from an instant at which the
 /// argument of the excitation is a multiple of 2 pi to later ones. X is no coordinate: nothing depends on it.
@@ -49,7 +62,15 @@ class PoincareMap {
   /// Half a period after each of the first `periods` instants of the section; absent as above.
   [[nodiscard]] std::optional<std::vector<SectionState>> half_way(const section::StrobePoint& from, int periods) const;
 
+  /// The mirror image of the state after `periods`/2 periods, an odd number of halves: its negative at an instant at
+  /// which the excitation is the negative of that at the start. `states` has this state only; impacts and contact
+  /// changes are those of the half. The map over `periods` is this one applied twice, and a symmetric orbit is a fixed
+  /// point of it. Absent as above. Precondition: `periods` is odd.
+  [[nodiscard]] std::optional<PoincareImage> mirrored_half(const section::StrobePoint& from, int periods) const;
+
  private:
+  [[nodiscard]] std::optional<PoincareImage> image(const section::StrobePoint& from,
+                                                   const dynamics::Schedule& schedule) const;
   [[nodiscard]] Beginning beginning(const section::StrobePoint& from, const dynamics::Schedule& schedule) const;
 
   Scene scene_;

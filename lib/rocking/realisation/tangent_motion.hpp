@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/impact.hpp"
@@ -21,6 +22,12 @@ struct NotDifferentiable {
   std::uint64_t coincidences = 0;  ///< two of impact, end of slip, onset of slip and breakpoint at one instant
 
   [[nodiscard]] bool any() const { return grazings > 0 || coincidences > 0; }
+};
+
+/// The rate at which a guard that depends on the state was reached: of theta over psi, of V, or of the friction limit.
+struct GuardCrossing {
+  dynamics::Guard guard;
+  double rate;
 };
 
 /// A motion with the same bits as `Motion` that also carries `count` tangent vectors: derivatives of its state with
@@ -51,6 +58,9 @@ class TangentMotion : public Motion {
   /// At the last strobe point; before it, the initial ones.
   [[nodiscard]] const Tangents& at_strobe() const { return at_strobe_; }
   [[nodiscard]] const NotDifferentiable& not_differentiable() const { return not_differentiable_; }
+
+  /// In the order of time; without the impacts of a chatter that has ended.
+  [[nodiscard]] const std::vector<GuardCrossing>& crossings() const { return crossings_; }
 
   [[nodiscard]] double expand(double reach) {
     const double length = Motion::expand(reach);
@@ -179,9 +189,15 @@ class TangentMotion : public Motion {
       case Guard::tilt: {
         const bool ends_chatter = event.before.tilt_rate != 0.0 && this->state().tilt_rate == 0.0;
         const double least = ends_chatter ? 0.0 : this->setting().tolerance * this->setting().block.shape_angle;
+        crossings_.push_back({Guard::tilt, rates.tilt / this->setting().block.shape_angle});
+        if (!dynamics::is_rocking(this->state().contact)) {
+          while (!crossings_.empty() && crossings_.back().guard == Guard::tilt) crossings_.pop_back();
+        }
         return unless_grazing({.gradient = {.tilt = 1.0}, .rate = rates.tilt}, least);
       }
-      case Guard::slip: return unless_grazing({.gradient = {.slip_rate = 1.0}, .rate = rates.slip_rate}, least_rate);
+      case Guard::slip:
+        crossings_.push_back({Guard::slip, rates.slip_rate});
+        return unless_grazing({.gradient = {.slip_rate = 1.0}, .rate = rates.slip_rate}, least_rate);
       case Guard::friction_inward: return slope_of_forces(event, -1.0);
       case Guard::friction_outward: return slope_of_forces(event, 1.0);
       case Guard::normal: {
@@ -197,8 +213,10 @@ class TangentMotion : public Motion {
 
   [[nodiscard]] std::optional<dynamics::GuardSlope> slope_of_forces(const Event& event, double by_friction) {
     const double mu_s = this->coefficients().static_friction();  // an onset of slip draws nothing
-    return unless_grazing(dynamics::slope_of_forces(event.before, end_of_step_, constants(), mu_s, by_friction),
-                          least_rate);
+    const dynamics::GuardSlope guard =
+        dynamics::slope_of_forces(event.before, end_of_step_, constants(), mu_s, by_friction);
+    crossings_.push_back({*event.guard, guard.rate});
+    return unless_grazing(guard, least_rate);
   }
 
   [[nodiscard]] std::optional<dynamics::GuardSlope> unless_grazing(const dynamics::GuardSlope& guard, double least) {
@@ -267,6 +285,7 @@ class TangentMotion : public Motion {
   double length_ = 0.0;                 ///< of the last step
   dynamics::MovingBase end_of_step_{};
   NotDifferentiable not_differentiable_;
+  std::vector<GuardCrossing> crossings_;
   bool is_expanded_ = false;  ///< `variation_` is that of the present step
   bool time_went_on_ = false;
 };

@@ -14,24 +14,8 @@
 namespace rocking {
 namespace {
 
-/// Two points of one orbit differ by the residual over the distance of the multipliers from 1.
-constexpr double same_point = 1e-8;
 /// A run has come to its orbit when its last point is so close; later it comes closer.
 constexpr double on_orbit = 1e-6;
-
-section::StrobePoint mirrored(const section::StrobePoint& point) {
-  return {.tilt = -point.tilt, .tilt_rate = -point.tilt_rate, .slip_rate = -point.slip_rate};
-}
-
-/// The smallest period of a fixed point of the map over `images.size()` periods: a divisor after which it is back.
-int smallest_period(const section::StrobePoint& start, const std::vector<SectionState>& images) {
-  const auto periods = static_cast<int>(images.size());
-  for (int divisor = 1; divisor < periods; ++divisor) {
-    if (periods % divisor != 0) continue;
-    if (distance(images[static_cast<std::size_t>(divisor) - 1].point, start) < same_point) return divisor;
-  }
-  return periods;
-}
 
 /// Collects the orbits of one condition.
 class OrbitSearch {
@@ -88,41 +72,20 @@ class OrbitSearch {
     ++found_.searches;
     auto fixed = find_fixed_point(map_, start, periods, stop_);
     if (!fixed) return;
-    const int smallest = smallest_period(fixed->point, fixed->image.states);
-    if (smallest < periods) fixed = find_fixed_point(map_, fixed->point, smallest, stop_);
-    if (!fixed) return;
+    auto orbit = orbit_of(map_, std::move(*fixed), found_by, stop_);
+    if (!orbit) return;
     ++found_.converged;
-    add(*fixed, found_by);
+    if (place_of(orbit->points, found_.orbits)) return;
+    orbit->mirror = found_.orbits.size();
+    found_.orbits.push_back(std::move(*orbit));
   }
 
-  void add(const FixedPoint& fixed, FoundBy found_by) {
-    Orbit orbit{.period = static_cast<int>(fixed.image.states.size()),
-                .cycles = (fixed.image.impacts + 1) / 2,
-                .points = {{.point = fixed.point, .contact = fixed.image.contact}},
-                .residual = fixed.residual,
-                .stability = stability_of(fixed.image),
-                .found_by = found_by,
-                .mirror = found_.orbits.size()};
-    orbit.points.insert(orbit.points.end(), fixed.image.states.begin(), fixed.image.states.end() - 1);
-    if (!place_of(orbit.points)) found_.orbits.push_back(std::move(orbit));
-  }
-
-  [[nodiscard]] std::optional<std::size_t> place_of(const std::vector<SectionState>& cycle) const {
-    for (std::size_t i = 0; i < found_.orbits.size(); ++i) {
-      if (is_same_cycle(found_.orbits[i].points, cycle)) return i;
-    }
-    return std::nullopt;
-  }
-
-  /// The mirror image of a motion is its negative half a period later.
   void add_mirror_images() {
     for (std::size_t i = 0; i < found_.orbits.size(); ++i) {
-      const int period = found_.orbits[i].period;
-      auto mirror = map_.half_way(found_.orbits[i].points.front().point, period);
+      const auto mirror = mirror_image_of(map_, found_.orbits[i]);
       if (!mirror) continue;
-      for (SectionState& state : *mirror) state.point = mirrored(state.point);
-      if (!place_of(*mirror)) search(mirror->front().point, period, FoundBy::mirror);
-      if (const auto place = place_of(*mirror)) {
+      if (!place_of(*mirror, found_.orbits)) search(mirror->front().point, found_.orbits[i].period, FoundBy::mirror);
+      if (const auto place = place_of(*mirror, found_.orbits)) {
         found_.orbits[i].mirror = *place;
         found_.orbits[*place].mirror = i;
       }
@@ -198,26 +161,25 @@ class OrbitWorkers {
 
 }  // namespace
 
-std::string_view to_string(FoundBy found_by) {
-  switch (found_by) {
-    case FoundBy::run: return "run";
-    case FoundBy::grid: return "grid";
-    case FoundBy::mirror: return "mirror";
+std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit orbit, base::StopRequest stop) {
+  if (const auto place = place_of(orbit.points, found.orbits)) return *place;
+  const std::size_t place = found.orbits.size();
+  orbit.mirror = place;
+  const FoundBy found_by = orbit.found_by;
+  const auto mirror = mirror_image_of(map, orbit);
+  found.orbits.push_back(std::move(orbit));
+  if (!mirror) return place;
+  auto other = place_of(*mirror, found.orbits);
+  if (!other) {
+    auto fixed = find_fixed_point(map, mirror->front().point, static_cast<int>(mirror->size()), stop);
+    auto image = fixed ? orbit_of(map, std::move(*fixed), found_by, stop) : std::nullopt;
+    if (!image || !is_same_cycle(image->points, *mirror)) return place;
+    other = found.orbits.size();
+    found.orbits.push_back(std::move(*image));
   }
-  return "";
-}
-
-bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b) {
-  if (a.size() != b.size()) return false;
-  for (std::size_t shift = 0; shift < b.size(); ++shift) {
-    bool is_same = true;
-    for (std::size_t k = 0; k < a.size() && is_same; ++k) {
-      const SectionState& other = b[(k + shift) % b.size()];
-      is_same = a[k].contact == other.contact && distance(a[k].point, other.point) < same_point;
-    }
-    if (is_same) return true;
-  }
-  return false;
+  found.orbits[place].mirror = *other;
+  found.orbits[*other].mirror = place;
+  return place;
 }
 
 OrbitsOfCondition orbits_of(const Condition& condition, int longest, base::StopRequest stop) {

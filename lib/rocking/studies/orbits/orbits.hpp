@@ -1,40 +1,18 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string_view>
 #include <vector>
 
 #include "rocking/dynamics/termination.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/response_mode.hpp"
-#include "rocking/studies/orbits/fixed_point.hpp"
-#include "rocking/studies/orbits/stability.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
 
 /// Periodic orbits of conditions with harmonic excitation in which nothing is random, stable and unstable ones.
 namespace rocking {
-
-/// What the search for an orbit started from: the end of the condition's run, a start of the grid, or the mirror image
-/// of an orbit found.
-enum class FoundBy : std::uint8_t { run, grid, mirror };
-inline constexpr std::array all_found_by{FoundBy::run, FoundBy::grid, FoundBy::mirror};
-
-/// Spelled as the enumerator.
-[[nodiscard]] std::string_view to_string(FoundBy found_by);
-
-/// A periodic orbit.
-struct Orbit {
-  int period = 0;                    ///< n: excitation periods until it repeats, the smallest number
-  int cycles = 0;                    ///< m: pairs of impacts in them, rounded up
-  std::vector<SectionState> points;  ///< at the n instants of the section
-  double residual = 0.0;             ///< of the map over n periods, from the first point
-  Stability stability;
-  FoundBy found_by = FoundBy::run;
-  std::size_t mirror = 0;  ///< place of its mirror image in the list: its own if it is symmetric
-};
 
 /// The orbits of a condition, and the run from its initial state.
 struct OrbitsOfCondition {
@@ -49,15 +27,15 @@ struct OrbitsOfCondition {
 /// Largest period for which orbits are searched, unless the run has a longer one.
 inline constexpr int default_longest_orbit = 5;
 
-/// Whether two cycles are the same one, up to a shift by whole periods and the residual.
-[[nodiscard]] bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b);
-
 /// The orbits of one condition: Newton's method from the end of its run, and from a grid of 9 x 9 states with Theta in
 /// -0.8 ... 0.8 and Theta' in -1.2 ... 1.2 (with friction, from their images after a period, which may slip), for each
 /// period up to `longest`. An orbit that is not symmetric is listed with its mirror image. The grid is finite: there
 /// may be more orbits. Precondition: the condition passes check_orbits.
 /// Throws base::InputError if check_condition does, and base::Stopped if it is asked to stop.
 [[nodiscard]] OrbitsOfCondition orbits_of(const Condition& condition, int longest, base::StopRequest stop = {});
+
+/// Adds an orbit and, if it is not symmetric, its mirror image, unless they are listed. Place of the orbit.
+std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit orbit, base::StopRequest stop);
 
 /// Throws base::InputError if a condition is random or its excitation is not harmonic.
 void check_orbits(const Experiment& experiment);

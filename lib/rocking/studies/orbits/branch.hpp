@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rocking/studies/orbits/orbit.hpp"
+
+namespace rocking {
+
+/// What happens to the orbits of a branch at a value of the parameter.
+enum class BifurcationKind : std::uint8_t {
+  fold,               ///< the branch turns back: a multiplier passes 1
+  period_doubling,    ///< a multiplier passes -1; a branch of twice the period begins
+  symmetry_breaking,  ///< symmetric orbits: a multiplier of the mirrored map over half the period passes -1; two
+                      ///< branches begin, each the mirror image of the other
+  grazing,            ///< the contact sequence changes by a guard that is reached at a rate of 0
+  contact_change      ///< the contact sequence changes otherwise
+};
+inline constexpr std::array all_bifurcation_kinds{BifurcationKind::fold, BifurcationKind::period_doubling,
+                                                  BifurcationKind::symmetry_breaking, BifurcationKind::grazing,
+                                                  BifurcationKind::contact_change};
+
+/// Spelled as the enumerator.
+[[nodiscard]] std::string_view to_string(BifurcationKind kind);
+
+/// Why a branch ends.
+enum class BranchEnd : std::uint8_t {
+  range,           ///< the end of the range of the parameter
+  joins,           ///< it branches off here: from orbits of half the period, or from symmetric ones
+  grazing,         ///< the contact sequence changes by grazing, and no orbit near continues it
+  contact_change,  ///< the contact sequence changes otherwise, likewise
+  lost,            ///< Newton's method does not converge for the smallest step, for no reason that is known
+  closed,          ///< it has come back to its start
+  known,           ///< it has come to a branch that is listed
+  points           ///< the largest number of points is reached
+};
+inline constexpr std::array all_branch_ends{BranchEnd::range,          BranchEnd::joins, BranchEnd::grazing,
+                                            BranchEnd::contact_change, BranchEnd::lost,  BranchEnd::closed,
+                                            BranchEnd::known,          BranchEnd::points};
+
+/// Spelled as the enumerator.
+[[nodiscard]] std::string_view to_string(BranchEnd end);
+
+/// An orbit at a value of the parameter.
+struct BranchPoint {
+  double value = 0.0;
+  Orbit orbit;
+};
+
+/// Orbits that are connected over the parameter, by pseudo-arclength.
+struct OrbitBranch {
+  int period = 1;
+  bool is_symmetric = false;                       ///< else its mirror image is a branch, too, which is not listed
+  std::vector<BranchPoint> points = {};            ///< by arclength
+  std::array<BranchEnd, 2> ends{};                 ///< before the first point and behind the last one
+  std::optional<std::size_t> from = std::nullopt;  ///< the bifurcation at which it branches off, if that was followed
+};
+
+/// A bifurcation on a branch.
+struct Bifurcation {
+  BifurcationKind kind = BifurcationKind::fold;
+  double value = 0.0;      ///< of the parameter
+  double error = 0.0;      ///< half the width of the bracket of `value`, at least
+  std::size_t branch = 0;  ///< place of the branch
+  Orbit orbit;             ///< there
+};
+
+}  // namespace rocking

@@ -1,0 +1,83 @@
+#include "rocking/studies/orbits/corrector.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "rocking/studies/orbits/fixed_point.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr int most_corrections = 12;
+constexpr double enough = 2e-15;  // a few units in the last place of Theta
+
+/// Largest entry of the matrix, at least 1: rounding of the image is about 2^-53 times it.
+double amplification(const SectionMatrix& matrix) {
+  double largest = 1.0;
+  for (const auto& row : matrix) {
+    for (const double entry : row) largest = std::max(largest, std::abs(entry));
+  }
+  return largest;
+}
+
+/// The coordinates that the image has exactly, since the contact state fixes them, are taken from it.
+Unknowns with_fixed_coordinates(Unknowns at, const PoincareImage& image) {
+  const std::array<double, 3> end{image.end().tilt, image.end().tilt_rate, image.end().slip_rate};
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto& row = image.derivative[i];
+    if (end[i] == 0.0 && row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0) at[i] = 0.0;
+  }
+  return at;
+}
+
+/// Newton's step towards the curve within the plane; absent where there is none.
+std::optional<Unknowns> step_to_curve(const MapFamily& family, const Hyperplane& plane, const Unknowns& at,
+                                      const PoincareImage& image) {
+  const auto by_parameter = family.by_parameter(at, image);
+  if (!by_parameter) return std::nullopt;
+  const Unknowns away = plus(at, -1.0, plane.through);
+  const Unknowns right{at[0] - image.end().tilt, at[1] - image.end().tilt_rate, at[2] - image.end().slip_rate,
+                       -dot(plane.normal, away)};
+  return solve_bordered({image.derivative, *by_parameter}, plane.normal, right);
+}
+
+bool complete(const MapFamily& family, const Hyperplane& plane, CurvePoint& point) {
+  const auto by_parameter = family.by_parameter(point.at, point.image);
+  if (!by_parameter) return false;
+  point.tangent = direction_of({point.image.derivative, *by_parameter});
+  if (dot(point.tangent, plane.normal) < 0.0) point.tangent = plus({}, -1.0, point.tangent);
+  point.flip = flip_determinant(point.image.derivative);
+  point.asymmetry = family.asymmetry(point.at, point.image);
+  return true;
+}
+
+}  // namespace
+
+std::optional<CurvePoint> correct(const MapFamily& family, const Hyperplane& plane, base::StopRequest stop) {
+  std::optional<CurvePoint> best;
+  Unknowns at = plane.through;
+  for (int i = 0; i <= most_corrections; ++i) {
+    stop.check();
+    auto image = family.image(at);
+    if (!image) break;
+    const double residual = distance(image->end(), state_of(at));
+    if (best && !(residual < best->residual)) {
+      if (best->residual < 1e-9 || residual > 10.0 * best->residual) break;
+    }
+    const auto step = step_to_curve(family, plane, at, *image);
+    const Unknowns next = step ? with_fixed_coordinates(plus(at, 1.0, *step), *image) : at;
+    if (!best || residual < best->residual) {
+      best = CurvePoint{.at = at, .image = std::move(*image), .residual = residual, .steps = i};
+    }
+    if (!step || residual < enough) break;
+    at = next;
+  }
+  if (!best || best->image.not_differentiable.any()) return std::nullopt;
+  if (!(best->residual <= largest_residual * amplification(best->image.derivative))) return std::nullopt;
+  if (!complete(family, plane, *best)) return std::nullopt;
+  return best;
+}
+
+}  // namespace rocking

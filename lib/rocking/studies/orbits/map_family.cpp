@@ -1,0 +1,69 @@
+#include "rocking/studies/orbits/map_family.hpp"
+
+#include <cmath>
+#include <cstddef>
+
+namespace rocking {
+namespace {
+
+constexpr double largest_tilt = 3.0;  // no block has pi/2 below psi/2
+
+std::array<double, 3> difference(const section::StrobePoint& a, const section::StrobePoint& b, double over) {
+  return {(a.tilt - b.tilt) / over, (a.tilt_rate - b.tilt_rate) / over, (a.slip_rate - b.slip_rate) / over};
+}
+
+}  // namespace
+
+std::optional<PoincareMap> MapFamily::map(double q) const {
+  if (!std::isfinite(q)) return std::nullopt;
+  const auto condition = (*conditions_)(range_.value(q));
+  if (!condition) return std::nullopt;
+  return PoincareMap(*condition);
+}
+
+std::optional<PoincareImage> MapFamily::image(const Unknowns& at) const {
+  if (!orbits_.is_symmetric) return full_image(at);
+  if (!(std::abs(at[0]) < largest_tilt)) return std::nullopt;
+  const auto map = this->map(at[3]);
+  return map ? map->mirrored_half(state_of(at), orbits_.period) : std::nullopt;
+}
+
+std::optional<PoincareImage> MapFamily::full_image(const Unknowns& at) const {
+  if (!(std::abs(at[0]) < largest_tilt) || !std::isfinite(at[1]) || !std::isfinite(at[2])) return std::nullopt;
+  const auto map = this->map(at[3]);
+  return map ? map->image(state_of(at), orbits_.period) : std::nullopt;
+}
+
+std::optional<std::array<double, 3>> MapFamily::by_parameter(const Unknowns& at, const PoincareImage& image) const {
+  const auto beside = [&](double step) {
+    auto other = this->image({at[0], at[1], at[2], at[3] + step});
+    if (other && other->sequence != image.sequence) other.reset();
+    return other;
+  };
+  for (const double step : {1e-5, 1e-7, 1e-9}) {
+    const auto above = beside(step);
+    const auto below = beside(-step);
+    if (above && below) return difference(above->end(), below->end(), 2.0 * step);
+    if (above) return difference(above->end(), image.end(), step);
+    if (below) return difference(image.end(), below->end(), step);
+  }
+  return std::nullopt;
+}
+
+std::optional<section::StrobePoint> MapFamily::asymmetry(const Unknowns& at, const PoincareImage& image) const {
+  if (orbits_.is_symmetric) return std::nullopt;
+  section::StrobePoint other;
+  if (orbits_.period % 2 == 0) {
+    other = image.states[static_cast<std::size_t>(orbits_.period / 2 - 1)].point;
+  } else {
+    const auto map = this->map(at[3]);
+    const auto half = map ? map->mirrored_half(state_of(at), orbits_.period) : std::nullopt;
+    if (!half) return std::nullopt;
+    other = half->end();
+  }
+  return section::StrobePoint{.tilt = 0.5 * (at[0] - other.tilt),
+                              .tilt_rate = 0.5 * (at[1] - other.tilt_rate),
+                              .slip_rate = 0.5 * (at[2] - other.slip_rate)};
+}
+
+}  // namespace rocking

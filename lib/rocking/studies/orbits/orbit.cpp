@@ -1,0 +1,83 @@
+#include "rocking/studies/orbits/orbit.hpp"
+
+#include <utility>
+
+namespace rocking {
+namespace {
+
+/// Two points of one orbit differ by the residual over the distance of the multipliers from 1.
+constexpr double same_point = 1e-8;
+
+/// The smallest period of a fixed point of the map over `images.size()` periods: a divisor after which it is back.
+int smallest_period(const section::StrobePoint& start, const std::vector<SectionState>& images) {
+  const auto periods = static_cast<int>(images.size());
+  for (int divisor = 1; divisor < periods; ++divisor) {
+    if (periods % divisor != 0) continue;
+    if (distance(images[static_cast<std::size_t>(divisor) - 1].point, start) < same_point) return divisor;
+  }
+  return periods;
+}
+
+}  // namespace
+
+std::string_view to_string(FoundBy found_by) {
+  switch (found_by) {
+    case FoundBy::run: return "run";
+    case FoundBy::grid: return "grid";
+    case FoundBy::mirror: return "mirror";
+    case FoundBy::continuation: return "continuation";
+  }
+  return "";
+}
+
+bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b) {
+  if (a.size() != b.size()) return false;
+  for (std::size_t shift = 0; shift < b.size(); ++shift) {
+    bool is_same = true;
+    for (std::size_t k = 0; k < a.size() && is_same; ++k) {
+      const SectionState& other = b[(k + shift) % b.size()];
+      is_same = a[k].contact == other.contact && distance(a[k].point, other.point) < same_point;
+    }
+    if (is_same) return true;
+  }
+  return false;
+}
+
+Orbit orbit_through(const section::StrobePoint& point, const PoincareImage& image, double residual, FoundBy found_by) {
+  Orbit orbit{.period = static_cast<int>(image.states.size()),
+              .cycles = (image.impacts + 1) / 2,
+              .points = {{.point = point, .contact = image.contact}},
+              .residual = residual,
+              .stability = stability_of(image),
+              .found_by = found_by};
+  orbit.points.insert(orbit.points.end(), image.states.begin(), image.states.end() - 1);
+  return orbit;
+}
+
+std::optional<Orbit> orbit_of(const PoincareMap& map, FixedPoint fixed, FoundBy found_by, base::StopRequest stop) {
+  const int smallest = smallest_period(fixed.point, fixed.image.states);
+  if (smallest < static_cast<int>(fixed.image.states.size())) {
+    auto shorter = find_fixed_point(map, fixed.point, smallest, stop);
+    if (!shorter) return std::nullopt;
+    fixed = std::move(*shorter);
+  }
+  return orbit_through(fixed.point, fixed.image, fixed.residual, found_by);
+}
+
+std::optional<std::size_t> place_of(const std::vector<SectionState>& cycle, const std::vector<Orbit>& orbits) {
+  for (std::size_t i = 0; i < orbits.size(); ++i) {
+    if (is_same_cycle(orbits[i].points, cycle)) return i;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::vector<SectionState>> mirror_image_of(const PoincareMap& map, const Orbit& orbit) {
+  auto mirror = map.half_way(orbit.points.front().point, orbit.period);
+  if (!mirror) return std::nullopt;
+  for (SectionState& state : *mirror) {
+    state.point = {.tilt = -state.point.tilt, .tilt_rate = -state.point.tilt_rate, .slip_rate = -state.point.slip_rate};
+  }
+  return mirror;
+}
+
+}  // namespace rocking

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/studies/orbits/stability.hpp"
+
+namespace rocking {
+
+/// What the search for an orbit started from: the end of the condition's run, a start of the grid, the mirror image of
+/// an orbit found, or a branch that passes the condition.
+enum class FoundBy : std::uint8_t { run, grid, mirror, continuation };
+
+/// Spelled as the enumerator.
+[[nodiscard]] std::string_view to_string(FoundBy found_by);
+
+/// A periodic orbit.
+struct Orbit {
+  int period = 0;                    ///< n: excitation periods until it repeats, the smallest number
+  int cycles = 0;                    ///< m: pairs of impacts in them, rounded up
+  std::vector<SectionState> points;  ///< at the n instants of the section
+  double residual = 0.0;             ///< of the map over n periods, from the first point
+  Stability stability;
+  FoundBy found_by = FoundBy::run;
+  std::size_t mirror = 0;  ///< place of its mirror image in the list: its own if it is symmetric
+};
+
+/// Whether two cycles are the same one, up to a shift by whole periods and the residual.
+[[nodiscard]] bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b);
+
+/// The orbit through a point that the map takes back to itself. Its mirror image is itself until another is known.
+[[nodiscard]] Orbit orbit_through(const section::StrobePoint& point, const PoincareImage& image, double residual,
+                                  FoundBy found_by);
+
+/// The orbit of a fixed point, with its smallest period; absent if Newton's method does not find it over that period.
+[[nodiscard]] std::optional<Orbit> orbit_of(const PoincareMap& map, FixedPoint fixed, FoundBy found_by,
+                                            base::StopRequest stop);
+
+/// Place of a cycle in a list of orbits; absent if it is not there.
+[[nodiscard]] std::optional<std::size_t> place_of(const std::vector<SectionState>& cycle,
+                                                  const std::vector<Orbit>& orbits);
+
+/// The states of the mirror image of an orbit, its negative half a period later; absent where the motion ends before.
+[[nodiscard]] std::optional<std::vector<SectionState>> mirror_image_of(const PoincareMap& map, const Orbit& orbit);
+
+}  // namespace rocking

@@ -1,0 +1,140 @@
+#include "rocking/studies/orbits/trace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+namespace rocking {
+namespace {
+
+constexpr double first_step = 0.004;
+constexpr double largest_step = 0.02;
+constexpr double least_step = 1e-10;
+constexpr double least_cosine = 0.9;
+constexpr double kink_step = 1e-5;  ///< below it the tangent may jump at a change of contact
+constexpr int few_newton_steps = 5;
+constexpr double least_asymmetry = 1e-7;  ///< below it an orbit is one of the family from which its own branches off
+constexpr double crawling_step = 1e-5;
+constexpr int most_crawls = 40;          ///< successive steps below it
+constexpr double cause_distance = 1e-7;  ///< of the motion that shows why a curve ends
+
+class CurveTrace {
+ public:
+  CurveTrace(const MapFamily& family, const TraceLimits& limits, base::StopRequest stop)
+      : family_(&family), limits_(&limits), stop_(stop), search_(family, limits.wanted, stop) {}
+
+  [[nodiscard]] TracedCurve from(const CurvePoint& start) {
+    CurvePoint at = start;
+    double step = first_step;
+    while (true) {
+      if (curve_.points.size() >= limits_->most_points) return ended(BranchEnd::points);
+      auto next = step_from(at, step);
+      const Passage passage = next ? search_.between(at, next->point) : Passage{};
+      if (!next || passage.is_broken) {
+        step *= 0.5;
+        if (step < least_step) return ended(why_lost(at, step));
+        continue;
+      }
+      crawls_ = step < crawling_step ? crawls_ + 1 : 0;
+      if (crawls_ > most_crawls) return ended(why_lost(at, step));
+      const bool is_last = next->is_at_end;
+      const bool closes = curve_.points.size() > 3 && comes_back(start, at, next->point);
+      if (const auto end = advance(passage)) return ended(*end);
+      if (is_last) return ended(BranchEnd::range);
+      if (closes) return ended(BranchEnd::closed);
+      if (next->point.steps <= few_newton_steps) step = std::min(1.5 * step, largest_step);
+      at = std::move(next->point);
+    }
+  }
+
+ private:
+  struct Next {
+    CurvePoint point;
+    bool is_at_end = false;
+  };
+
+  TracedCurve ended(BranchEnd end) {
+    curve_.end = end;
+    return std::move(curve_);
+  }
+
+  [[nodiscard]] std::optional<Next> step_from(const CurvePoint& at, double step) const {
+    Unknowns sought = plus(at.at, step, at.tangent);
+    Unknowns normal = at.tangent;
+    const bool is_beyond = sought[3] < 0.0 || sought[3] > 1.0;
+    if (is_beyond) {
+      const double end = sought[3] < 0.0 ? 0.0 : 1.0;
+      sought = plus(at.at, (end - at.at[3]) / at.tangent[3], at.tangent);
+      sought[3] = end;
+      normal = {0.0, 0.0, 0.0, at.tangent[3] > 0.0 ? 1.0 : -1.0};
+    }
+    auto point = correct(*family_, {.normal = normal, .through = sought}, stop_);
+    if (!point || !is_accepted(at, *point, sought, step)) return std::nullopt;
+    if (is_beyond) point->at[3] = sought[3];
+    return Next{std::move(*point), is_beyond};
+  }
+
+  [[nodiscard]] bool is_accepted(const CurvePoint& at, const CurvePoint& point, const Unknowns& sought,
+                                 double step) const {
+    if (point.at[3] < 0.0 || point.at[3] > 1.0) return false;
+    if (point.asymmetry && distance(*point.asymmetry, {}) < least_asymmetry) return false;
+    const double away = norm(plus(point.at, -1.0, sought));
+    if (away < 0.5 * step && dot(at.tangent, point.tangent) > least_cosine) return true;
+    return step < kink_step && away < 20.0 * step && !is_same_contact(family_->orbits(), at.image, point.image);
+  }
+
+  /// Adds what lies up to the next point; returns why the curve ends there, if it does.
+  std::optional<BranchEnd> advance(const Passage& passage) {
+    std::ranges::copy(passage.bifurcations, std::back_inserter(curve_.bifurcations));
+    for (const CurvePoint& point : passage.points) {
+      const bool is_wanted = std::ranges::find(limits_->wanted, point.at[3]) != limits_->wanted.end();
+      if (is_wanted && limits_->is_known && limits_->is_known(point)) return BranchEnd::known;
+      curve_.points.push_back(point);
+    }
+    return passage.is_joined ? std::optional(BranchEnd::joins) : std::nullopt;
+  }
+
+  [[nodiscard]] static bool comes_back(const CurvePoint& start, const CurvePoint& at, const CurvePoint& next) {
+    const Unknowns along = plus(next.at, -1.0, at.at);
+    const double length = norm(along);
+    const double share = dot(plus(start.at, -1.0, at.at), along) / (length * length);
+    if (!(share >= 0.0 && share <= 1.0)) return false;
+    return norm(plus(plus(at.at, share, along), -1.0, start.at)) < 0.1 * length &&
+           dot(start.tangent, next.tangent) > least_cosine;
+  }
+
+  /// A motion just beyond the last orbit shows by its changes of contact why there is no further one.
+  BranchEnd why_lost(const CurvePoint& at, double step) {
+    const double range = family_->range().high - family_->range().low;
+    const double error = std::max(2.0 * step * range, 1e-12);
+    const auto beyond = family_->image(plus(at.at, cause_distance, at.tangent));
+    double rate = least_rate(at.image);
+    if (beyond) rate = std::min(rate, least_rate(*beyond));
+    const bool changes = beyond && !is_same_contact(family_->orbits(), at.image, *beyond);
+    if (!changes && rate >= 10.0 * grazing_rate) return BranchEnd::lost;
+    const bool grazes = rate < 10.0 * grazing_rate;
+    curve_.bifurcations.push_back({.kind = grazes ? BifurcationKind::grazing : BifurcationKind::contact_change,
+                                   .point = at,
+                                   .error = error,
+                                   .least_rate = rate});
+    return grazes ? BranchEnd::grazing : BranchEnd::contact_change;
+  }
+
+  const MapFamily* family_;
+  const TraceLimits* limits_;
+  base::StopRequest stop_;
+  PassageSearch search_;
+  TracedCurve curve_;
+  int crawls_ = 0;
+};
+
+}  // namespace
+
+TracedCurve trace_curve(const MapFamily& family, const CurvePoint& start, const TraceLimits& limits,
+                        base::StopRequest stop) {
+  return CurveTrace(family, limits, stop).from(start);
+}
+
+}  // namespace rocking

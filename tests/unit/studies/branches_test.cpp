@@ -1,0 +1,250 @@
+// Branches of periodic orbits: folds, doublings, broken symmetry, and changes of contact at the parameter where other
+// computations find them.
+
+#include "rocking/studies/orbits/branches.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/studies/orbits/bracket.hpp"
+#include "support/excitation.hpp"
+
+namespace rocking {
+namespace {
+
+Condition shaken(double amplitude) {
+  Condition condition;
+  support::harmonic(condition.scene) = {.amplitude = amplitude, .frequency_ratio = 10.0, .phase = 0.0};
+  return condition;
+}
+
+BranchQuestion amplitudes(std::vector<double> values, const ParameterRange& range) {
+  return {.conditions = [](double value) { return std::optional(shaken(value)); },
+          .values = std::move(values),
+          .range = range,
+          .most_points = 1000,
+          .most_branches = 20};
+}
+
+std::vector<OrbitsOfCondition> orbits_at(const std::vector<double>& amplitudes, int longest) {
+  std::vector<OrbitsOfCondition> found;
+  for (const double amplitude : amplitudes) found.push_back(orbits_of(shaken(amplitude), longest));
+  return found;
+}
+
+TEST(Bracket, ContainsTheRootOfSmoothAndOfSteepFunctions) {
+  const auto cubic = [](double x) { return std::optional((x - 0.3) * (x * x + 1.0)); };
+  const auto step = [](double x) { return std::optional(x < 0.7 ? -1.0 : 1e6); };
+  const auto ninth = [](double x) { return std::optional(std::pow(x - 0.2, 9.0)); };
+  const auto root_of = [](const auto& function, int& evaluations) {
+    const auto counted = [&](double x) {
+      ++evaluations;
+      return function(x);
+    };
+    return shorten({.low = 0.0, .high = 1.0, .at_low = *function(0.0), .at_high = *function(1.0)}, counted,
+                   [](const Bracket& bracket) { return bracket.high - bracket.low < 1e-12; });
+  };
+  int smooth = 0;
+  const Bracket of_cubic = root_of(cubic, smooth);
+  EXPECT_LE(of_cubic.low, 0.3);
+  EXPECT_GE(of_cubic.high, 0.3 - 1e-15);
+  EXPECT_LT(smooth, 25);
+  int steep = 0;
+  const Bracket of_step = root_of(step, steep);
+  EXPECT_NEAR(of_step.low, 0.7, 1e-12);
+  EXPECT_NEAR(of_step.high, 0.7, 1e-12);
+  int flat = 0;
+  const Bracket of_ninth = root_of(ninth, flat);
+  EXPECT_LE(of_ninth.low, 0.2 + 1e-15);
+  EXPECT_GE(of_ninth.high, 0.2 - 1e-15);
+  EXPECT_LT(std::max(steep, flat), 100);
+}
+
+TEST(MirroredHalf, AppliedTwiceIsTheMapOverThePeriods) {
+  for (const std::optional<Friction>& friction :
+       {std::optional<Friction>(), std::optional(Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.30})}) {
+    Condition condition = shaken(4.5);
+    condition.scene.friction = friction;
+    const PoincareMap map(condition);
+    for (const int periods : {1, 3, 5}) {
+      const section::StrobePoint start{.tilt = 0.1, .tilt_rate = -0.3, .slip_rate = 0.0};
+      const auto first = map.mirrored_half(start, periods);
+      ASSERT_TRUE(first);
+      const auto second = map.mirrored_half(first->end(), periods);
+      const auto whole = map.image(start, periods);
+      ASSERT_TRUE(second && whole);
+      EXPECT_LT(distance(second->end(), whole->end()), 1e-9);
+      EXPECT_EQ(first->impacts + second->impacts, whole->impacts);
+      for (std::size_t row = 0; row < 3; ++row) {
+        for (std::size_t column = 0; column < 3; ++column) {
+          double product = 0.0;
+          for (std::size_t k = 0; k < 3; ++k) product += second->derivative[row][k] * first->derivative[k][column];
+          EXPECT_NEAR(product, whole->derivative[row][column], 1e-6 * std::max(1.0, std::abs(product)));
+        }
+      }
+    }
+  }
+}
+
+TEST(ContactSequence, DoesNotDependOnWhereTheCycleBegins) {
+  EXPECT_TRUE(is_same_sequence({1, 2, 3}, {3, 1, 2}));
+  EXPECT_FALSE(is_same_sequence({1, 2, 3}, {3, 2, 1}));
+  EXPECT_FALSE(is_same_sequence({1, 2}, {1, 2, 1, 2}));
+  EXPECT_TRUE(is_same_sequence({}, {}));
+  const ContactSequence some{0, 9, 17, 40};
+  EXPECT_NE(mirrored(some), some);
+  EXPECT_EQ(mirrored(mirrored(some)), some);
+}
+
+const Bifurcation* find(const BranchStudy& study, BifurcationKind kind) {
+  const auto found = std::ranges::find(study.bifurcations, kind, &Bifurcation::kind);
+  return found == study.bifurcations.end() ? nullptr : &*found;
+}
+
+// A block at rest is set off where the base acceleration reaches tan(psi), A_h = tan(psi)/psi. There the branch of the
+// block at rest changes its contacts.
+TEST(Branches, OfTheBlockAtRestChangeWhereTheBaseOvercomesItsWeight) {
+  const std::vector<double> values{0.9};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 1);
+  const BranchStudy study = branches_of(amplitudes(values, {.low = 0.9, .high = 1.03}), found, {});
+  const auto is_at_rest = [](const OrbitBranch& branch) {
+    return std::ranges::any_of(branch.points, [](const BranchPoint& point) {
+      return point.orbit.points.front().contact == dynamics::ContactState::rest;
+    });
+  };
+  const auto rest = std::ranges::find_if(study.branches, is_at_rest);
+  ASSERT_NE(rest, study.branches.end());
+  const double threshold = 0.25 / std::atan(0.25);
+  int at_threshold = 0;
+  for (const Bifurcation& one : study.bifurcations) {
+    if (std::abs(one.value - threshold) > 1e-3) continue;
+    EXPECT_NEAR(one.value, threshold, 1e-8);
+    EXPECT_LE(one.error, 1e-8);
+    ++at_threshold;
+  }
+  EXPECT_EQ(at_threshold, 1);
+}
+
+/// Response mode of a block that starts on an orbit, after a long transient.
+section::ResponseMode mode_from(const section::StrobePoint& start, double amplitude) {
+  Condition condition = shaken(amplitude);
+  condition.scene.initial = {.tilt = start.tilt, .tilt_rate = start.tilt_rate, .slip_rate = start.slip_rate};
+  condition.horizon = {.transient_periods = 6000, .sampled_periods = 120};
+  return realise(condition, 0, 0).classification.mode;
+}
+
+// The stable branch of (1,5) ends in a fold. A run that starts on its last orbit stays on (1,5) a little above the
+// fold, and leaves it a little below.
+TEST(Branches, FoldWhereRunsFallOff) {
+  const std::vector<double> values{3.0};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 5);
+  const BranchStudy study = branches_of(amplitudes(values, {.low = 1.8, .high = 3.0}), found, {});
+  const Bifurcation* fold = nullptr;
+  for (const Bifurcation& one : study.bifurcations) {
+    if (one.kind == BifurcationKind::fold && one.orbit.period == 5) fold = &one;
+  }
+  ASSERT_NE(fold, nullptr);
+  EXPECT_LE(fold->error, 1e-8);
+  const section::StrobePoint start = fold->orbit.points.front().point;
+  EXPECT_EQ(mode_from(start, fold->value + 1e-4), section::periodic(1, 5));
+  EXPECT_NE(mode_from(start, fold->value - 1e-4), section::periodic(1, 5));
+  // On one side of the fold the orbits are stable, on the other they are not.
+  const OrbitBranch& branch = study.branches.at(fold->branch);
+  const bool has_stable =
+      std::ranges::any_of(branch.points, [](const BranchPoint& point) { return point.orbit.stability.is_stable(); });
+  const bool has_unstable =
+      std::ranges::any_of(branch.points, [](const BranchPoint& point) { return !point.orbit.stability.is_stable(); });
+  EXPECT_TRUE(has_stable && has_unstable);
+}
+
+// (1,5) loses its symmetry near A_h = 7.93. The two asymmetric orbits that begin there are stable, and a run above it
+// ends on one of them.
+TEST(Branches, BranchOffWhereSymmetryBreaks) {
+  const std::vector<double> values{7.5, 8.0};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 5);
+  const BranchStudy study = branches_of(amplitudes(values, {.low = 7.5, .high = 8.0}), found, {});
+  const Bifurcation* breaking = find(study, BifurcationKind::symmetry_breaking);
+  ASSERT_NE(breaking, nullptr);
+  EXPECT_LE(breaking->error, 1e-8);
+  // The multiplier of the period is the square of that of the half, which is -1.
+  EXPECT_NEAR(breaking->orbit.stability.multipliers.at(0).real(), 1.0, 1e-6);
+  const auto place = static_cast<std::size_t>(breaking - study.bifurcations.data());
+  const auto child = std::ranges::find_if(study.branches, [&](const OrbitBranch& one) { return one.from == place; });
+  ASSERT_NE(child, study.branches.end());
+  EXPECT_FALSE(child->is_symmetric);
+  EXPECT_TRUE(child->points.front().orbit.stability.is_stable());
+  EXPECT_EQ(child->ends[0], BranchEnd::joins);
+  EXPECT_EQ(mode_from(child->points.back().orbit.points.front().point, child->points.back().value),
+            section::periodic(1, 5));
+}
+
+TEST(Branches, AreNotTracedTwiceAndFindTheOrbitsOfOtherConditions) {
+  const std::vector<double> values{4.5, 4.75, 5.0};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
+  const std::size_t of_first = found[0].orbits.size();
+  found[1].orbits.clear();  // the branches find them again
+  const BranchStudy study = branches_of(amplitudes(values, {.low = 4.5, .high = 5.0}), found, {});
+  EXPECT_TRUE(study.is_complete);
+  EXPECT_GE(found[1].orbits.size(), 4U);
+  EXPECT_LE(study.branches.size(), of_first);
+  for (const Orbit& orbit : found[1].orbits) EXPECT_EQ(orbit.found_by, FoundBy::continuation);
+  for (std::size_t i = 0; i < study.branches.size(); ++i) {
+    for (const double value : values) {
+      const auto at = [value](const BranchPoint& point) { return point.value == value; };
+      const auto mine = std::ranges::find_if(study.branches[i].points, at);
+      if (mine == study.branches[i].points.end()) continue;
+      for (std::size_t j = i + 1; j < study.branches.size(); ++j) {
+        for (const BranchPoint& other : study.branches[j].points) {
+          if (!at(other)) continue;
+          EXPECT_FALSE(is_same_cycle(mine->orbit.points, other.orbit.points)) << i << ' ' << j;
+        }
+      }
+    }
+  }
+}
+
+TEST(Branches, AreOrbitsAtEachOfTheirPoints) {
+  const std::vector<double> values{4.5};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
+  const BranchStudy study = branches_of(amplitudes(values, {.low = 4.0, .high = 5.0}), found, {});
+  ASSERT_FALSE(study.branches.empty());
+  for (const OrbitBranch& branch : study.branches) {
+    for (std::size_t i = 0; i < branch.points.size(); i += 5) {
+      const BranchPoint& point = branch.points[i];
+      const section::StrobePoint& start = point.orbit.points.front().point;
+      const auto image = PoincareMap(shaken(point.value)).image(start, branch.period);
+      ASSERT_TRUE(image);
+      EXPECT_LT(distance(image->end(), start), 1e-9) << point.value;
+    }
+  }
+}
+
+TEST(Branches, AreLimitedAsAsked) {
+  const std::vector<double> values{4.5};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
+  BranchQuestion question = amplitudes(values, {.low = 4.0, .high = 5.0});
+  question.most_branches = 1;
+  question.most_points = 3;
+  const BranchStudy study = branches_of(question, found, {});
+  EXPECT_EQ(study.branches.size(), 1U);
+  EXPECT_FALSE(study.is_complete);
+  EXPECT_EQ(study.branches[0].ends[1], BranchEnd::points);
+  EXPECT_LE(study.branches[0].points.size(), 12U);
+}
+
+TEST(Branches, AreFollowedOverNumbersOfTheMotionOnly) {
+  EXPECT_TRUE(can_be_continued("/excitation/amplitude"));
+  EXPECT_TRUE(can_be_continued("/friction/static"));
+  EXPECT_FALSE(can_be_continued("/initial/tilt"));
+  EXPECT_FALSE(can_be_continued("/horizon/sampled_periods"));
+}
+
+}  // namespace
+}  // namespace rocking

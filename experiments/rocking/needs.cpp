@@ -43,7 +43,8 @@ std::uint64_t strobe_points(const Experiment& experiment, std::uint64_t realisat
       sizeof(section::Period) + sizeof(section::StrobePoint);  // in progress, and in its result
   std::uint64_t longest = 0;
   for (const Condition& condition : experiment.conditions) {
-    const auto [transient, sampled] = condition.horizon;
+    const auto transient = condition.horizon.transient_periods;
+    const auto sampled = condition.horizon.sampled_periods;
     const std::uint64_t longer = condition.label_check ? condition.label_check->times_longer : 1;
     longest = std::max(longest, static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled) * longer);
   }

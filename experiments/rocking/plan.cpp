@@ -69,7 +69,8 @@ Plan plan_of(const Experiment& experiment, const Means& means) {
     plan.realisations += realisations;
     plan.at_most = plan.at_most || condition.until;
     plan.has_record = plan.has_record || !is_periodic(condition.scene.excitation);
-    const auto [transient, sampled] = condition.horizon;
+    const auto transient = condition.horizon.transient_periods;
+    const auto sampled = condition.horizon.sampled_periods;
     plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
   }
   plan.needs = needs_of(experiment, means);

@@ -41,6 +41,7 @@ void Reduction::count(const Summary& summary) {
   add_to_pairs(summary);
   if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
   peaks_.add(summary);
+  if (condition_->horizon.until_classified) settling_.add(summary);
   operations_ += summary.operations;
   validity_.clamps += summary.clamps;
   digest_.add(summary.digest);
@@ -132,6 +133,10 @@ ConditionResult Reduction::result() const {
   result.modes = estimate_modes(listed_modes(), condition_->confidence);
   if (realisations_ >= 2) result.non_recurrence = non_recurrence();
   result.peaks = is_complete() ? peak_quantiles_ : peaks_.quantiles(*condition_);
+  if (!settling_.is_empty()) {
+    const DivergenceTimes times = by_friction_.times();
+    result.settling = settling_.result(*condition_, by_friction_.by_period(), times.pairs - times.diverged);
+  }
   result.validity = validity_;
   result.operations = operations_;
   add_corrected(result.modes);

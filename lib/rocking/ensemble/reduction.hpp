@@ -22,6 +22,8 @@ class DivergenceTally {
  public:
   void add(const std::optional<std::int64_t>& diverged);
   [[nodiscard]] DivergenceTimes times() const;
+  /// Number of pairs that diverged, by period.
+  [[nodiscard]] const std::map<std::int64_t, std::uint64_t>& by_period() const { return times_; }
 
  private:
   std::uint64_t pairs_ = 0;
@@ -60,6 +62,7 @@ class Reduction {
   ModeTally modes_;
   Validity validity_;
   PeakTally peaks_;
+  SettlingTally settling_;
   OperationCounts operations_;
   base::Sha256Builder digest_;
   Summary first_of_pair_;

@@ -8,6 +8,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/peak_tally.hpp"
+#include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/ensemble/tolerance_sensitivity.hpp"
 #include "rocking/realisation/operation_counts.hpp"
@@ -101,6 +102,8 @@ struct ConditionResult {
   std::optional<NonRecurrence> non_recurrence;  ///< absent for fewer than two realisations
   /// Absent if the store has rows of a layout without them.
   std::optional<PeakQuantiles> peaks = std::nullopt;
+  /// Absent at a fixed horizon.
+  std::optional<SettlingResult> settling = std::nullopt;
   Validity validity;
   OperationCounts operations;
   StoppedBecause stopped_because = StoppedBecause::all_realisations_done;

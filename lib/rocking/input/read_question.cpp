@@ -28,6 +28,24 @@ void read_format(ObjectReader& in) {
   in.write("format", experiment_format);
 }
 
+void read_until_classified(ObjectReader& in, const Scene& scene, Horizon& horizon) {
+  if (!in.has("until_classified")) return;
+  UntilClassified until;
+  in.object("until_classified", [&until](ObjectReader& keys) {
+    until.at_most_periods = keys.integer("at_most_periods", rules::at_most_periods);
+    until.held_windows =
+        static_cast<int>(keys.integer("held_windows", rules::held_windows.with_default(until.held_windows)));
+    until.watch_windows =
+        static_cast<int>(keys.integer("watch_windows", rules::watch_windows.with_default(until.watch_windows)));
+  });
+  horizon.until_classified = until;
+  Condition condition;
+  condition.scene.excitation = scene.excitation;
+  condition.horizon = horizon;
+  auto refusal = relations::until_classified_without_period(condition);
+  if (refusal) in.reject("until_classified", std::move(refusal->reason), std::move(refusal->remedy));
+}
+
 Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spelling) {
   const DefaultHorizon standard = default_horizon(scene);
   Horizon horizon;
@@ -42,6 +60,7 @@ Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spell
     }
     horizon.sampled_periods = static_cast<int>(
         keys.derived_integer("sampled_periods", rules::sampled_periods, standard.sampled_periods, spelling));
+    read_until_classified(keys, scene, horizon);
   });
   return horizon;
 }

@@ -121,6 +121,43 @@ void add_peaks(Json& json, const std::optional<PeakQuantiles>& peaks) {
   json["final_slip"] = peaks ? slip_json(peaks->final_slip) : Json();
 }
 
+Json curve_json(const std::vector<stats::Incidence>& curve) {
+  Json json = Json::object();
+  for (const char* key : {"periods", "estimate", "variance", "pointwise", "simultaneous"}) json[key] = Json::array();
+  for (const stats::Incidence& point : curve) {
+    json["periods"].push_back(point.time);
+    json["estimate"].push_back(number(point.estimate));
+    json["variance"].push_back(number(point.variance));
+    json["pointwise"].push_back(interval_json(point.pointwise));
+    json["simultaneous"].push_back(interval_json(point.simultaneous));
+  }
+  return json;
+}
+
+Json incidence_json(const SettlingResult& settling) {
+  Json json = Json::object();
+  json["censored"] = settling.censored;
+  json["settling_periods"] = quantiles_json(settling.settling_periods);
+  Json& modes = json["modes"] = Json::object();
+  for (const auto& [mode, curve] : settling.incidence) modes[to_string(mode)] = curve_json(curve);
+  Json& before = json["at_horizon"] = Json::object();
+  before["counts"] = Json::object();
+  for (const auto& [mode, count] : settling.at_horizon) before["counts"][to_string(mode)] = count;
+  before["differ"] = optional_number(settling.differ);
+  before["differ_interval"] = settling.differ ? interval_json(settling.differ_interval) : Json();
+  json["parting_by_friction"] = curve_json(settling.divergence);
+  Json& leaving = json["leaving"] = Json::object();
+  for (const auto& [mode, found] : settling.leaving) {
+    Json& entry = leaving[to_string(mode)] = Json::object();
+    entry["left"] = found.left;
+    entry["watched_periods"] = found.watched_periods;
+    entry["per_1000_periods"] =
+        number(1000.0 * static_cast<double>(found.left) / static_cast<double>(found.watched_periods));
+    entry["interval"] = interval_json(found.per_1000_periods);
+  }
+  return json;
+}
+
 Json clamps_json(const Clamps& clamps) {
   Json json = Json::object();
   for (const ClampKind& kind : clamp_kinds) {
@@ -165,6 +202,7 @@ Json condition_json(const Condition& condition, const ConditionResult& result) {
   json["counts"] = counts_json(result);
   json["probabilities"] = probabilities_json(result);
   json["non_recurrence"] = non_recurrence_json(result);
+  if (result.settling) json["incidence"] = incidence_json(*result.settling);
   add_peaks(json, result.peaks);
   json["validity"] = validity_json(result.validity, result.operations);
   json["stopped_because"] = to_string(result.stopped_because);

@@ -15,8 +15,10 @@ dynamics::Clock in_step_with(const dynamics::Clock& now, dynamics::Clock clock) 
 
 }  // namespace
 
-RealisationResult Continuation::run(const Condition& condition) {
-  check_condition(condition);
+RealisationResult Continuation::run(const Condition& of_sweep) {
+  check_condition(of_sweep);
+  Condition condition = of_sweep;
+  condition.horizon.until_classified.reset();  // every step of a sweep is as long as the others
   const std::int64_t strobes = strobes_before_copy(condition);
   const Start start = start_of(condition.scene, draws_);
   const Beginning beginning = begin_realisation(condition, draws_, start, Strobe::poincare, strobes);

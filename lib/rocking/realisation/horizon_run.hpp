@@ -39,8 +39,6 @@ inline void collect(RealisationResult& result, const Motion& motion, const Strob
   motion.coefficients().add_to(result.operations);
   result.operations.ground_motion_segments = motion.segments_looked_up();
   result.clamps += motion.coefficients().clamps();
-  result.strobe.reserve(recorder.periods().size());
-  for (const section::Period& period : recorder.periods()) result.strobe.push_back(period.point);
 }
 
 /// Classification under a recorded excitation, which does not repeat: the block is at rest at the end, or it is not.
@@ -90,63 +88,165 @@ class HorizonRun {
     return !motion_.ended();
   }
 
-  /// To be called when go_on() has returned false. Classifies the response, unless that needs the exponent. In that
-  /// case returns the pair of trajectories, which the caller runs to its end.
+  /// To be called when go_on() has returned false. Classifies the response in the newest window, unless that needs the
+  /// exponent. In that case returns the pair of trajectories, which the caller runs to its end.
   [[nodiscard]] PerturbedPair* classify();
+
+  /// To be called when the newest window has been classified. True if the motion continues for another window, after
+  /// which go_on() is called again.
+  [[nodiscard]] bool begin_next_window();
 
   /// The result, to be called when everything has been run.
   [[nodiscard]] RealisationResult finish();
 
  private:
+  void keep_periods();
+  [[nodiscard]] std::optional<section::Classification> classification_without_exponent();
+  void take(const section::Classification& newest);
+  void settle(const section::Classification& newest);
+  void watch(const section::ResponseMode& newest);
+
   const Condition* condition_;
   double shape_angle_;
   StrobeRecorder recorder_;
   integrate::LoopCounts counts_;
   Motion motion_;
-  std::optional<Motion> after_transient_;
+  std::optional<Motion> after_transient_;  ///< later: at the beginning of the newest window
   RealisationResult result_;
   section::PendingClassification classification_;
   std::optional<PerturbedPair> perturbed_pair_;
+  // Only used with `until_classified`.
+  std::int64_t observed_ = 0;      ///< strobe points before the newest window, later with those in it
+  base::Sha256Builder continued_;  ///< of the strobe points after the fixed horizon
+  bool was_continued_ = false;
+  section::ResponseMode candidate_;   ///< of the newest windows
+  std::int64_t candidate_since_ = 0;  ///< end of the first of these windows
+  int candidate_held_ = 0;            ///< number of these windows
+  int watched_ = 0;                   ///< windows since the response has settled
 };
 
+/// Keeps the strobe points up to the fixed horizon and the digest of the later ones.
+inline void HorizonRun::keep_periods() {
+  observed_ += static_cast<std::int64_t>(recorder_.periods().size());
+  if (!was_continued_) result_.strobe.reserve(recorder_.periods().size());
+  for (const section::Period& period : recorder_.periods()) {
+    if (was_continued_) {
+      continued_.add(period.point.tilt);
+      continued_.add(period.point.tilt_rate);
+      continued_.add(period.point.slip_rate);
+    } else {
+      result_.strobe.push_back(period.point);
+    }
+  }
+}
+
 inline PerturbedPair* HorizonRun::classify() {
-  add(result_.operations, counts_);
-  collect(result_, motion_, recorder_);
-  if (result_.termination == dynamics::Termination::overturned) {
-    result_.classification.mode = {.kind = section::ResponseKind::overturned};
-    return nullptr;
+  keep_periods();
+  perturbed_pair_.reset();
+  const auto classification = classification_without_exponent();
+  if (!classification) {
+    return &perturbed_pair_.emplace(*after_transient_, shape_angle_, condition_->horizon.sampled_periods);
   }
-  if (result_.termination != dynamics::Termination::reached_horizon) return nullptr;
-  if (!motion_.excitation().is_periodic()) {
-    result_.classification = classification_after_shaking(recorder_.periods());
-    return nullptr;
+  take(*classification);
+  return nullptr;
+}
+
+inline std::optional<section::Classification> HorizonRun::classification_without_exponent() {
+  const auto termination = motion_.termination().value_or(dynamics::Termination::stopped);
+  if (termination == dynamics::Termination::overturned) {
+    section::Classification overturned;
+    overturned.mode = {.kind = section::ResponseKind::overturned};
+    return overturned;
   }
+  if (termination != dynamics::Termination::reached_horizon) return section::Classification{};
+  if (!motion_.excitation().is_periodic()) return classification_after_shaking(recorder_.periods());
   const std::int64_t sampled = condition_->horizon.sampled_periods;
   classification_ =
       section::classify({.periods = std::span(recorder_.periods()).last(static_cast<std::size_t>(sampled)),
                          .random = is_random(condition_->scene),
                          .resolution = resolution_of(condition_->tolerance)});
-  if (!classification_.classification) return &perturbed_pair_.emplace(*after_transient_, shape_angle_, sampled);
-  result_.classification = *classification_.classification;
-  return nullptr;
+  return classification_.classification;
 }
 
-inline RealisationResult HorizonRun::finish() {
+/// Takes the classification of the newest window.
+inline void HorizonRun::take(const section::Classification& newest) {
+  if (!condition_->horizon.until_classified) {
+    result_.classification = newest;
+    return;
+  }
+  if (!result_.settling) result_.settling.emplace().horizon_mode = newest.mode;
+  Settling& settling = *result_.settling;
+  const bool is_overturned = newest.mode.kind == section::ResponseKind::overturned;
+  settling.observed_periods = observed_ + (is_overturned ? 1 : 0);
+  if (settling.settling_period) {
+    ++watched_;
+    watch(newest.mode);
+  } else {
+    settle(newest);
+  }
+}
+
+/// The response has settled if the newest `held_windows` windows gave one mode. Before that it is unresolved.
+inline void HorizonRun::settle(const section::Classification& newest) {
+  Settling& settling = *result_.settling;
+  const bool is_classified = newest.mode.kind != section::ResponseKind::unresolved;
+  const bool is_overturned = newest.mode.kind == section::ResponseKind::overturned;
+  if (candidate_held_ == 0 || newest.mode != candidate_) {
+    candidate_ = newest.mode;
+    candidate_since_ = settling.observed_periods;
+    candidate_held_ = 0;
+  }
+  ++candidate_held_;
+  const bool has_settled =
+      is_classified && (is_overturned || candidate_held_ >= condition_->horizon.until_classified->held_windows);
+  if (has_settled) settling.settling_period = candidate_since_;
+  result_.classification =
+      has_settled || !is_classified ? newest : section::unresolved(section::Reason::not_stationary, true);
+}
+
+/// A settled response is left by a window that gives another mode. A window that gives none does not tell.
+inline void HorizonRun::watch(const section::ResponseMode& newest) {
+  if (newest.kind == section::ResponseKind::unresolved || newest == result_.classification.mode) return;
+  result_.settling->left_period = result_.settling->observed_periods;
+  result_.settling->left_to = newest;
+}
+
+inline bool HorizonRun::begin_next_window() {
   if (perturbed_pair_) {
     const ExponentRun run = perturbed_pair_->result();
     result_.operations.perturbed_pair_periods += run.periods;
-    result_.classification = classification_.with_exponent(run.exponent);
+    perturbed_pair_.reset();
+    take(classification_.with_exponent(run.exponent));
   }
+  const Horizon& horizon = condition_->horizon;
+  if (!horizon.until_classified || motion_.termination() != dynamics::Termination::reached_horizon) return false;
+  const Settling& settling = *result_.settling;
+  const bool is_done =
+      settling.settling_period && (watched_ >= horizon.until_classified->watch_windows || settling.left_to);
+  if (is_done || observed_ + horizon.sampled_periods > horizon.until_classified->at_most_periods) return false;
+  was_continued_ = true;
+  recorder_.forget();
+  after_transient_ = motion_;
+  motion_.extend(horizon.sampled_periods);
+  return true;
+}
+
+inline RealisationResult HorizonRun::finish() {
+  add(result_.operations, counts_);
+  collect(result_, motion_, recorder_);
+  if (was_continued_) result_.settling->continued = continued_.finish();
   return std::move(result_);
 }
 
 /// Runs the realisation on one lane. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] inline RealisationResult run_alone(HorizonRun& run, base::StopRequest stop) {
-  while (!run.motion().ended() || run.go_on()) {
-    stop.check();
-    integrate::step(run.motion(), run.counts());
-  }
-  if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair, stop);
+  do {
+    while (!run.motion().ended() || run.go_on()) {
+      stop.check();
+      integrate::step(run.motion(), run.counts());
+    }
+    if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair, stop);
+  } while (run.begin_next_window());
   return run.finish();
 }
 

@@ -12,6 +12,7 @@ base::Sha256 digest_of(const RealisationResult& result, std::uint64_t realisatio
     builder.add(point.tilt_rate);
     builder.add(point.slip_rate);
   }
+  if (result.settling && result.settling->was_continued()) builder.add(result.settling->continued);
   for (const std::uint64_t count : result.operations.events) builder.add(count);
   return builder.finish();
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/base/digest.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/termination.hpp"
 #include "rocking/realisation/operation_counts.hpp"
@@ -14,11 +15,26 @@
 
 namespace rocking {
 
+/// What became of a realisation that was observed until its response was classified (UntilClassified). Periods count
+/// from the start of the realisation.
+struct Settling {
+  section::ResponseMode horizon_mode;  ///< at the end of the sampled periods
+  std::int64_t observed_periods = 0;   ///< until it was classified, or the watch, the motion or the limit ended
+  /// End of the first window of those that gave the response mode, or the period of overturning. Absent: censored.
+  std::optional<std::int64_t> settling_period;
+  std::optional<std::int64_t> left_period;      ///< end of the window in which a settled response had another mode
+  std::optional<section::ResponseMode> left_to;  ///< this mode
+  base::Sha256 continued{};  ///< digest of the strobe points after the fixed horizon; zero without any
+
+  [[nodiscard]] bool was_continued() const { return continued != base::Sha256{}; }
+};
+
 /// Result of one realisation, run to its horizon and classified.
 struct RealisationResult {
   dynamics::Termination termination = dynamics::Termination::reached_horizon;
   section::Classification classification;
-  std::vector<section::StrobePoint> strobe;  ///< from the first period on, including the transient
+  /// From the first period on, including the transient, to the fixed horizon.
+  std::vector<section::StrobePoint> strobe;
   std::uint64_t losses_of_contact = 0;       ///< downward crossings of N = 0
   std::uint64_t losses_before_fall = 0;      ///< of these, without those of the final fall
   double first_loss_of_contact = 0.0;        ///< tau, if there was one
@@ -27,6 +43,7 @@ struct RealisationResult {
   PeakValues peaks;                  ///< not part of the digest
   OperationCounts operations;
   Clamps clamps;
+  std::optional<Settling> settling;  ///< absent at a fixed horizon
 };
 
 /// Runs one realisation. A pure function of its first three arguments. Throws base::InputError if check_condition does,

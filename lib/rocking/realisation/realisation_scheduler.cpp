@@ -102,15 +102,20 @@ class RealisationScheduler::Implementation {
     RealisationInProgress& run = *motion.run;
     if (&motion == &run.itself) {
       run.perturbed_pair = run.classify();
-      if (run.perturbed_pair == nullptr) return finish(run);
+      if (run.perturbed_pair == nullptr) return end_window(run);
       run.pair = {MotionInProgress{&run, &run.perturbed_pair->reference(), &run.perturbed_counts},
                   MotionInProgress{&run, &run.perturbed_pair->perturbed(), &run.perturbed_counts}};
     } else {
       if (--run.under_way > 0) return;
-      if (!run.perturbed_pair->go_on()) return finish(run);
+      if (!run.perturbed_pair->go_on()) return end_window(run);
     }
     run.under_way = 2;
     for (MotionInProgress& trajectory : run.pair) scheduler_.add(trajectory);
+  }
+
+  void end_window(RealisationInProgress& run) {
+    if (!run.begin_next_window()) return finish(run);
+    scheduler_.add(run.itself);
   }
 
   void finish(RealisationInProgress& run) {

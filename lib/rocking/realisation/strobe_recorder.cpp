@@ -33,18 +33,24 @@ void StrobeRecorder::strobe(const dynamics::State& state) {
   side_ = state.side;
 }
 
+void StrobeRecorder::forget() {
+  forgotten_ += periods_.size();
+  periods_.clear();
+}
+
 void StrobeRecorder::count_impact(const dynamics::State& after) {
   const double rate = std::abs(after.tilt_rate);
   if (rate >= last_rates_[1]) run_.clear();
   last_rates_ = {rate, last_rates_[0]};
   if (after.side == side_) return;
   if (current_.impacts < std::numeric_limits<std::uint16_t>::max()) ++current_.impacts;
-  run_.push_back(periods_.size());
+  run_.push_back(forgotten_ + periods_.size());
 }
 
 void StrobeRecorder::merge_chatter() {
   for (std::size_t i = 1; i < run_.size(); ++i) {
-    const std::size_t period = run_[i];
+    if (run_[i] < forgotten_) continue;
+    const std::size_t period = run_[i] - forgotten_;
     auto& impacts = period < periods_.size() ? periods_[period].impacts : current_.impacts;
     --impacts;
   }

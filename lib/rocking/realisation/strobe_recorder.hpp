@@ -23,7 +23,10 @@ class StrobeRecorder final : public dynamics::Observer {
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override;
   void strobe(const dynamics::State& state) override;
 
+  /// The complete periods since the last forget().
   [[nodiscard]] const std::vector<section::Period>& periods() const { return periods_; }
+  /// Drops the complete periods, so that memory stays bounded. A chatter that ends later does not change them.
+  void forget();
   [[nodiscard]] const std::array<std::uint64_t, dynamics::event_kind_count>& events() const { return events_; }
 
  private:
@@ -35,6 +38,7 @@ class StrobeRecorder final : public dynamics::Observer {
 
   double shape_angle_;
   std::vector<section::Period> periods_;  ///< complete ones
+  std::size_t forgotten_ = 0;             ///< number of periods before these
   section::Period current_;
   std::array<std::uint64_t, dynamics::event_kind_count> events_{};
   double side_ = 0.0;  ///< edge about which the block turned before the next impact; 0: not known yet

@@ -49,9 +49,18 @@ struct Scene {
   InitialState initial;
 };
 
+/// A realisation whose response is not classified by its sampled periods goes on, window by window, each as long as
+/// these.
+struct UntilClassified {
+  std::int64_t at_most_periods = 20'000;  ///< from the start on; a window that would end later is not begun
+  int held_windows = 1;                   ///< the response has settled if so many successive windows give one mode
+  int watch_windows = 0;                  ///< windows that a settled response is observed for, until it is left
+};
+
 struct Horizon {
   int transient_periods = 500;  ///< excitation periods that are not used for the classification
   int sampled_periods = 120;    ///< excitation periods whose strobe points are classified
+  std::optional<UntilClassified> until_classified = std::nullopt;  ///< absent: every realisation ends there
 };
 
 /// A value that the sweep sets for a condition: a JSON pointer into the experiment file and the value as JSON text.

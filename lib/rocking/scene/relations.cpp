@@ -163,7 +163,7 @@ struct Relation {
 };
 
 /// In the order in which the problems of a file are told.
-constexpr std::array<Relation, 17> all_relations{{
+constexpr std::array<Relation, 19> all_relations{{
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
      static_fluctuation_without_friction,
@@ -183,6 +183,11 @@ constexpr std::array<Relation, 17> all_relations{{
      {"/horizon/sampled_periods", "/check_labels/times_longer"},
      relations::label_check_too_long,
      no_value},
+    {"/horizon/until_classified", {"/excitation"}, relations::until_classified_without_period, no_value},
+    {"/horizon/until_classified/at_most_periods",
+     {"/horizon"},
+     relations::until_classified_too_short,
+     [](const Condition& c) { return std::to_string(c.horizon.until_classified->at_most_periods); }},
     {"/friction/static",
      {"/friction"},
      order_of_friction,
@@ -263,6 +268,19 @@ Refusal relations::no_friction_to_fluctuate() {
 Refusal relations::no_period_to_fluctuate() {
   return {"is redrawn at each period of the excitation, and a ground motion has no periods",
           "sweep \"/excitation/scale\" to vary the size of the motion"};
+}
+
+std::optional<Refusal> relations::until_classified_without_period(const Condition& condition) {
+  if (!condition.horizon.until_classified || is_periodic(condition.scene.excitation)) return std::nullopt;
+  return Refusal{"continues the windows of a periodic excitation, and this one has an end", "remove it"};
+}
+
+std::optional<Refusal> relations::until_classified_too_short(const Condition& condition) {
+  const Horizon& horizon = condition.horizon;
+  const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  if (!horizon.until_classified || horizon.until_classified->at_most_periods >= fixed) return std::nullopt;
+  return Refusal{"is less than the transient and sampled periods, " + std::to_string(fixed),
+                 "give at least " + std::to_string(fixed + horizon.sampled_periods) + ", one window more"};
 }
 
 std::optional<Refusal> relations::label_check_of_open_number(const Condition& condition) {

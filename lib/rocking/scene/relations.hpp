@@ -12,7 +12,8 @@ namespace rocking {
 /// kinetic, no Painleve paradox at the means, a tilt short of overturned, a slip rate and fluctuating friction only
 /// where sliding is possible, a fluctuating amplitude only where the excitation has periods, a label check only of a
 /// fixed number of realisations and of no more periods than a realisation may have, one half-width to sample until, a
-/// relative one only of one mode; a physical amplitude or frequency only within the bounds of A_h and Omega_h for every
+/// relative one only of one mode, a run until the response is classified only where the excitation has periods and for
+/// no less than the horizon; a physical amplitude or frequency only within the bounds of A_h and Omega_h for every
 /// block that can be drawn, and a rate ratio within those of e.
 ///
 /// A demand is left out where `problems` already tells of one of its values. Values are shown as JSON text.
@@ -24,6 +25,8 @@ namespace relations {
 [[nodiscard]] Refusal no_period_to_fluctuate();
 [[nodiscard]] std::optional<Refusal> label_check_of_open_number(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> label_check_too_long(const Condition& condition);
+[[nodiscard]] std::optional<Refusal> until_classified_without_period(const Condition& condition);
+[[nodiscard]] std::optional<Refusal> until_classified_too_short(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> one_half_width(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> relative_half_width_of_every_mode(const Condition& condition);
 }  // namespace relations

@@ -12,12 +12,13 @@
 /// 2: the checksum of a row also covers the experiment.
 /// 3: the column clamped_length_at_bound.
 /// 4: the columns of peaks and slip, peak_tilt to final_slip_m, and left_ground_before_fall.
+/// 5: the columns of realisations run until they are classified, horizon_mode to left_to.
 ///
 /// A new field of a row (for_each_field) needs a new layout. Stores of earlier layouts lack its column; the field then
 /// has its default value.
 namespace rocking {
 
-inline constexpr std::int64_t current_layout = 4;
+inline constexpr std::int64_t current_layout = 5;
 
 /// Turns an empty database into a store without rows and identity.
 void lay_out(sqlite::Database& database);

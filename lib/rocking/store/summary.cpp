@@ -6,11 +6,10 @@
 
 namespace rocking {
 
-bool Summary::was_clamped() const {
-  return std::ranges::any_of(clamp_kinds, [this](const ClampKind& kind) { return clamps.*kind.count > 0; });
-}
+namespace {
 
-Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
+/// All fields but those of Settling.
+Summary summary_at_fixed_horizon(const RealisationResult& result, std::uint64_t realisation) {
   return {.mode = result.classification.mode,
           .reason = result.classification.reason,
           .termination = result.termination,
@@ -33,7 +32,30 @@ Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
                     .slip = result.peaks.slip,
                     .slip_m = result.peaks.slip_m,
                     .final_slip = result.peaks.final_slip,
-                    .final_slip_m = result.peaks.final_slip_m}};
+                    .final_slip_m = result.peaks.final_slip_m},
+          .horizon_mode = std::nullopt,
+          .observed_periods = std::nullopt,
+          .settling_period = std::nullopt,
+          .left_period = std::nullopt,
+          .left_to = std::nullopt};
+}
+
+}  // namespace
+
+bool Summary::was_clamped() const {
+  return std::ranges::any_of(clamp_kinds, [this](const ClampKind& kind) { return clamps.*kind.count > 0; });
+}
+
+Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
+  Summary summary = summary_at_fixed_horizon(result, realisation);
+  if (!result.settling) return summary;
+  const Settling& settling = *result.settling;
+  summary.horizon_mode = settling.horizon_mode;
+  summary.observed_periods = settling.observed_periods;
+  summary.settling_period = settling.settling_period;
+  summary.left_period = settling.left_period;
+  summary.left_to = settling.left_to;
+  return summary;
 }
 
 }  // namespace rocking

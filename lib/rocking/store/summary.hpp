@@ -55,6 +55,12 @@ struct Summary {
   /// Whether contact was lost before a final fall (Automaton::losses_before_fall).
   std::optional<bool> left_ground_before_fall;
   StoredPeaks peaks;
+  /// Settling, for realisations that are run until they are classified; otherwise, and before layout 5, absent.
+  std::optional<section::ResponseMode> horizon_mode;
+  std::optional<std::int64_t> observed_periods;
+  std::optional<std::int64_t> settling_period;
+  std::optional<std::int64_t> left_period;
+  std::optional<section::ResponseMode> left_to;
 
   [[nodiscard]] bool was_clamped() const;
 };
@@ -101,6 +107,11 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("peak_slip_m", peaks.slip_m);
   visit("final_slip", peaks.final_slip);
   visit("final_slip_m", peaks.final_slip_m);
+  visit("horizon_mode", summary.horizon_mode);
+  visit("observed_periods", summary.observed_periods);
+  visit("settling_period", summary.settling_period);
+  visit("left_period", summary.left_period);
+  visit("left_to", summary.left_to);
 }
 
 }  // namespace rocking

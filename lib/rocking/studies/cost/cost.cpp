@@ -33,7 +33,8 @@ template <class Realisations>
 Work work_of(const Cost& cost, const Experiment& experiment, Realisations realisations) {
   Work work;
   for (const Condition& condition : experiment.conditions) {
-    const auto [transient, sampled] = condition.horizon;
+    const auto transient = condition.horizon.transient_periods;
+    const auto sampled = condition.horizon.sampled_periods;
     const std::uint64_t number = is_random(condition.scene) ? realisations(condition) : 1;
     const std::uint64_t periods =
         number * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));

@@ -1,0 +1,96 @@
+#include "rocking/ensemble/settling_tally.hpp"
+
+#include <algorithm>
+
+#include "rocking/stats/diversity.hpp"
+
+namespace rocking {
+namespace {
+
+/// At most `most_times` of them, evenly spread, with the first and the last one.
+std::vector<stats::Incidence> thinned(const std::vector<stats::Incidence>& curve) {
+  constexpr std::size_t most = SettlingResult::most_times;
+  if (curve.size() <= most) return curve;
+  std::vector<stats::Incidence> kept;
+  for (std::size_t i = 0; i < most; ++i) kept.push_back(curve[i * (curve.size() - 1) / (most - 1)]);
+  return kept;
+}
+
+}  // namespace
+
+void SettlingTally::add(const Summary& summary) {
+  const std::int64_t observed = summary.observed_periods.value_or(0);
+  const section::ResponseMode before = summary.horizon_mode.value_or(summary.mode);
+  ++at_horizon_[before];
+  if (summary.settling_period) {
+    ++ends_[End{*summary.settling_period, summary.mode}];
+    Leaving& leaving = leaving_[summary.mode];
+    leaving.watched_periods +=
+        static_cast<std::uint64_t>(std::max<std::int64_t>(0, observed - *summary.settling_period));
+    leaving.left += summary.left_period ? 1 : 0;
+  } else {
+    ++ends_[End{observed, std::nullopt}];
+  }
+  if (!first_of_pair_) {
+    first_of_pair_ = before;
+    return;
+  }
+  ++differing_pairs_.trials;
+  differing_pairs_.successes += *first_of_pair_ == before ? 0 : 1;
+  first_of_pair_.reset();
+}
+
+SettlingResult SettlingTally::result(const Condition& condition, const std::map<std::int64_t, std::uint64_t>& diverged,
+                                     std::uint64_t later) const {
+  const double confidence = condition.confidence;
+  SettlingResult result;
+  result.at_horizon = at_horizon_;
+  std::vector<std::uint64_t> counts;
+  std::uint64_t realisations = 0;
+  for (const auto& [mode, count] : at_horizon_) {
+    counts.push_back(count);
+    realisations += count;
+  }
+  if (realisations >= 2) {
+    result.differ = stats::probability_of_difference(counts);
+    result.differ_interval = stats::clopper_pearson(differing_pairs_, confidence);
+    result.differ_interval.low = std::min(result.differ_interval.low, *result.differ);
+    result.differ_interval.high = std::max(result.differ_interval.high, *result.differ);
+  }
+  std::map<section::ResponseMode, std::size_t> events;
+  for (const auto& [end, count] : ends_) {
+    if (end.mode) events.emplace(*end.mode, events.size());
+  }
+  stats::EventTally tally;
+  std::vector<double> periods;
+  for (const auto& [end, count] : ends_) {
+    stats::EndOfObservation observation{.time = end.period, .event = std::nullopt};
+    if (end.mode) {
+      observation.event = events.at(*end.mode);
+      periods.insert(periods.end(), count, static_cast<double>(end.period));
+    } else {
+      result.censored += count;
+    }
+    tally[observation] += count;
+  }
+  for (const double level : {0.25, 0.5, 0.75}) {
+    result.settling_periods.push_back(stats::quantile_estimate(periods, result.censored, level, confidence));
+  }
+  for (const auto& [mode, event] : events) {
+    result.incidence[mode] = thinned(stats::cumulative_incidence(tally, event, confidence));
+  }
+  for (auto [mode, leaving] : leaving_) {
+    if (leaving.watched_periods == 0) continue;
+    const double thousands = static_cast<double>(leaving.watched_periods) / 1000.0;
+    leaving.per_1000_periods = stats::poisson_rate_interval(leaving.left, thousands, confidence);
+    result.leaving[mode] = leaving;
+  }
+  stats::EventTally pairs;
+  const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
+  for (const auto& [period, count] : diverged) pairs[{.time = period, .event = 0}] = count;
+  if (later > 0) pairs[{.time = horizon, .event = std::nullopt}] = later;
+  if (!pairs.empty()) result.divergence = thinned(stats::cumulative_incidence(pairs, 0, confidence));
+  return result;
+}
+
+}  // namespace rocking

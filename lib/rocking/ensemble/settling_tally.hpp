@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/incidence.hpp"
+#include "rocking/stats/quantile_interval.hpp"
+#include "rocking/store/summary.hpp"
+
+namespace rocking {
+
+/// How often settled responses of one mode were left while they were watched.
+struct Leaving {
+  std::uint64_t watched_periods = 0;  ///< of all of them, until they were left
+  std::uint64_t left = 0;
+  stats::Interval per_1000_periods;  ///< exact interval of the rate, if it is constant
+};
+
+/// Which response, and by when, of the realisations of a condition with UntilClassified.
+struct SettlingResult {
+  static constexpr std::size_t most_times = 200;
+
+  ModeTally at_horizon;             ///< modes at the fixed horizon
+  std::optional<double> differ;     ///< probability that two runs differ there; absent for fewer than two
+  stats::Interval differ_interval;  ///< Clopper-Pearson on disjoint pairs
+  std::uint64_t censored = 0;       ///< realisations that were not classified
+  std::vector<stats::QuantileEstimate> settling_periods;  ///< quartiles; the censored ones count as beyond
+  /// By mode, thinned to `most_times` times.
+  std::map<section::ResponseMode, std::vector<stats::Incidence>> incidence;
+  std::map<section::ResponseMode, Leaving> leaving;  ///< empty unless settled responses are watched
+  std::vector<stats::Incidence> divergence;          ///< of pairs, censored at the fixed horizon
+};
+
+/// Collects the settling of the realisations of a condition. Memory is proportional to the number of distinct periods.
+class SettlingTally {
+ public:
+  /// Takes the next realisation, which has been observed until it was classified.
+  void add(const Summary& summary);
+  [[nodiscard]] bool is_empty() const { return ends_.empty(); }
+  /// `diverged`: pairs by the period in which they diverged; `later`: those that had not diverged by the horizon.
+  [[nodiscard]] SettlingResult result(const Condition& condition, const std::map<std::int64_t, std::uint64_t>& diverged,
+                                      std::uint64_t later) const;
+
+ private:
+  struct End {
+    std::int64_t period = 0;
+    std::optional<section::ResponseMode> mode;  ///< absent: censored
+    friend bool operator<(const End& a, const End& b) {
+      return a.period != b.period ? a.period < b.period : a.mode < b.mode;
+    }
+  };
+
+  std::map<End, std::uint64_t> ends_;
+  ModeTally at_horizon_;
+  std::map<section::ResponseMode, Leaving> leaving_;
+  std::optional<section::ResponseMode> first_of_pair_;
+  stats::Proportion differing_pairs_;
+};
+
+}  // namespace rocking

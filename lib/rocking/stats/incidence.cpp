@@ -1,0 +1,115 @@
+#include "rocking/stats/incidence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <boost/math/special_functions/beta.hpp>
+#include <boost/math/special_functions/gamma.hpp>
+
+#include "rocking/base/error.hpp"
+
+namespace rocking::stats {
+namespace {
+
+/// What happens at one time, of the observations that are still under way just before it.
+struct Moment {
+  std::int64_t time = 0;
+  double at_risk = 0.0;
+  double events = 0.0;  ///< of any kind
+  double wanted = 0.0;  ///< of the event asked for
+};
+
+std::vector<Moment> moments_of(const EventTally& tally, std::size_t event) {
+  double under_way = 0.0;
+  for (const auto& [end, count] : tally) under_way += static_cast<double>(count);
+  std::vector<Moment> moments;
+  for (const auto& [end, count] : tally) {
+    const auto number = static_cast<double>(count);
+    if (moments.empty() || moments.back().time != end.time) {
+      moments.push_back({.time = end.time, .at_risk = under_way, .events = 0.0, .wanted = 0.0});
+    }
+    if (end.event) moments.back().events += number;
+    if (end.event == event) moments.back().wanted += number;
+    under_way -= number;
+  }
+  return moments;
+}
+
+/// Adds count times the squared influence of an observation on the incidence to the variance at each moment.
+void add_influence(const std::vector<Moment>& moments, const EndOfObservation& end, std::size_t event, double count,
+                   std::vector<double>& variances) {
+  double survival = 1.0;     // just before the moment
+  double of_survival = 0.0;  // derivative of its logarithm
+  double of_incidence = 0.0;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const auto& [time, at_risk, events, wanted] = moments[i];
+    const bool ends_here = end.time == time;
+    const double here = end.time >= time ? 1.0 : 0.0;
+    const double hazard = wanted / at_risk;
+    const double of_hazard = ((ends_here && end.event == event ? 1.0 : 0.0) - here * hazard) / at_risk;
+    of_incidence += survival * (of_hazard + hazard * of_survival);
+    variances[i] += count * of_incidence * of_incidence;
+    const double any = events / at_risk;
+    if (any >= 1.0) {
+      survival = 0.0;
+    } else {
+      of_survival -= ((ends_here && end.event ? 1.0 : 0.0) - here * any) / at_risk / (1.0 - any);
+      survival *= 1.0 - any;
+    }
+  }
+}
+
+Interval exact_interval_of(double estimate, double variance, double observations, double tail) {
+  const double spread = estimate * (1.0 - estimate);
+  const double n = variance > 0.0 && spread > 0.0 ? std::min(observations, spread / variance) : observations;
+  const double k = n * estimate;
+  const double low = k > 0.0 ? boost::math::ibeta_inv(k, n - k + 1.0, tail) : 0.0;
+  const double high = k < n ? boost::math::ibetac_inv(k + 1.0, n - k, tail) : 1.0;
+  return {.low = std::min(low, estimate), .high = std::max(high, estimate)};
+}
+
+}  // namespace
+
+std::vector<Incidence> cumulative_incidence(const EventTally& tally, std::size_t event, double confidence) {
+  ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
+  const std::vector<Moment> moments = moments_of(tally, event);
+  std::vector<double> variances(moments.size(), 0.0);
+  double observations = 0.0;
+  std::int64_t last_event = 0;
+  for (const auto& [end, count] : tally) {
+    add_influence(moments, end, event, static_cast<double>(count), variances);
+    observations += static_cast<double>(count);
+    if (end.event) last_event = std::max(last_event, end.time);
+  }
+  double uncensored = observations;
+  for (const auto& [end, count] : tally) {
+    if (!end.event && end.time < last_event) uncensored -= static_cast<double>(count);
+  }
+  const double half_width = std::sqrt(std::log(2.0 / (1.0 - confidence)) / (2.0 * std::max(uncensored, 1.0)));
+  std::vector<Incidence> curve;
+  double survival = 1.0;
+  double estimate = 0.0;
+  for (std::size_t i = 0; i < moments.size(); ++i) {
+    const auto& [time, at_risk, events, wanted] = moments[i];
+    estimate = std::min(1.0, estimate + survival * wanted / at_risk);
+    survival *= 1.0 - events / at_risk;
+    if (wanted == 0.0) continue;
+    curve.push_back(
+        {.time = time,
+         .estimate = estimate,
+         .variance = variances[i],
+         .pointwise = exact_interval_of(estimate, variances[i], observations, 0.5 * (1.0 - confidence)),
+         .simultaneous = {.low = std::max(0.0, estimate - half_width), .high = std::min(1.0, estimate + half_width)}});
+  }
+  return curve;
+}
+
+Interval poisson_rate_interval(std::uint64_t count, double exposure, double confidence) {
+  ROCKING_EXPECT(exposure > 0.0 && 0.0 < confidence && confidence < 1.0);
+  const auto k = static_cast<double>(count);
+  const double tail = 0.5 * (1.0 - confidence);
+  return {.low = count > 0 ? boost::math::gamma_p_inv(k, tail) / exposure : 0.0,
+          .high = boost::math::gamma_q_inv(k + 1.0, tail) / exposure};
+}
+
+}  // namespace rocking::stats

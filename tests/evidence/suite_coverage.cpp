@@ -62,7 +62,7 @@ void measure(const Scenario& scenario, int suites, std::uint64_t samples) {
       by_profile[k] += covers(profile_interval(suite, *law, quantities[k], 0.95), value) ? 1 : 0;
       std::vector<double> values;
       for (const auto& sample : bootstrap.laws) values.push_back(value_of(quantities[k], sample));
-      by_bootstrap[k] += covers(percentile_interval(values, samples, 0.95), value) ? 1 : 0;
+      by_bootstrap[k] += covers(rocking::stats::percentile_interval(values, samples, 0.95), value) ? 1 : 0;
     }
   }
   std::printf("| %s | %d |", scenario.name.c_str(), fitted);

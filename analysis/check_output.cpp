@@ -85,6 +85,18 @@ void check_histogram(const Json& output, Problems& problems) {
   }
 }
 
+void check_motion(const Json& output, Problems& problems) {
+  for (std::size_t i = 0; i < output["motions"].size(); ++i) {
+    const Json& motion = output["motions"][i];
+    if (!motion.contains("series")) continue;
+    const Json& series = motion["series"];
+    for (const char* key : {"acceleration_g", "velocity_m_s", "displacement_m"}) {
+      if (series[key].size() == series["time_s"].size()) continue;
+      reject(problems, "/motions/" + std::to_string(i) + "/series/" + key, "differs in length from time_s");
+    }
+  }
+}
+
 bool is_in_si_units(const Json& trajectory) { return trajectory.value("units", "normalised") == "si"; }
 
 /// Every state must have the units that the file names, and the scales of the block must be there to convert them.
@@ -131,6 +143,7 @@ void check_output(const Json& output) {
                                                      {"rocking.bifurcation/1", {"bifurcation", check_bifurcation}},
                                                      {"rocking.cost/1", {"cost", check_cost}},
                                                      {"rocking.fragility/1", {"fragility", check_fragility}},
+                                                     {"rocking.motion/1", {"motion", check_motion}},
                                                      {"rocking.check_normal/1", {"check_normal", check_histogram}}};
   const auto format = formats.find(format_of(output));
   if (format == formats.end()) return;

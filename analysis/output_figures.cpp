@@ -9,6 +9,7 @@
 #include "analysis/cost_figures.hpp"
 #include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
+#include "analysis/motion_figure.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
@@ -35,14 +36,24 @@ void collect(const OutputFile& file, Collection& found) {
     for (Figure& figure : cost_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.fragility/1") {
     for (Figure& figure : fragility_figures(output)) found.figures.push_back(std::move(figure));
+  } else if (format == "rocking.motion/1") {
+    std::vector<Figure> figures = motion_figures(output);
+    if (figures.empty()) {
+      throw base::InputError({.place = "/motions/0/series",
+                              .value = "",
+                              .reason = "is missing",
+                              .remedy = "write the file with `rocking motion --json --series`"});
+    }
+    for (Figure& figure : figures) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.check_normal/1") {
     found.figures.push_back(normal_histogram(output));
   } else {
     throw base::InputError({.place = "/format",
                             .value = '"' + format + '"',
                             .reason = "has no figure in this command",
-                            .remedy = "give a trajectory, a bifurcation, a cost, a fragility or a check-normal; "
-                                      "`rocking report DIR` draws a run"});
+                            .remedy =
+                                "give a trajectory, a bifurcation, a cost, a fragility, a motion or a check-normal; "
+                                "`rocking report DIR` draws a run"});
   }
 }
 

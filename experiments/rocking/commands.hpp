@@ -26,6 +26,7 @@ void add_bifurcation(CLI::App& app, Action& action);
 void add_orbits(CLI::App& app, Action& action);
 void add_cost(CLI::App& app, Action& action);
 void add_fragility(CLI::App& app, Action& action);
+void add_motion(CLI::App& app, Action& action);
 void add_figure(CLI::App& app, Action& action);
 void add_report(CLI::App& app, Action& action);
 void add_trajectory(CLI::App& app, Action& action);

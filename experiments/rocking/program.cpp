@@ -39,6 +39,7 @@ void add_commands(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_orbits(app, action);
   add_cost(app, action);
   add_fragility(app, action);
+  add_motion(app, action);
   add_figure(app, action);
   add_report(app, action);
   add_trajectory(app, action);

@@ -7,6 +7,7 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "ground_motion_notes.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
 #include "plan.hpp"
@@ -91,6 +92,7 @@ std::string folder_of(const std::string& file) {
 ExitCode run(const RunRequest& request) {
   const auto shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt;
   const Experiment experiment = load_experiment(request.file, request.overrides);
+  if (!request.execution.loudness.quiet) tell_ground_motion_notes(experiment);
   if (request.dry_run) return show_plan(request, experiment);
   const Plan plan = plan_of(experiment, means_of(request));
   // With a time limit a run may end with few strobe points, so its needs are not known.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
 #include "plan.hpp"
@@ -23,6 +24,7 @@ ExitCode validate(const ValidateRequest& request) {
     if (request.loudness.json) {
       print_result(validation_text(experiment));
     } else if (!request.loudness.quiet) {
+      tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
       print_result(base::printable(fmt::format("{}: valid: {}\n", source.name, to_text(plan))));
     }

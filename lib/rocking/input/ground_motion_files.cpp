@@ -17,9 +17,8 @@ const GroundMotionFiles::File& GroundMotionFiles::file(const std::string& name) 
 }
 
 std::shared_ptr<const GroundMotion> GroundMotionFiles::motion(const GroundMotionReading& how, Problems& problems) {
-  const Key key{how.name, how.time_step, how.gravity};
-  auto found = readings_.find(key);
-  if (found == readings_.end()) found = readings_.emplace(key, read(how)).first;
+  auto found = readings_.find(how);
+  if (found == readings_.end()) found = readings_.emplace(how, read(how)).first;
   const Reading& reading = found->second;
   problems.insert(problems.end(), reading.problems.begin(), reading.problems.end());
   return reading.motion;
@@ -27,12 +26,11 @@ std::shared_ptr<const GroundMotion> GroundMotionFiles::motion(const GroundMotion
 
 GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& how) {
   Reading reading;
-  const std::string& text = file(how.name).text;
-  if (text.size() > most_ground_motion_bytes) {
-    reading.problems.push_back({how.name, "", "is longer than 64 MB", "give a shorter or coarser ground motion"});
-    return reading;
+  auto motion = component(how.name, how, reading.problems);
+  if (!how.vertical_name.empty()) {
+    const auto vertical = component(how.vertical_name, how, reading.problems);
+    if (!motion || !vertical || !add_vertical(*vertical, *motion, reading.problems)) return reading;
   }
-  auto motion = read_ground_motion(text, how, reading.problems);
   if (!motion) return reading;
   samples_ += motion->samples.size();
   if (samples_ > most_samples_held) {
@@ -43,6 +41,18 @@ GroundMotionFiles::Reading GroundMotionFiles::read(const GroundMotionReading& ho
   }
   reading.motion = std::make_shared<const GroundMotion>(std::move(*motion));
   return reading;
+}
+
+std::optional<GroundMotion> GroundMotionFiles::component(const std::string& name, const GroundMotionReading& how,
+                                                         Problems& problems) {
+  const std::string& text = file(name).text;
+  if (text.size() > most_ground_motion_bytes) {
+    problems.push_back({name, "", "is longer than 64 MB", "give a shorter or coarser ground motion"});
+    return std::nullopt;
+  }
+  GroundMotionReading alone = how;
+  alone.name = name;
+  return read_ground_motion(text, alone, problems);
 }
 
 }  // namespace rocking

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <tuple>
 
 #include "rocking/input/read_ground_motion.hpp"
 #include "rocking/text/files.hpp"
@@ -33,14 +32,14 @@ class GroundMotionFiles {
     std::shared_ptr<const GroundMotion> motion;
     Problems problems;
   };
-  using Key = std::tuple<std::string, std::optional<double>, double>;
-
   [[nodiscard]] const File& file(const std::string& name);
   [[nodiscard]] Reading read(const GroundMotionReading& how);
+  [[nodiscard]] std::optional<GroundMotion> component(const std::string& name, const GroundMotionReading& how,
+                                                      Problems& problems);
 
   FileSource source_;
   std::map<std::string, File> files_;
-  std::map<Key, Reading> readings_;
+  std::map<GroundMotionReading, Reading> readings_;
   std::size_t samples_ = 0;  ///< held by all readings
 };
 

@@ -1,8 +1,6 @@
 #include "rocking/input/read_excitation.hpp"
 
-#include <algorithm>
 #include <array>
-#include <cctype>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -10,7 +8,7 @@
 #include <utility>
 
 #include "rocking/input/read_quantity.hpp"
-#include "rocking/scene/defaults.hpp"
+#include "rocking/input/read_recorded.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
@@ -94,38 +92,11 @@ Harmonic read_harmonic(ObjectReader& keys) {
   return excitation;
 }
 
-std::string read_file_name(ObjectReader& keys) {
-  const Json* found = keys.value("file");
-  if (found == nullptr) {
-    keys.reject("file", "is missing",
-                "add \"file\": \"record.txt\", its path relative to the folder of the experiment file");
-    return {};
-  }
-  const std::string name = keys.text("file", "");
-  if (!found->is_string()) return {};
-  if (!name.empty() && name.find('\0') == std::string::npos) return name;
-  keys.reject("file", "is not the name of a file", "give its path relative to the folder of the experiment file");
-  return {};
-}
-
-void check_digest(ObjectReader& keys, const std::string& digest) {
-  const Json* found = keys.value("sha256");
-  if (found == nullptr) return;
-  std::string written = found->is_string() ? found->get<std::string>() : std::string();
-  std::transform(written.begin(), written.end(), written.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  if (written == digest) return;
-  keys.reject("sha256", "is not the digest of the file, which is " + digest,
-              "restore the intended file, or omit \"sha256\" to accept the present one");
-}
-
 void refuse(ObjectReader& keys, std::string_view key, std::string reason, std::string remedy) {
   if (keys.has(key)) keys.reject(key, std::move(reason), std::move(remedy));
 }
 
-/// Its ground motion is null where anything is wrong with it; the problems are reported.
-Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading) {
-  Recorded excitation;
+Recorded read_recorded_keys(ObjectReader& keys, const dynamics::Block& block, const SceneReading& reading) {
   for (const UnitKey& unit : amplitude_keys) {
     refuse(keys, unit.key, "is for harmonic excitation and pulses; a ground motion has a scale",
            "write \"scale\" instead");
@@ -136,33 +107,11 @@ Recorded read_recorded(ObjectReader& keys, const dynamics::Block& block, const S
   }
   refuse(keys, "phase_rad", "is for harmonic excitation; a ground motion has no phase",
          "shift the times of the ground motion");
-  const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
-  GroundMotionReading how{
-      .name = read_file_name(keys), .time_step = {}, .gravity = block_is_sound ? block.gravity : 1.0};
-  if (!how.name.empty()) {
-    const std::string digest = reading.files.digest(how.name);
-    check_digest(keys, digest);
-    keys.write("sha256", digest);
-  } else {
-    static_cast<void>(keys.has("sha256"));
-  }
-  excitation.scale = keys.number("scale", rules::scale.with_default(excitation.scale));
-  if (keys.has("time_step_s")) {
-    const std::size_t problems_before = keys.problems().size();
-    how.time_step = keys.number("time_step_s", rules::time_step);
-    if (keys.problems().size() != problems_before) how.name.clear();
-  }
-  const double strobe = block_is_sound ? strobe_once_a_second(block) : 1.0;
-  excitation.frequency_ratio =
-      keys.derived_number("frequency_ratio", rules::frequency_ratio, strobe, reading.of_recorded);
-  if (how.name.empty()) return excitation;
-  auto motion = reading.files.motion(how, keys.problems());  // what is wrong with it is told whatever the block
-  if (block_is_sound) excitation.ground_motion = std::move(motion);
-  return excitation;
+  return read_recorded(keys, block, reading);
 }
 
 Pulse read_pulse(ObjectReader& keys) {
-  for (const std::string_view key : {"file", "sha256", "time_step_s"}) {
+  for (const std::string_view key : {"file", "suite", "sha256", "time_step_s"}) {
     refuse(keys, key, "is for a ground motion; a pulse is given by its shape",
            "write \"kind\": \"recorded\", or omit it");
   }
@@ -189,7 +138,7 @@ Excitation read_excitation(ObjectReader& in, const dynamics::Block& block, const
     if (keys.problems().size() != problems_before) return keys.ignore_others();
     switch (kind) {
       case 0: excitation = read_harmonic(keys); break;
-      case 1: excitation = read_recorded(keys, block, reading); break;
+      case 1: excitation = read_recorded_keys(keys, block, reading); break;
       default: excitation = read_pulse(keys);
     }
   });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/input/read_question.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/scene/relations.hpp"
 #include "rocking/text/locate.hpp"
@@ -54,23 +55,33 @@ class ExperimentBuilder {
   ExperimentBuilder(Json document, const Surroundings& surroundings, Problems problems)
       : document_(std::move(document)),
         files_(surroundings.files),
+        matches_(surroundings.matches),
         most_conditions_(surroundings.most_conditions),
         problems_(std::move(problems)) {}
 
   Experiment build(const Overrides& overrides) {
     apply(overrides, document_);
     Problems found;
-    Question base = read_question(document_, files_, found);
+    take_strength_from_sweep(document_);
+    suite_ = take_suite(document_, matches_, found);
+    const bool is_bad_suite = !found.empty();
+    Question base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), files_, found);
     // Merging and sweeping compare keys with each other, which takes hours where there are 10^5 of them.
     const bool is_hopeless = found.size() > enough_problems;
     const bool swept = !is_hopeless && document_.is_object() && document_.contains("sweep");
     if (swept) read_axes(base.canonical, overrides, found);
     merge(found, "");
-    if (!is_hopeless && document_.is_object() && problems_.size() < most_problems) build_conditions();
+    if (!suite_.empty()) axes_.insert(axes_.begin(), SweepAxis{.pointer = std::string(suite_place), .values = suite_});
+    const bool is_readable = !is_hopeless && !is_bad_suite && document_.is_object();
+    if (is_readable && problems_.size() < most_problems) build_conditions();
     name_flags(overrides, problems_);
     if (problems_.size() > most_problems) problems_.resize(most_problems);
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
     if (swept) base.canonical["sweep"] = canonical_sweep();
+    if (!suite_.empty()) {
+      if (!swept) base.canonical.erase("sweep");
+      write_suite(base.canonical, axes_.front().canonical_values);
+    }
     return {.title = base.title,
             .seed = base.seed,
             .conditions = std::move(conditions_),
@@ -83,8 +94,10 @@ class ExperimentBuilder {
     Json known = canonical;
     known.merge_patch(document_);  // a place whose value is refused is a place nonetheless
     Problems of_sweep;
-    axes_ = read_sweep(document_["sweep"], known, most_conditions_, of_sweep);
+    const std::size_t records = std::max<std::size_t>(suite_.size(), 1);
+    axes_ = read_sweep(document_["sweep"], known, std::max<std::size_t>(most_conditions_ / records, 1), of_sweep);
     refuse_swept_flag(overrides, of_sweep);
+    if (!suite_.empty()) refuse_swept_suite(of_sweep);
     if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
     found.insert(found.end(), of_sweep.begin(), of_sweep.end());
   }
@@ -95,6 +108,14 @@ class ExperimentBuilder {
       if (axis.pointer != "/realisations") continue;
       problems.push_back(
           {"--realisations", *overrides.realisations, "the sweep of the file sets the realisations", "omit the flag"});
+    }
+  }
+
+  void refuse_swept_suite(Problems& problems) const {
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      if (axes_[i].pointer != "/excitation" && axes_[i].pointer != "/excitation/kind") continue;
+      problems.push_back({"/sweep/" + std::to_string(i) + "/parameter", '"' + axes_[i].pointer + '"',
+                          "changes the excitation, whose ground motions are a suite", "omit it, or the suite"});
     }
   }
 
@@ -118,7 +139,7 @@ class ExperimentBuilder {
       std::string where;
       for (std::size_t i = 0; i < axes_.size(); ++i) {
         if (!put(document, axes_[i].pointer, *values[i])) return;
-        where += (i == 0 ? " (where the sweep sets " : ", ") + axes_[i].pointer + " = " + brief(*values[i]);
+        where += (i == 0 ? " (where the sweep sets " : ", ") + axes_[i].pointer + " = " + shown(*values[i]);
       }
       if (!where.empty()) where += ')';
       Problems found;
@@ -136,8 +157,17 @@ class ExperimentBuilder {
     return places;
   }
 
+  // A record of a suite by its file alone.
+  static std::string shown(const Json& value) {
+    return brief(value.is_object() && value.contains("file") ? value["file"] : value);
+  }
+
   // A place that cannot be reached belongs to a part of the file that was already refused.
   static bool put(Json& document, const std::string& pointer, const Json& value) {
+    if (pointer == suite_place) {
+      put_record(document, value);
+      return true;
+    }
     try {
       document[Json::json_pointer(pointer)] = value;
       return true;
@@ -150,11 +180,12 @@ class ExperimentBuilder {
     std::size_t stride = grid_size(axes_);
     for (SweepAxis& axis : axes_) {
       stride /= axis.values.size();
-      const Json& canonical = question.canonical.at(Json::json_pointer(axis.pointer));
+      Json canonical = question.canonical.at(Json::json_pointer(axis.pointer));
       question.condition.parameters.push_back({axis.pointer, canonical.dump()});
+      if (axis.pointer == suite_place) canonical = record_of(question.canonical);
       // The first condition with this value, at the first values of the others, gives its canonical form.
       const std::size_t place = (index / stride) % axis.values.size();
-      if (index == place * stride) axis.canonical_values.push_back(canonical);
+      if (index == place * stride) axis.canonical_values.push_back(std::move(canonical));
     }
     conditions_.push_back(std::move(question.condition));
   }
@@ -167,11 +198,14 @@ class ExperimentBuilder {
 
   Json canonical_sweep() const {
     Json sweep = Json::array();
-    for (std::size_t i = 0; i < axes_.size(); ++i) {
+    const std::size_t of_suite = suite_.empty() ? 0 : 1;
+    for (std::size_t i = of_suite; i < axes_.size(); ++i) {
       Json entry = Json::object();
       entry["parameter"] = axes_[i].pointer;
       if (axes_[i].evenly_spaced) {
-        for (const char* key : {"from", "to", "step"}) entry[key] = document_["sweep"][i][key].get<double>();
+        for (const char* key : {"from", "to", "step"}) {
+          entry[key] = document_["sweep"][i - of_suite][key].get<double>();
+        }
       } else {
         entry["values"] = axes_[i].canonical_values;
       }
@@ -182,6 +216,8 @@ class ExperimentBuilder {
 
   Json document_;
   GroundMotionFiles files_;
+  FileMatches matches_;
+  std::vector<Json> suite_;  ///< its records; empty: the experiment has none
   std::size_t most_conditions_;
   Problems problems_;
   Problems seen_;
@@ -209,7 +245,8 @@ Experiment read_experiment(const ExperimentText& source, const Overrides& overri
                             .remedy = "give a range instead of a list of values"});
   }
   try {
-    return read_experiment(source.text, overrides, {.files = files_seen_from(source.folder)});
+    return read_experiment(source.text, overrides,
+                           {.files = files_seen_from(source.folder), .matches = matches_seen_from(source.folder)});
   } catch (const base::InputError& error) {
     throw located(error, source.text, source.name);
   }

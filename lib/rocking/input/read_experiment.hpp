@@ -21,7 +21,8 @@ struct Overrides {
 
 /// What an experiment file may draw on beside its own text, and how far it may go.
 struct Surroundings {
-  FileSource files = files_seen_from(".");  ///< for the recorded motions that it names
+  FileSource files = files_seen_from(".");       ///< for the recorded motions that it names
+  FileMatches matches = matches_seen_from(".");  ///< for the patterns of a suite
   std::size_t most_conditions = rocking::most_conditions;
 };
 

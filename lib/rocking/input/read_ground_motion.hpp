@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "rocking/input/object_reader.hpp"
+#include "rocking/input/record_format.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {
@@ -15,16 +16,26 @@ inline constexpr std::size_t most_ground_motion_bytes = 64'000'000;
 
 /// What must be known beside a record's text to make a base motion of it.
 struct GroundMotionReading {
-  std::string name;                 ///< of the file, for messages
-  std::optional<double> time_step;  ///< [s]; absent: the first column is the time
-  double gravity;                   ///< [m/s^2], over which accelerations are kept
+  std::string name;                                   ///< of the file, for messages
+  std::optional<double> time_step;                    ///< [s]; absent: the file gives it, or the time of each sample
+  double gravity;                                     ///< [m/s^2], over which accelerations are kept
+  std::optional<RecordFormat> format = std::nullopt;  ///< absent: recognised by the first lines
+  std::optional<RecordUnit> unit = std::nullopt;      ///< absent: that of the file, of `columns` m/s^2
+  std::string vertical_name = {};                     ///< of the file with the vertical component; empty: none
+
+  friend auto operator<=>(const GroundMotionReading&, const GroundMotionReading&) = default;
 };
 
-/// Reads a recorded base motion: lines of numbers, `#` before comments; with a time step `horizontal[, vertical]`,
-/// without one `time, horizontal[, vertical]`, in s and m/s^2 (lib/docs/formats.md). Two equal times are a jump.
+/// Reads a recorded base motion in one of the formats of lib/docs/ground-motions.md. `columns`: lines of numbers, `#`
+/// before comments; with a time step `horizontal[, vertical]`, without one `time, horizontal[, vertical]`. Two equal
+/// times are a jump. `vertical_name` is not read here.
 ///
-/// Absent where anything is wrong. Every bad line is a problem with file and line, up to twenty of them.
+/// Absent where anything is wrong. Every bad line is a problem with file, line and value, up to five of them.
 [[nodiscard]] std::optional<GroundMotion> read_ground_motion(std::string_view text, const GroundMotionReading& how,
                                                              Problems& problems);
+
+/// Adds the horizontal component of another file as the vertical one. The times of the two must agree; where one has
+/// fewer samples, it is at rest from its end on, and the motion has a warning. False where anything is wrong.
+[[nodiscard]] bool add_vertical(const GroundMotion& vertical, GroundMotion& motion, Problems& problems);
 
 }  // namespace rocking

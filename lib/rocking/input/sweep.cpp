@@ -40,8 +40,9 @@ std::vector<std::string> pointers_into(const Json& document) {
 }
 
 /// Keys of which a file has one, in different units.
-constexpr std::array<std::array<std::string_view, 3>, 2> alternatives{
+constexpr std::array<std::array<std::string_view, 3>, 3> alternatives{
     {{"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
+     {"/excitation/scale", "/excitation/pga_g", "/excitation/pgv_m_s"},
      {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"}}};
 
 /// What to do about a place that the file has in another form: the other unit of a number, or a restitution.
@@ -100,15 +101,16 @@ class AxisReader {
       in_.reject("parameter", "is not a value of this file that a sweep may change",
                  advice_on_form(pointer, base_).value_or(otherwise));
     }
-    if (pointer == "/excitation/file") {
+    if (pointer == "/excitation/file" || pointer == "/excitation/vertical_file") {
       in_.reject("parameter", "changes a file without its digest, by which a report identifies it",
-                 "sweep \"/excitation\" and give each ground motion as a separate object");
+                 "give the files as a \"suite\", or sweep \"/excitation\" with one object for each ground motion");
     }
     return pointer;
   }
 
   bool leads_somewhere(const std::string& pointer) const {
-    for (const std::string_view fixed : {"/format", "/title", "/seed", "/sweep", "/excitation/sha256"}) {
+    for (const std::string_view fixed : {"/format", "/title", "/seed", "/sweep", "/excitation/suite",
+                                         "/excitation/sha256", "/excitation/vertical_sha256"}) {
       if (is_within(pointer, fixed)) return false;
     }
     try {

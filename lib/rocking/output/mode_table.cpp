@@ -200,7 +200,11 @@ std::string digits_of(double number) {
 std::string short_value(const Parameter& parameter) {
   const Json value = Json::parse(parameter.value);
   if (value.is_number_float()) return digits_of(value.get<double>());
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) {
+    const std::string text = value.get<std::string>();
+    // A record of a suite by its file name; what names a folder is the same for most.
+    return parameter.pointer == "/excitation/file" ? text.substr(text.rfind('/') + 1) : text;
+  }
   if (!value.is_object()) return brief(value);
   if (value.size() == 1 && value.contains("rate_ratio")) return "rate ratio " + significant(value["rate_ratio"], 6);
   std::string text;

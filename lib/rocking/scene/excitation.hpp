@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
@@ -20,6 +21,12 @@ namespace rocking {
 struct GroundMotion {
   std::vector<dynamics::GroundMotionSample> samples;  ///< time [s]; accelerations over g, before scaling
   bool has_vertical = false;
+  std::string name = {};                               ///< of its file; empty: not from a file
+  std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`
+  std::string unit = {};                               ///< of the accelerations in its file: `g`, `m/s2`, `cm/s2`
+  std::optional<double> time_step = std::nullopt;      ///< [s]; absent: the file gives each time
+  std::optional<std::size_t> declared = std::nullopt;  ///< samples that the file says it has
+  std::vector<std::string> warnings = {};              ///< about the file, which was read nonetheless
 };
 
 /// When a fluctuating amplitude is drawn: at each excitation period, or once in a realisation. `refused`: a fluctuation
@@ -132,10 +139,11 @@ struct Recorded {
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
 
-  static constexpr std::array<std::string_view, 6> horizon_follows_from{"/block",
+  static constexpr std::array<std::string_view, 7> horizon_follows_from{"/block",
                                                                         "/formulation",
                                                                         "/restitution",
                                                                         "/excitation/kind",
+                                                                        "/excitation/file",
                                                                         "/excitation/time_step_s",
                                                                         "/excitation/frequency_ratio"};
 

@@ -40,6 +40,12 @@ inline constexpr NumberRule period_s{.allows = [](double x) { return 1e-6 <= x &
 inline constexpr NumberRule scale{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
                                   .demand = "must be a number from 0 to 1e6: a factor on the recorded accelerations",
                                   .example = "1.0"};
+inline constexpr NumberRule pga_g{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                  .demand = "must be a number from 0 to 1e6: the peak acceleration over gravity",
+                                  .example = "0.4"};
+inline constexpr NumberRule pgv_m_s{.allows = [](double x) { return 0.0 <= x && x <= 1e6; },
+                                    .demand = "must be a number of m/s from 0 to 1e6: the peak velocity",
+                                    .example = "0.5"};
 inline constexpr NumberRule time_step{.allows = [](double x) { return 1e-9 <= x && x <= 1e6; },
                                       .demand = "must be a positive number of seconds, from 1e-9 to 1e6",
                                       .example = "0.005"};

@@ -1,11 +1,13 @@
 #include "rocking/text/files.hpp"
 
+#include <algorithm>
 #include <cerrno>
 #include <string>
 #include <system_error>
 #include <utility>
 
 #include <fcntl.h>
+#include <fnmatch.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -104,6 +106,25 @@ std::string read_file(const std::filesystem::path& path, std::size_t most) {
 
 FileSource files_seen_from(const std::filesystem::path& folder) {
   return [folder](const std::string& name, std::size_t most) { return read_file(folder / name, most); };
+}
+
+FileMatches matches_seen_from(const std::filesystem::path& folder) {
+  return [folder](const std::string& pattern) {
+    const std::filesystem::path within = std::filesystem::path(pattern).parent_path();
+    const std::string wanted = std::filesystem::path(pattern).filename().string();
+    std::vector<std::string> names;
+    std::error_code unreadable;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / within, unreadable)) {
+      const std::string name = entry.path().filename().string();
+      std::error_code gone;
+      if (::fnmatch(wanted.c_str(), name.c_str(), FNM_PERIOD | FNM_NOESCAPE) != 0 || !entry.is_regular_file(gone)) {
+        continue;
+      }
+      names.push_back((within / name).string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  };
 }
 
 void write_atomically(const std::filesystem::path& path, std::string_view content) {

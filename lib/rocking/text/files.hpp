@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "rocking/text/json_writer.hpp"
 
@@ -21,6 +22,13 @@ using FileSource = std::function<std::string(const std::string& name, std::size_
 
 /// Files with paths relative to `folder`.
 [[nodiscard]] FileSource files_seen_from(const std::filesystem::path& folder);
+
+/// Source of the names that fit a pattern, sorted by bytes: `*` stands for any characters of the file name, `?` for one.
+using FileMatches = std::function<std::vector<std::string>(const std::string& pattern)>;
+
+/// Names of regular files with paths relative to `folder`; a `*` or `?` in the name of a folder is itself. Names that
+/// begin with a dot need a dot in the pattern. Empty where the folder of the pattern does not exist.
+[[nodiscard]] FileMatches matches_seen_from(const std::filesystem::path& folder);
 
 /// Replaces or creates a file atomically, so that readers see the old file or the complete new one, also after a power
 /// failure: a temporary file in the same folder is written, flushed to the disk and renamed. Throws std::system_error

@@ -13,7 +13,7 @@ inline constexpr std::string_view report_format = "rocking.report/1";
 struct Schema {
   std::string_view
       name;  ///< `experiment`, `report`, `trajectory`, `check_normal`, `comparison`, `bifurcation`, `cost`,
-             ///< `fragility`, `orbits`
+             ///< `fragility`, `motion`, `orbits`
   std::string_view text;
 };
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <tuple>
 #include <variant>
 
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
+#include "rocking/scene/ground_motion_peaks.hpp"
 
 namespace rocking {
 namespace {
@@ -59,39 +59,14 @@ bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b)
                     [](const Parameter& x, const Parameter& y) { return x.value == y.value; });
 }
 
-/// Peak acceleration over g, and peak velocity over g [s], of a motion that is linear between its samples.
-struct MotionPeaks {
-  double acceleration = 0.0;
-  double velocity = 0.0;
-};
-
-MotionPeaks peaks_of_motion(const GroundMotion& motion) {
-  MotionPeaks peaks;
-  double velocity = 0.0;
-  for (std::size_t i = 0; i < motion.samples.size(); ++i) {
-    const double here = motion.samples[i].horizontal;
-    peaks.acceleration = std::max(peaks.acceleration, std::abs(here));
-    if (i + 1 == motion.samples.size()) break;
-    const double next = motion.samples[i + 1].horizontal;
-    const double step = motion.samples[i + 1].time - motion.samples[i].time;
-    if ((here < 0.0) != (next < 0.0)) {  // the velocity has an extreme between the samples
-      peaks.velocity = std::max(peaks.velocity, std::abs(velocity + 0.5 * here * step * (here / (here - next))));
-    }
-    velocity += 0.5 * step * (here + next);
-    peaks.velocity = std::max(peaks.velocity, std::abs(velocity));
-  }
-  return peaks;
-}
-
 /// Measures of a motion that does not change with the realisation.
 void set_measures(const Scene& scene, Stripe& stripe) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr || !recorded->ground_motion) return;
-  const MotionPeaks peaks = peaks_of_motion(*recorded->ground_motion);
   const dynamics::Block block = mean_block(scene);
   const dynamics::Geometry shape = dynamics::geometry_of(block);
-  const double pga = recorded->scale * peaks.acceleration;
-  const double pgv = recorded->scale * peaks.velocity * block.gravity;
+  const double pga = recorded->scale * peak_acceleration(recorded->ground_motion->samples);
+  const double pgv = recorded->scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
   stripe.measures = {pga, pgv, pga / shape.tangent,
                      shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
 }

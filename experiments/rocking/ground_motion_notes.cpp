@@ -1,0 +1,82 @@
+#include "ground_motion_notes.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "output.hpp"
+#include "rocking/studies/motion/intensity.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::program {
+namespace {
+
+/// A ground motion in all conditions that have it.
+struct UsedMotion {
+  std::shared_ptr<const GroundMotion> motion;
+  double largest_scale = 0.0;
+  bool may_move = false;               ///< in some condition the block moves, or may do so
+  std::optional<double> uplift_scale;  ///< the least one of all blocks
+};
+
+/// Whether a block at rest starts to move at no smaller acceleration than that of uplift.
+bool only_uplift_starts(const Scene& scene, const dynamics::Geometry& block) {
+  const auto is_zero = [](const Quantity& quantity) {
+    const auto* number = std::get_if<double>(&quantity);
+    return number != nullptr && *number == 0.0;
+  };
+  const bool at_rest =
+      is_zero(scene.initial.tilt) && is_zero(scene.initial.tilt_rate) && is_zero(scene.initial.slip_rate);
+  const bool is_random = is_drawn(Quantity(scene.block.width)) || is_drawn(Quantity(scene.block.height));
+  const bool holds = !scene.friction ||
+                     (scene.fluctuation.static_friction == 0.0 && scene.friction->static_coefficient >= block.tangent);
+  return at_rest && !is_random && holds;
+}
+
+void take_in(const Condition& condition, const Recorded& recorded, UsedMotion& used) {
+  const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
+  const auto uplift = least_uplift_scale(recorded.ground_motion->samples, block);
+  used.largest_scale = std::max(used.largest_scale, recorded.scale);
+  used.may_move = used.may_move || !only_uplift_starts(condition.scene, block) || (uplift && recorded.scale >= *uplift);
+  if (uplift) used.uplift_scale = used.uplift_scale ? std::min(*used.uplift_scale, *uplift) : *uplift;
+}
+
+std::vector<UsedMotion> used_motions(const Experiment& experiment) {
+  std::vector<UsedMotion> motions;
+  for (const Condition& condition : experiment.conditions) {
+    const auto* recorded = std::get_if<Recorded>(&condition.scene.excitation);
+    if (recorded == nullptr || !recorded->ground_motion) continue;
+    const auto is_same = [recorded](const UsedMotion& used) { return used.motion == recorded->ground_motion; };
+    auto place = std::ranges::find_if(motions, is_same);
+    if (place == motions.end()) {
+      motions.push_back({.motion = recorded->ground_motion});
+      place = std::prev(motions.end());
+    }
+    take_in(condition, *recorded, *place);
+  }
+  return motions;
+}
+
+}  // namespace
+
+std::vector<std::string> ground_motion_notes(const Experiment& experiment) {
+  std::vector<std::string> notes;
+  for (const UsedMotion& used : used_motions(experiment)) {
+    const std::string& name = used.motion->name;
+    for (const std::string& warning : used.motion->warnings) notes.push_back(name + ": " + warning);
+    if (used.may_move) continue;
+    notes.push_back(name + ": is too weak to lift the block at any scale of this run, at most " +
+                    significant(used.largest_scale, 3) + "; it lifts the block from a scale of " +
+                    (used.uplift_scale ? significant(*used.uplift_scale, 4) : "infinity") + " on");
+  }
+  return notes;
+}
+
+void tell_ground_motion_notes(const Experiment& experiment) {
+  for (const std::string& note : ground_motion_notes(experiment)) print_notice(note);
+}
+
+}  // namespace rocking::program

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking::program {
+
+/// What a user should know of the ground motions of an experiment before it runs, one sentence each: warnings of their
+/// readers, and the motions that do not lift the block at any scale of the run.
+[[nodiscard]] std::vector<std::string> ground_motion_notes(const Experiment& experiment);
+
+/// Prints them on standard error.
+void tell_ground_motion_notes(const Experiment& experiment);
+
+}  // namespace rocking::program

@@ -1,0 +1,183 @@
+#include <array>
+#include <memory>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "analysis/motion_figure.hpp"
+#include "commands.hpp"
+#include "drawing.hpp"
+#include "output.hpp"
+#include "rocking/input/ground_motion_files.hpp"
+#include "rocking/output/write_motion.hpp"
+#include "rocking/scene/rules.hpp"
+#include "rocking/studies/motion/motion.hpp"
+#include "rocking/text/files.hpp"
+#include "usage.hpp"
+
+namespace rocking::program {
+namespace {
+
+struct MotionRequest {
+  std::vector<std::string> files;
+  std::string vertical;
+  std::string format = "auto";
+  std::string units;       ///< empty: that of the file
+  double time_step = 0.0;  ///< [s]; 0: not given
+  double gravity = 9.81;
+  double damping = 0.05;
+  std::vector<double> periods{0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0};
+  std::vector<double> block;  ///< width and height [m]; empty: none
+  bool series = false;
+  std::string figures;  ///< folder; empty: nothing is drawn
+  StyleRequest style;
+  Loudness loudness;
+};
+
+template <std::size_t n>
+std::optional<std::size_t> place_in(const std::array<std::string_view, n>& names, const std::string& name) {
+  for (std::size_t i = 0; i < n; ++i) {
+    if (names[i] == name) return i;
+  }
+  return std::nullopt;
+}
+
+GroundMotionReading reading_of(const MotionRequest& request, const std::string& file) {
+  GroundMotionReading how{.name = file, .time_step = {}, .gravity = request.gravity};
+  if (const auto format = place_in(record_format_names, request.format))
+    how.format = static_cast<RecordFormat>(*format);
+  if (const auto unit = place_in(record_unit_names, request.units)) how.unit = static_cast<RecordUnit>(*unit);
+  if (request.time_step > 0.0) how.time_step = request.time_step;
+  how.vertical_name = request.vertical;
+  return how;
+}
+
+MotionQuestion question_of(const MotionRequest& request) {
+  MotionQuestion question{.gravity = request.gravity, .damping = request.damping, .periods = request.periods};
+  if (!request.block.empty()) {
+    question.block = dynamics::Block{request.block[0], request.block[1], request.gravity};
+    for (const double length : request.block) {
+      if (!rules::length.allows(length))
+        throw UsageError(fmt::format("--block {:g}: {}", length, rules::length.demand));
+    }
+  }
+  return question;
+}
+
+void check_usage(const MotionRequest& request) {
+  if (request.format == "columns" && request.units.empty()) {
+    throw UsageError("--format columns: does not state the unit of the accelerations; add --units m/s2, g or cm/s2");
+  }
+  if (!request.vertical.empty() && request.files.size() > 1) {
+    throw UsageError("--vertical: belongs to one file; give one FILE");
+  }
+}
+
+std::vector<MeasuredMotion> measure_all(const MotionRequest& request, const MotionQuestion& question) {
+  GroundMotionFiles files(files_seen_from(""));
+  Problems problems;
+  std::vector<MeasuredMotion> motions;
+  for (const std::string& file : request.files) {
+    try {
+      auto motion = files.motion(reading_of(request, file), problems);
+      if (motion) motions.push_back(measured(std::move(motion), files.digest(file), question));
+    } catch (const std::system_error& error) {
+      throw MissingInput(error.what());
+    }
+  }
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+  return motions;
+}
+
+void tell_notes(const std::vector<MeasuredMotion>& motions, const MotionRequest& request) {
+  for (const MeasuredMotion& found : motions) {
+    for (const std::string& warning : found.motion->warnings) {
+      print_notice(fmt::format("{}: {}", found.motion->name, warning));
+    }
+    if (found.motion->format == "columns" && request.units.empty()) {
+      print_notice(
+          fmt::format("{}: does not state its unit; m/s2 is assumed (--units g for another)", found.motion->name));
+    }
+  }
+}
+
+ExitCode motion(const MotionRequest& request) {
+  check_usage(request);
+  const analysis::FigureLook look = look_for(request.style);
+  const MotionQuestion question = question_of(request);
+  const std::vector<MeasuredMotion> motions = measure_all(request, question);
+  if (!request.loudness.quiet) tell_notes(motions, request);
+  WrittenFigures written;
+  if (!request.figures.empty()) {
+    const Json output = Json::parse(motion_text(motions, question, MotionDetail::series));
+    std::vector<analysis::Figure> figures = analysis::motion_figures(output);
+    for (std::size_t i = 0; i + 1 < figures.size() && motions.size() > 1; ++i) {
+      figures[i].name += fmt::format("_{}", i + 1);
+    }
+    written = write_figures(figures, request.figures, look);
+  }
+  if (request.loudness.json) {
+    print_result(motion_text(motions, question, request.series ? MotionDetail::series : MotionDetail::measures));
+  } else {
+    std::string text = motion_table(motions, question);
+    if (!written.files.empty()) text += fmt::format("\n{}\n", fmt::join(written.files, "\n"));
+    print_result(base::printable(text));
+  }
+  return written.failures.tell(no_figure, PictureRole::purpose);
+}
+
+void add_reading_options(CLI::App& command, MotionRequest& request) {
+  command.add_option("--format", request.format, "Format of the files; auto: recognised by their first lines")
+      ->check(one_of({"auto", "columns", "peer_at2", "esm_asc"}))
+      ->capture_default_str()
+      ->type_name("NAME");
+  command.add_option("--units", request.units, "Unit of the accelerations; default: that of the file, or m/s2")
+      ->check(one_of({"g", "m/s2", "cm/s2"}))
+      ->type_name("UNIT");
+  command.add_option("--time-step", request.time_step, "Of columns without times [s]")
+      ->check(number(1e-9, 1e6))
+      ->type_name("DT");
+  command.add_option("--vertical", request.vertical, "File with the vertical component")->type_name("FILE");
+  command.add_option("--gravity", request.gravity, "What 1 g is [m/s^2]")
+      ->check(number(1e-6, 1e6))
+      ->capture_default_str()
+      ->type_name("G");
+}
+
+}  // namespace
+
+void add_motion(CLI::App& app, Action& action) {
+  const auto request = std::make_shared<MotionRequest>();
+  CLI::App* command = app.add_subcommand("motion", "Read ground motions, and print their intensity measures");
+  command->footer(
+      "Example: rocking motion record.at2 --periods 0.2 0.5 1 --block 0.35 1.6 --figure out\n"
+      "prints what was read, peak acceleration, velocity and displacement, Arias intensity, cumulative absolute "
+      "velocity,\n"
+      "significant duration, the response spectrum, and the least scale at which the block rocks; draws the motion and "
+      "its\n"
+      "spectra into the folder out.");
+  command->add_option("FILE", request->files, "Ground motions")->required();
+  add_reading_options(*command, *request);
+  command->add_option("--periods", request->periods, "Periods of the response spectrum [s]")
+      ->check(number(1e-3, 1e3))
+      ->type_name("T...");
+  command->add_option("--damping", request->damping, "Damping ratio of the response spectrum")
+      ->check(number(0.0, 0.99))
+      ->capture_default_str()
+      ->type_name("RATIO");
+  command
+      ->add_option("--block", request->block, "Width and height of a block [m], whose least scale of uplift is wanted")
+      ->expected(2)
+      ->type_name("W H");
+  command->add_flag("--series", request->series, "Add to --json the motions sample by sample, for `rocking figure`");
+  command->add_option("--figure", request->figures, "Folder for figures; created if necessary")->type_name("DIR");
+  add_style(*command, request->style);
+  add_loudness(*command, request->loudness);
+  command->final_callback([&action, request] { action = [request] { return motion(*request); }; });
+}
+
+}  // namespace rocking::program

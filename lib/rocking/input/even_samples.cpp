@@ -1,0 +1,136 @@
+#include "rocking/input/even_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/scene/check_ground_motion.hpp"
+#include "rocking/scene/rules.hpp"
+
+namespace rocking {
+namespace {
+
+std::string samples_in_words(std::size_t count) {
+  return std::to_string(count) + (count == 1 ? " sample" : " samples");
+}
+
+class EvenSamplesReader {
+ public:
+  EvenSamplesReader(const EvenHeader& header, double gravity, LineProblems& problems)
+      : header_(header), gravity_(gravity), problems_(problems) {}
+
+  std::optional<GroundMotion> read(std::string_view text) {
+    while (!text.empty() && !problems_.enough() && motion_.samples.size() <= rules::most_samples) {
+      read_line(problems_.next_line(text));
+    }
+    if (!problems_.any()) check_whole();
+    if (problems_.any()) return std::nullopt;
+    motion_.time_step = header_.time_step;
+    motion_.declared = header_.declared;
+    motion_.unit = name_of(header_.unit);
+    return std::move(motion_);
+  }
+
+ private:
+  void read_line(std::string_view line) {
+    split_fields(line, fields_);
+    for (const std::string_view field : fields_) {
+      if (!add(field)) return;
+    }
+  }
+
+  // Fortran writes an exponent after d, too.
+  [[nodiscard]] std::optional<double> number(std::string_view field) {
+    const auto is_exponent = [](char c) { return c == 'd' || c == 'D'; };
+    if (std::ranges::none_of(field, is_exponent)) return problems_.number(field);
+    std::string spelled(field);
+    std::ranges::replace_if(spelled, is_exponent, 'e');
+    return problems_.number(is_number_field(spelled) ? std::string_view(spelled) : field);
+  }
+
+  [[nodiscard]] bool add(std::string_view field) {
+    const auto value = number(field);
+    if (!value) return false;
+    const double time = header_.time_step * static_cast<double>(motion_.samples.size());
+    if (time > rules::latest_sample) {
+      problems_.reject_line(field, "is later than 1e7 s", "check the time step of the header");
+      return false;
+    }
+    if (const auto refusal = refuse_acceleration(*value, in_m_s2(header_.unit, gravity_))) {
+      problems_.reject_line(field, refusal->reason, "check the number and the unit of the file");
+      return false;
+    }
+    motion_.samples.push_back(
+        {.time = time, .horizontal = over_gravity(*value, header_.unit, gravity_), .vertical = 0.0});
+    return true;
+  }
+
+  void check_whole() {
+    const std::size_t found = motion_.samples.size();
+    if (header_.declared && found <= rules::most_samples) {
+      const std::size_t declared = *header_.declared;
+      const std::size_t difference = std::max(found, declared) - std::min(found, declared);
+      const std::string counts =
+          "contains " + samples_in_words(found) + ", but its header declares " + std::to_string(declared);
+      if (difference > 1) {
+        problems_.reject_file(counts, "restore the file, or correct the number in its header");
+        return;
+      }
+      if (difference == 1) motion_.warnings.push_back(counts + "; all that it contains are used");
+    }
+    const auto refusal = refuse_samples(motion_.samples);
+    if (refusal) problems_.reject_file(refusal->reason, refusal->remedy);
+  }
+
+  const EvenHeader& header_;
+  double gravity_;
+  LineProblems& problems_;
+  GroundMotion motion_;
+  std::vector<std::string_view> fields_;
+};
+
+}  // namespace
+
+std::optional<GroundMotion> read_even_samples(std::string_view text, const EvenHeader& header, double gravity,
+                                              LineProblems& problems) {
+  return EvenSamplesReader(header, gravity, problems).read(text);
+}
+
+RecordUnit agreed_unit(std::optional<RecordUnit> stated, std::optional<RecordUnit> asked, RecordUnit standard,
+                       LineProblems& problems) {
+  if (stated && asked && *stated != *asked) {
+    problems.reject_line(name_of(*stated),
+                         "is the unit of the file, but \"units\" is \"" + std::string(name_of(*asked)) + '"',
+                         "omit \"units\", or correct the file");
+  }
+  return stated.value_or(asked.value_or(standard));
+}
+
+std::optional<double> checked_time_step(std::string_view field, std::optional<double> asked, LineProblems& problems) {
+  const auto step = problems.number(field);
+  if (!step) return std::nullopt;
+  if (!rules::time_step.allows(*step)) {
+    problems.reject_line(field, std::string(rules::time_step.demand), "correct the time step of the header");
+    return std::nullopt;
+  }
+  if (asked && *asked != *step) {
+    problems.reject_line(field, "is the time step of the file, but \"time_step_s\" is " + base::shortest(*asked),
+                         "omit \"time_step_s\", or correct the file");
+    return std::nullopt;
+  }
+  return step;
+}
+
+std::optional<std::size_t> checked_count(std::string_view field, LineProblems& problems) {
+  const auto count = problems.number(field);
+  if (!count) return std::nullopt;
+  if (!(*count >= 0.0 && *count <= 1e9) || std::trunc(*count) != *count) {
+    problems.reject_line(field, "is not a number of samples", "correct the header");
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(*count);
+}
+
+}  // namespace rocking

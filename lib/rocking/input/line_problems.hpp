@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/input/object_reader.hpp"
+
+namespace rocking {
+
+/// Collects the problems of a text file that is read line by line, each with file, line and value.
+class LineProblems {
+ public:
+  /// `name`: of the file, as shown to users.
+  LineProblems(std::string name, Problems& problems) : name_(std::move(name)), problems_(&problems) {}
+
+  /// Takes the next line off the front of `text`, without its end, and counts it.
+  [[nodiscard]] std::string_view next_line(std::string_view& text);
+
+  /// Reports `found`, which stands in the present line, or the file as a whole.
+  void reject_line(std::string_view found, std::string reason, std::string remedy);
+  void reject_file(std::string reason, std::string remedy);
+  /// Takes back what was reported, in favour of one problem of the file as a whole.
+  void reject_instead(std::string reason, std::string remedy);
+
+  /// The number that a field of the present line is; if it is none, reports it.
+  [[nodiscard]] std::optional<double> number(std::string_view field);
+
+  [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] bool any() const { return count_ > 0; }
+  /// Whether further lines should not be read: five problems were reported.
+  [[nodiscard]] bool enough() const { return count_ >= 5; }
+
+ private:
+  std::string name_;
+  Problems* problems_;
+  std::size_t line_ = 0;
+  std::size_t count_ = 0;
+};
+
+/// The fields of a line, between blanks or one comma or semicolon. Between two commas stands an empty field.
+void split_fields(std::string_view line, std::vector<std::string_view>& fields);
+
+/// Whether a field is a number and nothing else.
+[[nodiscard]] bool is_number_field(std::string_view field);
+
+/// `text` without a byte order mark.
+[[nodiscard]] std::string_view without_byte_order_mark(std::string_view text);
+
+}  // namespace rocking

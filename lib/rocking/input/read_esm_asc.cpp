@@ -1,0 +1,90 @@
+#include "rocking/input/read_esm_asc.hpp"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "rocking/input/even_samples.hpp"
+
+namespace rocking {
+namespace {
+
+std::string_view without_blanks_around(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+class EsmReader {
+ public:
+  EsmReader(const GroundMotionReading& how, Problems& problems) : how_(how), problems_(how.name, problems) {}
+
+  std::optional<GroundMotion> read(std::string_view text) {
+    text = without_byte_order_mark(text);
+    std::string_view rest = text;
+    while (!rest.empty() && !problems_.enough() && !begins_with_number(rest)) read_line(problems_.next_line(rest));
+    if (problems_.any()) return std::nullopt;
+    if (!has_step_) problems_.reject_file("has no line SAMPLING_INTERVAL_S: in its header", "give the original file");
+    if (!unit_seen_) problems_.reject_file("has no line UNITS: in its header", "give the original file");
+    if (problems_.any()) return std::nullopt;
+    return read_even_samples(rest, header_, how_.gravity, problems_);
+  }
+
+ private:
+  [[nodiscard]] bool begins_with_number(std::string_view text) {
+    split_fields(text.substr(0, text.find('\n')), fields_);
+    return !fields_.empty() && is_number_field(fields_.front());
+  }
+
+  void read_line(std::string_view line) {
+    const std::size_t colon = line.find(':');
+    if (colon == std::string_view::npos) {
+      if (without_blanks_around(line).empty()) return;
+      problems_.reject_line(line, "is neither a line KEY: value nor a number", "give the original file");
+      return;
+    }
+    const std::string_view key = without_blanks_around(line.substr(0, colon));
+    const std::string_view value = without_blanks_around(line.substr(colon + 1));
+    if (key == "SAMPLING_INTERVAL_S") {
+      read_step(value);
+    } else if (key == "NDATA" && !value.empty()) {
+      header_.declared = checked_count(value, problems_);
+    } else if (key == "UNITS") {
+      read_unit(value);
+    } else if (key == "DATA_TYPE" && !value.empty() && value != "ACCELERATION") {
+      problems_.reject_line(value, "is the kind of the data", "give a file whose DATA_TYPE is ACCELERATION");
+    }
+  }
+
+  void read_step(std::string_view value) {
+    const auto step = checked_time_step(value, how_.time_step, problems_);
+    has_step_ = true;
+    if (step) header_.time_step = *step;
+  }
+
+  void read_unit(std::string_view value) {
+    unit_seen_ = true;
+    const auto stated = record_unit_written(value);
+    if (!stated) {
+      problems_.reject_line(value, "is not a known unit of acceleration", "the file must be in cm/s^2, m/s^2 or g");
+      return;
+    }
+    header_.unit = agreed_unit(stated, how_.unit, RecordUnit::cm_s2, problems_);
+  }
+
+  const GroundMotionReading& how_;
+  LineProblems problems_;
+  EvenHeader header_;
+  std::vector<std::string_view> fields_;
+  bool has_step_ = false;
+  bool unit_seen_ = false;
+};
+
+}  // namespace
+
+std::optional<GroundMotion> read_esm_asc(std::string_view text, const GroundMotionReading& how, Problems& problems) {
+  return EsmReader(how, problems).read(text);
+}
+
+}  // namespace rocking

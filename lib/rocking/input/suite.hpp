@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/object_reader.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
+
+/// A suite of ground motions: `excitation.suite` in an experiment file, each record a point of the sweep. While a
+/// condition is read, its record stands in the place of the suite, as `file` and what belongs to it.
+namespace rocking {
+
+/// The swept place.
+inline constexpr std::string_view suite_place = "/excitation/file";
+
+/// Takes `excitation.suite` out of an experiment and puts its first record there. Returns the records, each an object
+/// with `file` and perhaps `sha256`, `vertical_file`, `vertical_sha256`; none where there is no suite or a bad one.
+[[nodiscard]] std::vector<Json> take_suite(Json& document, const FileMatches& matches, Problems& problems);
+
+/// Puts a record into `excitation`, in place of the one before.
+void put_record(Json& document, const Json& record);
+
+/// The record that a condition in canonical form has.
+[[nodiscard]] Json record_of(const Json& canonical);
+
+/// Writes records in canonical form in place of the one record that a canonical experiment has.
+void write_suite(Json& canonical, const std::vector<Json>& records);
+
+/// The experiment with the suite as an entry of its sweep, so that defaults that follow from a record are not written.
+[[nodiscard]] Json with_suite_as_sweep(Json document);
+
+/// Gives a recorded excitation the first value of a sweep of `pga_g` or `pgv_m_s`, if it has neither these nor a scale:
+/// otherwise the standard scale would contradict the sweep.
+void take_strength_from_sweep(Json& document);
+
+}  // namespace rocking

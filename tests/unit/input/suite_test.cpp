@@ -1,0 +1,175 @@
+// Suites of ground motions in an experiment: which conditions there are, and the canonical text.
+
+#include <map>
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/text/json.hpp"
+#include "support/record_text.hpp"
+
+namespace {
+
+using namespace rocking;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class Suite : public ::testing::Test {
+ protected:
+  Suite() {
+    files_["records/a.at2"] = support::peer_at2({0.1, -0.2, 0.05}, ".01");
+    files_["records/b.at2"] = support::peer_at2({0.4, -0.3, 0.05, 0.0}, ".5");
+    files_["v.at2"] = support::peer_at2({0.01, 0.02, 0.03}, ".01");
+  }
+
+  Surroundings surroundings() const {
+    return {.files =
+                [this](const std::string& name, std::size_t) {
+                  const auto found = files_.find(name);
+                  if (found == files_.end()) {
+                    throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory), name);
+                  }
+                  return found->second;
+                },
+            .matches =
+                [](const std::string& pattern) {
+                  if (pattern != "records/*.at2") return std::vector<std::string>();
+                  return std::vector<std::string>{"records/a.at2", "records/b.at2"};
+                }};
+  }
+
+  static Json experiment(const std::string& suite, const std::string& sweep = "null") {
+    Json json = Json::parse(R"({ "format": "rocking.experiment/1", "block": { "width_m": 0.35, "height_m": 1.6 },
+      "excitation": { "kind": "recorded" } })");
+    json["excitation"]["suite"] = Json::parse(suite);
+    if (sweep != "null") json["sweep"] = Json::parse(sweep);
+    return json;
+  }
+
+  Experiment read(const Json& json) const { return read_experiment(json.dump(), {}, surroundings()); }
+
+  std::string refusal_of(const Json& json) const {
+    try {
+      static_cast<void>(read(json));
+    } catch (const base::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  }
+
+  static const Recorded& recorded(const Condition& condition) { return std::get<Recorded>(condition.scene.excitation); }
+
+  std::map<std::string, std::string> files_;
+};
+
+TEST_F(Suite, HasAConditionForEachRecordAndLevel) {
+  const Experiment read_suite =
+      read(experiment(R"("records/*.at2")", R"([{ "parameter": "/excitation/scale", "values": [1.0, 2.0, 3.0] }])"));
+  ASSERT_EQ(read_suite.conditions.size(), 6U);
+  EXPECT_THAT(read_suite.sweep_sizes, ElementsAre(2U, 3U));
+  const Condition& last = read_suite.conditions[5];
+  ASSERT_EQ(last.parameters.size(), 2U);
+  EXPECT_EQ(last.parameters[0].pointer, "/excitation/file");
+  EXPECT_EQ(last.parameters[0].value, "\"records/b.at2\"");
+  EXPECT_EQ(last.parameters[1].value, "3.0");
+  EXPECT_EQ(recorded(last).scale, 3.0);
+  EXPECT_EQ(recorded(last).ground_motion->name, "records/b.at2");
+  EXPECT_EQ(recorded(read_suite.conditions[0]).ground_motion, recorded(read_suite.conditions[2]).ground_motion);
+  // Each record has its own horizon: the second is longer.
+  EXPECT_LT(read_suite.conditions[0].horizon.sampled_periods, last.horizon.sampled_periods);
+}
+
+TEST_F(Suite, IsTheSameAsOneExperimentForEachRecord) {
+  const Experiment together = read(experiment(R"(["records/a.at2", "records/b.at2"])"));
+  ASSERT_EQ(together.conditions.size(), 2U);
+  for (const Condition& condition : together.conditions) {
+    Json alone = experiment("null");
+    alone["excitation"] = {{"kind", "recorded"}, {"file", Json::parse(condition.parameters[0].value)}};
+    const Experiment one = read(alone);
+    EXPECT_EQ(one.conditions.front().horizon.sampled_periods, condition.horizon.sampled_periods);
+    EXPECT_EQ(recorded(one.conditions.front()).frequency_ratio, recorded(condition).frequency_ratio);
+  }
+}
+
+TEST_F(Suite, HasACanonicalTextWithFilesAndDigestsThatIsItsOwn) {
+  const std::vector<std::string> sweeps{
+      "null", R"([{ "parameter": "/excitation/pga_g", "from": 0.1, "to": 0.3, "step": 0.1 }])",
+      R"([{ "parameter": "/excitation/pgv_m_s", "values": [0.1, 0.2] }])"};
+  for (const std::string& sweep : sweeps) {
+    const Experiment once = read(experiment(R"("records/*.at2")", sweep));
+    const Experiment again = read_experiment(once.canonical_text, {}, surroundings());
+    EXPECT_EQ(again.canonical_text, once.canonical_text);
+    EXPECT_EQ(again.conditions.size(), once.conditions.size());
+    const Json suite = Json::parse(once.canonical_text)["excitation"]["suite"];
+    ASSERT_EQ(suite.size(), 2U);
+    EXPECT_EQ(suite[1]["file"], "records/b.at2");
+    EXPECT_EQ(suite[1]["sha256"].get<std::string>().size(), 64U);
+    EXPECT_NE(suite[0]["sha256"], suite[1]["sha256"]);
+    EXPECT_EQ(Json::parse(once.canonical_text).contains("sweep"), sweep != "null");
+  }
+}
+
+TEST_F(Suite, IsScaledToAPeakAccelerationOrVelocity) {
+  const auto strongest = [this](const char* key) {
+    const Experiment levels = read(experiment(
+        R"("records/*.at2")", R"([{ "parameter": "/excitation/)" + std::string(key) + R"(", "values": [0.2, 0.6] }])"));
+    return recorded(levels.conditions[3]);
+  };
+  EXPECT_DOUBLE_EQ(strongest("pga_g").scale, 0.6 / 0.4);
+  // 0.4 to -0.3 in 0.5 s: the velocity is largest where the acceleration passes 0, after 2/7 s.
+  EXPECT_DOUBLE_EQ(strongest("pgv_m_s").scale, 0.6 / (0.5 * 0.4 * (0.5 * 0.4 / 0.7) * 9.81));
+}
+
+TEST_F(Suite, MayHaveRecordsWithAVerticalComponent) {
+  const Experiment both =
+      read(experiment(R"([{ "file": "records/a.at2", "vertical_file": "v.at2" }, "records/b.at2"])"));
+  EXPECT_TRUE(recorded(both.conditions[0]).ground_motion->has_vertical);
+  EXPECT_EQ(recorded(both.conditions[0]).ground_motion->samples[1].vertical, 0.02);
+  EXPECT_FALSE(recorded(both.conditions[1]).ground_motion->has_vertical);
+  const Experiment again = read_experiment(both.canonical_text, {}, surroundings());
+  EXPECT_EQ(again.canonical_text, both.canonical_text);
+}
+
+TEST_F(Suite, ThatCannotBeReadIsRefusedWithItsPlace) {
+  EXPECT_THAT(refusal_of(experiment(R"("none/*.at2")")), HasSubstr("/excitation/suite = \"none/*.at2\": fits no file"));
+  EXPECT_THAT(refusal_of(experiment(R"(["records/a.at2", "records/a.at2"])")),
+              HasSubstr("/excitation/suite/1 = \"records/a.at2\": is in the suite twice"));
+  EXPECT_THAT(refusal_of(experiment("[]")), HasSubstr("must be a list of 1 to 10000 files"));
+  EXPECT_THAT(refusal_of(experiment("null")), HasSubstr("must be a list of 1 to 10000 files"));
+  EXPECT_THAT(refusal_of(experiment("[3]")), HasSubstr("must be the name of a file"));
+  EXPECT_THAT(refusal_of(experiment(R"([{"file": "v.at2", "scale": 2}])")), HasSubstr("/excitation/suite/0/scale"));
+  Json both = experiment(R"(["v.at2"])");
+  both["excitation"]["file"] = "v.at2";
+  EXPECT_THAT(refusal_of(both), HasSubstr("excludes \"file\""));
+  EXPECT_THAT(
+      refusal_of(experiment(
+          R"(["v.at2"])", R"([{ "parameter": "/excitation", "values": [{ "kind": "recorded", "file": "v.at2" }] }])")),
+      HasSubstr("changes the excitation, whose ground motions are a suite"));
+  EXPECT_THAT(refusal_of(experiment(R"(["v.at2"])", R"([{ "parameter": "/excitation/file", "values": ["v.at2"] }])")),
+              HasSubstr("without its digest"));
+  Json within = experiment(R"(["v.at2"])");
+  within["sweep"] =
+      Json::parse(R"([{ "parameter": "/excitation", "values": [{ "kind": "recorded", "suite": ["v.at2"] }] }])");
+  within["excitation"] = Json::parse(R"({ "kind": "recorded", "file": "v.at2" })");
+  EXPECT_THAT(refusal_of(within), HasSubstr("/excitation/suite = [\"v.at2\"]: cannot stand in a value of the sweep"));
+}
+
+TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
+  Json json = experiment(R"(["v.at2"])");
+  json["excitation"]["scale"] = 1.0;
+  json["excitation"]["pga_g"] = 0.4;
+  EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/pga_g = 0.4: excludes \"scale\""));
+  json["excitation"].erase("pga_g");
+  json["excitation"]["units"] = "cm/s2";
+  EXPECT_THAT(refusal_of(json), HasSubstr("v.at2, line 4 = \"g\": is the unit of the file"));
+  json["excitation"].erase("units");
+  json["excitation"]["format"] = "columns";
+  EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/units: is missing"));
+  json["excitation"]["format"] = "auto";
+  EXPECT_EQ(refusal_of(json), "accepted");
+  EXPECT_FALSE(Json::parse(read(json).canonical_text)["excitation"].contains("format"));
+}
+
+}  // namespace

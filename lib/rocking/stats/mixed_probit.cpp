@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t quadrature_nodes = 25;
 constexpr std::size_t check_nodes = 11;
 constexpr double tolerated_difference = 1e-4;
-constexpr double tolerated_share = 1e-9;
+constexpr double tolerated_share = 1e-8;
 /// exp(-40) of its maximum: what lies beyond changes no digit of the integral.
 constexpr double negligible_drop = 40.0;
 
@@ -172,18 +172,23 @@ std::vector<Contribution> legendre_contributions(const RecordIntegrand& integran
   return parts;
 }
 
-/// Integrates over an interval by halving it; `scale`: logarithm of the size of the whole integral.
+/// Integrates over an interval by halving it; `scale`: logarithm of a first estimate of the whole integral, which may be
+/// far too small. At most `most_panels` panels on each side of the mode: beyond that the accuracy is what it is.
 class Halving {
  public:
   Halving(const RecordIntegrand& integrand, double scale) : integrand_(integrand), scale_(scale) {}
 
   void integrate(double low, double high) {
-    halve(low, high, legendre_contributions(integrand_, low, high), 0);
+    auto whole = legendre_contributions(integrand_, low, high);
+    scale_ = std::max(scale_, log_sum(whole));
+    panels_ = 0;
+    halve(low, high, std::move(whole), 0);
   }
   [[nodiscard]] std::vector<Contribution> parts() && { return std::move(parts_); }
 
  private:
-  static constexpr int most_halvings = 40;
+  static constexpr int most_halvings = 24;
+  static constexpr int most_panels = 60;
 
   void halve(double low, double high, std::vector<Contribution> whole, int depth) {
     const double middle = 0.5 * (low + high);
@@ -191,16 +196,21 @@ class Halving {
     auto right = legendre_contributions(integrand_, middle, high);
     const double coarse = std::exp(log_sum(whole) - scale_);
     const double fine = std::exp(log_sum(left) - scale_) + std::exp(log_sum(right) - scale_);
-    if (std::abs(fine - coarse) <= tolerated_share || depth == most_halvings) {
-      parts_.insert(parts_.end(), whole.begin(), whole.end());
+    scale_ = std::max(scale_, scale_ + std::log(std::max(fine, 1e-300)));
+    if (std::abs(fine - coarse) <= tolerated_share * std::max(1.0, fine) || depth == most_halvings ||
+        panels_ >= most_panels) {
+      parts_.insert(parts_.end(), left.begin(), left.end());
+      parts_.insert(parts_.end(), right.begin(), right.end());
       return;
     }
+    ++panels_;
     halve(low, middle, std::move(left), depth + 1);
     halve(middle, high, std::move(right), depth + 1);
   }
 
   const RecordIntegrand& integrand_;
   double scale_;
+  int panels_ = 0;
   std::vector<Contribution> parts_;
 };
 

@@ -8,7 +8,7 @@
 namespace rocking::stats {
 namespace {
 
-constexpr int most_newton_steps = 200;
+constexpr int most_newton_steps = 60;
 constexpr double promised_at_maximum = 1e-12;
 
 Eigen::VectorXd ascending_step(const LocalShape& shape) {

@@ -137,6 +137,53 @@ void add_curve(const Json& curve, std::size_t number, Figure& figure) {
                           .legend = name_of(curve)});
 }
 
+bool is_suite(const Json& curve) { return curve.contains("pooled"); }
+
+/// A thin line through the shares of each record of a suite, and the pooled function with its band.
+void add_suite(const Json& curve, std::size_t number, Figure& figure) {
+  Style thin = style_of_curve(number);
+  thin.colour = "#999999";
+  thin.width = 0.5;
+  Style line = style_of_curve(number);
+  Style ribbon = line;
+  ribbon.hatch = 0;
+  ribbon.opacity = 0.2;
+  for (const Json& record : curve.at("records")) {
+    figure.panels.back().layers.push_back({.kind = LayerKind::line,
+                                           .table = figure.tables.size(),
+                                           .columns = {0, 1},
+                                           .style = thin,
+                                           .legend = ""});
+    Table table{.name = record.at("name"),
+                .columns = {{"intensity", "intensity of the excitation"}, {"share", "share of the realisations"}},
+                .rows = {}};
+    for (const Json& level : record.at("levels")) {
+      table.rows.push_back({level.at("intensity").get<double>(), level.at("estimate").get<double>()});
+    }
+    figure.tables.push_back(std::move(table));
+  }
+  Table pooled{.name = "pooled",
+               .columns = {{"intensity", "intensity of the excitation"},
+                           {"fitted", "probability by the law of the suite"},
+                           {"low", "lower end of its bootstrap interval"},
+                           {"high", "upper end of it"}},
+               .rows = {}};
+  for (const Json& level : curve.at("levels")) {
+    if (level.at("fitted").is_null() || level.at("band").is_null()) continue;
+    pooled.rows.push_back({level.at("intensity").get<double>(), level.at("fitted").get<double>(),
+                           level.at("band").at(0).get<double>(), level.at("band").at(1).get<double>()});
+  }
+  if (pooled.rows.empty()) return;
+  std::vector<Layer>& layers = figure.panels.back().layers;
+  layers.push_back({.kind = LayerKind::ribbon, .table = figure.tables.size(), .columns = {0, 2, 3}, .style = ribbon});
+  layers.push_back({.kind = LayerKind::line,
+                    .table = figure.tables.size(),
+                    .columns = {0, 1},
+                    .style = line,
+                    .legend = "all records"});
+  figure.tables.push_back(std::move(pooled));
+}
+
 Panel panel_for(const Json& curve) {
   return {.title = curve.at("title"),
           .x = axis_of_parameter(curve.at("parameter"), shakings_in(curve.at("levels"))),
@@ -158,6 +205,12 @@ std::string median_of(const Json& curve) {
 }
 
 std::string description_of(const Json& curve) {
+  if (is_suite(curve)) {
+    const std::string begin = curve.at("title").get<std::string>() + ": ";
+    if (curve.at("pooled").is_null()) return begin + "no law of the suite (" + curve.at("outcome").get<std::string>() + ").";
+    return begin + "median " + value_and_interval(curve.at("pooled").at("median")) + ", dispersion " +
+           value_and_interval(curve.at("pooled").at("dispersion")) + '.';
+  }
   std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve));
   if (is_isotonic(curve)) return text + ": the lognormal function is rejected; isotonic estimate.";
   if (curve.at("law").is_null()) return text + ": no function fitted (" + curve.at("outcome").get<std::string>() + ").";
@@ -170,7 +223,7 @@ std::string caption_of(const Json& curves) {
   std::string caption = "Markers: share of the realisations that overturned, with its exact interval.";
   const auto has = [&curves](const auto& is_so) {
     return std::any_of(curves.begin(), curves.end(),
-                       [&is_so](const Json& curve) { return !curve.at("levels").empty() && is_so(curve); });
+                       [&is_so](const Json& curve) { return !curve.at("levels").empty() && !is_suite(curve) && is_so(curve); });
   };
   if (has([](const Json& curve) { return !curve.at("law").is_null(); })) {
     caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";
@@ -196,7 +249,11 @@ Figure drawn(const Json& output) {
       run = curve.at("sha256");
       number = 0;
     }
-    add_curve(curve, number++, figure);
+    if (is_suite(curve)) {
+      add_suite(curve, number++, figure);
+    } else {
+      add_curve(curve, number++, figure);
+    }
     figure.description += (figure.description.empty() ? "" : " ") + description_of(curve);
   }
   if (figure.panels.size() == 1) figure.subtitle = std::exchange(figure.panels.front().title, "");

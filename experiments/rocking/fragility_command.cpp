@@ -1,6 +1,11 @@
+#include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -8,7 +13,9 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "rocking/input/read_hazard.hpp"
 #include "rocking/output/write_fragility.hpp"
+#include "rocking/studies/annual_rate.hpp"
 #include "rocking/studies/fragility.hpp"
 #include "rocking/text/files.hpp"
 #include "run_folder.hpp"
@@ -18,31 +25,90 @@ namespace {
 
 struct FragilityRequest {
   std::vector<std::string> folders;
+  std::vector<double> peak_tilts;
+  std::string hazard;  ///< file of a hazard curve; empty: none
   std::string output;  ///< empty: nothing is written
   bool overwrite = false;
+  bool per_record = false;
+  bool incremental = false;
   Loudness loudness;
 };
 
-RunFragility fragility_of(const std::string& name) {
-  const RunFolder folder(name);
-  const Store store = folder.open_sound_store();
-  RunFragility run{.experiment = experiment_of(store.identity()), .curves = {}};
-  if (intensity_of(run.experiment).empty()) {
+void check_run(const Experiment& experiment, const std::string& name) {
+  if (intensity_of(experiment).empty()) {
     throw UsageError(name +
                      ": sweeps no intensity of the excitation; give a run whose sweep has /excitation/amplitude (or "
-                     "amplitude_g, amplitude_m_s2) or /excitation/scale (or pga_g, pgv_m_s)");
+                     "amplitude_g, amplitude_m_s2), or /excitation/scale (or pga_g, pgv_m_s)");
   }
-  if (run.experiment.conditions.front().until) {
+  if (experiment.conditions.front().until) {
     throw UsageError(
         name +
         ": its number of realisations was determined by `until`, which a fragility function does not allow; give a "
         "run with a fixed number of realisations");
   }
+}
+
+/// Overturning, and each peak tilt that is asked for.
+std::vector<FragilityEvent> events_of(const FragilityRequest& request) {
+  std::vector<FragilityEvent> events(1);
+  for (const double tilt : request.peak_tilts) events.push_back({.peak_tilt = tilt});
+  return events;
+}
+
+std::optional<HazardCurve> hazard_of(const FragilityRequest& request) {
+  if (request.hazard.empty()) return std::nullopt;
   try {
-    run.curves = fragility(run.experiment, store);
+    return read_hazard(read_file(request.hazard, most_hazard_bytes), request.hazard);
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
+
+/// Whether a header names another intensity than that of the run. Other words say nothing.
+void check_intensity(const HazardCurve& hazard, std::string_view parameter) {
+  constexpr std::array<std::string_view, 6> known{"amplitude", "amplitude_g", "amplitude_m_s2",
+                                                  "scale",     "pga_g",       "pgv_m_s"};
+  const std::string own = last_key(parameter);
+  if (hazard.intensity == own || std::ranges::find(known, hazard.intensity) == known.end()) return;
+  throw base::InputError({.place = hazard.name + ", line 1",
+                          .value = hazard.intensity,
+                          .reason = "is not the intensity of the run, which is " + own,
+                          .remedy = "give a hazard curve in " + own + ", or a run that sweeps /excitation/" +
+                                    hazard.intensity});
+}
+
+void add_group(const StripeGroup& group, const FragilityRequest& request, const std::optional<HazardCurve>& hazard,
+               RunFragility& run) {
+  for (const FragilityEvent& event : events_of(request)) {
+    if (group.is_suite()) {
+      ShownSuite& shown =
+          run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed)});
+      shown.has_hazard = hazard.has_value();
+      if (hazard) shown.rate = annual_rate(shown.curve, *hazard);
+    } else {
+      ShownCurve& shown =
+          run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed)});
+      if (hazard) shown.rate = annual_rate(shown.curve, *hazard);
+    }
+  }
+  if (request.incremental) run.incremental.push_back(incremental_analysis(group));
+}
+
+RunFragility fragility_of(const std::string& name, const FragilityRequest& request,
+                          const std::optional<HazardCurve>& hazard) {
+  const RunFolder folder(name);
+  const Store store = folder.open_sound_store();
+  RunFragility run{.experiment = experiment_of(store.identity())};
+  check_run(run.experiment, name);
+  if (hazard) check_intensity(*hazard, intensity_of(run.experiment));
+  const bool needs_peak_tilts = !request.peak_tilts.empty() || request.incremental;
+  std::vector<StripeGroup> groups;
+  try {
+    groups = stripes_of(run.experiment, store, needs_peak_tilts);
   } catch (const base::InputError& error) {
     throw MissingInput(fmt::format("{}: {}", name, error.what()));
   }
+  for (const StripeGroup& group : groups) add_group(group, request, hazard, run);
   return run;
 }
 
@@ -55,10 +121,11 @@ ExitCode fragility(const FragilityRequest& request) {
     throw InTheWay(curve_file_in(request.output).string() +
                    ": already exists; choose another folder, or add --overwrite to replace it");
   }
+  const std::optional<HazardCurve> hazard = hazard_of(request);
   std::vector<RunFragility> runs;
-  for (const std::string& name : request.folders) runs.push_back(fragility_of(name));
+  for (const std::string& name : request.folders) runs.push_back(fragility_of(name, request, hazard));
   const std::string text = fragility_text(runs);
-  std::string table = fragility_table(runs);
+  std::string table = fragility_table(runs, request.per_record ? RecordTable::shown : RecordTable::omitted);
   if (!request.output.empty()) {
     ensure_writable(request.output);
     write_atomically(curve_file_in(request.output), text);
@@ -79,10 +146,27 @@ void add_fragility(CLI::App& app, Action& action) {
       "and fits\n"
       "a lognormal fragility function with its band. A grid has one curve for each combination of values of the other "
       "entries;\n"
-      "the curves of several runs are shown together. `-o` saves the numbers in out/fragility.json, which `rocking "
+      "the curves of several runs are shown together. A suite of ground motions has a pooled curve with the scatter "
+      "between and\n"
+      "within records, and one curve for each record. `-o` saves the numbers in out/fragility.json, which `rocking "
       "figure`\n"
       "draws.");
   command->add_option("DIR", request->folders, "Folders of finished runs")->required();
+  command
+      ->add_option("--peak-tilt", request->peak_tilts,
+                   "Also the probability that the peak of abs(theta)/psi exceeds A; several: 0.3,0.5,1")
+      ->type_name("A")
+      ->delimiter(',')
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll)
+      ->check(CLI::Validator(CLI::Range(1e-9, 1e9)).description(""));
+  command
+      ->add_option("--hazard", request->hazard,
+                   "Hazard curve (CSV: intensity, annual rate of exceedance): gives the mean annual rate")
+      ->type_name("FILE");
+  command->add_flag("--per-record", request->per_record, "List each record of a suite");
+  command->add_flag("--ida", request->incremental, "Also the peak tilt against intensity for each record");
   command->add_option("-o,--output", request->output, "Folder for fragility.json; created if necessary")
       ->type_name("DIR");
   command->add_flag("--overwrite", request->overwrite, "Replace fragility.json in the folder");

@@ -12,7 +12,7 @@
 namespace rocking {
 namespace {
 
-constexpr std::size_t most_listed = 5;
+constexpr std::size_t most_unreached_listed = 5;
 
 double half_width_of(const ModeEstimate& mode) {
   const stats::Interval& interval = mode.probability.anytime.value_or(mode.probability.simultaneous);
@@ -57,12 +57,12 @@ std::string unreached_precision(const Experiment& experiment, const ExperimentRe
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     const Condition& condition = experiment.conditions[i];
     if (result.conditions[i].stopped_because != StoppedBecause::at_most_reached || !condition.until) continue;
-    if (++number > most_listed) continue;
+    if (++number > most_unreached_listed) continue;
     const std::string name = name_of(condition);
     list += "  " + (name.empty() ? "" : name + "; ") + shortfall(*condition.until, result.conditions[i]) + '\n';
   }
   if (number == 0) return "";
-  if (number > most_listed) list += "  and " + std::to_string(number - most_listed) + " more\n";
+  if (number > most_unreached_listed) list += "  and " + std::to_string(number - most_unreached_listed) + " more\n";
   return "the wanted half-width was not reached in " + std::to_string(number) + " of " +
          counted(result.conditions.size(), "condition") + ", which have all the realisations that `at_most` allows:\n" +
          list + "raise `at_most`, or accept a larger half-width\n";

@@ -8,10 +8,11 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/output/mode_table.hpp"
+#include "rocking/output/fragility_words.hpp"
 #include "rocking/output/result_json.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/output/write_annual_rate.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -21,21 +22,6 @@ namespace {
 
 using stats::FragilityOutcome;
 using stats::LognormalFragility;
-
-std::string_view name_of(FragilityOutcome outcome) {
-  switch (outcome) {
-    case FragilityOutcome::fitted: return "fitted";
-    case FragilityOutcome::never_happened: return "never_happened";
-    case FragilityOutcome::always_happened: return "always_happened";
-    case FragilityOutcome::separated: return "separated";
-    case FragilityOutcome::does_not_rise: return "does_not_rise";
-    case FragilityOutcome::no_scatter: return "no_scatter";
-    case FragilityOutcome::rejected: return "rejected";
-    case FragilityOutcome::not_monotone: return "not_monotone";
-    case FragilityOutcome::too_little: break;
-  }
-  return "too_little";
-}
 
 /// The words that replace a fit.
 std::string_view words_for(FragilityOutcome outcome) {
@@ -67,9 +53,7 @@ std::string_view words_for(FragilityOutcome outcome) {
 
 /// `null`: without an upper bound.
 Json bounded_json(const stats::Bounded& bounded) {
-  const double high = bounded.interval.high;
-  return {{"value", bounded.value},
-          {"interval", Json::array({bounded.interval.low, std::isfinite(high) ? Json(high) : Json()})}};
+  return {{"value", bounded.value}, {"interval", open_interval_json(bounded.interval)}};
 }
 
 Json law_json(const FragilityCurve& curve) {
@@ -135,51 +119,65 @@ Json level_json(const FragilityLevel& level, const std::optional<Shaking>& shaki
   return json;
 }
 
-Json curve_json(const RunFragility& run, const FragilityCurve& curve) {
+/// What every curve begins with: its run, intensity and event.
+Json begun_json(const RunFragility& run, const std::string& parameter, const std::vector<Parameter>& others,
+                double confidence, const FragilityEvent& event) {
   Json json = Json::object();
   json["title"] = run.experiment.title;
   json["sha256"] = base::to_hex(base::sha256(run.experiment.canonical_text));
-  json["parameter"] = curve.parameter;
-  Json& others = json["others"] = Json::object();
-  for (const auto& [pointer, value] : curve.others) others[pointer] = Json::parse(value);
-  json["confidence"] = curve.confidence;
-  json["outcome"] = name_of(curve.fit.outcome);
+  json["parameter"] = parameter;
+  Json& values = json["others"] = Json::object();
+  for (const auto& [pointer, value] : others) values[pointer] = Json::parse(value);
+  json["confidence"] = confidence;
+  json["event"] = event_json(event);
+  return json;
+}
+
+/// Outcome, function, test and levels of a curve.
+Json found_json(const FragilityCurve& curve, const std::vector<std::optional<Shaking>>& shakings) {
+  Json json = Json::object();
+  json["outcome"] = word_of(curve.fit.outcome);
   json["law"] = curve.fit.law ? law_json(curve) : Json();
   json["test"] = curve.test ? test_json(*curve.test) : Json();
   json["missed_levels"] = curve.fit.law ? Json(curve.missed_levels()) : Json();
   Json& levels = json["levels"] = Json::array();
-  const auto shakings = shakings_of(run, curve);
   for (std::size_t i = 0; i < curve.levels.size(); ++i) levels.push_back(level_json(curve.levels[i], shakings[i]));
   return json;
 }
 
-/// `2.31 [2.20, 2.43]`.
-std::string spoken(const stats::Bounded& bounded) {
-  const double high = bounded.interval.high;
-  return significant(bounded.value, 3) + " [" + significant(bounded.interval.low, 3) + ", " +
-         (std::isfinite(high) ? significant(high, 3) : "unbounded") + ']';
+/// A ground motion has no amplitude and no frequency.
+Json record_json(const FragilityCurve& curve) {
+  return found_json(curve, std::vector<std::optional<Shaking>>(curve.levels.size()));
+}
+
+Json curve_json(const RunFragility& run, const ShownCurve& shown) {
+  const FragilityCurve& curve = shown.curve;
+  Json json = begun_json(run, curve.parameter, curve.others, curve.confidence, curve.event);
+  json.update(found_json(curve, shakings_of(run, curve)));
+  if (shown.rate) json["annual_rate"] = annual_rate_json(shown.rate);
+  return json;
+}
+
+Json shown_suite_json(const RunFragility& run, const ShownSuite& shown) {
+  const SuiteCurve& curve = shown.curve;
+  Json json = begun_json(run, curve.parameter, curve.others, curve.confidence, curve.event);
+  json.update(suite_json(curve, record_json));
+  if (shown.has_hazard) json["annual_rate"] = annual_rate_json(shown.rate);
+  return json;
 }
 
 /// `2.31 [2.20, 2.43]`; outside the levels `> 1.2 (extrapolated: 1.31 [1.24, 1.42])`.
 std::string spoken_median(const FragilityCurve& curve) {
   const stats::Bounded median = curve.fit.law->median(curve.confidence);
-  if (!curve.is_extrapolated(median.value)) return spoken(median);
+  if (!curve.is_extrapolated(median.value)) return spoken_bounded(median);
   const bool is_above = curve.levels.back().intensity < median.value;
   const double nearest = is_above ? curve.levels.back().intensity : curve.levels.front().intensity;
-  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + spoken(median) + ')';
+  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + spoken_bounded(median) + ')';
 }
 
 std::string spoken(const stats::LackOfFit& test) {
   return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
          std::to_string(test.samples) + " bootstrap samples)\n";
-}
-
-std::string heading_of(const RunFragility& run, const FragilityCurve& curve) {
-  std::string heading = run.experiment.title;
-  for (const Parameter& parameter : curve.others) {
-    heading += (heading.empty() ? "" : "; ") + parameter.pointer.substr(1) + ' ' + short_value(parameter);
-  }
-  return heading.empty() ? "" : heading + '\n';
 }
 
 TextRow row_of(const FragilityLevel& level) {
@@ -202,7 +200,7 @@ TextRow row_of(const FragilityLevel& level) {
 std::string table_of(const RunFragility& run, const FragilityCurve& curve) {
   const bool is_isotonic = curve.fit.outcome == FragilityOutcome::rejected;
   std::vector<TextRow> rows{
-      {last_key(curve.parameter), "n", "overturned", "exact", is_isotonic ? "isotonic" : "fitted", "band"}};
+      {last_key(curve.parameter), "n", column_of(curve.event), "exact", is_isotonic ? "isotonic" : "fitted", "band"}};
   const auto shakings = shakings_of(run, curve);
   const auto beside = shaking_columns(swept_in(curve), shakings);
   rows.front().insert(rows.front().begin() + 1, beside.begin(), beside.end());
@@ -215,7 +213,7 @@ std::string table_of(const RunFragility& run, const FragilityCurve& curve) {
   std::string text = aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
   if (curve.fit.law) {
     text +=
-        "median " + spoken_median(curve) + ", dispersion " + spoken(curve.fit.law->dispersion(curve.confidence)) + '\n';
+        "median " + spoken_median(curve) + ", dispersion " + spoken_bounded(curve.fit.law->dispersion(curve.confidence)) + '\n';
   } else {
     text += std::string(words_for(curve.fit.outcome)) + '\n';
   }
@@ -229,7 +227,7 @@ std::string table_of(const RunFragility& run, const FragilityCurve& curve) {
 bool has_isotonic(const std::vector<RunFragility>& runs) {
   return std::any_of(runs.begin(), runs.end(), [](const RunFragility& run) {
     return std::any_of(run.curves.begin(), run.curves.end(),
-                       [](const FragilityCurve& curve) { return curve.fit.outcome == FragilityOutcome::rejected; });
+                       [](const ShownCurve& shown) { return shown.curve.fit.outcome == FragilityOutcome::rejected; });
   });
 }
 
@@ -239,25 +237,61 @@ std::string fragility_text(const std::vector<RunFragility>& runs) {
   Json json = Json::object();
   json["format"] = fragility_format;
   Json& curves = json["curves"] = Json::array();
+  Json incremental = Json::array();
   for (const RunFragility& run : runs) {
-    for (const FragilityCurve& curve : run.curves) curves.push_back(curve_json(run, curve));
+    for (const ShownCurve& curve : run.curves) curves.push_back(curve_json(run, curve));
+    for (const ShownSuite& suite : run.suites) curves.push_back(shown_suite_json(run, suite));
+    for (const IncrementalAnalysis& analysis : run.incremental) {
+      Json shown = Json::object();
+      shown["title"] = run.experiment.title;
+      shown["sha256"] = base::to_hex(base::sha256(run.experiment.canonical_text));
+      shown.update(incremental_json(analysis));
+      incremental.push_back(std::move(shown));
+    }
   }
+  if (!incremental.empty()) json["incremental"] = std::move(incremental);
   return json.dump(1) + '\n';
 }
 
-std::string fragility_table(const std::vector<RunFragility>& runs) {
+std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable records) {
   std::string text;
+  bool has_curve = false;
+  bool has_suite = false;
   for (const RunFragility& run : runs) {
-    for (const FragilityCurve& curve : run.curves) text += heading_of(run, curve) + table_of(run, curve) + '\n';
+    for (const auto& [curve, rate] : run.curves) {
+      text += heading_of_curve(run.experiment, curve.others) + table_of(run, curve);
+      if (rate) text += annual_rate_table(*rate, curve.event, curve.parameter);
+      text += '\n';
+      has_curve = true;
+    }
+    for (const ShownSuite& shown : run.suites) {
+      const SuiteCurve& curve = shown.curve;
+      text += heading_of_curve(run.experiment, curve.others) + suite_table(curve, records);
+      if (shown.rate) text += annual_rate_table(*shown.rate, curve.event, curve.parameter);
+      if (shown.has_hazard && !shown.rate) text += "no annual rate: the suite has no law\n";
+      text += '\n';
+      has_suite = true;
+    }
+    for (const IncrementalAnalysis& analysis : run.incremental) {
+      text += heading_of_curve(run.experiment, analysis.others) + incremental_table(analysis) + '\n';
+    }
   }
-  return text +
-         "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
-         "likelihood "
-         "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
-         "them as one\ncluster\n" +
-         (has_isotonic(runs) ? "isotonic: most likely probabilities that do not decrease; their band covers all levels "
-                               "at once\n"
-                             : "");
+  if (has_curve) {
+    text +=
+        "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
+        "likelihood "
+        "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
+        "them as one\ncluster\n";
+  }
+  if (has_isotonic(runs)) {
+    text += "isotonic: most likely probabilities that do not decrease; their band covers all levels at once\n";
+  }
+  if (has_suite) {
+    text +=
+        "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within records; "
+        "its band\nis a bootstrap over records; the probability is that of a record like those of the suite\n";
+  }
+  return text;
 }
 
 }  // namespace rocking

@@ -4,13 +4,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/fragility.hpp"
 #include "rocking/stats/lack_of_fit.hpp"
-#include "rocking/store/store.hpp"
+#include "rocking/studies/suite/stripes.hpp"
 
 namespace rocking {
 
@@ -21,7 +20,7 @@ struct FittedProbability {
   bool is_missed = false;  ///< the value lies outside FragilityLevel::simultaneous
 };
 
-/// Overturning at one intensity.
+/// The event at one intensity: overturning, or the event of the curve.
 struct FragilityLevel {
   double intensity = 0.0;
   stats::Proportion overturned;
@@ -38,6 +37,7 @@ struct FragilityLevel {
 struct FragilityCurve {
   std::string parameter;               ///< JSON pointer to the intensity
   std::vector<Parameter> others;       ///< the rest of the sweep
+  FragilityEvent event;                ///< what is counted as overturned
   double confidence = 0.95;            ///< that the experiment asks for
   std::vector<FragilityLevel> levels;  ///< by growing intensity
   stats::FragilityFit fit;
@@ -61,13 +61,7 @@ inline constexpr double fragility_significance = 0.05;
 [[nodiscard]] FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence,
                                              std::uint64_t seed);
 
-/// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/amplitude_g`,
-/// `/excitation/amplitude_m_s2`, `/excitation/scale`, `pga_g` or `pgv_m_s`; empty where it sweeps none of them.
-[[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
-
-/// A curve for each point of the grid of the other entries. An intensity of 0 has no logarithm and is left out. The
-/// experiment must sweep an intensity and fix the number of realisations (no `until`). Throws InputError where the run
-/// is not finished.
-[[nodiscard]] std::vector<FragilityCurve> fragility(const Experiment& experiment, const Store& store);
+/// The curve of a group that is no suite. The experiment must fix the number of realisations (no `until`).
+[[nodiscard]] FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed);
 
 }  // namespace rocking

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "rocking/studies/annual_rate.hpp"
+#include "rocking/text/json.hpp"
+
+namespace rocking {
+
+/// `annual_rate` of a curve; `null` where there is none.
+[[nodiscard]] Json annual_rate_json(const std::optional<AnnualRate>& rate);
+
+/// The rate and its disaggregation as lines.
+[[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const FragilityEvent& event,
+                                            const std::string& parameter);
+
+}  // namespace rocking

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace rocking {
+
+/// A point of a hazard curve.
+struct HazardPoint {
+  double intensity = 0.0;  ///< > 0, in the unit of the fragility function
+  double rate = 0.0;       ///< annual rate at which this intensity is exceeded [1/year], > 0
+};
+
+/// A hazard curve: the logarithm of the rate is linear in that of the intensity between points, and continues the last
+/// two beyond the last. Nothing is known below the first point. At least two points; intensities rise and rates fall.
+struct HazardCurve {
+  std::string name;       ///< of its file
+  std::string intensity;  ///< what its header calls the intensity; empty: it has none
+  std::vector<HazardPoint> points;
+};
+
+}  // namespace rocking

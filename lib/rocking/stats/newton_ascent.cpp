@@ -1,0 +1,50 @@
+#include "rocking/stats/newton_ascent.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Eigenvalues>
+
+namespace rocking::stats {
+namespace {
+
+constexpr int most_newton_steps = 60;
+constexpr double promised_at_maximum = 1e-12;
+
+Eigen::VectorXd ascending_step(const LocalShape& shape) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(shape.hessian);
+  const double largest = solved.eigenvalues().cwiseAbs().maxCoeff();
+  const Eigen::VectorXd bent = solved.eigenvalues().cwiseAbs().cwiseMax(1e-12 * largest + 1e-300);
+  return solved.eigenvectors() * (solved.eigenvectors().transpose() * shape.gradient).cwiseQuotient(bent);
+}
+
+}  // namespace
+
+Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start) {
+  Ascent here{.at = start, .shape = function(start)};
+  for (int step = 0; step < most_newton_steps; ++step) {
+    if (!std::isfinite(here.shape.value)) return here;
+    const Eigen::VectorXd direction = ascending_step(here.shape);
+    const double promised = direction.dot(here.shape.gradient);
+    const double least = promised_at_maximum * (1.0 + std::abs(here.shape.value));
+    if (!(promised > least)) {
+      here.has_converged = true;
+      return here;
+    }
+    double length = 1.0;
+    LocalShape there = function(here.at + direction);
+    while (!(there.value >= here.shape.value + 1e-4 * length * promised) && length > 1e-9) {
+      length *= 0.5;
+      there = function(here.at + length * direction);
+    }
+    if (!(there.value >= here.shape.value)) {  // rounding hides what is left to gain
+      here.has_converged = promised <= 1e-6;
+      return here;
+    }
+    here.at += length * direction;
+    here.shape = std::move(there);
+  }
+  return here;
+}
+
+}  // namespace rocking::stats

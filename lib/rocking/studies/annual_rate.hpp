@@ -1,0 +1,56 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rocking/scene/hazard.hpp"
+#include "rocking/stats/interval.hpp"
+#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/suite/suite_curve.hpp"
+
+namespace rocking {
+
+/// The part of a rate that comes from a range of intensity.
+struct RateInRange {
+  double from = 0.0;         ///< lower end of the range
+  std::optional<double> to;  ///< upper end; absent: no end
+  double rate = 0.0;         ///< [1/year]
+  double share = 0.0;        ///< of the whole rate
+  bool is_tested = false;    ///< lies between the lowest and the highest tested level
+};
+
+/// Where the probabilities of a rate come from.
+enum class RateSource : std::uint8_t {
+  law,     ///< the fitted function
+  levels,  ///< no function is fitted: the levels, interpolated linearly in ln x
+};
+
+/// Mean annual rate of the event.
+struct AnnualRate {
+  double value = 0.0;                       ///< [1/year]
+  std::optional<stats::Interval> interval;  ///< of the uncertainty of the probabilities; the hazard is taken as exact
+  RateSource source = RateSource::law;
+  std::vector<RateInRange> by_level;  ///< between neighbouring levels, and beyond them; by growing intensity
+  double untested_share = 0.0;        ///< of the ranges that are not tested
+  double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
+};
+
+using ProbabilityFunction = std::function<double(double intensity)>;
+
+/// Integral of P(x) |dH(x)| over intensities from `from` to `to` (absent: no end), within the range of the hazard curve
+/// and above it. In ln x, by Gauss-Kronrod quadrature between points of the hazard curve to 1e-10 of the result.
+/// `breaks`: intensities at which P has a kink or a steep rise.
+[[nodiscard]] double rate_between(const HazardCurve& hazard, const ProbabilityFunction& probability, double from,
+                                  std::optional<double> to, const std::vector<double>& breaks);
+
+/// Of a curve of one motion. With a fitted function the interval is that of the logarithm of the rate by the delta
+/// method; otherwise it adds up the ends of the simultaneous intervals of the levels, on the assumption that the
+/// probability does not decrease: below the lowest level 0 and above the highest 1 are possible.
+[[nodiscard]] AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard);
+
+/// Of a suite, by its pooled law: the interval is that of the rates of its bootstrap samples. Absent where the suite has
+/// no law.
+[[nodiscard]] std::optional<AnnualRate> annual_rate(const SuiteCurve& curve, const HazardCurve& hazard);
+
+}  // namespace rocking

@@ -1,0 +1,180 @@
+#include "rocking/studies/suite/stripes.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <tuple>
+#include <variant>
+
+#include "rocking/base/error.hpp"
+#include "rocking/dynamics/block.hpp"
+#include "rocking/scene/ground_motion_peaks.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::array<std::string_view, 6> intensity_pointers{
+    "/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2",
+    "/excitation/scale",     "/excitation/pga_g",       "/excitation/pgv_m_s"};
+constexpr std::string_view record_pointer = "/excitation/file";
+
+double number_in(const std::string& json) {
+  double number = 0.0;
+  std::from_chars(json.data(), json.data() + json.size(), number);
+  return number;
+}
+
+/// The text of a JSON string, without its escapes: a file name has none but perhaps of quotes and backslashes.
+std::string text_in(const std::string& json) {
+  std::string text;
+  for (std::size_t i = 1; i + 1 < json.size(); ++i) {
+    if (json[i] == '\\' && i + 2 < json.size()) ++i;
+    text += json[i];
+  }
+  return text;
+}
+
+/// The stripe and the group to which a condition belongs.
+struct Place {
+  double intensity = 0.0;
+  std::string record;
+  std::vector<Parameter> others;
+};
+
+Place place_of(const Condition& condition, std::string_view intensity) {
+  Place place;
+  for (const Parameter& parameter : condition.parameters) {
+    if (parameter.pointer == intensity) {
+      place.intensity = number_in(parameter.value);
+    } else if (parameter.pointer == record_pointer) {
+      place.record = text_in(parameter.value);
+    } else {
+      place.others.push_back(parameter);
+    }
+  }
+  return place;
+}
+
+bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](const Parameter& x, const Parameter& y) { return x.value == y.value; });
+}
+
+/// Measures of a motion that does not change with the realisation.
+void set_measures(const Scene& scene, Stripe& stripe) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  if (recorded == nullptr || !recorded->ground_motion) return;
+  const dynamics::Block block = mean_block(scene);
+  const dynamics::Geometry shape = dynamics::geometry_of(block);
+  const double pga = recorded->scale * peak_acceleration(recorded->ground_motion->samples);
+  const double pgv = recorded->scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
+  stripe.measures = {pga, pgv, pga / shape.tangent,
+                     shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
+}
+
+/// Empty stripes of all conditions. Throws InputError if the store lacks a realisation or a peak tilt.
+std::vector<Stripe> filled(const Experiment& experiment, const Store& store, bool needs_peak_tilts) {
+  std::vector<Stripe> stripes(experiment.conditions.size());
+  std::uint64_t missing = 0;
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    const std::uint64_t realisations = effective_realisations(experiment.conditions[i]);
+    stripes[i].overturned.resize(realisations);
+    stripes[i].peak_tilts.resize(realisations);
+    missing += realisations;
+  }
+  bool lacks_peaks = false;
+  store.for_each([&](const RealisationKey& key, const Summary& summary) {
+    if (key.condition >= stripes.size() || key.realisation >= stripes[key.condition].overturned.size()) return;
+    Stripe& stripe = stripes[key.condition];
+    stripe.overturned[key.realisation] = summary.mode.kind == section::ResponseKind::overturned;
+    stripe.peak_tilts[key.realisation] = summary.peaks.tilt;
+    lacks_peaks = lacks_peaks || !summary.peaks.are_present();
+    --missing;
+  });
+  if (missing > 0) {
+    throw base::InputError({.place = "realisations.sqlite",
+                            .value = "",
+                            .reason = "lacks " + std::to_string(missing) + " realisations",
+                            .remedy = "`rocking resume` finishes the run"});
+  }
+  if (needs_peak_tilts && lacks_peaks) {
+    throw base::InputError({.place = "realisations.sqlite",
+                            .value = "",
+                            .reason = "has no peak tilts: it was written by a version that did not store them",
+                            .remedy = "run the experiment anew"});
+  }
+  return stripes;
+}
+
+}  // namespace
+
+std::string_view name_of(IntensityMeasure measure) {
+  switch (measure) {
+    case IntensityMeasure::pga: return "pga_g";
+    case IntensityMeasure::pgv: return "pgv_m_s";
+    case IntensityMeasure::pga_ratio: return "pga_over_g_tan_psi";
+    case IntensityMeasure::pgv_ratio: break;
+  }
+  return "p_pgv_over_g_tan_psi";
+}
+
+std::vector<std::string> StripeGroup::records() const {
+  std::vector<std::string> names;
+  for (const Stripe& stripe : stripes) {
+    if (std::find(names.begin(), names.end(), stripe.record) == names.end()) names.push_back(stripe.record);
+  }
+  return names;
+}
+
+stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
+  stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
+  if (!event.peak_tilt) return level;
+  for (std::size_t j = 0; j < level.happened.size(); ++j) {
+    ROCKING_EXPECT(stripe.peak_tilts[j].has_value());
+    level.happened[j] = level.happened[j] || stripe.peak_tilts[j].value_or(0.0) > *event.peak_tilt;
+  }
+  return level;
+}
+
+std::string_view intensity_of(const Experiment& experiment) {
+  for (const Parameter& parameter : experiment.conditions.front().parameters) {
+    const auto found = std::find(intensity_pointers.begin(), intensity_pointers.end(), parameter.pointer);
+    if (found != intensity_pointers.end()) return *found;
+  }
+  return {};
+}
+
+std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store, bool needs_peak_tilts) {
+  const std::string_view intensity = intensity_of(experiment);
+  ROCKING_EXPECT(!intensity.empty());
+  std::vector<StripeGroup> groups;
+  std::vector<Stripe> stripes = filled(experiment, store, needs_peak_tilts);
+  for (std::size_t i = 0; i < stripes.size(); ++i) {
+    Place place = place_of(experiment.conditions[i], intensity);
+    if (!(place.intensity > 0.0)) continue;
+    auto group = std::find_if(groups.begin(), groups.end(),
+                              [&](const StripeGroup& known) { return are_equal(known.others, place.others); });
+    if (group == groups.end()) {
+      groups.push_back({.parameter = std::string(intensity),
+                        .others = std::move(place.others),
+                        .confidence = experiment.conditions[i].confidence,
+                        .stripes = {}});
+      group = std::prev(groups.end());
+    }
+    stripes[i].record = std::move(place.record);
+    stripes[i].intensity = place.intensity;
+    set_measures(experiment.conditions[i].scene, stripes[i]);
+    group->stripes.push_back(std::move(stripes[i]));
+  }
+  for (StripeGroup& group : groups) {
+    const std::vector<std::string> records = group.records();
+    const auto number_of = [&records](const Stripe& stripe) {
+      return std::find(records.begin(), records.end(), stripe.record) - records.begin();
+    };
+    std::stable_sort(group.stripes.begin(), group.stripes.end(), [&](const Stripe& a, const Stripe& b) {
+      return std::tuple(number_of(a), a.intensity) < std::tuple(number_of(b), b.intensity);
+    });
+  }
+  return groups;
+}
+
+}  // namespace rocking

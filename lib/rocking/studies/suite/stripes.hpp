@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/fragility.hpp"
+#include "rocking/store/store.hpp"
+
+namespace rocking {
+
+/// What a fragility function is the probability of: overturning, or a peak tilt above a value.
+struct FragilityEvent {
+  std::optional<double> peak_tilt = std::nullopt;  ///< largest abs(Theta) [-]; absent: overturning
+
+  friend bool operator==(const FragilityEvent&, const FragilityEvent&) = default;
+};
+
+/// Measures of the intensity of a recorded motion.
+enum class IntensityMeasure : std::uint8_t {
+  pga,        ///< peak ground acceleration over g [-]
+  pgv,        ///< peak ground velocity [m/s]
+  pga_ratio,  ///< PGA/(g tan psi), of the mean block [-]
+  pgv_ratio,  ///< p PGV/(g tan psi), of the mean block [-]
+};
+inline constexpr std::array all_intensity_measures{IntensityMeasure::pga, IntensityMeasure::pgv,
+                                                   IntensityMeasure::pga_ratio, IntensityMeasure::pgv_ratio};
+
+/// The word for a measure in files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`.
+[[nodiscard]] std::string_view name_of(IntensityMeasure measure);
+
+/// What a stripe of a multiple-stripe analysis holds: all realisations of one block under one motion at one level.
+struct Stripe {
+  std::string record;      ///< name of the ground motion; empty: the experiment has one only
+  double intensity = 0.0;  ///< value of the swept intensity, > 0
+  std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
+  std::vector<bool> overturned;                   ///< by number of the realisation
+  std::vector<std::optional<double>> peak_tilts;  ///< likewise; absent in stores of earlier versions
+
+  [[nodiscard]] std::optional<double> measure(IntensityMeasure which) const {
+    return measures[static_cast<std::size_t>(which)];
+  }
+};
+
+/// Stripes of conditions that differ in the ground motion and the intensity alone.
+struct StripeGroup {
+  std::string parameter;          ///< JSON pointer to the intensity
+  std::vector<Parameter> others;  ///< the rest of the sweep, without the ground motion
+  double confidence = 0.95;
+  std::vector<Stripe> stripes;  ///< records in the order of the sweep; of a record by growing intensity
+
+  [[nodiscard]] bool is_suite() const { return !stripes.empty() && !stripes.front().record.empty(); }
+  /// Names of the ground motions, in the order of the sweep; one empty name where there is no suite.
+  [[nodiscard]] std::vector<std::string> records() const;
+};
+
+/// Outcomes of a stripe. An overturned block has exceeded every peak tilt. The peak tilts must be present where the event
+/// needs them.
+[[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
+
+/// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/amplitude_g`,
+/// `/excitation/amplitude_m_s2`, `/excitation/scale`, `/excitation/pga_g` or `/excitation/pgv_m_s`; empty where it
+/// sweeps none of them.
+[[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
+
+/// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws
+/// InputError where the run is not finished, or where peak tilts are needed and the store has none.
+[[nodiscard]] std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store,
+                                                  bool needs_peak_tilts);
+
+}  // namespace rocking

@@ -1,0 +1,168 @@
+#include "rocking/studies/suite/suite_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "rocking/base/error.hpp"
+#include "rocking/random/draws.hpp"
+
+namespace rocking {
+namespace {
+
+/// First index of the draws of records; those below belong to the test of a fragility function.
+constexpr std::uint64_t first_record_draw = std::uint64_t{1} << 62U;
+
+constexpr double parameters_of_a_law = 3.0;
+
+stats::RecordDraws record_draws(std::uint64_t seed) {
+  return [seed](std::uint64_t sample, std::uint64_t number) {
+    return random::Draws(seed, sample).uniform(random::Source::fragility_bootstrap, first_record_draw + number);
+  };
+}
+
+/// Levels of each record. `measure`: in place of the swept intensity.
+stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const FragilityEvent& event,
+                                     std::optional<IntensityMeasure> measure = std::nullopt) {
+  stats::SuiteLevels suite;
+  std::map<std::string, std::size_t> places;
+  for (const Stripe& stripe : stripes) {
+    const auto [place, is_new] = places.try_emplace(stripe.record, suite.size());
+    if (is_new) suite.emplace_back();
+    suite[place->second].push_back({.intensity = measure ? stripe.measure(*measure).value() : stripe.intensity,
+                                    .happened = stats::proportion_at(level_of(stripe, event))});
+  }
+  return suite;
+}
+
+template <class Value>
+std::optional<stats::Interval> interval_of_samples(const SuiteCurve& curve, Value&& value) {
+  std::vector<double> values;
+  for (const stats::SuiteLaw& law : curve.bootstrap.laws) values.push_back(value(law));
+  return stats::percentile_interval(std::move(values), curve.bootstrap.samples, curve.confidence);
+}
+
+SuiteEstimate estimate_of(const stats::SuiteLevels& suite, const stats::SuiteLaw& law, stats::SuiteQuantity quantity,
+                          const SuiteCurve& curve) {
+  return {.value = value_of(quantity, law),
+          .interval = profile_interval(suite, law, quantity, curve.confidence),
+          .bootstrap = interval_of_samples(
+              curve, [quantity](const stats::SuiteLaw& sample) { return value_of(quantity, sample); })};
+}
+
+void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, SuiteCurve& curve) {
+  const stats::SuiteFit fit = stats::fit_suite(suite);
+  curve.outcome = fit.outcome;
+  curve.bootstrap = stats::bootstrap_records(suite, suite_samples, record_draws(seed));
+  if (!fit.law) return;
+  using enum stats::SuiteQuantity;
+  curve.pooled = PooledSuite{.law = *fit.law,
+                             .median = estimate_of(suite, *fit.law, median, curve),
+                             .dispersion = estimate_of(suite, *fit.law, dispersion, curve),
+                             .between_records = estimate_of(suite, *fit.law, between_records, curve),
+                             .within_record = estimate_of(suite, *fit.law, within_record, curve)};
+}
+
+void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
+  const auto law = stats::fit_pooled(suite);
+  if (!law) return;
+  std::vector<double> medians, dispersions;
+  for (const stats::PooledLaw& sample : curve.bootstrap.pooled) {
+    medians.push_back(sample.median);
+    dispersions.push_back(sample.dispersion);
+  }
+  const std::uint64_t samples = curve.bootstrap.samples;
+  curve.simple =
+      SimpleLaw{.median = {law->median, stats::percentile_interval(medians, samples, curve.confidence)},
+                .dispersion = {law->dispersion, stats::percentile_interval(dispersions, samples, curve.confidence)},
+                .deviance = law->deviance};
+}
+
+std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const SuiteCurve& curve) {
+  std::map<double, SuiteLevel> levels;
+  for (const auto& record : suite) {
+    for (const stats::RecordLevel& found : record) {
+      SuiteLevel& level = levels[found.intensity];
+      level.intensity = found.intensity;
+      ++level.records;
+      level.happened.successes += found.happened.successes;
+      level.happened.trials += found.happened.trials;
+      level.estimate += static_cast<double>(found.happened.successes) / static_cast<double>(found.happened.trials);
+    }
+  }
+  std::vector<SuiteLevel> list;
+  for (auto& [intensity, level] : levels) {
+    level.estimate /= static_cast<double>(level.records);
+    if (curve.pooled) {
+      level.fitted = curve.pooled->law.probability(intensity);
+      level.band = interval_of_samples(
+          curve, [x = intensity](const stats::SuiteLaw& law) { return law.probability(x); });
+    }
+    list.push_back(level);
+  }
+  return list;
+}
+
+std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event,
+                                           std::uint64_t seed) {
+  std::vector<RecordCurve> curves;
+  for (const std::string& name : group.records()) {
+    std::vector<stats::IntensityLevel> levels;
+    for (const Stripe& stripe : group.stripes) {
+      if (stripe.record == name) levels.push_back(level_of(stripe, event));
+    }
+    FragilityCurve curve = fragility_curve(levels, group.confidence, seed);
+    curve.parameter = group.parameter;
+    curve.others = group.others;
+    curve.event = event;
+    curves.push_back({.name = name, .curve = std::move(curve)});
+  }
+  return curves;
+}
+
+}  // namespace
+
+std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const FragilityEvent& event) {
+  std::vector<RankedMeasure> ranked;
+  for (const IntensityMeasure measure : all_intensity_measures) {
+    const bool has_measure = std::all_of(stripes.begin(), stripes.end(), [&](const Stripe& stripe) {
+      return stripe.measure(measure) && *stripe.measure(measure) > 0.0;
+    });
+    if (!has_measure) continue;
+    RankedMeasure& found = ranked.emplace_back();
+    found.measure = measure;
+    found.law = stats::fit_suite(levels_of_records(stripes, event, measure)).law;
+    if (!found.law) continue;
+    found.deviance = -2.0 * found.law->log_likelihood;
+    found.aic = found.deviance + 2.0 * parameters_of_a_law;
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const RankedMeasure& a, const RankedMeasure& b) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    // Measures that are proportional to each other have equal laws up to rounding; they keep their order.
+    const auto key = [](const RankedMeasure& found) {
+      return found.law ? std::round(1e6 * found.law->dispersion()) : infinity;
+    };
+    return std::tuple(key(a), std::round(1e3 * a.deviance)) < std::tuple(key(b), std::round(1e3 * b.deviance));
+  });
+  return ranked;
+}
+
+SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed) {
+  ROCKING_EXPECT(group.is_suite());
+  SuiteCurve curve;
+  curve.parameter = group.parameter;
+  curve.others = group.others;
+  curve.confidence = group.confidence;
+  curve.event = event;
+  const stats::SuiteLevels suite = levels_of_records(group.stripes, event);
+  set_pooled(suite, seed, curve);
+  set_simple(suite, curve);
+  curve.levels = pooled_levels(suite, curve);
+  curve.records = curves_of_records(group, event, seed);
+  curve.measures = ranked_measures(group.stripes, event);
+  return curve;
+}
+
+}  // namespace rocking

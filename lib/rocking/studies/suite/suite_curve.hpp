@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rocking/stats/suite_law.hpp"
+#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/suite/stripes.hpp"
+
+namespace rocking {
+
+/// Bootstrap samples of the records of a suite.
+inline constexpr std::uint64_t suite_samples = 499;
+
+/// A parameter of the law of a suite.
+struct SuiteEstimate {
+  double value = 0.0;
+  stats::Interval interval;                  ///< by profile likelihood; its upper end may be infinite
+  std::optional<stats::Interval> bootstrap;  ///< over records; absent where too many samples have no law
+};
+
+/// A parameter of the pooled law of Baker (2015), which counts all trials as independent: without an interval of that
+/// kind, which would be far too narrow.
+struct SimpleEstimate {
+  double value = 0.0;
+  std::optional<stats::Interval> bootstrap;
+};
+
+/// The law of a suite with its intervals.
+struct PooledSuite {
+  stats::SuiteLaw law;
+  SuiteEstimate median, dispersion, between_records, within_record;
+};
+
+/// The pooled law of Baker (2015).
+struct SimpleLaw {
+  SimpleEstimate median, dispersion;
+  double deviance = 0.0;
+};
+
+/// All records together at one intensity.
+struct SuiteLevel {
+  double intensity = 0.0;
+  std::size_t records = 0;
+  stats::Proportion happened;
+  double estimate = 0.0;               ///< mean over the records of their shares
+  std::optional<double> fitted;        ///< by the law of the suite
+  std::optional<stats::Interval> band; ///< of `fitted`, by bootstrap over records
+};
+
+/// The curve of one record.
+struct RecordCurve {
+  std::string name;
+  FragilityCurve curve;
+};
+
+/// How well a measure of intensity predicts the event: the law of the suite with this measure as its intensity.
+struct RankedMeasure {
+  IntensityMeasure measure = IntensityMeasure::pga;
+  std::optional<stats::SuiteLaw> law;  ///< absent where none could be fitted
+  double deviance = 0.0;               ///< -2 ln likelihood, without binomial coefficients
+  double aic = 0.0;                    ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
+};
+
+/// Fragility of a suite of records.
+struct SuiteCurve {
+  std::string parameter;          ///< JSON pointer to the intensity
+  std::vector<Parameter> others;  ///< the rest of the sweep
+  double confidence = 0.95;
+  FragilityEvent event;
+  stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
+  std::optional<PooledSuite> pooled;
+  std::optional<SimpleLaw> simple;
+  std::vector<SuiteLevel> levels;      ///< by growing intensity
+  std::vector<RecordCurve> records;    ///< in the order of the sweep
+  std::vector<RankedMeasure> measures; ///< best first; empty where the motions have none
+  stats::RecordBootstrap bootstrap;    ///< of the records
+};
+
+/// The curve of a group that is a suite. `seed`: of the bootstraps.
+[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed);
+
+/// The measures by growing dispersion of the law of the suite; of equal ones the one with the smaller deviance first.
+/// Without measures: empty.
+[[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes,
+                                                         const FragilityEvent& event);
+
+}  // namespace rocking

@@ -1,8 +1,6 @@
-#include <array>
 #include <memory>
 #include <string>
 #include <system_error>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -12,25 +10,17 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
-#include "rocking/input/ground_motion_files.hpp"
+#include "rocking/api/ground_motions.hpp"
 #include "rocking/output/write_motion.hpp"
 #include "rocking/scene/rules.hpp"
-#include "rocking/studies/motion/motion.hpp"
-#include "rocking/text/files.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
 namespace {
 
 struct MotionRequest {
-  std::vector<std::string> files;
-  std::string vertical;
-  std::string format = "auto";
-  std::string units;       ///< empty: that of the file
-  double time_step = 0.0;  ///< [s]; 0: not given
-  double gravity = 9.81;
-  double damping = 0.05;
-  std::vector<double> periods{0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0};
+  GroundMotionRequest motions{.files = {},
+                              .question = {.periods = {0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0}}};
   std::vector<double> block;  ///< width and height [m]; empty: none
   bool series = false;
   std::string figures;  ///< folder; empty: nothing is drawn
@@ -38,37 +28,17 @@ struct MotionRequest {
   Loudness loudness;
 };
 
-template <std::size_t n>
-std::optional<std::size_t> place_in(const std::array<std::string_view, n>& names, const std::string& name) {
-  for (std::size_t i = 0; i < n; ++i) {
-    if (names[i] == name) return i;
+GroundMotionRequest asked(const MotionRequest& request) {
+  GroundMotionRequest asked = request.motions;
+  if (request.block.empty()) return asked;
+  for (const double length : request.block) {
+    if (!rules::length.allows(length)) throw UsageError(fmt::format("--block {:g}: {}", length, rules::length.demand));
   }
-  return std::nullopt;
+  asked.question.block = dynamics::Block{request.block[0], request.block[1], asked.question.gravity};
+  return asked;
 }
 
-GroundMotionReading reading_of(const MotionRequest& request, const std::string& file) {
-  GroundMotionReading how{.name = file, .time_step = {}, .gravity = request.gravity};
-  if (const auto format = place_in(record_format_names, request.format))
-    how.format = static_cast<RecordFormat>(*format);
-  if (const auto unit = place_in(record_unit_names, request.units)) how.unit = static_cast<RecordUnit>(*unit);
-  if (request.time_step > 0.0) how.time_step = request.time_step;
-  how.vertical_name = request.vertical;
-  return how;
-}
-
-MotionQuestion question_of(const MotionRequest& request) {
-  MotionQuestion question{.gravity = request.gravity, .damping = request.damping, .periods = request.periods};
-  if (!request.block.empty()) {
-    question.block = dynamics::Block{request.block[0], request.block[1], request.gravity};
-    for (const double length : request.block) {
-      if (!rules::length.allows(length))
-        throw UsageError(fmt::format("--block {:g}: {}", length, rules::length.demand));
-    }
-  }
-  return question;
-}
-
-void check_usage(const MotionRequest& request) {
+void check_usage(const GroundMotionRequest& request) {
   if (request.format == "columns" && request.units.empty()) {
     throw UsageError("--format columns: does not state the unit of the accelerations; add --units m/s2, g or cm/s2");
   }
@@ -77,23 +47,15 @@ void check_usage(const MotionRequest& request) {
   }
 }
 
-std::vector<MeasuredMotion> measure_all(const MotionRequest& request, const MotionQuestion& question) {
-  GroundMotionFiles files(files_seen_from(""));
-  Problems problems;
-  std::vector<MeasuredMotion> motions;
-  for (const std::string& file : request.files) {
-    try {
-      auto motion = files.motion(reading_of(request, file), problems);
-      if (motion) motions.push_back(measured(std::move(motion), files.digest(file), question));
-    } catch (const std::system_error& error) {
-      throw MissingInput(error.what());
-    }
+std::vector<MeasuredMotion> measure_all(const GroundMotionRequest& request) {
+  try {
+    return ground_motions(request);
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
   }
-  if (!problems.empty()) throw base::InputError(std::move(problems));
-  return motions;
 }
 
-void tell_notes(const std::vector<MeasuredMotion>& motions, const MotionRequest& request) {
+void tell_notes(const std::vector<MeasuredMotion>& motions, const GroundMotionRequest& request) {
   for (const MeasuredMotion& found : motions) {
     for (const std::string& warning : found.motion->warnings) {
       print_notice(fmt::format("{}: {}", found.motion->name, warning));
@@ -106,11 +68,12 @@ void tell_notes(const std::vector<MeasuredMotion>& motions, const MotionRequest&
 }
 
 ExitCode motion(const MotionRequest& request) {
-  check_usage(request);
+  check_usage(request.motions);
   const analysis::FigureLook look = look_for(request.style);
-  const MotionQuestion question = question_of(request);
-  const std::vector<MeasuredMotion> motions = measure_all(request, question);
-  if (!request.loudness.quiet) tell_notes(motions, request);
+  const GroundMotionRequest wanted = asked(request);
+  const MotionQuestion& question = wanted.question;
+  const std::vector<MeasuredMotion> motions = measure_all(wanted);
+  if (!request.loudness.quiet) tell_notes(motions, wanted);
   WrittenFigures written;
   if (!request.figures.empty()) {
     const Json output = Json::parse(motion_text(motions, question, MotionDetail::series));
@@ -130,7 +93,7 @@ ExitCode motion(const MotionRequest& request) {
   return written.failures.tell(no_figure, PictureRole::purpose);
 }
 
-void add_reading_options(CLI::App& command, MotionRequest& request) {
+void add_reading_options(CLI::App& command, GroundMotionRequest& request) {
   command.add_option("--format", request.format, "Format of the files; auto: recognised by their first lines")
       ->check(one_of({"auto", "columns", "peer_at2", "esm_asc"}))
       ->capture_default_str()
@@ -142,7 +105,7 @@ void add_reading_options(CLI::App& command, MotionRequest& request) {
       ->check(number(1e-9, 1e6))
       ->type_name("DT");
   command.add_option("--vertical", request.vertical, "File with the vertical component")->type_name("FILE");
-  command.add_option("--gravity", request.gravity, "What 1 g is [m/s^2]")
+  command.add_option("--gravity", request.question.gravity, "What 1 g is [m/s^2]")
       ->check(number(1e-6, 1e6))
       ->capture_default_str()
       ->type_name("G");
@@ -160,12 +123,12 @@ void add_motion(CLI::App& app, Action& action) {
       "significant duration, the response spectrum, and the least scale at which the block rocks; draws the motion and "
       "its\n"
       "spectra into the folder out.");
-  command->add_option("FILE", request->files, "Ground motions")->required();
-  add_reading_options(*command, *request);
-  command->add_option("--periods", request->periods, "Periods of the response spectrum [s]")
+  command->add_option("FILE", request->motions.files, "Ground motions")->required();
+  add_reading_options(*command, request->motions);
+  command->add_option("--periods", request->motions.question.periods, "Periods of the response spectrum [s]")
       ->check(number(1e-3, 1e3))
       ->type_name("T...");
-  command->add_option("--damping", request->damping, "Damping ratio of the response spectrum")
+  command->add_option("--damping", request->motions.question.damping, "Damping ratio of the response spectrum")
       ->check(number(0.0, 0.99))
       ->capture_default_str()
       ->type_name("RATIO");

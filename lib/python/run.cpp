@@ -140,6 +140,21 @@ void add_runs(py::module_& module) {
       });
   module.def("run", &run_watched);
   module.def("orbits", &orbits_watched);
+  module.def("motion", [](const py::dict& asked) {
+    GroundMotionRequest request{.files = asked["files"].cast<std::vector<std::string>>(),
+                                .vertical = asked["vertical"].cast<std::string>(),
+                                .format = asked["format"].cast<std::string>(),
+                                .units = asked["units"].cast<std::string>(),
+                                .time_step = asked["time_step"].cast<double>(),
+                                .question = {.gravity = asked["gravity"].cast<double>(),
+                                             .damping = asked["damping"].cast<double>(),
+                                             .periods = asked["periods"].cast<std::vector<double>>()}};
+    if (const auto block = asked["block"].cast<std::optional<std::array<double, 2>>>()) {
+      request.question.block = dynamics::Block{(*block)[0], (*block)[1], request.question.gravity};
+    }
+    const py::gil_scoped_release release;
+    return motion(request);
+  });
   module.def("fragility", [](const Experiment& experiment, const RunResult& run) {
     const py::gil_scoped_release release;
     return fragility(experiment, run);

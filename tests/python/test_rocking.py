@@ -117,6 +117,20 @@ class AgainstTheProgram(unittest.TestCase):
             self.assertEqual([list(point) for point in one.points], other["points"])
             self.assertEqual([[m.real, m.imag] for m in one.multipliers], other["multipliers"])
 
+    def test_motion_is_that_of_the_program(self):
+        path = os.path.join(self.folder.name, "pulse.txt")
+        with open(path, "w") as file:
+            file.write("".join(f"{0.01 * i} {4 * np.sin(0.3 * i)}\n" for i in range(200)))
+        asked = ["motion", path, "--units", "m/s2", "--block", "1", "4", "--periods", "0.2", "1", "--json"]
+        theirs = json.loads(self.program(*asked))["motions"]
+        ours = rocking.motion(path, units="m/s2", block=(1, 4), periods=[0.2, 1])
+        self.assertEqual([motion.data for motion in ours], theirs)
+        self.assertEqual(ours[0].spectrum["sa_g"].tolist(), [point["sa_g"] for point in theirs[0]["spectrum"]])
+        with self.assertRaises(rocking.InputError):
+            rocking.motion(path, units="ft")
+        with self.assertRaises(FileNotFoundError):
+            rocking.motion(path + ".none")
+
     def test_fragility_is_that_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
         theirs = json.loads(self.program("fragility", self.out, "--json"))["curves"][0]

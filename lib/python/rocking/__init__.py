@@ -19,6 +19,7 @@ True
 from . import _core
 from .errors import InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
+from .motions import GroundMotion, motion
 from .results import Result
 from .running import open_run, run
 from .studies import FragilityCurve, Orbit, OrbitsOfCondition, fragility, orbits
@@ -32,6 +33,7 @@ __all__ = [
     "Experiment",
     "ExperimentLike",
     "FragilityCurve",
+    "GroundMotion",
     "InputError",
     "Interrupted",
     "Orbit",
@@ -43,6 +45,7 @@ __all__ = [
     "Trajectory",
     "experiment",
     "fragility",
+    "motion",
     "open_run",
     "orbits",
     "run",

@@ -12,17 +12,17 @@ namespace rocking::stats {
 namespace {
 
 /// What happens at one time, of the observations that are still under way just before it.
-struct Moment {
+struct EventTime {
   std::int64_t time = 0;
   double at_risk = 0.0;
   double events = 0.0;  ///< of any kind
   double wanted = 0.0;  ///< of the event asked for
 };
 
-std::vector<Moment> moments_of(const EventTally& tally, std::size_t event) {
+std::vector<EventTime> moments_of(const EventTally& tally, std::size_t event) {
   double under_way = 0.0;
   for (const auto& [end, count] : tally) under_way += static_cast<double>(count);
-  std::vector<Moment> moments;
+  std::vector<EventTime> moments;
   for (const auto& [end, count] : tally) {
     const auto number = static_cast<double>(count);
     if (moments.empty() || moments.back().time != end.time) {
@@ -36,7 +36,7 @@ std::vector<Moment> moments_of(const EventTally& tally, std::size_t event) {
 }
 
 /// Adds count times the squared influence of an observation on the incidence to the variance at each moment.
-void add_influence(const std::vector<Moment>& moments, const EndOfObservation& end, std::size_t event, double count,
+void add_influence(const std::vector<EventTime>& moments, const EndOfObservation& end, std::size_t event, double count,
                    std::vector<double>& variances) {
   double survival = 1.0;     // just before the moment
   double of_survival = 0.0;  // derivative of its logarithm
@@ -72,7 +72,7 @@ Interval exact_interval_of(double estimate, double variance, double observations
 
 std::vector<Incidence> cumulative_incidence(const EventTally& tally, std::size_t event, double confidence) {
   ROCKING_EXPECT(0.0 < confidence && confidence < 1.0);
-  const std::vector<Moment> moments = moments_of(tally, event);
+  const std::vector<EventTime> moments = moments_of(tally, event);
   std::vector<double> variances(moments.size(), 0.0);
   double observations = 0.0;
   std::int64_t last_event = 0;

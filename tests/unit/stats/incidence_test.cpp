@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace rocking::stats {
 namespace {
@@ -49,6 +52,37 @@ TEST(CumulativeIncidence, HasGreenwoodsVarianceForOneKindOfEvent) {
   const double survival = 0.8 * 0.8;
   EXPECT_NEAR(curve[1].estimate, 1.0 - survival, 1e-15);
   EXPECT_NEAR(curve[1].variance, survival * survival * (2.0 / (10.0 * 8.0) + 1.0 / (5.0 * 4.0)), 1e-15);
+}
+
+EventTally tally_from(const nlohmann::json& known) {
+  EventTally tally;
+  for (std::size_t i = 0; i < known["time"].size(); ++i) {
+    const auto event = known["event"][i].get<std::size_t>();
+    ++tally[ended(known["time"][i], event == 0 ? std::nullopt : std::optional(event - 1))];
+  }
+  return tally;
+}
+
+TEST(CumulativeIncidence, AgreesWithSurvfitOfTheSurvivalPackage) {
+  const auto oracle = nlohmann::json::parse(std::ifstream(ROCKING_SOURCE_DIR "/tests/oracles/survival_incidence.json"));
+  ASSERT_EQ(oracle["sets"].size(), 4U);
+  for (const auto& known : oracle["sets"]) {
+    SCOPED_TRACE(known["name"].get<std::string>());
+    const EventTally tally = tally_from(known);
+    for (std::size_t event = 0; event < known["events"]; ++event) {
+      const auto& theirs = known["curves"][event];
+      std::size_t compared = 0;
+      for (const Incidence& ours : cumulative_incidence(tally, event, 0.95)) {
+        const auto found = std::find(theirs["times"].begin(), theirs["times"].end(), ours.time);
+        ASSERT_NE(found, theirs["times"].end());
+        const auto at = static_cast<std::size_t>(found - theirs["times"].begin());
+        EXPECT_NEAR(ours.estimate, theirs["estimate"][at].get<double>(), 1e-10) << "at " << ours.time;
+        EXPECT_NEAR(std::sqrt(ours.variance), theirs["standard_error"][at].get<double>(), 1e-10) << "at " << ours.time;
+        ++compared;
+      }
+      EXPECT_GT(compared, 1U);
+    }
+  }
 }
 
 // Garwood's (1936) limits for 0 and 5 events at 95 %.

@@ -1,0 +1,81 @@
+#include "rocking/api/ground_motions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/ground_motion_files.hpp"
+#include "rocking/output/write_motion.hpp"
+#include "rocking/scene/number_rule.hpp"
+#include "rocking/scene/rules.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+[[noreturn]] void refuse(std::string_view name, const std::string& value, std::string reason) {
+  throw base::InputError(
+      {.place = std::string(name), .value = value, .reason = std::move(reason), .remedy = {}, .where = {}});
+}
+
+template <class Enumeration, std::size_t count>
+std::optional<Enumeration> named(std::string_view place, const std::array<std::string_view, count>& names,
+                                 std::string_view none, const std::string& name) {
+  if (name == none) return std::nullopt;
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) refuse(place, name, "is unknown");
+  return static_cast<Enumeration>(found - names.begin());
+}
+
+void check(const GroundMotionRequest& request) {
+  if (request.format == "columns" && request.units.empty()) {
+    refuse("units", "", "is missing: columns do not state the unit of the accelerations; give g, m/s2 or cm/s2");
+  }
+  if (!request.vertical.empty() && request.files.size() > 1) {
+    refuse("vertical", request.vertical, "belongs to one file, of which there are more");
+  }
+  const MotionQuestion& question = request.question;
+  if (!(question.damping >= 0.0 && question.damping < 1.0)) {
+    refuse("damping", std::to_string(question.damping), "must be at least 0 and below 1");
+  }
+  if (!(question.gravity > 0.0)) refuse("gravity", std::to_string(question.gravity), "must be positive");
+  for (const double period : question.periods) {
+    if (!(period > 0.0)) refuse("periods", std::to_string(period), "must be positive");
+  }
+  if (!question.block) return;
+  for (const double length : {question.block->width, question.block->height}) {
+    if (!rules::length.allows(length)) refuse("block", std::to_string(length), std::string(rules::length.demand));
+  }
+}
+
+}  // namespace
+
+std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
+  check(request);
+  GroundMotionReading how{.name = {},
+                          .time_step = {},
+                          .gravity = request.question.gravity,
+                          .format = named<RecordFormat>("format", record_format_names, "auto", request.format),
+                          .unit = named<RecordUnit>("units", record_unit_names, "", request.units),
+                          .vertical_name = request.vertical};
+  if (request.time_step > 0.0) how.time_step = request.time_step;
+  GroundMotionFiles files(files_seen_from(""));
+  Problems problems;
+  std::vector<MeasuredMotion> motions;
+  for (const std::string& file : request.files) {
+    how.name = file;
+    auto motion = files.motion(how, problems);
+    if (motion) motions.push_back(measured(std::move(motion), files.digest(file), request.question));
+  }
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+  return motions;
+}
+
+std::string motion(const GroundMotionRequest& request) {
+  return motion_text(ground_motions(request), request.question, MotionDetail::measures);
+}
+
+}  // namespace rocking

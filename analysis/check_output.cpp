@@ -88,7 +88,8 @@ void check_fragility(const Json& output, Problems& problems) {
       if (levels[j]["overturned"] > levels[j]["realisations"]) {
         reject(problems, place + '/' + std::to_string(j) + "/overturned", "is greater than the number of realisations");
       }
-      if (levels[j]["exact"][0] > levels[j]["exact"][1]) {
+      const bool has_exact = levels[j].contains("exact");  // a level of a suite has none
+      if (has_exact && levels[j]["exact"][0] > levels[j]["exact"][1]) {
         reject(problems, place + '/' + std::to_string(j) + "/exact", "begins above its end");
       }
       if (j > 0 && levels[j]["intensity"] <= levels[j - 1]["intensity"]) {

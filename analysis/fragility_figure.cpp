@@ -139,6 +139,12 @@ void add_curve(const Json& curve, std::size_t number, Figure& figure) {
 
 bool is_suite(const Json& curve) { return curve.contains("pooled"); }
 
+/// `overturned`, or `peak tilt > 0.5`.
+std::string event_of(const Json& curve) {
+  if (!curve.contains("event") || curve.at("event").is_string()) return "overturned";
+  return "peak tilt > " + significant(curve.at("event").at("peak_tilt").get<double>(), 4);
+}
+
 /// A thin line through the shares of each record of a suite, and the pooled function with its band.
 void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
@@ -180,7 +186,7 @@ void add_suite(const Json& curve, std::size_t number, Figure& figure) {
                     .table = figure.tables.size(),
                     .columns = {0, 1},
                     .style = line,
-                    .legend = "all records"});
+                    .legend = event_of(curve) + ", all records"});
   figure.tables.push_back(std::move(pooled));
 }
 

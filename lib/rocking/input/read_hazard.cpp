@@ -73,8 +73,7 @@ class HazardReader {
 
  private:
   void reject(const std::string& found, std::string reason, std::string remedy) {
-    problems_.push_back(
-        {curve_.name + ", line " + std::to_string(line_), found, std::move(reason), std::move(remedy)});
+    problems_.push_back({curve_.name + ", line " + std::to_string(line_), found, std::move(reason), std::move(remedy)});
   }
 
   void read_line(std::string_view line) {
@@ -82,7 +81,8 @@ class HazardReader {
     if (fields.empty()) return;
     const bool is_first = std::exchange(is_first_, false);
     if (fields.size() != 2) {
-      return reject(std::string(line.substr(0, 200)), "has not two columns", "write: intensity, annual rate of exceedance");
+      return reject(std::string(line.substr(0, 200)), "has not two columns",
+                    "write: intensity, annual rate of exceedance");
     }
     const std::optional<double> intensity = hazard_number(fields[0]);
     const std::optional<double> rate = hazard_number(fields[1]);

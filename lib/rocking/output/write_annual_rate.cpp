@@ -35,8 +35,9 @@ std::string annual_rate_table(const AnnualRate& rate, const FragilityEvent& even
   }
   text += rate.value > 0.0 ? ", once in " + significant(1.0 / rate.value, 3) + " years\n" : "\n";
   if (rate.source == RateSource::levels) {
-    text += "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
-            "probability does not decrease\n";
+    text +=
+        "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
+        "probability does not decrease\n";
   }
   std::vector<TextRow> rows{{last_key(parameter) + " from", "to", "per year", "share", "tested"}};
   for (const RateInRange& range : rate.by_level) {

@@ -84,8 +84,7 @@ Json measure_json(const RankedMeasure& measure) {
 Json tilt_level_json(const PeakTiltLevel& level) {
   Json quantiles = Json::array();
   for (std::size_t i = 0; i < peak_tilt_shares.size(); ++i) {
-    quantiles.push_back(
-        Json::array({peak_tilt_shares[i], level.quantiles[i] ? Json(*level.quantiles[i]) : Json()}));
+    quantiles.push_back(Json::array({peak_tilt_shares[i], level.quantiles[i] ? Json(*level.quantiles[i]) : Json()}));
   }
   return {{"intensity", level.intensity},
           {"realisations", level.trials},
@@ -133,8 +132,7 @@ std::string simple_text(const SimpleLaw& simple) {
 }
 
 std::string level_table_of(const SuiteCurve& curve) {
-  std::vector<TextRow> rows{
-      {last_key(curve.parameter), "records", "n", column_of(curve.event), "fitted", "band"}};
+  std::vector<TextRow> rows{{last_key(curve.parameter), "records", "n", column_of(curve.event), "fitted", "band"}};
   for (const SuiteLevel& level : curve.levels) {
     rows.push_back({significant(level.intensity, 6), std::to_string(level.records),
                     std::to_string(level.happened.trials), per_cent(level.estimate),
@@ -159,9 +157,13 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
   for (const RankedMeasure& found : measures) {
     TextRow row{std::string(name_of(found.measure)), ".", ".", ".", ".", ".", "."};
     if (found.law) {
-      row = {row[0], significant(found.law->median, 3), significant(found.law->dispersion(), 3),
-             significant(found.law->between_records, 3), significant(found.law->within_record, 3),
-             significant(found.deviance, 6), significant(found.aic, 6)};
+      row = {row[0],
+             significant(found.law->median, 3),
+             significant(found.law->dispersion(), 3),
+             significant(found.law->between_records, 3),
+             significant(found.law->within_record, 3),
+             significant(found.deviance, 6),
+             significant(found.aic, 6)};
     }
     rows.push_back(std::move(row));
   }

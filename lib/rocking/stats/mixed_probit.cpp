@@ -238,9 +238,8 @@ std::vector<Contribution> contributions_of(const RecordIntegrand& integrand) {
 }
 
 SmoothFunction likelihood_of(const std::vector<RecordCounts>& records) {
-  return [&records](const Eigen::VectorXd& at) {
-    return mixed_probit_log_likelihood(records, MixedProbitParameters(at));
-  };
+  return
+      [&records](const Eigen::VectorXd& at) { return mixed_probit_log_likelihood(records, MixedProbitParameters(at)); };
 }
 
 /// The maximum reached, or that with t = 0 if it is not higher.
@@ -274,7 +273,7 @@ LocalShape record_log_likelihood(std::span<const ProbitCounts> record, const Mix
     const double z = part.z;
     const Eigen::Vector3d score(terms.slope, terms.slope_u, z * terms.slope);
     Eigen::Matrix3d bend;
-    bend << terms.bend, terms.bend_u, z * terms.bend,  //
+    bend << terms.bend, terms.bend_u, z * terms.bend,   //
         terms.bend_u, terms.bend_uu, z * terms.bend_u,  //
         z * terms.bend, z * terms.bend_u, z * z * terms.bend;
     mean_score += share * score;

@@ -9,7 +9,7 @@ namespace rocking::stats {
 namespace {
 
 constexpr int most_newton_steps = 60;
-constexpr double promised_at_maximum = 1e-12;
+constexpr double promised_at_maximum = 1e-10;
 
 Eigen::VectorXd ascending_step(const LocalShape& shape) {
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(shape.hessian);
@@ -33,7 +33,7 @@ Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start) {
     }
     double length = 1.0;
     LocalShape there = function(here.at + direction);
-    while (!(there.value >= here.shape.value + 1e-4 * length * promised) && length > 1e-9) {
+    while (!(there.value >= here.shape.value + 1e-4 * length * promised) && length > 1e-4) {
       length *= 0.5;
       there = function(here.at + length * direction);
     }

@@ -26,7 +26,7 @@ struct Ascent {
 /// Eigenvalues of the Hessian that are not negative are replaced by minus their absolute values, so that every step
 /// ascends; a step is halved until the function increases by a ten-thousandth of what its slope promises (Nocedal &
 /// Wright 2006, Numerical Optimization, sections 3.1 and 3.4). Converged: the next step promises an increase below
-/// 1e-12 times (1 + abs(value)).
+/// 1e-10 times (1 + abs(value)).
 [[nodiscard]] Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start);
 
 }  // namespace rocking::stats

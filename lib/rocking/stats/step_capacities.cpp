@@ -22,13 +22,15 @@ double probability_between(double low, double high) {
 std::optional<std::vector<CapacityRange>> capacity_ranges(const std::vector<RecordCounts>& records) {
   std::vector<CapacityRange> ranges;
   for (const RecordCounts& record : records) {
-    CapacityRange range{.weight = record.weight};
+    if (record.weight == 0.0) continue;
+    CapacityRange range;
+    range.weight = record.weight;
     for (const ProbitCounts& level : record.counts) {
       if (level.happened > 0.0) range.high = std::min(range.high, level.u);
       if (level.did_not > 0.0) range.low = std::max(range.low, level.u);
     }
     if (!(range.low < range.high)) return std::nullopt;
-    if (record.weight > 0.0) ranges.push_back(range);
+    ranges.push_back(range);
   }
   return ranges;
 }
@@ -44,7 +46,8 @@ bool have_a_common_capacity(const std::vector<CapacityRange>& ranges) {
 
 LocalShape capacity_log_likelihood(const std::vector<CapacityRange>& ranges, const Eigen::Vector2d& line) {
   LocalShape sum{.value = 0.0, .gradient = Eigen::Vector2d::Zero(), .hessian = Eigen::Matrix2d::Zero()};
-  if (!(line[1] > 0.0)) return {.value = -std::numeric_limits<double>::infinity(), .gradient = sum.gradient, .hessian = sum.hessian};
+  if (!(line[1] > 0.0))
+    return {.value = -std::numeric_limits<double>::infinity(), .gradient = sum.gradient, .hessian = sum.hessian};
   for (const CapacityRange& range : ranges) {
     const double low = line[0] + line[1] * range.low;
     const double high = line[0] + line[1] * range.high;

@@ -98,8 +98,8 @@ SuiteFit fit_mixed(const std::vector<RecordCounts>& records, double centre, cons
   Ascent found;
   if (start != nullptr && start->within_record > 0.0) {
     const double b = 1.0 / start->within_record;
-    found = most_likely_mixed_probit(records, {b * (centre - std::log(start->median)), b,
-                                               std::max(0.1, start->between_records * b)});
+    found = most_likely_mixed_probit(
+        records, {b * (centre - std::log(start->median)), b, std::max(0.1, start->between_records * b)});
   }
   if (!found.has_converged) found = most_likely_mixed_probit(records);
   const double b = found.at[1];
@@ -214,9 +214,7 @@ class Profile {
   }
 
  private:
-  [[nodiscard]] bool uses_steps() const {
-    return ranges_.has_value() && quantity_ != SuiteQuantity::within_record;
-  }
+  [[nodiscard]] bool uses_steps() const { return ranges_.has_value() && quantity_ != SuiteQuantity::within_record; }
 
   [[nodiscard]] SmoothFunction mixed_with(double value) const {
     return [this, value](const Eigen::VectorXd& q) {
@@ -235,7 +233,8 @@ class Profile {
     return [this, value](const Eigen::VectorXd& q) {
       const bool is_median = quantity_ == SuiteQuantity::median;
       const Eigen::Vector2d along = is_median ? Eigen::Vector2d(-value, 1.0) : Eigen::Vector2d(1.0, 0.0);
-      const Eigen::Vector2d line = is_median ? Eigen::Vector2d(-value * q[0], q[0]) : Eigen::Vector2d(q[0], 1.0 / value);
+      const Eigen::Vector2d line =
+          is_median ? Eigen::Vector2d(-value * q[0], q[0]) : Eigen::Vector2d(q[0], 1.0 / value);
       const LocalShape full = capacity_log_likelihood(*ranges_, line);
       return LocalShape{.value = full.value,
                         .gradient = Eigen::VectorXd::Constant(1, along.dot(full.gradient)),
@@ -312,8 +311,8 @@ Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQu
     return least - profile.at(is_median ? place - data.centre : std::exp(place));
   };
   const double found = value_of(quantity, law);
-  const double step = is_median ? 0.5 * reach * law.dispersion() / std::sqrt(static_cast<double>(data.records.size()))
-                                : 0.2;
+  const double step =
+      is_median ? 0.5 * reach * law.dispersion() / std::sqrt(static_cast<double>(data.records.size())) : 0.2;
   Interval interval{.low = 0.0, .high = std::numeric_limits<double>::infinity()};
   // Where a dispersion is 0 there is no lower end, and the upper one is searched from a small value.
   const double start = found > 0.0 ? std::log(found) : std::log(0.01 * law.dispersion());
@@ -356,8 +355,8 @@ std::optional<Interval> percentile_interval(std::vector<double> values, std::uin
   std::sort(values.begin(), values.end());
   // Order statistic number p (n + 1), counted from 1, between neighbours linearly.
   const auto at = [&values](double share) {
-    const double place = std::clamp(share * static_cast<double>(values.size() + 1) - 1.0, 0.0,
-                                    static_cast<double>(values.size() - 1));
+    const double place =
+        std::clamp(share * static_cast<double>(values.size() + 1) - 1.0, 0.0, static_cast<double>(values.size() - 1));
     const auto index = static_cast<std::size_t>(place);
     const std::size_t next = std::min(index + 1, values.size() - 1);
     return values[index] + (place - static_cast<double>(index)) * (values[next] - values[index]);

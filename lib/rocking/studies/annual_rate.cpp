@@ -193,10 +193,12 @@ std::optional<AnnualRate> annual_rate(const SuiteCurve& curve, const HazardCurve
   for (const SuiteLevel& level : curve.levels) tested.push_back(level.intensity);
   const stats::SuiteLaw& law = curve.pooled->law;
   const auto rise = [](const stats::SuiteLaw& of) { return rise_of(of.median, of.dispersion()); };
-  AnnualRate found = disaggregated(hazard, tested, [&law](double x) { return law.probability(x); }, rise(law));
+  AnnualRate found = disaggregated(
+      hazard, tested, [&law](double x) { return law.probability(x); }, rise(law));
   std::vector<double> rates;
   for (const stats::SuiteLaw& sample : curve.bootstrap.laws) {
-    rates.push_back(total_rate(hazard, [&sample](double x) { return sample.probability(x); }, rise(sample)));
+    rates.push_back(total_rate(
+        hazard, [&sample](double x) { return sample.probability(x); }, rise(sample)));
   }
   found.interval = stats::percentile_interval(std::move(rates), curve.bootstrap.samples, curve.confidence);
   return found;

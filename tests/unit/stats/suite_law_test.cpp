@@ -46,9 +46,8 @@ SuiteLevels suite_from(const nlohmann::json& known) {
   for (std::size_t i = 0; i < known["record"].size(); ++i) {
     const auto record = known["record"][i].get<std::size_t>();
     if (suite.size() < record) suite.resize(record);
-    suite[record - 1].push_back(
-        {.intensity = known["intensity"][i],
-         .happened = {.successes = known["happened"][i], .trials = known["trials"][i]}});
+    suite[record - 1].push_back({.intensity = known["intensity"][i],
+                                 .happened = {.successes = known["happened"][i], .trials = known["trials"][i]}});
   }
   return suite;
 }
@@ -112,6 +111,13 @@ TEST(SuiteLaw, CountsARecordTwiceAsTwoRecords) {
   const auto listed = fit_suite(suite).law;
   EXPECT_NEAR(weighted->log_likelihood, listed->log_likelihood, 1e-7);
   EXPECT_NEAR(weighted->between_records, listed->between_records, 1e-5);
+}
+
+// Of the records that count, each is a step; the other one is not.
+TEST(SuiteLaw, IgnoresARecordOfWeightZeroWhereItLooksForSteps) {
+  const auto law = fit_suite(steps({"0011", "0101", "0111", "0001", "1111"}), {1.0, 0.0, 1.0, 1.0, 1.0}).law;
+  ASSERT_TRUE(law);
+  EXPECT_EQ(law->within_record, 0.0);
 }
 
 TEST(SuiteLaw, HasNoScatterBetweenEqualRecords) {

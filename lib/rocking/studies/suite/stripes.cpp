@@ -12,9 +12,9 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 6> intensity_pointers{
-    "/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2",
-    "/excitation/scale",     "/excitation/pga_g",       "/excitation/pgv_m_s"};
+constexpr std::array<std::string_view, 6> intensity_pointers{"/excitation/amplitude",      "/excitation/amplitude_g",
+                                                             "/excitation/amplitude_m_s2", "/excitation/scale",
+                                                             "/excitation/pga_g",          "/excitation/pgv_m_s"};
 constexpr std::string_view record_pointer = "/excitation/file";
 
 double number_in(const std::string& json) {
@@ -67,8 +67,7 @@ void set_measures(const Scene& scene, Stripe& stripe) {
   const dynamics::Geometry shape = dynamics::geometry_of(block);
   const double pga = recorded->scale * peak_acceleration(recorded->ground_motion->samples);
   const double pgv = recorded->scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
-  stripe.measures = {pga, pgv, pga / shape.tangent,
-                     shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
+  stripe.measures = {pga, pgv, pga / shape.tangent, shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
 }
 
 /// Empty stripes of all conditions. Throws InputError if the store lacks a realisation or a peak tilt.

@@ -38,7 +38,7 @@ struct Stripe {
   std::string record;      ///< name of the ground motion; empty: the experiment has one only
   double intensity = 0.0;  ///< value of the swept intensity, > 0
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
-  std::vector<bool> overturned;                   ///< by number of the realisation
+  std::vector<bool> overturned;                                                    ///< by number of the realisation
   std::vector<std::optional<double>> peak_tilts;  ///< likewise; absent in stores of earlier versions
 
   [[nodiscard]] std::optional<double> measure(IntensityMeasure which) const {

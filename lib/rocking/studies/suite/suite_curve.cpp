@@ -97,16 +97,15 @@ std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const Sui
     level.estimate /= static_cast<double>(level.records);
     if (curve.pooled) {
       level.fitted = curve.pooled->law.probability(intensity);
-      level.band = interval_of_samples(
-          curve, [x = intensity](const stats::SuiteLaw& law) { return law.probability(x); });
+      level.band =
+          interval_of_samples(curve, [x = intensity](const stats::SuiteLaw& law) { return law.probability(x); });
     }
     list.push_back(level);
   }
   return list;
 }
 
-std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event,
-                                           std::uint64_t seed) {
+std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed) {
   std::vector<RecordCurve> curves;
   for (const std::string& name : group.records()) {
     std::vector<stats::IntensityLevel> levels;

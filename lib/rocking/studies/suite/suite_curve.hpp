@@ -46,9 +46,9 @@ struct SuiteLevel {
   double intensity = 0.0;
   std::size_t records = 0;
   stats::Proportion happened;
-  double estimate = 0.0;               ///< mean over the records of their shares
-  std::optional<double> fitted;        ///< by the law of the suite
-  std::optional<stats::Interval> band; ///< of `fitted`, by bootstrap over records
+  double estimate = 0.0;                ///< mean over the records of their shares
+  std::optional<double> fitted;         ///< by the law of the suite
+  std::optional<stats::Interval> band;  ///< of `fitted`, by bootstrap over records
 };
 
 /// The curve of one record.
@@ -62,7 +62,7 @@ struct RankedMeasure {
   IntensityMeasure measure = IntensityMeasure::pga;
   std::optional<stats::SuiteLaw> law;  ///< absent where none could be fitted
   double deviance = 0.0;               ///< -2 ln likelihood, without binomial coefficients
-  double aic = 0.0;                    ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
+  double aic = 0.0;  ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
 };
 
 /// Fragility of a suite of records.
@@ -74,10 +74,10 @@ struct SuiteCurve {
   stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
   std::optional<PooledSuite> pooled;
   std::optional<SimpleLaw> simple;
-  std::vector<SuiteLevel> levels;      ///< by growing intensity
-  std::vector<RecordCurve> records;    ///< in the order of the sweep
-  std::vector<RankedMeasure> measures; ///< best first; empty where the motions have none
-  stats::RecordBootstrap bootstrap;    ///< of the records
+  std::vector<SuiteLevel> levels;       ///< by growing intensity
+  std::vector<RecordCurve> records;     ///< in the order of the sweep
+  std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
+  stats::RecordBootstrap bootstrap;     ///< of the records
 };
 
 /// The curve of a group that is a suite. `seed`: of the bootstraps.

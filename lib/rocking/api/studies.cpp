@@ -14,6 +14,8 @@
 #include "rocking/store/store.hpp"
 #include "rocking/studies/fragility.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
+#include "rocking/studies/suite/stripes.hpp"
+#include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {
 namespace {
@@ -71,12 +73,20 @@ std::string fragility(const Experiment& experiment, const RunResult& run) {
   if (intensity_of(experiment).empty()) {
     refuse("/sweep", "",
            "sweeps no intensity of the excitation: /excitation/amplitude (or amplitude_g, amplitude_m_s2) or "
-           "/excitation/scale");
+           "/excitation/scale (or pga_g, pgv_m_s)");
   }
   if (experiment.conditions.front().until) {
     refuse("/realisations", "until", "a fragility function needs a fixed number of realisations");
   }
-  return fragility_text({{.experiment = with_text(experiment), .curves = fragility(experiment, *run.store)}});
+  RunFragility found{.experiment = with_text(experiment)};
+  for (const StripeGroup& group : stripes_of(found.experiment, *run.store, false)) {
+    if (group.is_suite()) {
+      found.suites.push_back({.curve = suite_curve(group, {}, experiment.seed)});
+    } else {
+      found.curves.push_back({.curve = fragility(group, {}, experiment.seed)});
+    }
+  }
+  return fragility_text({found});
 }
 
 }  // namespace rocking

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/input/ground_motion_files.hpp"
 #include "rocking/output/write_motion.hpp"
@@ -15,11 +16,6 @@
 
 namespace rocking {
 namespace {
-
-[[noreturn]] void refuse(std::string_view name, const std::string& value, std::string reason) {
-  throw base::InputError(
-      {.place = std::string(name), .value = value, .reason = std::move(reason), .remedy = {}, .where = {}});
-}
 
 template <class Enumeration, std::size_t count>
 std::optional<Enumeration> named(std::string_view place, const std::array<std::string_view, count>& names,

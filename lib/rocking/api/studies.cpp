@@ -4,6 +4,7 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/api/refuse.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/stop_request.hpp"
@@ -19,12 +20,6 @@
 
 namespace rocking {
 namespace {
-
-/// Refuses an argument of a call, which is not at a place of a file.
-[[noreturn]] void refuse(std::string_view name, const std::string& value, std::string reason) {
-  throw base::InputError(
-      {.place = std::string(name), .value = value, .reason = std::move(reason), .remedy = {}, .where = {}});
-}
 
 template <class Number>
 void expect(std::string_view name, Number value, Number least, Number largest) {

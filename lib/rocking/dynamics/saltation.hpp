@@ -58,13 +58,13 @@ struct MovingBase {
 [[nodiscard]] inline GuardSlope slope_of_forces(const State& state, const MovingBase& base,
                                                 const EquationConstants<double>& constants, double by_normal,
                                                 double by_friction) {
-  const auto [s, c] = edge_angle(state, constants);
+  const base::SinCos<double> angle = edge_angle(state, constants);
   const double omega = state.side * state.tilt_rate;
   struct Direction {
     double tilt = 0.0, omega = 0.0, beta = 0.0, weight = 0.0;
   };
   const auto forces_along = [&](const Direction& d) {  // phi = psi - S theta
-    return forces_without_slip<base::Dual>({.edge = {{s, -c * d.tilt}, {c, s * d.tilt}},
+    return forces_without_slip<base::Dual>({.edge = {{angle.sine, -angle.cosine * d.tilt}, {angle.cosine, angle.sine * d.tilt}},
                                             .omega = {omega, d.omega},
                                             .beta = {state.side * base.now.horizontal, d.beta},
                                             .weight = {base.now.weight, d.weight}});

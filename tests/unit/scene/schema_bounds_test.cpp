@@ -135,6 +135,7 @@ TEST(Rules, AllowNothingThatIsNotFinite) {
 std::map<std::string, Json> defaults_by_place() {
   const Condition condition;
   const LabelCheck check;
+  const UntilClassified until;
   return {{"/block/gravity_m_s2", condition.scene.block.gravity},
           {"/formulation", "consistent"},
           {"/excitation/kind", name_of(Excitation())},
@@ -143,7 +144,9 @@ std::map<std::string, Json> defaults_by_place() {
           {"/accuracy/repeat_every", condition.rerun_every},
           {"/check_labels/every", check.every},
           {"/check_labels/times_longer", check.times_longer},
-          {"/confidence", condition.confidence}};
+          {"/confidence", condition.confidence},
+          {"/horizon/until_classified/held_windows", until.held_windows},
+          {"/horizon/until_classified/watch_windows", until.watch_windows}};
 }
 
 void collect_defaults(const Json& schema, const std::string& place, std::map<std::string, Json>& defaults) {

@@ -1,6 +1,7 @@
 #include "analysis/fragility_figure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -10,6 +11,7 @@
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/stats/fragility.hpp"
+#include "rocking/stats/normal_law.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -145,6 +147,43 @@ std::string event_of(const Json& curve) {
   return "peak tilt > " + significant(curve.at("event").at("peak_tilt").get<double>(), 4);
 }
 
+/// Columns: intensity, probability by the law of the suite, between its first and its last level.
+Table pooled_table(const Json& curve) {
+  Table table{
+      .name = "law of the suite",
+      .columns = {{"intensity", "intensity of the excitation"}, {"fitted", "probability by the law of the suite"}},
+      .rows = {}};
+  const double median = curve.at("pooled").at("median").at("value");
+  const double dispersion = curve.at("pooled").at("dispersion").at("value");
+  const double first = curve.at("levels").front().at("intensity");
+  const double last = curve.at("levels").back().at("intensity");
+  for (int i = 0; i <= points_of_a_law; ++i) {
+    const double intensity = first + (last - first) * i / points_of_a_law;
+    table.rows.push_back({intensity, stats::normal_cdf(std::log(intensity / median) / dispersion)});
+  }
+  return table;
+}
+
+bool has_band(const Json& curve) {
+  const Json& rows = curve.at("levels");
+  return std::any_of(rows.begin(), rows.end(), [](const Json& level) { return !level.at("band").is_null(); });
+}
+
+/// Columns: intensity, low, high.
+Table pooled_band(const Json& curve) {
+  Table table{.name = "band of the law of the suite",
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"fitted_low", "lower end of the bootstrap interval of the law"},
+                          {"fitted_high", "upper end of it"}},
+              .rows = {}};
+  for (const Json& level : curve.at("levels")) {
+    if (level.at("band").is_null()) continue;
+    table.rows.push_back({level.at("intensity").get<double>(), level.at("band").at(0).get<double>(),
+                          level.at("band").at(1).get<double>()});
+  }
+  return table;
+}
+
 /// A thin line through the shares of each record of a suite, and the pooled function with its band.
 void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
@@ -154,13 +193,17 @@ void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style ribbon = line;
   ribbon.hatch = 0;
   ribbon.opacity = 0.2;
+  line.width = 3.0;
+  line.size = 0.0;
+  thin.size = 0.0;
+  bool is_first = number == 0;
   for (const Json& record : curve.at("records")) {
     figure.panels.back().layers.push_back({.kind = LayerKind::line,
                                            .table = figure.tables.size(),
                                            .columns = {0, 1},
                                            .style = thin,
-                                           .legend = ""});
-    Table table{.name = record.at("name"),
+                                           .legend = std::exchange(is_first, false) ? "share of a record" : ""});
+    Table table{.name = short_value("/excitation/file", record.at("name")),
                 .columns = {{"intensity", "intensity of the excitation"}, {"share", "share of the realisations"}},
                 .rows = {}};
     for (const Json& level : record.at("levels")) {
@@ -168,26 +211,19 @@ void add_suite(const Json& curve, std::size_t number, Figure& figure) {
     }
     figure.tables.push_back(std::move(table));
   }
-  Table pooled{.name = "pooled",
-               .columns = {{"intensity", "intensity of the excitation"},
-                           {"fitted", "probability by the law of the suite"},
-                           {"low", "lower end of its bootstrap interval"},
-                           {"high", "upper end of it"}},
-               .rows = {}};
-  for (const Json& level : curve.at("levels")) {
-    if (level.at("fitted").is_null() || level.at("band").is_null()) continue;
-    pooled.rows.push_back({level.at("intensity").get<double>(), level.at("fitted").get<double>(),
-                           level.at("band").at(0).get<double>(), level.at("band").at(1).get<double>()});
-  }
-  if (pooled.rows.empty()) return;
+  if (curve.at("pooled").is_null()) return;
+  figure.tables.push_back(pooled_table(curve));
   std::vector<Layer>& layers = figure.panels.back().layers;
-  layers.push_back({.kind = LayerKind::ribbon, .table = figure.tables.size(), .columns = {0, 2, 3}, .style = ribbon});
+  if (has_band(curve)) {
+    layers.push_back({.kind = LayerKind::ribbon, .table = figure.tables.size(), .columns = {0, 1, 2}, .style = ribbon});
+    figure.tables.push_back(pooled_band(curve));
+  }
+  const std::size_t law = figure.tables.size() - (has_band(curve) ? 2 : 1);
   layers.push_back({.kind = LayerKind::line,
-                    .table = figure.tables.size(),
+                    .table = law,
                     .columns = {0, 1},
                     .style = line,
                     .legend = event_of(curve) + ", all records"});
-  figure.tables.push_back(std::move(pooled));
 }
 
 Panel panel_for(const Json& curve) {
@@ -213,7 +249,8 @@ std::string median_of(const Json& curve) {
 std::string description_of(const Json& curve) {
   if (is_suite(curve)) {
     const std::string begin = curve.at("title").get<std::string>() + ": ";
-    if (curve.at("pooled").is_null()) return begin + "no law of the suite (" + curve.at("outcome").get<std::string>() + ").";
+    if (curve.at("pooled").is_null())
+      return begin + "no law of the suite (" + curve.at("outcome").get<std::string>() + ").";
     return begin + "median " + value_and_interval(curve.at("pooled").at("median")) + ", dispersion " +
            value_and_interval(curve.at("pooled").at("dispersion")) + '.';
   }
@@ -226,11 +263,21 @@ std::string description_of(const Json& curve) {
 
 /// How to read the lines, as far as the figure has them.
 std::string caption_of(const Json& curves) {
-  std::string caption = "Markers: share of the realisations that overturned, with its exact interval.";
   const auto has = [&curves](const auto& is_so) {
-    return std::any_of(curves.begin(), curves.end(),
-                       [&is_so](const Json& curve) { return !curve.at("levels").empty() && !is_suite(curve) && is_so(curve); });
+    return std::any_of(curves.begin(), curves.end(), [&is_so](const Json& curve) {
+      return !curve.at("levels").empty() && !is_suite(curve) && is_so(curve);
+    });
   };
+  std::string caption;
+  if (std::any_of(curves.begin(), curves.end(), is_suite)) {
+    caption =
+        "Thin grey lines: shares of the realisations of each record. Thick lines and ribbons: the law of the suite, "
+        "with "
+        "scatter between and within records, and its bootstrap interval over records.";
+  }
+  if (!has([](const Json&) { return true; })) return caption;
+  if (!caption.empty()) caption += ' ';
+  caption += "Markers: share of the realisations that overturned, with its exact interval.";
   if (has([](const Json& curve) { return !curve.at("law").is_null(); })) {
     caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";
   }

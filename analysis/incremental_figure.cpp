@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -56,7 +57,7 @@ Axis tilt_axis(const Json& analysis) {
     axis.ticks.push_back({.place = place, .text = significant(place, 6)});
   }
   const double flat = place + 0.5 * distance;
-  axis.ticks.push_back({.place = flat, .text = "overturned"});
+  axis.ticks.push_back({.place = flat, .text = "∞"});
   axis.low = 0.0;
   axis.high = flat + 0.25 * distance;
   return axis;
@@ -124,6 +125,23 @@ void add_quantiles(const Json& analysis, double flat, Figure& figure) {
   }
 }
 
+/// The flat line, over all levels. It is drawn first, below the others.
+void add_flat_line(const Json& found, double flat, Figure& figure) {
+  if (found.empty()) return;
+  figure.panels.back().layers.push_back({.kind = LayerKind::line,
+                                         .table = figure.tables.size(),
+                                         .columns = {0, 1},
+                                         .style = {.colour = "#000000", .dash = 3, .width = 1.0, .size = 0.0},
+                                         .legend = "overturned"});
+  Table table{.name = "overturned",
+              .columns = {{"intensity", "intensity of the excitation"}, {"drawn", "where the overturned are drawn"}},
+              .rows = {},
+              .grid = std::nullopt,
+              .only_drawn = true};
+  for (const Json& level : found) table.rows.push_back({level.at("intensity").get<double>(), flat});
+  figure.tables.push_back(std::move(table));
+}
+
 std::string resurrections_in_words(const Json& found) {
   return std::to_string(found.at("trials").get<std::uint64_t>()) + " of " +
          std::to_string(found.at("of").get<std::uint64_t>()) +
@@ -140,6 +158,7 @@ void add_analysis(const Json& analysis, Figure& figure) {
   const double flat = tilt.ticks.back().place;
   figure.panels.push_back(
       {.title = title, .x = axis_of_parameter(analysis.at("parameter")), .y = std::move(tilt), .layers = {}});
+  add_flat_line(analysis.at("levels"), flat, figure);
   if (!analysis.at("records").empty()) add_records(analysis, flat, figure);
   add_quantiles(analysis, flat, figure);
   figure.description += (figure.description.empty() ? "" : " ") + title + ": " +

@@ -1,9 +1,10 @@
 #include "analysis/fragility_figure.hpp"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/data_file.hpp"
 #include "analysis/output_file.hpp"
@@ -11,7 +12,6 @@
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/stats/fragility.hpp"
-#include "rocking/stats/normal_law.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -147,81 +147,80 @@ std::string event_of(const Json& curve) {
   return "peak tilt > " + significant(curve.at("event").at("peak_tilt").get<double>(), 4);
 }
 
-/// Columns: intensity, probability by the law of the suite, between its first and its last level.
-Table pooled_table(const Json& curve) {
-  Table table{
-      .name = "law of the suite",
-      .columns = {{"intensity", "intensity of the excitation"}, {"fitted", "probability by the law of the suite"}},
-      .rows = {}};
-  const double median = curve.at("pooled").at("median").at("value");
-  const double dispersion = curve.at("pooled").at("dispersion").at("value");
-  const double first = curve.at("levels").front().at("intensity");
-  const double last = curve.at("levels").back().at("intensity");
-  for (int i = 0; i <= points_of_a_law; ++i) {
-    const double intensity = first + (last - first) * i / points_of_a_law;
-    table.rows.push_back({intensity, stats::normal_cdf(std::log(intensity / median) / dispersion)});
-  }
-  return table;
-}
-
-bool has_band(const Json& curve) {
-  const Json& rows = curve.at("levels");
-  return std::any_of(rows.begin(), rows.end(), [](const Json& level) { return !level.at("band").is_null(); });
-}
-
-/// Columns: intensity, low, high.
-Table pooled_band(const Json& curve) {
-  Table table{.name = "band of the law of the suite",
+/// Columns: intensity, records, n, how many, estimate; with a law `fitted` and its band.
+Table suite_table(const Json& curve) {
+  Table table{.name = event_of(curve) + ", all records",
               .columns = {{"intensity", "intensity of the excitation"},
-                          {"fitted_low", "lower end of the bootstrap interval of the law"},
+                          {"records", "records"},
+                          {"n", "realisations of all records"},
+                          {"happened", "number of them with " + event_of(curve)},
+                          {"estimate", "mean over the records of their shares"},
+                          {"fitted", "probability by the law of the suite"},
+                          {"fitted_low", "lower end of its bootstrap interval"},
                           {"fitted_high", "upper end of it"}},
               .rows = {}};
+  const auto number = [](const Json& value) { return value.is_null() ? Cell() : Cell(value.get<double>()); };
   for (const Json& level : curve.at("levels")) {
-    if (level.at("band").is_null()) continue;
-    table.rows.push_back({level.at("intensity").get<double>(), level.at("band").at(0).get<double>(),
-                          level.at("band").at(1).get<double>()});
+    const Json& band = level.at("band");
+    table.rows.push_back({number(level.at("intensity")), number(level.at("records")), number(level.at("realisations")),
+                          number(level.at("overturned")), number(level.at("estimate")), number(level.at("fitted")),
+                          band.is_null() ? Cell() : number(band.at(0)), band.is_null() ? Cell() : number(band.at(1))});
   }
   return table;
 }
 
-/// A thin line through the shares of each record of a suite, and the pooled function with its band.
+/// Columns: intensity, the share of each record.
+Table record_shares(const Json& curve) {
+  Table table{.name = event_of(curve) + ", share of each record",
+              .columns = {{"intensity", "intensity of the excitation"}},
+              .rows = {}};
+  std::map<double, std::vector<Cell>> rows;
+  const Json& records = curve.at("records");
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    table.columns.push_back(
+        {"record_" + std::to_string(i + 1), short_value("/excitation/file", records.at(i).at("name")), true});
+    for (const Json& level : records.at(i).at("levels")) {
+      std::vector<Cell>& row = rows[level.at("intensity").get<double>()];
+      row.resize(1 + records.size());
+      row[0] = level.at("intensity").get<double>();
+      row[i + 1] = level.at("estimate").get<double>();
+    }
+  }
+  for (auto& [intensity, row] : rows) table.rows.push_back(std::move(row));
+  return table;
+}
+
+/// A thin line through the shares of each record of a suite, and the law of the suite with its band.
 void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
   thin.colour = "#999999";
   thin.width = 0.5;
+  thin.size = 0.0;
   Style line = style_of_curve(number);
   Style ribbon = line;
   ribbon.hatch = 0;
   ribbon.opacity = 0.2;
   line.width = 3.0;
   line.size = 0.0;
-  thin.size = 0.0;
-  bool is_first = number == 0;
-  for (const Json& record : curve.at("records")) {
-    figure.panels.back().layers.push_back({.kind = LayerKind::line,
-                                           .table = figure.tables.size(),
-                                           .columns = {0, 1},
-                                           .style = thin,
-                                           .legend = std::exchange(is_first, false) ? "share of a record" : ""});
-    Table table{.name = short_value("/excitation/file", record.at("name")),
-                .columns = {{"intensity", "intensity of the excitation"}, {"share", "share of the realisations"}},
-                .rows = {}};
-    for (const Json& level : record.at("levels")) {
-      table.rows.push_back({level.at("intensity").get<double>(), level.at("estimate").get<double>()});
-    }
-    figure.tables.push_back(std::move(table));
+  const std::size_t all = figure.tables.size();
+  figure.tables.push_back(suite_table(curve));
+  figure.tables.push_back(record_shares(curve));
+  std::vector<Layer>& layers = figure.panels.back().layers;
+  for (std::size_t i = 1; i < figure.tables.back().columns.size(); ++i) {
+    layers.push_back({.kind = LayerKind::line,
+                      .table = all + 1,
+                      .columns = {0, i},
+                      .style = thin,
+                      .legend = i == 1 && number == 0 ? "share of a record" : ""});
   }
   if (curve.at("pooled").is_null()) return;
-  figure.tables.push_back(pooled_table(curve));
-  std::vector<Layer>& layers = figure.panels.back().layers;
-  if (has_band(curve)) {
-    layers.push_back({.kind = LayerKind::ribbon, .table = figure.tables.size(), .columns = {0, 1, 2}, .style = ribbon});
-    figure.tables.push_back(pooled_band(curve));
+  const Json& rows = curve.at("levels");
+  if (std::none_of(rows.begin(), rows.end(), [](const Json& level) { return level.at("band").is_null(); })) {
+    layers.push_back({.kind = LayerKind::ribbon, .table = all, .columns = {0, 6, 7}, .style = ribbon});
   }
-  const std::size_t law = figure.tables.size() - (has_band(curve) ? 2 : 1);
   layers.push_back({.kind = LayerKind::line,
-                    .table = law,
-                    .columns = {0, 1},
+                    .table = all,
+                    .columns = {0, 5},
                     .style = line,
                     .legend = event_of(curve) + ", all records"});
 }

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -63,66 +64,85 @@ Axis tilt_axis(const Json& analysis) {
   return axis;
 }
 
-/// Columns: intensity, realisations, how many overturned, the quantiles, and where they are drawn.
-Table tilt_table(const Json& found, const std::string& name, double flat) {
-  Table table{.name = name,
+/// A number, or the flat line, or nothing.
+Cell tilt_cell(const Json& tilt, std::optional<double> flat) {
+  if (!tilt.is_null()) return tilt.get<double>();
+  return flat ? Cell(*flat) : Cell();
+}
+
+/// Columns: intensity, realisations, how many overturned, the quantiles. `flat`: in place of overturned quantiles.
+Table quantile_table(const Json& found, std::optional<double> flat) {
+  Table table{.name = "all records",
               .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
                           {"overturned", "number of them that overturned"},
                           {"q16", "16 % quantile of the peak tilt over psi"},
                           {"median", "median of it"},
-                          {"q84", "84 % quantile of it"},
-                          {"q16_drawn", "where the 16 % quantile is drawn"},
-                          {"median_drawn", "where the median is drawn"},
-                          {"q84_drawn", "where the 84 % quantile is drawn"}},
+                          {"q84", "84 % quantile of it"}},
               .rows = {}};
+  table.only_drawn = flat.has_value();
   for (const Json& level : found) {
-    std::vector<Cell> row{level.at("intensity").get<double>(), level.at("realisations").get<double>(),
-                          level.at("overturned").get<double>()};
+    table.rows.push_back({level.at("intensity").get<double>(), level.at("realisations").get<double>(),
+                          level.at("overturned").get<double>()});
     for (const std::size_t quantile : lower_median_upper) {
-      const Json& tilt = tilt_at(level, quantile);
-      row.push_back(tilt.is_null() ? Cell() : Cell(tilt.get<double>()));
+      table.rows.back().push_back(tilt_cell(tilt_at(level, quantile), flat));
     }
-    for (const std::size_t quantile : lower_median_upper) {
-      const Json& tilt = tilt_at(level, quantile);
-      row.emplace_back(tilt.is_null() ? flat : tilt.get<double>());
-    }
-    table.rows.push_back(std::move(row));
   }
   return table;
 }
 
-std::size_t drawn_column(std::size_t quantile) { return 6 + quantile; }
-
-void add_records(const Json& analysis, double flat, Figure& figure) {
-  const Style thin{.colour = "#999999", .width = 0.6, .size = 0.0};
-  bool is_first = true;
-  for (const Json& record : analysis.at("records")) {
-    const std::string name = short_value("/excitation/file", record.at("name"));
-    figure.panels.back().layers.push_back({.kind = LayerKind::line,
-                                           .table = figure.tables.size(),
-                                           .columns = {0, drawn_column(median_place)},
-                                           .style = thin,
-                                           .legend = std::exchange(is_first, false) ? "median of a record" : ""});
-    figure.tables.push_back(tilt_table(record.at("levels"), name, flat));
+/// Columns: intensity, the median of each record.
+Table record_medians(const Json& records, std::optional<double> flat) {
+  Table table{.name = "median of each record",
+              .columns = {{"intensity", "intensity of the excitation"}},
+              .rows = {},
+              .grid = std::nullopt,
+              .only_drawn = flat.has_value()};
+  std::map<double, std::vector<Cell>> rows;
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    const std::string name = short_value("/excitation/file", records.at(i).at("name"));
+    table.columns.push_back({"record_" + std::to_string(i + 1), name, true});
+    for (const Json& level : records.at(i).at("levels")) {
+      std::vector<Cell>& row = rows[level.at("intensity").get<double>()];
+      row.resize(1 + records.size());
+      row[0] = level.at("intensity").get<double>();
+      row[i + 1] = tilt_cell(tilt_at(level, median_place), flat);
+    }
   }
+  for (auto& [intensity, row] : rows) table.rows.push_back(std::move(row));
+  return table;
 }
 
-void add_quantiles(const Json& analysis, double flat, Figure& figure) {
+void add_records(const Json& records, double flat, Figure& figure) {
+  const Style thin{.colour = "#999999", .width = 0.6, .size = 0.0};
   const std::size_t table = figure.tables.size();
-  figure.tables.push_back(tilt_table(analysis.at("levels"), "all records", flat));
+  figure.tables.push_back(record_medians(records, flat));
+  for (std::size_t i = 1; i <= records.size(); ++i) {
+    figure.panels.back().layers.push_back({.kind = LayerKind::line,
+                                           .table = table,
+                                           .columns = {0, i},
+                                           .style = thin,
+                                           .legend = i == 1 ? "median of a record" : ""});
+  }
+  figure.tables.push_back(record_medians(records, std::nullopt));
+}
+
+void add_quantiles(const Json& found, double flat, Figure& figure) {
+  const std::size_t table = figure.tables.size();
+  figure.tables.push_back(quantile_table(found, flat));
+  constexpr std::array<const char*, 3> names{"16 % and 84 % of all", "median of all", ""};
   for (const std::size_t quantile : lower_median_upper) {
     Style bold = style_of_curve(0);
     bold.width = quantile == median_place ? 3.0 : 2.0;
     bold.dash = quantile == median_place ? 1 : 2;
     bold.size = 0.0;
-    constexpr std::array<const char*, 3> names{"16 % and 84 % of all", "median of all", ""};
     figure.panels.back().layers.push_back({.kind = LayerKind::line,
                                            .table = table,
-                                           .columns = {0, drawn_column(quantile)},
+                                           .columns = {0, 3 + quantile},
                                            .style = bold,
                                            .legend = names[quantile]});
   }
+  figure.tables.push_back(quantile_table(found, std::nullopt));
 }
 
 /// The flat line, over all levels. It is drawn first, below the others.
@@ -159,10 +179,10 @@ void add_analysis(const Json& analysis, Figure& figure) {
   figure.panels.push_back(
       {.title = title, .x = axis_of_parameter(analysis.at("parameter")), .y = std::move(tilt), .layers = {}});
   add_flat_line(analysis.at("levels"), flat, figure);
-  if (!analysis.at("records").empty()) add_records(analysis, flat, figure);
-  add_quantiles(analysis, flat, figure);
-  figure.description += (figure.description.empty() ? "" : " ") + title + ": " +
-                        resurrections_in_words(analysis.at("resurrections")) + '.';
+  add_records(analysis.at("records"), flat, figure);
+  add_quantiles(analysis.at("levels"), flat, figure);
+  figure.description += (figure.description.empty() ? "" : " ") + resurrections_in_words(analysis.at("resurrections")) +
+                        (title.empty() ? "." : " (" + title + ").");
 }
 
 Figure drawn_analyses(const Json& analyses) {

@@ -94,8 +94,10 @@ RealisationResult run_watched(const Condition& condition, std::uint64_t realisat
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
   support::WatchedMotion watched(run.motion(), watch, overlooked);
-  while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
-  if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair);
+  do {
+    while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
+    if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair);
+  } while (run.begin_next_window());
   return run.finish();
 }
 

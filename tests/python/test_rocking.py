@@ -13,7 +13,6 @@ import signal
 import subprocess
 import tempfile
 import threading
-import time
 import unittest
 
 import numpy as np
@@ -306,20 +305,7 @@ class Arrays(unittest.TestCase):
         self.assertEqual(rocking.trajectory(SLAB, condition=1).to_pandas("events")["kind"][0], "lift")
 
 
-class Cost(unittest.TestCase):
-    def test_a_call_with_one_realisation_takes_at_most_3_ms(self):
-        one = changed(realisations=1)
-        del one["sweep"]
-        least = min(self.seconds_of(one) for _ in range(30))
-        print(f"\none call with one realisation: {1e3 * least:.2f} ms")
-        self.assertLess(least, 3e-3)
-
-    @staticmethod
-    def seconds_of(experiment):
-        began = time.perf_counter()
-        rocking.run(experiment)
-        return time.perf_counter() - began
-
+class Memory(unittest.TestCase):
     def test_many_calls_keep_no_memory(self):
         one = changed(realisations=1)
         del one["sweep"]

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <map>
 
-#include <boost/math/distributions/normal.hpp>
-#include <boost/math/distributions/students_t.hpp>
-
 #include "rocking/base/error.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/probit.hpp"
+#include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -128,13 +126,6 @@ std::size_t differing_numbers(const std::vector<IntensityLevel>& levels) {
   return numbers - most;
 }
 
-/// Half-width of a two-sided interval in standard errors.
-double reach_of(double confidence, double degrees_of_freedom) {
-  const double tail = 0.5 * (1.0 - confidence);
-  if (std::isinf(degrees_of_freedom)) return quantile(complement(boost::math::normal_distribution<double>(), tail));
-  return quantile(complement(boost::math::students_t_distribution<double>(degrees_of_freedom), tail));
-}
-
 }  // namespace
 
 Proportion proportion_at(const IntensityLevel& level) {
@@ -155,14 +146,14 @@ double LognormalFragility::probability(double intensity) const {
 Interval LognormalFragility::band(double intensity, double confidence) const {
   const double u = std::log(intensity) - centre;
   const double variance = covariance.aa + 2.0 * u * covariance.ab + u * u * covariance.bb;
-  const double reach = reach_of(confidence, degrees_of_freedom) * std::sqrt(std::max(0.0, variance));
+  const double reach = two_sided_t_quantile(confidence, degrees_of_freedom) * std::sqrt(std::max(0.0, variance));
   const double eta = intercept + slope * u;
   return {.low = normal_cdf(eta - reach), .high = normal_cdf(eta + reach)};
 }
 
 // (a + b u)^2 <= q^2 var(a + b u), a quadratic in u: c u^2 + 2 h u + k <= 0.
 Bounded LognormalFragility::median(double confidence) const {
-  const double q = reach_of(confidence, degrees_of_freedom);
+  const double q = two_sided_t_quantile(confidence, degrees_of_freedom);
   const double c = slope * slope - q * q * covariance.bb;
   const double h = intercept * slope - q * q * covariance.ab;
   const double k = intercept * intercept - q * q * covariance.aa;
@@ -175,7 +166,7 @@ Bounded LognormalFragility::median(double confidence) const {
 }
 
 Bounded LognormalFragility::dispersion(double confidence) const {
-  const double reach = reach_of(confidence, degrees_of_freedom) * std::sqrt(covariance.bb) / slope;
+  const double reach = two_sided_t_quantile(confidence, degrees_of_freedom) * std::sqrt(covariance.bb) / slope;
   return {.value = 1.0 / slope, .interval = {.low = std::exp(-reach) / slope, .high = std::exp(reach) / slope}};
 }
 
@@ -202,7 +193,7 @@ FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels, double con
   const SymmetricMatrix found = sandwich(probit_likelihood(counts, a, b).information.inverse(), evidence(scores));
   law.covariance = {.aa = found.aa, .ab = found.ab, .bb = found.bb};
   law.degrees_of_freedom = static_cast<double>(differing_numbers(levels)) - 1.0;
-  const double reach = reach_of(std::max(confidence, least_confidence), law.degrees_of_freedom);
+  const double reach = two_sided_t_quantile(std::max(confidence, least_confidence), law.degrees_of_freedom);
   if (!(b > reach * std::sqrt(found.bb))) return {.outcome = FragilityOutcome::does_not_rise, .law = std::nullopt};
   return {.outcome = FragilityOutcome::fitted, .law = law};
 }

@@ -2,9 +2,8 @@
 
 #include <cmath>
 
-#include <boost/math/distributions/students_t.hpp>
-
 #include "rocking/base/error.hpp"
+#include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
 
@@ -21,8 +20,7 @@ RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double c
     squares += deviation * deviation;
   }
   const double error = std::sqrt(squares / (count - 1.0) / count);
-  const boost::math::students_t_distribution<double> student(count - 1.0);
-  const double t = quantile(complement(student, 0.5 * (1.0 - confidence)));
+  const double t = two_sided_t_quantile(confidence, count - 1.0);
   result.relative_error = error;
   result.interval = Interval{result.mean * std::exp(-t * error), result.mean * std::exp(t * error)};
   return result;

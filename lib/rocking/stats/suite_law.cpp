@@ -4,13 +4,13 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/mixed_probit.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/step_capacities.hpp"
+#include "rocking/stats/student_law.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -250,11 +250,6 @@ class Profile {
   Eigen::VectorXd free_;
 };
 
-double student_quantile(double confidence, std::size_t degrees_of_freedom) {
-  const boost::math::students_t_distribution<double> law(static_cast<double>(degrees_of_freedom));
-  return quantile(complement(law, 0.5 * (1.0 - confidence)));
-}
-
 /// The place, from `start` in steps that grow from `step`, where a function first exceeds 0; absent if it does not
 /// within `most` steps.
 template <class Function>
@@ -303,7 +298,7 @@ SuiteFit fit_suite(const SuiteLevels& suite, const std::vector<double>& weights)
 Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQuantity quantity, double confidence) {
   const CentredSuite data = centred(suite, {});
   ROCKING_EXPECT(data.records.size() > 1);
-  const double reach = student_quantile(confidence, data.records.size() - 1);
+  const double reach = two_sided_t_quantile(confidence, static_cast<double>(data.records.size() - 1));
   const double least = law.log_likelihood - 0.5 * reach * reach;
   const bool is_median = quantity == SuiteQuantity::median;
   Profile profile(data, law, quantity);

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <limits>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 
 #include "rocking/base/error.hpp"
+#include "rocking/stats/student_law.hpp"
 
 namespace rocking {
 namespace {
@@ -121,10 +121,7 @@ AnnualRate rate_by_law(const FragilityCurve& curve, const HazardCurve& hazard) {
   const double by_b = derivative(&stats::LognormalFragility::slope, law.covariance.bb);
   const double variance =
       by_a * by_a * law.covariance.aa + 2.0 * by_a * by_b * law.covariance.ab + by_b * by_b * law.covariance.bb;
-  double reach = 0.0;
-  const double tail = 0.5 * (1.0 - curve.confidence);
-  const double freedom = std::isinf(law.degrees_of_freedom) ? 1e9 : law.degrees_of_freedom;
-  reach = quantile(complement(boost::math::students_t_distribution<double>(freedom), tail));
+  const double reach = stats::two_sided_t_quantile(curve.confidence, law.degrees_of_freedom);
   const double factor = std::exp(reach * std::sqrt(std::max(0.0, variance)));
   found.interval = stats::Interval{.low = found.value / factor, .high = found.value * factor};
   return found;

@@ -200,8 +200,8 @@ template <SplittingModel Model>
   std::vector<std::size_t> ancestors;
   for (const auto& one : particles) ancestors.push_back(one.ancestor);
   std::ranges::sort(ancestors);
-  const auto repeated = std::ranges::unique(ancestors);
-  result.ancestors = ancestors.size() - repeated.size();
+  const auto end = std::unique(ancestors.begin(), ancestors.end());
+  result.ancestors = static_cast<std::size_t>(end - ancestors.begin());
   result.estimate = estimate;
   return result;
 }

@@ -9,11 +9,11 @@ import json
 import os
 import pickle
 import pkgutil
+import resource
 import signal
 import subprocess
 import tempfile
 import threading
-import time
 import unittest
 
 import numpy as np
@@ -310,15 +310,14 @@ class Cost(unittest.TestCase):
     def test_a_call_with_one_realisation_takes_at_most_3_ms(self):
         one = changed(realisations=1)
         del one["sweep"]
-        least = min(self.seconds_of(one) for _ in range(30))
-        print(f"\none call with one realisation: {1e3 * least:.2f} ms")
-        self.assertLess(least, 3e-3)
-
-    @staticmethod
-    def seconds_of(experiment):
-        began = time.perf_counter()
-        rocking.run(experiment)
-        return time.perf_counter() - began
+        rocking.run(one)  # the first call imports
+        calls = 500
+        began = resource.getrusage(resource.RUSAGE_SELF).ru_utime
+        for _ in range(calls):
+            rocking.run(one)
+        mean = (resource.getrusage(resource.RUSAGE_SELF).ru_utime - began) / calls
+        print(f"\none call with one realisation: {1e3 * mean:.2f} ms of processor time, the mean of {calls}")
+        self.assertLess(mean, 3e-3)
 
     def test_many_calls_keep_no_memory(self):
         one = changed(realisations=1)

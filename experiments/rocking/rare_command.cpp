@@ -108,9 +108,14 @@ void add_question(CLI::App& command, RareRequest& request) {
       ->check(whole_number(least_particles, most_particles))
       ->capture_default_str()
       ->type_name("N");
-  command.add_option("--score", request.score, "What measures how near a motion is to the event: tilt or energy")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, rare::Score>{{"tilt", rare::Score::tilt}, {"energy", rare::Score::energy}}))
+  command
+      .add_option_function<std::string>(
+          "--score",
+          [&request](const std::string& name) {
+            request.score = name == "energy" ? rare::Score::energy : rare::Score::tilt;
+          },
+          "What measures how near a motion is to the event: tilt or energy")
+      ->check(CLI::IsMember({"tilt", "energy"}).description(""))
       ->type_name("tilt|energy");
 }
 

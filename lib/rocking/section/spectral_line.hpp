@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "rocking/section/line_bounds.hpp"
 #include "rocking/section/plane.hpp"
 
 namespace rocking::section {
@@ -13,9 +14,6 @@ struct Line {
   int denominator = 1;
   double chance = 1.0;  ///< probability that noise without a line exceeds its neighbourhood this much
 };
-
-/// Number of reduced fractions j/q in (0, 1/2] with q <= 12: the tested lines.
-inline constexpr int line_count = 23;
 
 /// The most significant line of all j/q with 2 <= q <= 12 where q does not divide n; nothing if there is none to test.
 ///
@@ -28,6 +26,14 @@ inline constexpr int line_count = 23;
 ///
 /// Each line is compared with its own neighbourhood. It is therefore distinguished from the broad maximum of noise with
 /// long memory. `deviations` are measured from the centres of the classes k mod n.
-[[nodiscard]] std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution);
+///
+/// The chance of every line is bounded first (line_bounds.hpp); it is computed only for lines that may have the least.
+/// If bounds show that only one line may have it, and that it is below `needed_from`, its upper bound is returned.
+[[nodiscard]] std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution,
+                                                 double needed_from = 0.0);
+
+/// As strongest_line, with the chance of every line computed: what a test compares with.
+[[nodiscard]] std::optional<Line> strongest_line_of_all(std::span<const PlanePoint> deviations, int n,
+                                                        double resolution);
 
 }  // namespace rocking::section

@@ -1,0 +1,43 @@
+#include "rocking/section/line_neighbourhood.hpp"
+
+#include <algorithm>
+
+namespace rocking::section {
+namespace {
+
+/// Number of frequencies in the neighbourhood: a twentieth of the frequency bins, between 6 and 12.
+std::size_t neighbours_for(std::size_t points) { return std::clamp<std::size_t>(points / 20, 6, most_neighbours - 1); }
+
+/// Whether removing the class centres removed this frequency: it is within one bin of a multiple of 1/n.
+bool is_taken(double frequency, int n, double bin) {
+  const double turns = frequency * n;
+  const double off = turns - static_cast<int>(turns + 0.5);
+  return std::max(off, -off) < 0.75 * bin * n;
+}
+
+}  // namespace
+
+Neighbourhood neighbourhood_of(double frequency, int n, std::size_t points) {
+  const double bin = 1.0 / static_cast<double>(points);
+  const std::size_t wanted = neighbours_for(points);
+  Neighbourhood found;
+  for (int step = 1; found.count < wanted && step * bin < 0.5; ++step) {
+    for (const int side : {-1, 1}) {
+      const double neighbour = frequency + side * step * bin;
+      if (neighbour < 0.75 * bin || neighbour > 0.5 - 0.25 * bin) continue;
+      if (n > 1 && is_taken(neighbour, n, bin)) continue;
+      found.frequencies[found.count] = neighbour;
+      found.steps[found.count++] = side * step;
+    }
+  }
+  return found;
+}
+
+double chance_of_ratio(double ratio, std::size_t neighbours, bool at_half) {
+  const int degrees = 2 * static_cast<int>(neighbours);
+  double tail = 1.0;
+  for (int k = 1; k < degrees; ++k) tail *= ratio;
+  return at_half ? tail : tail * (degrees - (degrees - 1) * ratio);
+}
+
+}  // namespace rocking::section

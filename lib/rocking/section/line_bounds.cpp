@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
-#include <optional>
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/section/four.hpp"
@@ -33,17 +32,31 @@ struct Turn {
 
 constexpr Four all_ones{1.0, 1.0, 1.0, 1.0};
 
-/// Turns by step/length of a full turn, for the four steps from `first`.
-Turn turns_of(std::size_t first, std::size_t length) {
-  Turn turn{};
-  for (std::size_t i = 0; i < four; ++i) {
-    const double share = static_cast<double>((first + i) % length) / static_cast<double>(length);
-    const auto [sine, cosine] = base::sin_cos(2.0 * std::numbers::pi * share);
-    turn.cosine[i] = cosine;
-    turn.sine[i] = sine;
+/// Turns by 0, 1, 2 ... times a fraction of a full turn, four at a time, from products of one sine and cosine.
+class Turns {
+ public:
+  explicit Turns(std::size_t length) {
+    const auto [sine, cosine] = base::sin_cos(2.0 * std::numbers::pi / static_cast<double>(length));
+    const double cosine_2 = cosine * cosine - sine * sine;
+    const double sine_2 = 2.0 * sine * cosine;
+    const double cosine_4 = cosine_2 * cosine_2 - sine_2 * sine_2;
+    const double sine_4 = 2.0 * sine_2 * cosine_2;
+    now_ = {Four{1.0, cosine, cosine_2, cosine_2 * cosine - sine_2 * sine},
+            Four{0.0, sine, sine_2, sine_2 * cosine + cosine_2 * sine}};
+    by_four_ = {cosine_4 * all_ones, sine_4 * all_ones};
   }
-  return turn;
-}
+
+  /// The next four.
+  [[nodiscard]] Turn next() {
+    const Turn now = now_;
+    now_ = now.followed_by(by_four_);
+    return now;
+  }
+
+ private:
+  Turn now_;
+  Turn by_four_;
+};
 
 /// Fourier sums of x and y of the points with the same k mod Q, at four steps.
 struct FourSums {
@@ -80,11 +93,11 @@ void add_rows(std::span<const PlanePoint> points, std::size_t modulus, std::span
   }
 }
 
-void sum_vector(std::span<const PlanePoint> points, std::size_t modulus, std::size_t first_step,
+/// `row_turn` is the turn from one row to the next, `point_turn` that from one point to the next.
+void sum_vector(std::span<const PlanePoint> points, std::size_t modulus, const Turn& row_turn, const Turn& point_turn,
                 std::span<FourSums> sums) {
   std::ranges::fill(sums, FourSums{});
   const std::size_t rows = points.size() / modulus;
-  const Turn row_turn = turns_of(first_step, rows);
   std::array<Turn, rows_at_once> turns;  // written before it is read; setting it to 0 would cost a tenth of the time
   Turn row{all_ones, Four{}};
   for (std::size_t first = 0; first < rows; first += rows_at_once) {
@@ -95,7 +108,6 @@ void sum_vector(std::span<const PlanePoint> points, std::size_t modulus, std::si
     }
     add_rows(points.subspan(first * modulus), modulus, std::span(turns).first(some), sums);
   }
-  const Turn point_turn = turns_of(first_step, points.size());
   Turn point{all_ones, Four{}};
   for (std::size_t b = 0; b < modulus; ++b) {
     sums[b] = sums[b].turned(point);
@@ -199,11 +211,13 @@ double determinant_error(const Covariance& m, double terms, double error_x, doub
 
 /// The chance of spectral_line.hpp and bounds of its error.
 ///
-/// Both computations multiply a turn by itself: its error grows by at most 18 roundings per point (2.3 of the product
+/// spectral_line.cpp multiplies a turn by itself: its error grows by at most 18 roundings per point (2.3 of the product
 /// of complex numbers, 3 of sin and cos, 6.3 each of the frequency and of 2 pi), and a sum has at most one per point.
-/// Together they differ by less than 40 L roundings of the sum of the absolute values; 64 L are allowed for.
+/// Here a turn by s steps has at most 8 s roundings, s <= 15, and is multiplied L/Q times from row to row (Q >= 7) and
+/// Q <= 12 times from point to point: 17 L and 30 L roundings, and fewer than 5 L from cos and sin of 2 pi j/Q. Together
+/// they differ by less than 80 L roundings of the sum of the absolute values; 128 L are allowed for.
 ChanceBounds bounds_from(const Evidence& evidence, const Sizes& sizes, std::size_t length) {
-  const double error = 64.0 * unit * static_cast<double>(length);
+  const double error = 128.0 * unit * static_cast<double>(length);
   Covariance both = evidence.noise;
   both.add(evidence.line);
   const int degrees = 2 * static_cast<int>(evidence.neighbours);
@@ -222,8 +236,13 @@ ChanceBounds bounds_from(const Evidence& evidence, const Sizes& sizes, std::size
 /// Lines whose first sums are the same.
 class Group {
  public:
-  Group(std::span<const PlanePoint> points, std::size_t modulus, double resolution)
-      : points_(points), sizes_(points), modulus_(modulus), floor_(resolution * resolution) {
+  Group(std::span<const PlanePoint> points, const Sizes& sizes, std::size_t modulus, double resolution)
+      : points_(points),
+        sizes_(sizes),
+        modulus_(modulus),
+        floor_(resolution * resolution),
+        row_turns_(points.size() / modulus),
+        point_turns_(points.size()) {
     const auto [sine, cosine] = base::sin_cos(2.0 * std::numbers::pi / static_cast<double>(modulus));
     double c = 1.0;
     double s = 0.0;
@@ -243,7 +262,9 @@ class Group {
     const int last = neighbourhood.steps[neighbourhood.count - 1];
     const std::size_t vectors = static_cast<std::size_t>(last < 0 ? -last : last) / four + 1;
     if (vectors > most_vectors) return {};
-    for (; vectors_ < vectors; ++vectors_) sum_vector(points_, modulus_, four * vectors_, sums_[vectors_]);
+    for (; vectors_ < vectors; ++vectors_) {
+      sum_vector(points_, modulus_, row_turns_.next(), point_turns_.next(), sums_[vectors_]);
+    }
 
     const auto j = static_cast<std::size_t>(line.numerator) * modulus_ / static_cast<std::size_t>(line.denominator);
     const Weights weights(neighbourhood);
@@ -275,8 +296,10 @@ class Group {
  private:
   [[nodiscard]] BothSides at(std::size_t j, std::size_t vector) const {
     BothSides sides;
-    for (std::size_t b = 0, k = 0; b < modulus_; ++b, k = (k + j) % modulus_) {
+    for (std::size_t b = 0, k = 0; b < modulus_; ++b) {
       sides.add(sums_[vector][b], cosines_[k], sines_[k]);
+      k += j;
+      if (k >= modulus_) k -= modulus_;
     }
     return sides;
   }
@@ -287,6 +310,8 @@ class Group {
   double floor_;
   std::array<double, longest> cosines_{};
   std::array<double, longest> sines_{};
+  Turns row_turns_;
+  Turns point_turns_;
   FirstSums sums_;
   std::size_t vectors_ = 0;  ///< that are summed
 };
@@ -316,15 +341,17 @@ std::span<const LineFrequency, line_count> tested_lines() { return lines_by_deno
 std::array<ChanceBounds, line_count> chance_bounds(std::span<const PlanePoint> deviations, int n, double resolution) {
   std::array<ChanceBounds, line_count> bounds;
   if (deviations.size() < fewest_points) return bounds;
+  const Sizes sizes(deviations);
+  std::array<std::size_t, longest + 1> moduli{};  // by denominator; 0 if it is not tested
+  for (std::size_t q = 2; q <= longest; ++q) {
+    if (n % static_cast<int>(q) != 0) moduli[q] = modulus_for(q, deviations.size());
+  }
   for (std::size_t modulus = 2; modulus <= longest; ++modulus) {
-    std::optional<Group> group;
+    if (std::ranges::count(moduli, modulus) == 0) continue;
+    Group group(deviations.last(deviations.size() - deviations.size() % modulus), sizes, modulus, resolution);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
       const LineFrequency& line = lines_by_denominator[i];
-      const auto q = static_cast<std::size_t>(line.denominator);
-      if (n % line.denominator == 0 || modulus % q != 0 || modulus_for(q, deviations.size()) != modulus) continue;
-      const std::size_t length = deviations.size() - deviations.size() % q;
-      if (!group) group.emplace(deviations.last(length), modulus, resolution);
-      bounds[i] = group->bounds_of(line, n);
+      if (moduli[static_cast<std::size_t>(line.denominator)] == modulus) bounds[i] = group.bounds_of(line, n);
     }
   }
   return bounds;

@@ -19,16 +19,18 @@ bool is_taken(double frequency, int n, double bin) {
 
 Neighbourhood neighbourhood_of(double frequency, int n, std::size_t points) {
   const double bin = 1.0 / static_cast<double>(points);
+  const double lowest = 0.75 * bin;
+  const double highest = 0.5 - 0.25 * bin;
   const std::size_t wanted = neighbours_for(points);
   Neighbourhood found;
+  const auto look_at = [&](double neighbour, int step) {
+    if (neighbour < lowest || neighbour > highest || (n > 1 && is_taken(neighbour, n, bin))) return;
+    found.frequencies[found.count] = neighbour;
+    found.steps[found.count++] = step;
+  };
   for (int step = 1; found.count < wanted && step * bin < 0.5; ++step) {
-    for (const int side : {-1, 1}) {
-      const double neighbour = frequency + side * step * bin;
-      if (neighbour < 0.75 * bin || neighbour > 0.5 - 0.25 * bin) continue;
-      if (n > 1 && is_taken(neighbour, n, bin)) continue;
-      found.frequencies[found.count] = neighbour;
-      found.steps[found.count++] = side * step;
-    }
+    look_at(frequency - step * bin, -step);
+    look_at(frequency + step * bin, step);
   }
   return found;
 }

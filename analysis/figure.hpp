@@ -15,8 +15,9 @@ namespace rocking::analysis {
 using Cell = std::variant<std::monostate, double, std::string>;
 
 struct Column {
-  std::string name;     ///< one word, as in the data file
-  std::string meaning;  ///< in words, with symbol and unit
+  std::string name;          ///< one word, as in the data file
+  std::string meaning;       ///< in words, with symbol and unit
+  bool is_verbatim = false;  ///< whether `meaning` is a name, in which `_` begins no subscript
 };
 
 /// Rows of equal length. A matrix has unnamed columns, which are points of a grid; `grid` gives their positions.

@@ -1,8 +1,10 @@
 #include "analysis/fragility_figure.hpp"
 
 #include <algorithm>
+#include <map>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/data_file.hpp"
 #include "analysis/output_file.hpp"
@@ -145,49 +147,82 @@ std::string event_of(const Json& curve) {
   return "peak tilt > " + significant(curve.at("event").at("peak_tilt").get<double>(), 4);
 }
 
-/// A thin line through the shares of each record of a suite, and the pooled function with its band.
+/// Columns: intensity, records, n, how many, estimate; with a law `fitted` and its band.
+Table suite_table(const Json& curve) {
+  Table table{.name = event_of(curve) + ", all records",
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"records", "records"},
+                          {"n", "realisations of all records"},
+                          {"happened", "number of them with " + event_of(curve)},
+                          {"estimate", "mean over the records of their shares"},
+                          {"fitted", "probability by the law of the suite"},
+                          {"fitted_low", "lower end of its bootstrap interval"},
+                          {"fitted_high", "upper end of it"}},
+              .rows = {}};
+  const auto number = [](const Json& value) { return value.is_null() ? Cell() : Cell(value.get<double>()); };
+  for (const Json& level : curve.at("levels")) {
+    const Json& band = level.at("band");
+    table.rows.push_back({number(level.at("intensity")), number(level.at("records")), number(level.at("realisations")),
+                          number(level.at("overturned")), number(level.at("estimate")), number(level.at("fitted")),
+                          band.is_null() ? Cell() : number(band.at(0)), band.is_null() ? Cell() : number(band.at(1))});
+  }
+  return table;
+}
+
+/// Columns: intensity, the share of each record.
+Table record_shares(const Json& curve) {
+  Table table{.name = event_of(curve) + ", share of each record",
+              .columns = {{"intensity", "intensity of the excitation"}},
+              .rows = {}};
+  std::map<double, std::vector<Cell>> rows;
+  const Json& records = curve.at("records");
+  for (std::size_t i = 0; i < records.size(); ++i) {
+    table.columns.push_back(
+        {"record_" + std::to_string(i + 1), short_value("/excitation/file", records.at(i).at("name")), true});
+    for (const Json& level : records.at(i).at("levels")) {
+      std::vector<Cell>& row = rows[level.at("intensity").get<double>()];
+      row.resize(1 + records.size());
+      row[0] = level.at("intensity").get<double>();
+      row[i + 1] = level.at("estimate").get<double>();
+    }
+  }
+  for (auto& [intensity, row] : rows) table.rows.push_back(std::move(row));
+  return table;
+}
+
+/// A thin line through the shares of each record of a suite, and the law of the suite with its band.
 void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
   thin.colour = "#999999";
   thin.width = 0.5;
+  thin.size = 0.0;
   Style line = style_of_curve(number);
   Style ribbon = line;
   ribbon.hatch = 0;
   ribbon.opacity = 0.2;
-  for (const Json& record : curve.at("records")) {
-    figure.panels.back().layers.push_back({.kind = LayerKind::line,
-                                           .table = figure.tables.size(),
-                                           .columns = {0, 1},
-                                           .style = thin,
-                                           .legend = ""});
-    Table table{.name = record.at("name"),
-                .columns = {{"intensity", "intensity of the excitation"}, {"share", "share of the realisations"}},
-                .rows = {}};
-    for (const Json& level : record.at("levels")) {
-      table.rows.push_back({level.at("intensity").get<double>(), level.at("estimate").get<double>()});
-    }
-    figure.tables.push_back(std::move(table));
-  }
-  Table pooled{.name = "pooled",
-               .columns = {{"intensity", "intensity of the excitation"},
-                           {"fitted", "probability by the law of the suite"},
-                           {"low", "lower end of its bootstrap interval"},
-                           {"high", "upper end of it"}},
-               .rows = {}};
-  for (const Json& level : curve.at("levels")) {
-    if (level.at("fitted").is_null() || level.at("band").is_null()) continue;
-    pooled.rows.push_back({level.at("intensity").get<double>(), level.at("fitted").get<double>(),
-                           level.at("band").at(0).get<double>(), level.at("band").at(1).get<double>()});
-  }
-  if (pooled.rows.empty()) return;
+  line.width = 3.0;
+  line.size = 0.0;
+  const std::size_t all = figure.tables.size();
+  figure.tables.push_back(suite_table(curve));
+  figure.tables.push_back(record_shares(curve));
   std::vector<Layer>& layers = figure.panels.back().layers;
-  layers.push_back({.kind = LayerKind::ribbon, .table = figure.tables.size(), .columns = {0, 2, 3}, .style = ribbon});
+  for (std::size_t i = 1; i < figure.tables.back().columns.size(); ++i) {
+    layers.push_back({.kind = LayerKind::line,
+                      .table = all + 1,
+                      .columns = {0, i},
+                      .style = thin,
+                      .legend = i == 1 && number == 0 ? "share of a record" : ""});
+  }
+  if (curve.at("pooled").is_null()) return;
+  const Json& rows = curve.at("levels");
+  if (std::none_of(rows.begin(), rows.end(), [](const Json& level) { return level.at("band").is_null(); })) {
+    layers.push_back({.kind = LayerKind::ribbon, .table = all, .columns = {0, 6, 7}, .style = ribbon});
+  }
   layers.push_back({.kind = LayerKind::line,
-                    .table = figure.tables.size(),
-                    .columns = {0, 1},
+                    .table = all,
+                    .columns = {0, 5},
                     .style = line,
                     .legend = event_of(curve) + ", all records"});
-  figure.tables.push_back(std::move(pooled));
 }
 
 Panel panel_for(const Json& curve) {
@@ -213,7 +248,8 @@ std::string median_of(const Json& curve) {
 std::string description_of(const Json& curve) {
   if (is_suite(curve)) {
     const std::string begin = curve.at("title").get<std::string>() + ": ";
-    if (curve.at("pooled").is_null()) return begin + "no law of the suite (" + curve.at("outcome").get<std::string>() + ").";
+    if (curve.at("pooled").is_null())
+      return begin + "no law of the suite (" + curve.at("outcome").get<std::string>() + ").";
     return begin + "median " + value_and_interval(curve.at("pooled").at("median")) + ", dispersion " +
            value_and_interval(curve.at("pooled").at("dispersion")) + '.';
   }
@@ -226,11 +262,21 @@ std::string description_of(const Json& curve) {
 
 /// How to read the lines, as far as the figure has them.
 std::string caption_of(const Json& curves) {
-  std::string caption = "Markers: share of the realisations that overturned, with its exact interval.";
   const auto has = [&curves](const auto& is_so) {
-    return std::any_of(curves.begin(), curves.end(),
-                       [&is_so](const Json& curve) { return !curve.at("levels").empty() && !is_suite(curve) && is_so(curve); });
+    return std::any_of(curves.begin(), curves.end(), [&is_so](const Json& curve) {
+      return !curve.at("levels").empty() && !is_suite(curve) && is_so(curve);
+    });
   };
+  std::string caption;
+  if (std::any_of(curves.begin(), curves.end(), is_suite)) {
+    caption =
+        "Thin grey lines: shares of the realisations of each record. Thick lines and ribbons: the law of the suite, "
+        "with "
+        "scatter between and within records, and its bootstrap interval over records.";
+  }
+  if (!has([](const Json&) { return true; })) return caption;
+  if (!caption.empty()) caption += ' ';
+  caption += "Markers: share of the realisations that overturned, with its exact interval.";
   if (has([](const Json& curve) { return !curve.at("law").is_null(); })) {
     caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";
   }

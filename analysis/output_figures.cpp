@@ -10,6 +10,7 @@
 #include "analysis/cost_figures.hpp"
 #include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
+#include "analysis/incremental_figure.hpp"
 #include "analysis/motion_figure.hpp"
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
@@ -54,6 +55,7 @@ void collect(const OutputFile& file, Collection& found) {
     for (Figure& figure : cost_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.fragility/1") {
     for (Figure& figure : fragility_figures(output)) found.figures.push_back(std::move(figure));
+    for (Figure& figure : incremental_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.motion/1") {
     std::vector<Figure> figures = motion_figures(output);
     if (figures.empty()) {

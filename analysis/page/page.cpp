@@ -25,6 +25,7 @@ struct Part {
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{{"responses", "Which responses occur, and how likely are they?", {"mode_"}},
+                                     {"fragility", "What does the suite say?", {"fragility", "incremental"}},
                                      {"extent", "How far does the block move?", {"peak_", "final_"}},
                                      {"recurrence", "Is the response repeatable?", {"non_recurrence", "parting"}},
                                      {"question", "What was simulated?", {"scene"}},

@@ -130,6 +130,9 @@ std::string shaking_in_brief(const RunReport& report) {
   const auto kind = excitation.at("kind").get<std::string>();
   std::string text = fmt::format("on a base that {}", excitation_in_words(kind));
   if (excitation.contains("file")) return text + " in " + escaped(excitation.at("file").get<std::string>());
+  if (excitation.contains("suite")) {
+    return fmt::format("{} in a suite of {}", text, counted(excitation.at("suite").size(), "ground motion"));
+  }
   if (excitation.contains("shape") && !is_swept(report, "/excitation/shape")) {
     text += fmt::format(" ({})", escaped(excitation.at("shape").get<std::string>()));
   }
@@ -282,6 +285,11 @@ std::string question_in_brief(const RunReport& report) {
       side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report), friction_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
+  if (report.experiment.at("excitation").contains("suite")) {
+    text +=
+        "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the differences "
+        "between ground motions show what differs between earthquakes.</p>\n";
+  }
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
                             counted(realisations_of(report), "realisation"), horizon_in_brief(report));
 }

@@ -158,7 +158,9 @@ std::string data_table_html(const Table& table, const std::string& title) {
   PageTable shown;
   shown.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
   shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
-  for (const Column& column : table.columns) shown.head.push_back(lowered(column.meaning));
+  for (const Column& column : table.columns) {
+    shown.head.push_back(column.is_verbatim ? escaped(column.meaning) : lowered(column.meaning));
+  }
   shown.all_rows = table.rows.size();
   for (std::size_t i = 0; i < std::min(most_rows, table.rows.size()); ++i) {
     std::vector<PageCell> row;

@@ -10,8 +10,12 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include "analysis/fragility_figure.hpp"
+#include "analysis/incremental_figure.hpp"
 #include "commands.hpp"
+#include "drawing.hpp"
 #include "output.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/output/write_fragility.hpp"
@@ -26,11 +30,13 @@ namespace {
 struct FragilityRequest {
   std::vector<std::string> folders;
   std::vector<double> peak_tilts;
-  std::string hazard;  ///< file of a hazard curve; empty: none
-  std::string output;  ///< empty: nothing is written
+  std::string hazard;   ///< file of a hazard curve; empty: none
+  std::string output;   ///< empty: nothing is written
+  std::string figures;  ///< folder; empty: nothing is drawn
   bool overwrite = false;
   bool per_record = false;
   bool incremental = false;
+  StyleRequest style;
   Loudness loudness;
 };
 
@@ -70,24 +76,22 @@ void check_intensity(const HazardCurve& hazard, std::string_view parameter) {
                                                   "scale",     "pga_g",       "pgv_m_s"};
   const std::string own = last_key(parameter);
   if (hazard.intensity == own || std::ranges::find(known, hazard.intensity) == known.end()) return;
-  throw base::InputError({.place = hazard.name + ", line 1",
-                          .value = hazard.intensity,
-                          .reason = "is not the intensity of the run, which is " + own,
-                          .remedy = "give a hazard curve in " + own + ", or a run that sweeps /excitation/" +
-                                    hazard.intensity});
+  throw base::InputError(
+      {.place = hazard.name + ", line 1",
+       .value = hazard.intensity,
+       .reason = "is not the intensity of the run, which is " + own,
+       .remedy = "give a hazard curve in " + own + ", or a run that sweeps /excitation/" + hazard.intensity});
 }
 
 void add_group(const StripeGroup& group, const FragilityRequest& request, const std::optional<HazardCurve>& hazard,
                RunFragility& run) {
   for (const FragilityEvent& event : events_of(request)) {
     if (group.is_suite()) {
-      ShownSuite& shown =
-          run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed)});
+      ShownSuite& shown = run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed)});
       shown.has_hazard = hazard.has_value();
       if (hazard) shown.rate = annual_rate(shown.curve, *hazard);
     } else {
-      ShownCurve& shown =
-          run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed)});
+      ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed)});
       if (hazard) shown.rate = annual_rate(shown.curve, *hazard);
     }
   }
@@ -116,7 +120,15 @@ std::filesystem::path curve_file_in(const std::string& folder) {
   return std::filesystem::path(folder) / "fragility.json";
 }
 
+WrittenFigures draw_fragility(const std::string& text, const std::string& folder, const analysis::FigureLook& look) {
+  const Json output = Json::parse(text);
+  std::vector<analysis::Figure> figures = analysis::fragility_figures(output);
+  for (analysis::Figure& figure : analysis::incremental_figures(output)) figures.push_back(std::move(figure));
+  return write_figures(figures, folder, look);
+}
+
 ExitCode fragility(const FragilityRequest& request) {
+  const analysis::FigureLook look = look_for(request.style);
   if (!request.output.empty() && !request.overwrite && std::filesystem::exists(curve_file_in(request.output))) {
     throw InTheWay(curve_file_in(request.output).string() +
                    ": already exists; choose another folder, or add --overwrite to replace it");
@@ -131,8 +143,13 @@ ExitCode fragility(const FragilityRequest& request) {
     write_atomically(curve_file_in(request.output), text);
     table += fmt::format("numbers: {}\n", curve_file_in(request.output).string());
   }
+  WrittenFigures written;
+  if (!request.figures.empty()) {
+    written = draw_fragility(text, request.figures, look);
+    table += fmt::format("{}\n", fmt::join(written.files, "\n"));
+  }
   print_result(request.loudness.json ? text : base::printable(table));
-  return ExitCode::done;
+  return written.failures.tell(no_figure, PictureRole::purpose);
 }
 
 }  // namespace
@@ -170,6 +187,8 @@ void add_fragility(CLI::App& app, Action& action) {
   command->add_option("-o,--output", request->output, "Folder for fragility.json; created if necessary")
       ->type_name("DIR");
   command->add_flag("--overwrite", request->overwrite, "Replace fragility.json in the folder");
+  command->add_option("--figure", request->figures, "Folder for figures; created if necessary")->type_name("DIR");
+  add_style(*command, request->style);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return fragility(*request); }; });
 }

@@ -2,7 +2,7 @@
 include(GNUInstallDirs)
 install(TARGETS rocking)
 if(TARGET rocking-mpi)
-  install(TARGETS rocking-mpi)
+  install(TARGETS rocking-mpi COMPONENT mpi)  # a package of its own, so that nobody else needs MPI
 endif()
 
 set(help_folder ${CMAKE_CURRENT_BINARY_DIR}/help)

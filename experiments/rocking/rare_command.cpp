@@ -110,7 +110,7 @@ void add_question(CLI::App& command, RareRequest& request) {
       ->type_name("N");
   command.add_option("--score", request.score, "What measures how near a motion is to the event: tilt or energy")
       ->transform(CLI::CheckedTransformer(
-          std::map<std::string, rare::Score>{{"tilt", rare::Score::tilt}, {"energy", rare::Score::energy}})
+                      std::map<std::string, rare::Score>{{"tilt", rare::Score::tilt}, {"energy", rare::Score::energy}})
                       .description(""))  // of its own it lists the values as characters
       ->type_name("tilt|energy");
 }

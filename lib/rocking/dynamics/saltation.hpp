@@ -64,10 +64,11 @@ struct MovingBase {
     double tilt = 0.0, omega = 0.0, beta = 0.0, weight = 0.0;
   };
   const auto forces_along = [&](const Direction& d) {  // phi = psi - S theta
-    return forces_without_slip<base::Dual>({.edge = {{angle.sine, -angle.cosine * d.tilt}, {angle.cosine, angle.sine * d.tilt}},
-                                            .omega = {omega, d.omega},
-                                            .beta = {state.side * base.now.horizontal, d.beta},
-                                            .weight = {base.now.weight, d.weight}});
+    return forces_without_slip<base::Dual>(
+        {.edge = {{angle.sine, -angle.cosine * d.tilt}, {angle.cosine, angle.sine * d.tilt}},
+         .omega = {omega, d.omega},
+         .beta = {state.side * base.now.horizontal, d.beta},
+         .weight = {base.now.weight, d.weight}});
   };
   const auto slope = [&](const Direction& d) {
     const auto forces = forces_along(d);

@@ -23,7 +23,7 @@ class GroupScheduler {
   GroupScheduler(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop)
       : scheduler_(seed, kernels, stop) {}
 
-  /// Whether a lane is free for the runs of another group.
+  /// Whether a lane is free for the runs of another group, and no result waits to be returned by work().
   [[nodiscard]] bool wants_more() const { return scheduler_.wants_more(); }
   [[nodiscard]] bool is_idle() const { return groups_.empty(); }
   /// Number of groups that are not finished.

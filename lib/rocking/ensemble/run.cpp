@@ -1,5 +1,7 @@
 #include "rocking/ensemble/run.hpp"
 
+#include <algorithm>
+#include <cstdint>
 #include <exception>
 #include <string>
 #include <vector>
@@ -45,6 +47,15 @@ WorkList work_left(const Experiment& experiment, const Store& store) {
   return work;
 }
 
+/// Of the threads, those that find work: a realisation keeps one busy. Their start takes longer than a short realisation.
+unsigned busy_threads(const WorkList& work, std::size_t conditions, unsigned threads) {
+  for (std::size_t i = 0; i < conditions; ++i) {
+    if (!work.target(i).is_final) return threads;
+  }
+  const std::uint64_t left = std::max<std::uint64_t>(1, work.all() - work.done());
+  return static_cast<unsigned>(std::min<std::uint64_t>(threads, left));
+}
+
 /// Puts results of pairs into the store and makes them durable from time to time.
 class Journal {
  public:
@@ -85,7 +96,13 @@ RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options
                             if (options.on_progress) options.on_progress(work.done(), work.all());
                           }};
   try {
-    (options.pair_runner ? options.pair_runner : run_pairs)(experiment, options, flow);
+    if (options.pair_runner) {
+      options.pair_runner(experiment, options, flow);
+    } else {
+      RunOptions busy = options;
+      busy.threads = busy_threads(work, experiment.conditions.size(), options.threads);
+      run_pairs(experiment, busy, flow);
+    }
   } catch (...) {
     commit_if_possible(store);
     throw;

@@ -40,6 +40,7 @@ class LaneScheduler {
   /// One step of the group that has most runs.
   void step() { advance(largest_group()); }
 
+  [[nodiscard]] bool has_finished() const { return !finished_.empty(); }
   /// A run that has finished and was not taken yet; null if there is none.
   [[nodiscard]] Run* take_finished() {
     if (finished_.empty()) return nullptr;

@@ -49,7 +49,10 @@ class RealisationScheduler::Implementation {
       : seed_(seed), stop_(stop), scheduler_(kernels, stop) {}
   ~Implementation() = default;
 
-  [[nodiscard]] bool wants_more() const { return scheduler_.size() < scheduler_.wanted_size(); }
+  // A block that never moves ends in start() and needs no lane. Its result is to be taken before more are started.
+  [[nodiscard]] bool wants_more() const {
+    return !scheduler_.has_finished() && scheduler_.size() < scheduler_.wanted_size();
+  }
   [[nodiscard]] bool is_idle() const { return runs_.empty() && finished_.empty(); }
 
   void start(const RequestedRun& run, std::size_t id) {

@@ -25,7 +25,7 @@ class RealisationScheduler {
   RealisationScheduler(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop = {});
   ~RealisationScheduler();
 
-  /// Whether a lane is free for another realisation.
+  /// Whether a lane is free for another realisation, and no result waits to be returned by work().
   [[nodiscard]] bool wants_more() const;
   [[nodiscard]] bool is_idle() const;
 

@@ -63,7 +63,8 @@ LocalShape capacity_log_likelihood(const std::vector<CapacityRange>& ranges, con
       bend -= density * eta * along * along.transpose();
     }
     sum.gradient += range.weight * score;
-    sum.hessian += range.weight * (bend - score * score.transpose());
+    bend -= score * score.transpose();
+    sum.hessian += range.weight * bend;
   }
   return sum;
 }

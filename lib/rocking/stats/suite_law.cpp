@@ -176,14 +176,12 @@ Restricted restricted(SuiteQuantity quantity, double value, const Eigen::Vector2
 }
 
 /// The two free parameters of `restricted` at a law.
-Eigen::Vector2d free_parameters(SuiteQuantity quantity, const MixedProbitParameters& at) {
-  switch (quantity) {
-    case SuiteQuantity::median: return {at[1], at[2]};
-    case SuiteQuantity::between_records: return {at[0], at[1]};
-    case SuiteQuantity::dispersion:
-    case SuiteQuantity::within_record: break;
-  }
-  return {at[0], at[2]};
+Eigen::VectorXd free_parameters(SuiteQuantity quantity, const MixedProbitParameters& at) {
+  const Eigen::Index first = quantity == SuiteQuantity::median ? 1 : 0;
+  const Eigen::Index second = quantity == SuiteQuantity::between_records ? 1 : 2;
+  Eigen::VectorXd free(2);
+  free << at[first], at[second];
+  return free;
 }
 
 /// The largest log-likelihood with one quantity fixed. Remembers the last maximum, from which the next search starts.

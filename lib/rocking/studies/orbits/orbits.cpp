@@ -48,11 +48,11 @@ class OrbitSearch {
 
   void search_from_grid() {
     constexpr int steps = 4;
-    constexpr double largest_tilt = 0.8;
-    constexpr double largest_rate = 1.2;
+    constexpr double tilt_limit = 0.8;
+    constexpr double rate_limit = 1.2;
     for (int i = -steps; i <= steps; ++i) {
       for (int j = -steps; j <= steps; ++j) {
-        section::StrobePoint start{.tilt = largest_tilt * i / steps, .tilt_rate = largest_rate * j / steps};
+        section::StrobePoint start{.tilt = tilt_limit * i / steps, .tilt_rate = rate_limit * j / steps};
         if (condition_->scene.friction) {
           const auto image = map_.image(start, 1);
           if (!image) continue;

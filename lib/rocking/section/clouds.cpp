@@ -111,16 +111,16 @@ double memory_of(std::span<const PlanePoint> steps, const Covariance& scatter, d
 
 /// Whether a bound that takes a fraction of the time of memory_of shows that it does not exceed `limit`.
 ///
-/// No more than `last_kept` + 1 differences are nearer than some distance: all of them are kept by the trimmed
-/// covariance, whose least variance is therefore at least that of their sum. The median is above a value below which
-/// there are fewer than half of the squares. The conditions on the scatter and on the mean square keep the rounding
-/// errors of both computations below 1e-3 of the limits.
+/// If no more than `last_kept` squared distances are at most `near`, the trimmed covariance keeps all of these. Its
+/// least variance is then at least that of their sum, divided by the number of all. The median is at least any value
+/// that fewer than half of the squares are below. Sums go over squares below 0.999 `near`, and limits are exceeded by 1
+/// %, because both computations round: the conditions on the scatter and on the mean square make that less than 1e-6.
 bool is_memory_surely_below(double limit, std::span<const PlanePoint> steps, const Covariance& scatter) {
-  constexpr double slack = 1.01;
-  const double least_variance = slack * 2.0 * (1.0 - limit);
+  const double least_variance = 1.01 * 2.0 * (1.0 - limit);
   if (!(least_variance > 1e-3) || !(scatter.determinant() > 1e-4 * scatter.xx * scatter.yy)) return false;
   const double low_square = least_variance * median_of_squares;
   const double scale = 1.0 / scatter.determinant();
+  const auto count = static_cast<double>(steps.size());
   for (const double near : {4.0, 1.0}) {
     Covariance sum;
     double within = 0.0;
@@ -128,15 +128,14 @@ bool is_memory_surely_below(double limit, std::span<const PlanePoint> steps, con
     double total = 0.0;
     for (const PlanePoint& d : steps) {
       const double square = scale * (d.x * d.x * scatter.yy - 2.0 * d.x * d.y * scatter.xy + d.y * d.y * scatter.xx);
-      const double kept = square <= near ? 1.0 : 0.0;
-      sum.xx += kept * (d.x * d.x);
-      sum.xy += kept * (d.x * d.y);
-      sum.yy += kept * (d.y * d.y);
-      within += kept;
+      const double summed = square <= 0.999 * near ? 1.0 : 0.0;
+      sum.xx += summed * (d.x * d.x);
+      sum.xy += summed * (d.x * d.y);
+      sum.yy += summed * (d.y * d.y);
+      within += square <= near ? 1.0 : 0.0;
       low += square <= low_square ? 1.0 : 0.0;
       total += square;
     }
-    const auto count = static_cast<double>(steps.size());
     if (!(total < 1e6 * count) || !(2.0 * low < count - 2.0)) return false;
     if (within > static_cast<double>(last_kept(steps.size()))) continue;
     return least_ratio(sum.scaled(trimming_correction / count), scatter) > least_variance;

@@ -4,164 +4,51 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
-#include <numbers>
-#include <numeric>
 
-#include "rocking/base/elementary.hpp"
-#include "rocking/section/four.hpp"
-#include "rocking/section/line_neighbourhood.hpp"
+#include "rocking/section/nearby_sums.hpp"
 #include "rocking/section/period.hpp"
 
 namespace rocking::section {
 namespace {
 
-constexpr std::size_t most_vectors = 4;  // steps 0 ... 15; lines with farther neighbours have no bounds
 constexpr auto longest = static_cast<std::size_t>(longest_period);
-constexpr std::size_t fewest_points = 4 * longest;
+constexpr std::size_t fewest_points = 4 * longest;                     // the bound of the errors needs L >= 40
 constexpr double unit = 0.5 * std::numeric_limits<double>::epsilon();  // relative error of one rounding
 
-/// cos and sin of an angle, by lane.
-struct Turn {
-  Four cosine;
-  Four sine;
+/// Bound of the difference of a Fourier sum of L points here and in spectral_line.cpp, in units of the sum of the
+/// absolute values of the points, divided by L.
+///
+/// Both multiply turns by each other. In roundings, a product of two turns adds 2.3 to the sum of their errors, and sin
+/// and cos have 3.
+/// spectral_line.cpp: a turn by one point has 23 (its frequency 1.75, times 2 pi; 2 pi and the product with it 6.3; sin
+/// and cos; product), the turn of the last point 23 L; products and sums add L + 1. Together fewer than 25 L.
+/// nearby_sums.cpp: a turn by s <= 15 steps has at most 87 with the product, made from turns by 2 and 4 steps. It is
+/// multiplied L/Q times from row to row and Q times from point to point; cos and sin of 2 pi j b/Q have 5.8 Q; products
+/// and sums add L/Q + Q + 6. For Q = 2 ... 12 and L >= 40 these are fewer than 50 L.
+/// Both together are below 75 L; the bound leaves room for terms of second order.
+constexpr double error_per_point = 128.0 * unit;
 
-  [[nodiscard]] Turn followed_by(const Turn& b) const {
-    return {cosine * b.cosine - sine * b.sine, sine * b.cosine + cosine * b.sine};
-  }
-};
-
-constexpr Four all_ones{1.0, 1.0, 1.0, 1.0};
-
-/// Turns by 0, 1, 2 ... times a fraction of a full turn, four at a time, from products of one sine and cosine.
-class Turns {
- public:
-  explicit Turns(std::size_t length) {
-    const auto [sine, cosine] = base::sin_cos(2.0 * std::numbers::pi / static_cast<double>(length));
-    const double cosine_2 = cosine * cosine - sine * sine;
-    const double sine_2 = 2.0 * sine * cosine;
-    const double cosine_4 = cosine_2 * cosine_2 - sine_2 * sine_2;
-    const double sine_4 = 2.0 * sine_2 * cosine_2;
-    now_ = {Four{1.0, cosine, cosine_2, cosine_2 * cosine - sine_2 * sine},
-            Four{0.0, sine, sine_2, sine_2 * cosine + cosine_2 * sine}};
-    by_four_ = {cosine_4 * all_ones, sine_4 * all_ones};
-  }
-
-  /// The next four.
-  [[nodiscard]] Turn next() {
-    const Turn now = now_;
-    now_ = now.followed_by(by_four_);
-    return now;
-  }
-
- private:
-  Turn now_;
-  Turn by_four_;
-};
-
-/// Fourier sums of x and y of the points with the same k mod Q, at four steps.
-struct FourSums {
-  Four real_x;
-  Four imaginary_x;
-  Four real_y;
-  Four imaginary_y;
-
-  void add(const PlanePoint& p, const Turn& at) {
-    real_x += p.x * at.cosine;
-    imaginary_x += p.x * at.sine;
-    real_y += p.y * at.cosine;
-    imaginary_y += p.y * at.sine;
-  }
-
-  [[nodiscard]] FourSums turned(const Turn& by) const {
-    return {real_x * by.cosine - imaginary_x * by.sine, real_x * by.sine + imaginary_x * by.cosine,
-            real_y * by.cosine - imaginary_y * by.sine, real_y * by.sine + imaginary_y * by.cosine};
-  }
-};
-
-/// FourSums of the points with the same k mod Q, with all turns: sum over a of z[Q a + b] exp(2 pi i s (Q a + b)/L), by
-/// vector of steps s and residue b.
-using FirstSums = std::array<std::array<FourSums, longest>, most_vectors>;
-
-constexpr std::size_t rows_at_once = 64;
-
-void add_rows(std::span<const PlanePoint> points, std::size_t modulus, std::span<const Turn> turns,
-              std::span<FourSums> sums) {
-  for (std::size_t b = 0; b < modulus; ++b) {
-    FourSums sum = sums[b];
-    for (std::size_t a = 0; a < turns.size(); ++a) sum.add(points[a * modulus + b], turns[a]);
-    sums[b] = sum;
-  }
-}
-
-/// `row_turn` is the turn from one row to the next, `point_turn` that from one point to the next.
-void sum_vector(std::span<const PlanePoint> points, std::size_t modulus, const Turn& row_turn, const Turn& point_turn,
-                std::span<FourSums> sums) {
-  std::ranges::fill(sums, FourSums{});
-  const std::size_t rows = points.size() / modulus;
-  std::array<Turn, rows_at_once> turns;  // written before it is read; setting it to 0 would cost a tenth of the time
-  Turn row{all_ones, Four{}};
-  for (std::size_t first = 0; first < rows; first += rows_at_once) {
-    const std::size_t some = std::min(rows_at_once, rows - first);
-    for (std::size_t a = 0; a < some; ++a) {
-      turns[a] = row;
-      row = row.followed_by(row_turn);
-    }
-    add_rows(points.subspan(first * modulus), modulus, std::span(turns).first(some), sums);
-  }
-  Turn point{all_ones, Four{}};
-  for (std::size_t b = 0; b < modulus; ++b) {
-    sums[b] = sums[b].turned(point);
-    point = point.followed_by(point_turn);
-  }
-}
-
-/// FourSums of squares and products of Fourier sums, by lane.
+/// Sums of squares and products of Fourier sums.
 struct Powers {
   Four xx{};
   Four xy{};
   Four yy{};
 
-  void add(const Four& x, const Four& y, const Four& weight) {
-    xx += weight * x * x;
-    xy += weight * x * y;
-    yy += weight * y * y;
+  /// Of those whose weight is 1, not 0.
+  void add(const FourSums& sums, const Four& weight) {
+    xx += weight * (sums.real_x * sums.real_x + sums.imaginary_x * sums.imaginary_x);
+    xy += weight * (sums.real_x * sums.real_y + sums.imaginary_x * sums.imaginary_y);
+    yy += weight * (sums.real_y * sums.real_y + sums.imaginary_y * sums.imaginary_y);
   }
   [[nodiscard]] Covariance sum() const {
     return {xx[0] + xx[1] + xx[2] + xx[3], xy[0] + xy[1] + xy[2] + xy[3], yy[0] + yy[1] + yy[2] + yy[3]};
   }
 };
 
-/// Fourier sums at the frequencies j/Q + s/L and j/Q - s/L: products of the first sums with cos and sin of 2 pi j b/Q,
-/// summed over b.
-struct BothSides {
-  FourSums with_cosine{};
-  FourSums with_sine{};
-
-  void add(const FourSums& first, double cosine, double sine) {
-    with_cosine.real_x += cosine * first.real_x;
-    with_cosine.imaginary_x += cosine * first.imaginary_x;
-    with_cosine.real_y += cosine * first.real_y;
-    with_cosine.imaginary_y += cosine * first.imaginary_y;
-    with_sine.real_x += sine * first.real_x;
-    with_sine.imaginary_x += sine * first.imaginary_x;
-    with_sine.real_y += sine * first.real_y;
-    with_sine.imaginary_y += sine * first.imaginary_y;
-  }
-
-  [[nodiscard]] FourSums above() const {
-    return {with_cosine.real_x - with_sine.imaginary_x, with_cosine.imaginary_x + with_sine.real_x,
-            with_cosine.real_y - with_sine.imaginary_y, with_cosine.imaginary_y + with_sine.real_y};
-  }
-  [[nodiscard]] FourSums below() const {
-    return {with_cosine.real_x + with_sine.imaginary_x, with_sine.real_x - with_cosine.imaginary_x,
-            with_cosine.real_y + with_sine.imaginary_y, with_sine.real_y - with_cosine.imaginary_y};
-  }
-};
-
 /// Which neighbours a line has: 1 or 0 by step.
 struct Weights {
-  std::array<Four, most_vectors> above{};
-  std::array<Four, most_vectors> below{};
+  std::array<Four, NearbySums::most_vectors> above{};
+  std::array<Four, NearbySums::most_vectors> below{};
 
   explicit Weights(const Neighbourhood& neighbourhood) {
     for (std::size_t i = 0; i < neighbourhood.count; ++i) {
@@ -172,148 +59,100 @@ struct Weights {
   }
 };
 
-/// FourSums of the absolute values of the points: what the errors of the Fourier sums are proportional to.
-struct Sizes {
+/// Bounds of the errors of Fourier sums of some or all points.
+struct SumErrors {
   double x = 0.0;
   double y = 0.0;
 
-  explicit Sizes(std::span<const PlanePoint> points) {
+  explicit SumErrors(std::span<const PlanePoint> points) {
     for (const PlanePoint& p : points) {
       x += std::abs(p.x);
       y += std::abs(p.y);
     }
+    x *= error_per_point * static_cast<double>(points.size());
+    y *= error_per_point * static_cast<double>(points.size());
   }
 };
 
-/// What the chance of a line is computed from.
-struct Evidence {
-  Covariance noise;  ///< sums over the neighbours, with the resolution
-  Covariance line;   ///< the same of the line itself; at frequency 1/2 half of its real part
-  std::size_t neighbours = 0;
-  bool at_half = false;
-};
-
-/// Bound of the relative error of the determinant, infinite if its sign is not known, given bounds of the errors of Fourier sums in x and y, of which
-/// `terms` squares were added: abs(sum of products of a and b - the same of a + da and b + db) is at most
-/// da sqrt(terms bb) + db sqrt(terms aa) + terms da db (Cauchy-Schwarz).
-double determinant_error(const Covariance& m, double terms, double error_x, double error_y) {
+/// Bound of the relative error of the determinant of m, a sum of squares and products of at most `terms` pairs (a, b)
+/// whose errors da and db are bounded; infinite if the sign of the determinant is not certain.
+///
+/// abs(sum of (a + da)(b + db) - sum of a b) <= da sqrt(terms bb) + db sqrt(terms aa) + terms da db (Cauchy-Schwarz).
+/// The sums of at most 28 terms and the determinant are rounded as well.
+double determinant_error(const Covariance& m, double terms, const SumErrors& errors) {
   const double root_x = std::sqrt(terms * m.xx);
   const double root_y = std::sqrt(terms * m.yy);
   const double rounding = 64.0 * unit;
-  const double in_xx = error_x * (2.0 * root_x + terms * error_x) + rounding * m.xx;
-  const double in_yy = error_y * (2.0 * root_y + terms * error_y) + rounding * m.yy;
+  const double in_xx = errors.x * (2.0 * root_x + terms * errors.x) + rounding * m.xx;
+  const double in_yy = errors.y * (2.0 * root_y + terms * errors.y) + rounding * m.yy;
   const double in_xy =
-      error_x * root_y + error_y * root_x + terms * error_x * error_y + rounding * std::sqrt(m.xx * m.yy);
+      errors.x * root_y + errors.y * root_x + terms * errors.x * errors.y + rounding * std::sqrt(m.xx * m.yy);
   const double absolute =
       m.xx * in_yy + m.yy * in_xx + in_xx * in_yy + (2.0 * std::abs(m.xy) + in_xy) * in_xy + 8.0 * unit * m.xx * m.yy;
   return m.determinant() > 0.0 ? absolute / m.determinant() : std::numeric_limits<double>::infinity();
 }
 
-/// The chance of spectral_line.hpp and bounds of its error.
+/// Bounds of the chance of a line with sums of squares and products `line`, whose neighbours have `noise`.
 ///
-/// spectral_line.cpp multiplies a turn by itself: its error grows by at most 18 roundings per point (2.3 of the product
-/// of complex numbers, 3 of sin and cos, 6.3 each of the frequency and of 2 pi), and a sum has at most one per point.
-/// Here a turn by s steps has at most 8 s roundings, s <= 15, and is multiplied L/Q times from row to row (Q >= 7) and
-/// Q <= 12 times from point to point: 17 L and 30 L roundings, and fewer than 5 L from cos and sin of 2 pi j/Q. Together
-/// they differ by less than 80 L roundings of the sum of the absolute values; 128 L are allowed for.
-ChanceBounds bounds_from(const Evidence& evidence, const Sizes& sizes, std::size_t length) {
-  const double error = 128.0 * unit * static_cast<double>(length);
-  Covariance both = evidence.noise;
-  both.add(evidence.line);
-  const int degrees = 2 * static_cast<int>(evidence.neighbours);
+/// The ratio L has half of the relative error of the determinants, r together. L^(2M-1) has (2M-1) r/2, the factor of
+/// spectral_line.hpp, which is at least 1, the same. Three times 2M r also covers terms of second order, as 2M r < 0.1.
+ChanceBounds bounds_from(const Covariance& noise, const Covariance& line, const Neighbourhood& neighbourhood,
+                         bool at_half, const SumErrors& errors) {
+  const int degrees = 2 * static_cast<int>(neighbourhood.count);
   const double terms = degrees + 2;
-  const double relative = determinant_error(evidence.noise, terms, error * sizes.x, error * sizes.y) +
-                          determinant_error(both, terms, error * sizes.x, error * sizes.y);
-  if (!(relative * degrees < 0.1)) return {};
-  const double ratio = std::sqrt(evidence.noise.determinant() / both.determinant());
-  const double chance = chance_of_ratio(ratio, evidence.neighbours, evidence.at_half);
-  // The exponent of the ratio, its factor, and roundings of both.
-  const double share = 3.0 * degrees * relative + 16.0 * degrees * unit;
-  const double underflow = 1e-290;
+  Covariance both = noise;
+  both.add(line);
+  const double error = determinant_error(noise, terms, errors) + determinant_error(both, terms, errors);
+  if (!(error * degrees < 0.1)) return {};
+  const double ratio = std::sqrt(noise.determinant() / both.determinant());
+  const double chance = chance_of_ratio(ratio, neighbourhood.count, at_half);
+  const double share = 3.0 * degrees * error + 16.0 * degrees * unit;
+  const double underflow = 1e-290;  // larger than what a product loses near the smallest number
   return {chance * (1.0 - share) - underflow, chance * (1.0 + share) + underflow};
 }
 
-/// Lines whose first sums are the same.
+/// Lines for which the series has the same length, and denominators with the same multiple.
 class Group {
  public:
-  Group(std::span<const PlanePoint> points, const Sizes& sizes, std::size_t modulus, double resolution)
-      : points_(points),
-        sizes_(sizes),
-        modulus_(modulus),
-        floor_(resolution * resolution),
-        row_turns_(points.size() / modulus),
-        point_turns_(points.size()) {
-    const auto [sine, cosine] = base::sin_cos(2.0 * std::numbers::pi / static_cast<double>(modulus));
-    double c = 1.0;
-    double s = 0.0;
-    for (std::size_t b = 0; b < modulus; ++b) {
-      cosines_[b] = c;
-      sines_[b] = s;
-      const double next = c * cosine - s * sine;
-      s = s * cosine + c * sine;
-      c = next;
-    }
-  }
+  Group(std::span<const PlanePoint> points, std::size_t modulus)
+      : length_(points.size()), modulus_(modulus), sums_(points, modulus) {}
 
-  [[nodiscard]] ChanceBounds bounds_of(const LineFrequency& line, int n) {
+  [[nodiscard]] ChanceBounds bounds_of(const LineFrequency& line, int n, double resolution, const SumErrors& errors) {
     const double frequency = static_cast<double>(line.numerator) / line.denominator;
-    const Neighbourhood neighbourhood = neighbourhood_of(frequency, n, points_.size());
+    const Neighbourhood neighbourhood = neighbourhood_of(frequency, n, length_);
     if (neighbourhood.count == 0) return {};
     const int last = neighbourhood.steps[neighbourhood.count - 1];
     const std::size_t vectors = static_cast<std::size_t>(last < 0 ? -last : last) / four + 1;
-    if (vectors > most_vectors) return {};
-    for (; vectors_ < vectors; ++vectors_) {
-      sum_vector(points_, modulus_, row_turns_.next(), point_turns_.next(), sums_[vectors_]);
-    }
+    if (vectors > NearbySums::most_vectors) return {};
 
     const auto j = static_cast<std::size_t>(line.numerator) * modulus_ / static_cast<std::size_t>(line.denominator);
     const Weights weights(neighbourhood);
-    Powers noise;
-    Evidence evidence{.noise = {}, .line = {}, .neighbours = neighbourhood.count, .at_half = line.denominator == 2};
+    const bool at_half = line.denominator == 2;
+    Powers powers;
+    Covariance own;
     for (std::size_t v = 0; v < vectors; ++v) {
-      const BothSides sides = at(j, v);
-      const FourSums above = sides.above();
-      const FourSums below = sides.below();
-      noise.add(above.real_x, above.real_y, weights.above[v]);
-      noise.add(above.imaginary_x, above.imaginary_y, weights.above[v]);
-      noise.add(below.real_x, below.real_y, weights.below[v]);
-      noise.add(below.imaginary_x, below.imaginary_y, weights.below[v]);
+      const auto [above, below] = sums_.at(j, v);
+      powers.add(above, weights.above[v]);
+      powers.add(below, weights.below[v]);
       if (v > 0) continue;
-      evidence.line.add(PlanePoint{above.real_x[0], above.real_y[0]});
-      if (evidence.at_half) {
-        evidence.line = evidence.line.scaled(0.5);
+      own.add(PlanePoint{above.real_x[0], above.real_y[0]});
+      if (at_half) {
+        own = own.scaled(0.5);  // all of the power; at other frequencies half
       } else {
-        evidence.line.add(PlanePoint{above.imaginary_x[0], above.imaginary_y[0]});
+        own.add(PlanePoint{above.imaginary_x[0], above.imaginary_y[0]});
       }
     }
-    evidence.noise = noise.sum();
-    const double floor = floor_ * static_cast<double>(points_.size() * neighbourhood.count);
-    evidence.noise.xx += floor;
-    evidence.noise.yy += floor;
-    return bounds_from(evidence, sizes_, points_.size());
+    Covariance noise = powers.sum();
+    const double floor = resolution * resolution * static_cast<double>(length_ * neighbourhood.count);
+    noise.xx += floor;
+    noise.yy += floor;
+    return bounds_from(noise, own, neighbourhood, at_half, errors);
   }
 
  private:
-  [[nodiscard]] BothSides at(std::size_t j, std::size_t vector) const {
-    BothSides sides;
-    for (std::size_t b = 0, k = 0; b < modulus_; ++b) {
-      sides.add(sums_[vector][b], cosines_[k], sines_[k]);
-      k += j;
-      if (k >= modulus_) k -= modulus_;
-    }
-    return sides;
-  }
-
-  std::span<const PlanePoint> points_;
-  Sizes sizes_;
+  std::size_t length_;
   std::size_t modulus_;
-  double floor_;
-  std::array<double, longest> cosines_{};
-  std::array<double, longest> sines_{};
-  Turns row_turns_;
-  Turns point_turns_;
-  FirstSums sums_;
-  std::size_t vectors_ = 0;  ///< that are summed
+  NearbySums sums_;
 };
 
 /// The largest multiple of q <= 12 for which the series has the same length as for q.
@@ -323,35 +162,24 @@ std::size_t modulus_for(std::size_t q, std::size_t points) {
   return modulus;
 }
 
-constexpr std::array<LineFrequency, line_count> lines_by_denominator = [] {
-  std::array<LineFrequency, line_count> lines;
-  std::size_t count = 0;
-  for (int q = 2; q <= longest_period; ++q) {
-    for (int j = 1; 2 * j <= q; ++j) {
-      if (std::gcd(j, q) == 1) lines[count++] = {j, q};
-    }
-  }
-  return lines;
-}();
-
 }  // namespace
-
-std::span<const LineFrequency, line_count> tested_lines() { return lines_by_denominator; }
 
 std::array<ChanceBounds, line_count> chance_bounds(std::span<const PlanePoint> deviations, int n, double resolution) {
   std::array<ChanceBounds, line_count> bounds;
   if (deviations.size() < fewest_points) return bounds;
-  const Sizes sizes(deviations);
+  const SumErrors errors(deviations);
   std::array<std::size_t, longest + 1> moduli{};  // by denominator; 0 if it is not tested
   for (std::size_t q = 2; q <= longest; ++q) {
     if (n % static_cast<int>(q) != 0) moduli[q] = modulus_for(q, deviations.size());
   }
   for (std::size_t modulus = 2; modulus <= longest; ++modulus) {
     if (std::ranges::count(moduli, modulus) == 0) continue;
-    Group group(deviations.last(deviations.size() - deviations.size() % modulus), sizes, modulus, resolution);
+    Group group(deviations.last(deviations.size() - deviations.size() % modulus), modulus);
     for (std::size_t i = 0; i < bounds.size(); ++i) {
-      const LineFrequency& line = lines_by_denominator[i];
-      if (moduli[static_cast<std::size_t>(line.denominator)] == modulus) bounds[i] = group.bounds_of(line, n);
+      const LineFrequency& line = tested_lines()[i];
+      if (moduli[static_cast<std::size_t>(line.denominator)] == modulus) {
+        bounds[i] = group.bounds_of(line, n, resolution, errors);
+      }
     }
   }
   return bounds;

@@ -1,6 +1,9 @@
 #include "rocking/section/line_neighbourhood.hpp"
 
 #include <algorithm>
+#include <numeric>
+
+#include "rocking/section/period.hpp"
 
 namespace rocking::section {
 namespace {
@@ -15,7 +18,20 @@ bool is_taken(double frequency, int n, double bin) {
   return std::max(off, -off) < 0.75 * bin * n;
 }
 
+constexpr std::array<LineFrequency, line_count> lines_by_denominator = [] {
+  std::array<LineFrequency, line_count> lines;
+  std::size_t count = 0;
+  for (int q = 2; q <= longest_period; ++q) {
+    for (int j = 1; 2 * j <= q; ++j) {
+      if (std::gcd(j, q) == 1) lines[count++] = {j, q};
+    }
+  }
+  return lines;
+}();
+
 }  // namespace
+
+std::span<const LineFrequency, line_count> tested_lines() { return lines_by_denominator; }
 
 Neighbourhood neighbourhood_of(double frequency, int n, std::size_t points) {
   const double bin = 1.0 / static_cast<double>(points);

@@ -2,11 +2,23 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 namespace rocking::section {
 
-inline constexpr std::size_t most_neighbours =
-    13;  ///< twelve, and one more where only one side of the last step is used
+/// A reduced fraction of the excitation frequency, in (0, 1/2], at which deviations may have a spectral line.
+struct LineFrequency {
+  int numerator = 0;
+  int denominator = 1;
+};
+
+/// Number of reduced fractions j/q in (0, 1/2] with q <= 12: the tested lines.
+inline constexpr int line_count = 23;
+
+/// The tested lines, by denominator and numerator.
+[[nodiscard]] std::span<const LineFrequency, line_count> tested_lines();
+
+inline constexpr std::size_t most_neighbours = 13;  ///< twelve, and one more on the other side of the last step
 
 /// The frequencies with which a spectral line is compared: M nearest ones on both sides, inside (0, 1/2), without those
 /// that the class means remove.

@@ -40,7 +40,7 @@ std::optional<Phases> find_phases(std::span<const PlanePoint> points, double res
       phases.chance_left = line->chance;
       return phases;
     }
-    phases.n = std::lcm(phases.n, line->denominator);
+    phases.n = std::lcm(phases.n, line->frequency.denominator);
     if (phases.n > longest_period) return std::nullopt;
   }
 }

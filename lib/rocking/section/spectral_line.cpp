@@ -9,7 +9,7 @@
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/section/four.hpp"
-#include "rocking/section/line_neighbourhood.hpp"
+#include "rocking/section/line_bounds.hpp"
 
 namespace rocking::section {
 namespace {
@@ -78,19 +78,24 @@ Amplitudes amplitudes_at(std::span<const double> frequencies, std::span<const Pl
   return all;
 }
 
-double chance_of(int numerator, int denominator, int n, std::span<const PlanePoint> deviations, double resolution) {
+/// Whether a line is tested if the means of n classes were removed.
+bool is_tested(const LineFrequency& line, int n) { return n % line.denominator != 0; }
+
+}  // namespace
+
+double line_chance(const LineFrequency& line, std::span<const PlanePoint> deviations, int n, double resolution) {
   // Only a whole number of cycles of the line is used, so that lines at other multiples of 1/denominator do not leak
   // into it.
-  const std::size_t length = deviations.size() - deviations.size() % static_cast<std::size_t>(denominator);
+  const std::size_t length = deviations.size() - deviations.size() % static_cast<std::size_t>(line.denominator);
   const auto points = deviations.last(length);
-  const double frequency = static_cast<double>(numerator) / denominator;
+  const double frequency = static_cast<double>(line.numerator) / line.denominator;
   const Neighbourhood neighbourhood = neighbourhood_of(frequency, n, length);
   const auto count = static_cast<int>(neighbourhood.count);
   std::array<double, most_neighbours + 1> frequencies{};
   std::ranges::copy(neighbourhood.frequencies, frequencies.begin());
   frequencies[neighbourhood.count] = frequency;
   const Amplitudes amplitudes = amplitudes_at(std::span(frequencies).first(neighbourhood.count + 1), points);
-  const Amplitude& line = amplitudes[neighbourhood.count];
+  const Amplitude& own = amplitudes[neighbourhood.count];
 
   const double floor = resolution * resolution * static_cast<double>(length) * count;
   Covariance noise;
@@ -98,55 +103,40 @@ double chance_of(int numerator, int denominator, int n, std::span<const PlanePoi
   noise.xx += floor;
   noise.yy += floor;
   Covariance both = noise;
-  if (denominator == 2) {
-    both.add(line.real.scaled(std::numbers::sqrt2 / 2.0));  // all of the power; at other frequencies half
+  if (line.denominator == 2) {
+    both.add(own.real.scaled(std::numbers::sqrt2 / 2.0));  // all of the power; at other frequencies half
   } else {
-    line.add_to(both);
+    own.add_to(both);
   }
   const double ratio = std::sqrt(noise.determinant() / both.determinant());
-  return chance_of_ratio(ratio, neighbourhood.count, denominator == 2);
+  return chance_of_ratio(ratio, neighbourhood.count, line.denominator == 2);
 }
-
-}  // namespace
 
 std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution,
                                    double needed_from) {
   const std::array<ChanceBounds, line_count> bounds = chance_bounds(deviations, n, resolution);
-  const auto is_tested = [n](std::size_t i) { return n % tested_lines()[i].denominator != 0; };
-  double least_most = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (is_tested(i)) least_most = std::min(least_most, bounds[i].most);
-  }
-  std::size_t first_tested = 0;
-  while (first_tested < bounds.size() && !is_tested(first_tested)) ++first_tested;
-  std::array<std::size_t, line_count> candidates{};
+  const auto lines = tested_lines();
+  std::array<std::size_t, line_count> tested{};
   std::size_t count = 0;
+  double least_most = std::numeric_limits<double>::infinity();  // the least chance is at most this
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (is_tested(i) && !(bounds[i].least > least_most)) candidates[count++] = i;
+    if (!is_tested(lines[i], n)) continue;
+    tested[count++] = i;
+    least_most = std::min(least_most, bounds[i].most);
   }
-  if (count == 1 && least_most < needed_from) {
-    const LineFrequency& line = tested_lines()[candidates[0]];
-    return Line{line.numerator, line.denominator, least_most};
+  const auto all = std::span(tested).first(count);
+  const auto may_be_least = [&](std::size_t i) { return bounds[i].least <= least_most; };
+  if (least_most < needed_from && std::ranges::count_if(all, may_be_least) == 1) {
+    return Line{lines[*std::ranges::find_if(all, may_be_least)], least_most};
   }
   std::optional<Line> strongest;
-  for (const std::size_t i : std::span(candidates).first(count)) {
-    if (strongest && bounds[i].least >= strongest->chance) continue;
-    const auto [numerator, denominator] = tested_lines()[i];
-    const double chance = chance_of(numerator, denominator, n, deviations, resolution);
+  for (const std::size_t i : all) {
+    if (!may_be_least(i) || (strongest && bounds[i].least >= strongest->chance)) continue;
+    const double chance = line_chance(lines[i], deviations, n, resolution);
     // Rounding makes the chance NaN where both coordinates are proportional. Such a line is the strongest if it is the
     // first, and is passed over if it is not.
-    const bool is_stronger = strongest ? chance < strongest->chance : i == first_tested || !std::isnan(chance);
-    if (is_stronger) strongest = Line{numerator, denominator, chance};
-  }
-  return strongest;
-}
-
-std::optional<Line> strongest_line_of_all(std::span<const PlanePoint> deviations, int n, double resolution) {
-  std::optional<Line> strongest;
-  for (const auto& [numerator, denominator] : tested_lines()) {
-    if (n % denominator == 0) continue;
-    const double chance = chance_of(numerator, denominator, n, deviations, resolution);
-    if (!strongest || chance < strongest->chance) strongest = Line{numerator, denominator, chance};
+    const bool is_stronger = strongest ? chance < strongest->chance : i == all.front() || !std::isnan(chance);
+    if (is_stronger) strongest = Line{lines[i], chance};
   }
   return strongest;
 }

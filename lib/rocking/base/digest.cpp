@@ -5,6 +5,7 @@
 #define OPENSSL_SUPPRESS_DEPRECATED
 
 #include <bit>
+#include <cstring>
 
 #include <openssl/sha.h>
 
@@ -24,12 +25,30 @@ std::array<std::byte, 8> little_endian(Word word) {
 
 }  // namespace
 
+/// Collects small pieces: OpenSSL takes longer to accept a number than to digest it.
 struct Sha256Builder::Context {
   Context() { SHA256_Init(&state); }
 
-  void add(const void* data, std::size_t size) { SHA256_Update(&state, data, size); }
+  void add(const void* data, std::size_t size) {
+    if (size > waiting.size() - filled) {
+      pass_on();
+      if (size > waiting.size()) {
+        SHA256_Update(&state, data, size);
+        return;
+      }
+    }
+    if (size > 0) std::memcpy(waiting.data() + filled, data, size);
+    filled += size;
+  }
+
+  void pass_on() {
+    SHA256_Update(&state, waiting.data(), filled);
+    filled = 0;
+  }
 
   SHA256_CTX state;
+  std::array<std::byte, 1024> waiting;
+  std::size_t filled = 0;
 };
 
 Sha256Builder::Sha256Builder() : context_(std::make_unique<Context>()) {}
@@ -55,6 +74,7 @@ void Sha256Builder::add(const Sha256& digest) { context_->add(digest.data(), dig
 Sha256 Sha256Builder::finish() {
   ROCKING_EXPECT(context_ != nullptr);
   Sha256 digest{};
+  context_->pass_on();
   SHA256_Final(reinterpret_cast<unsigned char*>(digest.data()), &context_->state);
   context_.reset();
   return digest;

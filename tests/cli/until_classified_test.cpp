@@ -14,12 +14,15 @@ using rocking::support::quick_experiment;
 class UntilClassified : public rocking::support::ProgramTest {
  protected:
   UntilClassified() {
+    // Responses settle at the horizon and later, do not settle, overturn, and are left.
     Json experiment = quick_experiment();
+    experiment["friction"] = {{"static", 0.40}, {"kinetic", 0.35}};
     experiment["initial"] = {{"tilt", {{"uniform", {0.0, 0.5}}}}};
+    experiment["sweep"][0]["values"] = {5.5, 6.0, 7.0};
     experiment["horizon"] = {
         {"transient_periods", 20},
-        {"sampled_periods", 40},
-        {"until_classified", {{"at_most_periods", 500}, {"held_windows", 2}, {"watch_windows", 2}}}};
+        {"sampled_periods", 60},
+        {"until_classified", {{"at_most_periods", 1000}, {"held_windows", 2}, {"watch_windows", 2}}}};
     experiment["realisations"] = 24;
     write("until.json", experiment.dump());
   }
@@ -47,11 +50,12 @@ TEST_F(UntilClassified, ContinuesSomeRealisationsAndNotAll) {
     censored += incidence.at("censored").get<std::uint64_t>();
     for (const auto& [mode, leaving] : incidence.at("leaving").items()) left += leaving.at("left").get<std::uint64_t>();
     for (const auto& [mode, curve] : incidence.at("modes").items()) {
-      some_later = some_later || curve.at("periods").back() > 60;
+      some_later = some_later || curve.at("periods").back() > 80;
     }
   }
   EXPECT_TRUE(some_later);
-  EXPECT_GT(censored + left, 0U) << "otherwise the other tests do not meet these ends";
+  EXPECT_GT(censored, 0U);
+  EXPECT_GT(left, 0U);
 }
 
 TEST_F(UntilClassified, HasTheSameBytesOnAnyNumberOfThreads) {

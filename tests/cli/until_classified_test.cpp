@@ -101,9 +101,13 @@ TEST_F(UntilClassified, HasTheSameResultsBesidesLongRuns) {
   const Json without = Json::parse(read("without/report.json"))["result"]["conditions"];
   for (std::size_t i = 0; i < with.size(); ++i) {
     Json condition = with[i];
+    Json expected = without[i];
+    for (Json* each : {&condition, &expected}) {  // all draws are counted, those of long runs included
+      for (const char* key : {"draws", "clamped_draws"}) (*each)["validity"].erase(key);
+    }
     const Json shares = condition["incidence"]["long_run_shares"];
     condition["incidence"].erase("long_run_shares");
-    EXPECT_EQ(condition, without[i]);
+    EXPECT_TRUE(condition == expected) << i;
     EXPECT_EQ(shares["realisations"], 8);
     EXPECT_EQ(shares["windows"], 8);  // of 60 periods, from 500 on: 500, ..., 920
     double sum = 0.0;

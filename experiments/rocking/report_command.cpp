@@ -79,7 +79,8 @@ std::string table_again(const analysis::RunReport& report) {
     if (tilt != condition.quantiles.end()) row.peak_tilt = peak_tilt_cell(tilt->second.levels);
     rows.push_back(std::move(row));
   }
-  return mode_table(rows, table_look());
+  const std::string settling = settling_text(settling_rows(report), table_look().width);
+  return mode_table(rows, table_look()) + (settling.empty() ? "" : '\n' + settling);
 }
 
 ExitCode report_again(const ReportRequest& request) {

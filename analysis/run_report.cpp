@@ -249,22 +249,27 @@ std::optional<std::int64_t> of_horizon(const RunReport& report, const ConditionR
 
 }  // namespace
 
+std::optional<SettlingRow> settling_row(const RunReport& report, std::size_t number) {
+  const ConditionReport& condition = report.conditions[number];
+  if (!condition.incidence) return std::nullopt;
+  SettlingRow row = condition.incidence->settling;
+  row.confidence = condition.confidence;
+  for (std::size_t i = 0; i < report.swept.size(); ++i) {
+    row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
+  }
+  const auto transient = of_horizon(report, condition, "/transient_periods");
+  const auto sampled = of_horizon(report, condition, "/sampled_periods");
+  if (transient && sampled) row.fixed_horizon = *transient + *sampled;
+  row.limit = of_horizon(report, condition, "/until_classified/at_most_periods");
+  const std::int64_t held = of_horizon(report, condition, "/until_classified/held_windows").value_or(1);
+  row.confirmation = (held - 1) * sampled.value_or(0);
+  return row;
+}
+
 std::vector<SettlingRow> settling_rows(const RunReport& report) {
   std::vector<SettlingRow> rows;
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.incidence) continue;
-    SettlingRow row = condition.incidence->settling;
-    row.confidence = condition.confidence;
-    for (std::size_t i = 0; i < report.swept.size(); ++i) {
-      row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
-    }
-    const auto transient = of_horizon(report, condition, "/transient_periods");
-    const auto sampled = of_horizon(report, condition, "/sampled_periods");
-    if (transient && sampled) row.fixed_horizon = *transient + *sampled;
-    row.limit = of_horizon(report, condition, "/until_classified/at_most_periods");
-    const std::int64_t held = of_horizon(report, condition, "/until_classified/held_windows").value_or(1);
-    row.confirmation = (held - 1) * sampled.value_or(0);
-    rows.push_back(std::move(row));
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    if (auto row = settling_row(report, i)) rows.push_back(*std::move(row));
   }
   return rows;
 }

@@ -108,6 +108,9 @@ struct RunReport {
   [[nodiscard]] bool is_random() const;
 };
 
+/// A condition's row of the table of settling; absent unless the run has `until_classified`.
+[[nodiscard]] std::optional<SettlingRow> settling_row(const RunReport& report, std::size_t condition);
+
 /// The rows of the table of settling; empty unless the run has `until_classified`.
 [[nodiscard]] std::vector<SettlingRow> settling_rows(const RunReport& report);
 

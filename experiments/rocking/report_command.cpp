@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analysis/settling_tables.hpp"
 #include "analysis/tables.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
@@ -111,8 +112,16 @@ ExitCode report_again(const ReportRequest& request) {
     write("modes.csv", modes_csv(report));
     write("non_recurrence.csv", non_recurrence_csv(report));
     write("quantiles.csv", quantiles_csv(report));
+    if (!settling_rows(report).empty()) {
+      write("settling.csv", settling_csv(report));
+      write("incidence.csv", incidence_csv(report));
+      write("leaving.csv", leaving_csv(report));
+    }
   }
-  if (formats.contains("latex")) write("modes.tex", modes_latex(report));
+  if (formats.contains("latex")) {
+    write("modes.tex", modes_latex(report));
+    if (!settling_rows(report).empty()) write("settling.tex", settling_latex(report));
+  }
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})
                                      : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"),

@@ -172,10 +172,11 @@ void add_panel(const RunReport& report, std::size_t condition, const std::vector
   figure.tables.push_back(
       table_of_incidence(report, incidence, modes, name.empty() ? "the only condition" : name, span));
   Panel panel{.title = name,
-              .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = span.low, .high = span.high},
-              .y = {.quantity = "probability of having settled", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
+              .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = span.low},
+              .y = {.quantity = "probability", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
               .layers = {}};
   panel.x.logarithmic = span.high > linear_ratio * span.low;
+  panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!incidence.modes.contains(modes[m])) continue;
@@ -188,6 +189,7 @@ void add_panel(const RunReport& report, std::size_t condition, const std::vector
   if (incidence.any_mode) {
     Style style = style_of(ResponseMode{});
     style.colour = "#707070";
+    style.dash = 5;
     style.width = 1.2;
     layers.push_back(
         {.kind = LayerKind::steps, .table = table, .columns = {0, 1}, .style = style, .legend = "not yet settled"});

@@ -115,8 +115,8 @@ Table table_of_incidence(const RunReport& report, const IncidenceReport& inciden
       const IncidenceCurve& curve = found->second;
       const stats::Interval pointwise = level_at(curve, curve.pointwise, place, nothing);
       const stats::Interval band = level_at(curve, curve.simultaneous, place, nothing);
-      row.insert(row.end(), {level_at(curve, curve.estimate, place, 0.0), pointwise.low, pointwise.high, band.low,
-                             band.high});
+      row.insert(row.end(),
+                 {level_at(curve, curve.estimate, place, 0.0), pointwise.low, pointwise.high, band.low, band.high});
     }
     table.rows.push_back(std::move(row));
   }
@@ -148,24 +148,23 @@ void add_band(std::size_t table, std::size_t low, const Style& style, double opa
       {.kind = LayerKind::ribbon, .table = figure.tables.size() - 1, .columns = {0, 1, 2}, .style = ribbon});
 }
 
-/// A vertical line at the fixed horizon.
+/// Shades the time before the fixed horizon.
 void add_horizon(std::int64_t horizon, const Span& span, Figure& figure) {
   const auto place = static_cast<double>(horizon);
   if (place <= span.low || span.high <= place) return;
   figure.tables.push_back({.name = "fixed horizon",
-                           .columns = {{"period", "fixed horizon"}, {"level", "end of the line"}},
-                           .rows = {{place, 0.0}, {place, 1.0}},
+                           .columns = {{"from", "start of the shading"}, {"to", "fixed horizon"}},
+                           .rows = {{span.low, place}},
                            .only_drawn = true});
-  figure.panels.back().layers.push_back(
-      {.kind = LayerKind::steps,
-       .table = figure.tables.size() - 1,
-       .columns = {0, 1},
-       .style = {.colour = "#8c8c8c", .dash = 3, .width = 1.0},
-       .legend = "fixed horizon"});
+  figure.panels.back().layers.push_back({.kind = LayerKind::spans,
+                                         .table = figure.tables.size() - 1,
+                                         .columns = {0, 1},
+                                         .style = {.colour = "#c8c8c8", .opacity = 0.25},
+                                         .legend = "up to the fixed horizon"});
 }
 
-void add_panel(const RunReport& report, std::size_t condition, const std::vector<ResponseMode>& modes,
-               const Span& span, Figure& figure) {
+void add_panel(const RunReport& report, std::size_t condition, const std::vector<ResponseMode>& modes, const Span& span,
+               Figure& figure) {
   const IncidenceReport& incidence = *report.conditions[condition].incidence;
   const std::string name = name_of_condition(report, report.conditions[condition]);
   const std::size_t table = figure.tables.size();
@@ -178,13 +177,13 @@ void add_panel(const RunReport& report, std::size_t condition, const std::vector
   panel.x.logarithmic = span.high > linear_ratio * span.low;
   panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
+  if (const auto horizon = settling_row(report, condition)->fixed_horizon) add_horizon(*horizon, span, figure);
   for (std::size_t m = 0; m < modes.size(); ++m) {
     if (!incidence.modes.contains(modes[m])) continue;
     const std::size_t first = 2 + columns_per_mode * m;
     add_band(table, first + 3, style_of(modes[m]), 0.1, figure);
     add_band(table, first + 1, style_of(modes[m]), 0.2, figure);
   }
-  if (const auto horizon = settling_row(report, condition)->fixed_horizon) add_horizon(*horizon, span, figure);
   auto& layers = figure.panels.back().layers;
   if (incidence.any_mode) {
     Style style = style_of(ResponseMode{});

@@ -73,7 +73,8 @@ std::optional<std::int64_t> whole_from(const Json& json) {
 }
 
 IncidenceCurve curve_from(const Json& json) {
-  IncidenceCurve curve{.periods = json.at("periods"), .estimate = json.at("estimate"), .pointwise = {}, .simultaneous = {}};
+  IncidenceCurve curve{
+      .periods = json.at("periods"), .estimate = json.at("estimate"), .pointwise = {}, .simultaneous = {}};
   for (const Json& interval : json.at("pointwise")) curve.pointwise.push_back(interval_from(interval));
   for (const Json& interval : json.at("simultaneous")) curve.simultaneous.push_back(interval_from(interval));
   return curve;

@@ -69,7 +69,9 @@ std::string settling_csv(const RunReport& report) {
     }
     if (const auto& found = row.all_but_one_per_cent) {
       text += ',' + csv_whole(found->time) + ',' + csv_whole(found->low) + ',' + csv_whole(found->high) +
-              (found->is_observed ? ",observed" : found->time ? ",extrapolated" : ",unknown");
+              (found->is_observed ? ",observed"
+               : found->time      ? ",extrapolated"
+                                  : ",unknown");
     } else {
       text += ",,,,";
     }
@@ -116,12 +118,13 @@ std::string settling_latex(const RunReport& report) {
   if (!has_incidence(report)) return "";
   const std::vector<ParameterColumn> columns = parameter_columns(report);
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
-  text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
-          "Realisations in per cent that are unresolved at the fixed horizon and in the end, median settling period "
-          "with its " +
-          latex_text(report.level()) +
-          " interval (--: open), and probability in per cent that two runs differ in response mode at the fixed horizon "
-          "and in the end; $<$: did not occur, upper end of the interval.}\n";
+  text +=
+      "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
+      "Realisations in per cent that are unresolved at the fixed horizon and in the end, median settling period "
+      "with its " +
+      latex_text(report.level()) +
+      " interval (--: open), and probability in per cent that two runs differ in response mode at the fixed horizon "
+      "and in the end; $<$: did not occur, upper end of the interval.}\n";
   text += "  \\begin{tabular}{" + std::string(columns.size() + 6, 'r') + "}\n    \\toprule\n    ";
   for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
   text += "$n$ & unresolved & in the end & settled by & differ & in the end \\\\\n    \\midrule\n";

@@ -136,7 +136,8 @@ std::string modes_latex(const RunReport& report) {
   const std::size_t leading = columns.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
-          (report.is_random() ? std::string("Response modes") + (settling_rows(report).empty() ? "" : " in the end") + " in per cent of $n$ realisations, with " + latex_text(report.level()) +
+          (report.is_random() ? std::string("Response modes") + (settling_rows(report).empty() ? "" : " in the end") +
+                                    " in per cent of $n$ realisations, with " + latex_text(report.level()) +
                                     " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
                                     "end of the interval."
                               : "Response modes in per cent; nothing is random.") +

@@ -163,7 +163,9 @@ std::string settling_html(const RunReport& report) {
                          "When responses settled [" + report.level() +
                              " interval; -: open]; <: did not occur, the upper end of its interval; >: beyond the "
                              "observation") +
-         leaving_html(report);
+         leaving_html(report) +
+         "<p class=\"small\">The charts show the interval at each time; the picture for printing and the files of "
+         "<code>rocking report DIR</code> also have the band for all times at once.</p>\n";
 }
 
 }  // namespace rocking::analysis

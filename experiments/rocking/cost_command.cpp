@@ -94,7 +94,8 @@ std::string fixed_horizon_note(const Experiment& experiment) {
   }
   if (most <= 1.0) return "";
   return fmt::format(
-      "until_classified: errors, response modes and times are those of the fixed horizon. A realisation that goes on to "
+      "until_classified: errors, response modes and times are those of the fixed horizon. A realisation that goes on "
+      "to "
       "its limit has {:.3g} times as many periods; `rocking run --dry-run` estimates how many go on\n",
       most);
 }

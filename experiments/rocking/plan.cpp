@@ -66,11 +66,11 @@ std::string continued_text(const Plan& plan) {
   if (plan.most_periods <= plan.periods) return "";
   std::string text;
   if (plan.time->unresolved) {
-    const double share =
-        static_cast<double>(*plan.time->unresolved) / static_cast<double>(plan.time->realisations);
-    text = fmt::format("until_classified: {} of the sample were unresolved at the fixed horizon; if all such "
-                       "realisations went on to their limit, at most about {}\n",
-                       *plan.time->unresolved, spoken_duration(seconds_if_continued(plan, share)));
+    const double share = static_cast<double>(*plan.time->unresolved) / static_cast<double>(plan.time->realisations);
+    text = fmt::format(
+        "until_classified: {} of the sample were unresolved at the fixed horizon; if all such "
+        "realisations went on to their limit, at most about {}\n",
+        *plan.time->unresolved, spoken_duration(seconds_if_continued(plan, share)));
   }
   return text + fmt::format("until_classified: if every realisation went on to its limit, at most about {}\n",
                             spoken_duration(seconds_if_continued(plan, 1.0)));

@@ -33,11 +33,11 @@ struct SettlingRow {
   std::uint64_t realisations = 0;
   double confidence = 0.95;
   std::uint64_t unresolved_at_horizon = 0;
-  std::uint64_t censored = 0;                   ///< not classified at the limit
-  std::optional<std::int64_t> fixed_horizon;    ///< [periods]; absent if it is not known
-  std::optional<std::int64_t> limit;            ///< at_most_periods
-  std::int64_t confirmation = 0;                ///< periods of the held windows after the first
-  stats::QuantileEstimate median;               ///< settling period
+  std::uint64_t censored = 0;                              ///< not classified at the limit
+  std::optional<std::int64_t> fixed_horizon;               ///< [periods]; absent if it is not known
+  std::optional<std::int64_t> limit;                       ///< at_most_periods
+  std::int64_t confirmation = 0;                           ///< periods of the held windows after the first
+  stats::QuantileEstimate median;                          ///< settling period
   std::optional<stats::TimeToShare> all_but_one_per_cent;  ///< absent in reports of earlier versions
   std::optional<double> differ_at_horizon, differ_in_the_end;
   std::vector<LeftMode> leaving;  ///< of each mode that was watched

@@ -34,8 +34,7 @@ std::string curve_lines(const std::string& start, const IncidenceCurve& curve) {
 
 std::string latex_count(std::uint64_t count, const SettlingRow& row) {
   if (count > 0) return per_cent(static_cast<double>(count) / static_cast<double>(row.realisations));
-  const stats::Proportion none{.successes = 0, .trials = row.realisations};
-  return "$<$ " + upper_bound_text(stats::clopper_pearson(none, row.confidence).high);
+  return "$<$ " + upper_bound_text(bound_of_none(row.realisations, row.confidence));
 }
 
 std::string latex_probability(const std::optional<double>& probability) {

@@ -20,8 +20,7 @@ Cell text_cell(std::string text) { return Cell(std::move(text)); }
 
 std::string share_of_row(std::uint64_t count, const SettlingRow& row) {
   if (count > 0) return per_cent(static_cast<double>(count) / static_cast<double>(row.realisations));
-  const stats::Proportion none{.successes = 0, .trials = row.realisations};
-  return "< " + upper_bound_text(stats::clopper_pearson(none, row.confidence).high);
+  return "< " + upper_bound_text(bound_of_none(row.realisations, row.confidence));
 }
 
 std::string difference_text(const std::optional<double>& differ, const std::optional<stats::Interval>& interval) {

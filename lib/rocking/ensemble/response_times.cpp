@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "rocking/stats/interval.hpp"
+
 namespace rocking {
 namespace {
 
@@ -17,6 +19,10 @@ std::vector<stats::QuantileEstimate> quartiles_of(const stats::EventTally& tally
 }
 
 }  // namespace
+
+double bound_of_none(std::uint64_t realisations, double confidence) {
+  return stats::clopper_pearson({.successes = 0, .trials = realisations}, confidence).high;
+}
 
 void ResponseTimesTally::add(const Summary& summary) {
   if (summary.settling_period) {

@@ -24,6 +24,10 @@ struct ResponseTimes {
   std::vector<stats::QuantileEstimate> divergence_quartiles;  ///< of the divergence time of pairs
 };
 
+/// Upper bound of the share of realisations with a property that none of so many had: the upper end of the interval of
+/// Clopper and Pearson.
+[[nodiscard]] double bound_of_none(std::uint64_t realisations, double confidence);
+
 /// Collects the settling periods of the realisations of a condition. Memory is proportional to the number of distinct
 /// periods.
 class ResponseTimesTally {

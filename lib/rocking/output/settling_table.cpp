@@ -25,8 +25,7 @@ std::string whole_text(const std::optional<std::int64_t>& end) { return end ? st
 std::string share_text(const SettlingRow& row, std::uint64_t count) {
   const std::uint64_t of = row.realisations;
   if (count == 0) {
-    const stats::Interval none = stats::clopper_pearson({.successes = 0, .trials = of}, row.confidence);
-    return "0 (< " + upper_bound_text(none.high) + " %)";
+    return "0 (< " + upper_bound_text(bound_of_none(of, row.confidence)) + " %)";
   }
   return std::to_string(count) + " (" + per_cent(static_cast<double>(count) / static_cast<double>(of)) + " %)";
 }

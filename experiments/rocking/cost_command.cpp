@@ -83,6 +83,23 @@ std::optional<Cost> measured(const Experiment& experiment, const CostRequest& re
   return cost_of(experiment, tolerances, sample, std::move(timing));
 }
 
+/// A line on until_classified; empty if no condition has it.
+std::string fixed_horizon_note(const Experiment& experiment) {
+  double most = 0.0;
+  for (const Condition& condition : experiment.conditions) {
+    const Horizon& horizon = condition.horizon;
+    if (!horizon.until_classified) continue;
+    const double fixed = static_cast<double>(horizon.transient_periods) + horizon.sampled_periods;
+    most = std::max(most, static_cast<double>(horizon.until_classified->at_most_periods) / fixed);
+  }
+  if (most <= 1.0) return "";
+  return fmt::format(
+      "until_classified: errors, response modes and times are those of the fixed horizon. A realisation that goes on "
+      "to "
+      "its limit has {:.3g} times as many periods; `rocking run --dry-run` estimates how many go on\n",
+      most);
+}
+
 std::filesystem::path cost_file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
 
 void expect_room(const CostRequest& request) {
@@ -113,7 +130,8 @@ ExitCode cost(const CostRequest& request) {
   }
   const MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
   const std::string text = cost_text(result);
-  std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result);
+  std::string table =
+      (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result) + fixed_horizon_note(experiment);
   if (folder) {
     write_atomically(cost_file_in(request.folder), text);
     table += fmt::format("numbers: {}\n", cost_file_in(request.folder).string());

@@ -118,6 +118,15 @@ py::tuple orbits_watched(const Experiment& experiment, int longest, unsigned thr
   return py::make_tuple(std::move(text), watched.was_interrupted());
 }
 
+/// (JSON text or None, whether Ctrl-C stopped it).
+py::tuple bifurcation_watched(const Experiment& experiment, std::uint64_t realisation, unsigned threads,
+                              py::object on_progress) {
+  Watched<std::string> watched(std::move(on_progress));
+  auto text = watched.run({.threads = threads},
+                          [&](const Execution& execution) { return bifurcation(experiment, realisation, execution); });
+  return py::make_tuple(std::move(text), watched.was_interrupted());
+}
+
 }  // namespace
 
 void add_runs(py::module_& module) {
@@ -140,6 +149,12 @@ void add_runs(py::module_& module) {
       });
   module.def("run", &run_watched);
   module.def("orbits", &orbits_watched);
+  module.def("bifurcation", &bifurcation_watched);
+  module.def("compare", [](const Experiment& experiment, const RunResult& run, const Experiment& other_experiment,
+                           const RunResult& other_run) {
+    const py::gil_scoped_release release;
+    return comparison({experiment, run}, {other_experiment, other_run});
+  });
   module.def("motion", [](const py::dict& asked) {
     GroundMotionRequest request{.files = asked["files"].cast<std::vector<std::string>>(),
                                 .vertical = asked["vertical"].cast<std::string>(),

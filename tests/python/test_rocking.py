@@ -136,6 +136,39 @@ class AgainstTheProgram(unittest.TestCase):
         for source in (SLAB, self.out, rocking.run(SLAB)):
             self.assertEqual(rocking.fragility(source)[0].data, theirs)
 
+    def test_comparison_is_that_of_the_program(self):
+        softer = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [0.5, 8.0, 4.0]}])
+        folders = [os.path.join(self.folder.name, name) for name in ("first", "second")]
+        for experiment, folder in zip((SLAB, softer), folders):
+            rocking.run(experiment, folder=folder)
+        theirs = json.loads(self.program("compare", *folders, "--json"))
+        self.assertGreater(sum(condition["changed"]["count"] for condition in theirs["conditions"]), 0)
+        for first, second in (folders, (rocking.run(SLAB), rocking.run(softer))):
+            ours = rocking.compare(first, second)
+            self.assertEqual(ours.data, theirs)
+            for one, other in zip(ours.conditions, theirs["conditions"]):
+                self.assertEqual(one.changed, other["changed"]["count"])
+                for name, mode in one.modes.items():
+                    self.assertEqual(mode.p_value, other["modes"][name]["mcnemar_p_value"])
+                    for key in ("both", "first_only", "second_only", "neither", "difference", "variance_reduction"):
+                        self.assertEqual(getattr(mode, key), other["modes"][name][key], key)
+
+    def test_bifurcation_is_that_of_the_program(self):
+        self.program("bifurcation", self.path, "-o", self.out, "--realisation", "2", "-q")
+        with open(os.path.join(self.out, "bifurcation.json")) as file:
+            theirs = json.load(file)
+        told = []
+        ours = rocking.bifurcation(SLAB, realisation=2, progress=lambda done, all: told.append((done, all)))
+        self.assertEqual(told[-1], (9, 9))
+        self.assertEqual([diagram.parameter for diagram in ours], [theirs["parameter"]] * len(theirs["diagrams"]))
+        for one, other in zip(ours, theirs["diagrams"]):
+            self.assertEqual(len(one.steps), len(other["steps"]))
+            for step, expected in zip(one.steps, other["steps"]):
+                self.assertEqual((step.value, step.branch, step.mode, step.reason, step.termination),
+                                 tuple(expected[key] for key in ("value", "branch", "mode", "reason", "termination")))
+                self.assertEqual(step.is_continued, expected["start"] == "continued")
+                self.assertEqual([list(point) for point in step.points], expected["points"])
+
     def test_validate_is_that_of_the_program(self):
         theirs = json.loads(self.program("validate", self.path, "--json"))
         self.assertEqual(rocking.validate(self.path), theirs["experiment"])
@@ -180,6 +213,22 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             rocking.run(rocking.experiment(SLAB), seed=3)
 
+    def test_runs_that_cannot_be_paired_are_refused(self):
+        first = rocking.run(SLAB)
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.compare(first, rocking.run(SLAB, seed=2))
+        self.assertEqual(caught.exception.pointer, "/seed")
+        shorter = changed()
+        del shorter["sweep"]
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.compare(first, rocking.run(shorter))
+        self.assertEqual(caught.exception.pointer, "/sweep")
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.bifurcation(shorter)
+        self.assertEqual(caught.exception.pointer, "/sweep")
+        with self.assertRaises(FileNotFoundError):
+            rocking.compare(first, "/nowhere")
+
     def test_a_folder_of_another_experiment_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             rocking.run(SLAB, folder=folder)
@@ -215,6 +264,16 @@ class Interrupting(unittest.TestCase):
         self.assertEqual(result.counts.sum(), result.done)
         with self.assertRaises(ValueError):
             result.probabilities
+
+    def test_ctrl_c_stops_a_bifurcation(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        values = np.linspace(1.0, 4.0, 200)
+        long = changed(sweep=[{"parameter": "/excitation/amplitude", "values": values}],
+                       horizon={"transient_periods": 2000, "sampled_periods": 20})
+        with self.assertRaises(KeyboardInterrupt):
+            rocking.bifurcation(long, threads=1, progress=interrupt)
 
     def test_a_stopped_run_goes_on_in_its_folder(self):
         longer = changed(realisations=1500)

@@ -17,6 +17,8 @@ True
 """
 
 from . import _core
+from .bifurcations import BifurcationDiagram, DiagramStep, bifurcation
+from .comparisons import Comparison, ConditionComparison, ModeComparison, compare
 from .errors import InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
 from .motions import GroundMotion, motion
@@ -28,7 +30,11 @@ from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 __version__ = _core.version()
 
 __all__ = [
+    "BifurcationDiagram",
     "CONTACTS",
+    "Comparison",
+    "ConditionComparison",
+    "DiagramStep",
     "EVENTS",
     "Experiment",
     "ExperimentLike",
@@ -36,6 +42,7 @@ __all__ = [
     "GroundMotion",
     "InputError",
     "Interrupted",
+    "ModeComparison",
     "Orbit",
     "OrbitsOfCondition",
     "Problem",
@@ -43,6 +50,8 @@ __all__ = [
     "StoreError",
     "TERMINATIONS",
     "Trajectory",
+    "bifurcation",
+    "compare",
     "experiment",
     "fragility",
     "motion",

@@ -1,11 +1,10 @@
 #include "rocking/api/run.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
 
+#include "rocking/api/run_options.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
@@ -92,20 +91,11 @@ const ExperimentResult& complete(const RunResult& run) {
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
   Store store = store_for(experiment, execution);
-  std::atomic<bool> own_flag{false};
-  std::atomic<bool>& stop = execution.stop != nullptr ? *execution.stop : own_flag;
-  RunOptions options;
-  options.threads = std::max(1U, execution.threads);
-  options.stop_requested = &stop;
-  if (execution.on_progress) {
-    options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-      if (execution.on_progress(done, all) == Decision::stop) stop = true;
-    };
-  }
+  const AskedOptions asked(execution);
   // Whether it ended or was stopped follows from the rows.
-  static_cast<void>(run(experiment, store, options));
+  static_cast<void>(run(experiment, store, asked.options()));
   if (!execution.folder.empty()) store.close_up();
-  return look_at(experiment, std::move(store), &stop);
+  return look_at(experiment, std::move(store), asked.stop());
 }
 
 StoredRun open_run(const std::filesystem::path& folder) {

@@ -13,6 +13,7 @@ import signal
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -169,6 +170,57 @@ class AgainstTheProgram(unittest.TestCase):
                 self.assertEqual(step.is_continued, expected["start"] == "continued")
                 self.assertEqual([list(point) for point in step.points], expected["points"])
 
+    def test_cost_is_that_of_the_program(self):
+        asked = ["--sample", "4", "--tolerances", "1e-5,1e-8,1e-14"]
+        theirs = json.loads(self.program("cost", self.path, *asked, "--json", "-q"))
+        told = []
+        ours = rocking.cost(self.path, sample=4, tolerances=[1e-5, 1e-8, 1e-14], seconds=0.1,
+                            progress=lambda done, all: told.append(done))
+        self.assertEqual(told[-1], 4)
+        for key in ("format", "input", "result"):
+            self.assertEqual(ours.data[key], theirs[key], key)
+        self.assertEqual(set(ours.data["system"]), set(theirs["system"]))
+        self.assertEqual(ours.sample, 4)
+        curve = theirs["result"]["tolerances"]
+        self.assertEqual(ours.tolerance.tolist(), [entry["tolerance"] for entry in curve])
+        self.assertEqual(ours.median_error[:-1].tolist(), [e["departure"]["error"]["median"] for e in curve[:-1]])
+        self.assertTrue(np.isnan(ours.median_error[-1]) and np.isnan(ours.flips_interval[-1]).all())
+        self.assertTrue((ours.seconds_per_period > 0).all())
+
+    def test_cost_spends_the_time_that_it_is_given(self):
+        began = time.monotonic()
+        found = rocking.cost(LONG, seconds=1.0, tolerances=[1e-5, 1e-14])
+        self.assertGreater(found.sample, 1)
+        self.assertLess(time.monotonic() - began, 20.0)  # a loaded machine
+
+    def test_parts_merge_to_the_whole(self):
+        parts = [os.path.join(self.folder.name, f"part{i}") for i in (1, 2, 3)]
+        self.program("run", self.path, "--shard", "1/3", "-o", parts[0], "--no-page", "-q")
+        for i in (2, 3):
+            part = rocking.run(SLAB, shard=(i, 3), folder=parts[i - 1])
+            self.assertEqual(part.done, part.all)
+            self.assertFalse(part.is_complete)
+            with self.assertRaises(ValueError):
+                part.probabilities
+        self.assertEqual(sum(rocking.open_run(part).done for part in parts), 60)
+        by_program = os.path.join(self.folder.name, "whole")
+        self.program("merge", by_program, *parts, "--no-page", "-q")
+        with open(os.path.join(by_program, "report.json")) as file:
+            digest = json.load(file)["result"]["digest"]
+        whole = rocking.merge(self.out, parts)
+        self.assertEqual(whole.digest, digest)
+        self.assertEqual(whole.digest, rocking.run(SLAB).digest)
+        self.assertEqual(sorted(os.listdir(self.out)), ["realisations.sqlite"])
+        self.assertIn("60 of 60", self.program("status", self.out))
+
+    def test_missing_parts_are_run_by_the_next_call(self):
+        part = os.path.join(self.folder.name, "part")
+        rocking.run(SLAB, shard=(1, 4), folder=part)
+        whole = rocking.merge(self.out, [part])
+        self.assertTrue(0 < whole.done < whole.all)
+        self.assertFalse(whole.is_complete)
+        self.assertEqual(rocking.run(SLAB, folder=self.out).digest, rocking.run(SLAB).digest)
+
     def test_validate_is_that_of_the_program(self):
         theirs = json.loads(self.program("validate", self.path, "--json"))
         self.assertEqual(rocking.validate(self.path), theirs["experiment"])
@@ -229,6 +281,39 @@ class Errors(unittest.TestCase):
         with self.assertRaises(FileNotFoundError):
             rocking.compare(first, "/nowhere")
 
+    def test_bad_measurements_of_cost_are_refused(self):
+        for arguments, pointer in (({"sample": 0}, "sample"), ({"sample": 10**6}, "sample"),
+                                   ({"seconds": 0.0}, "seconds"), ({"tolerances": [1.0]}, "tolerances"),
+                                   ({"tolerances": [float("nan")]}, "tolerances"),
+                                   ({"tolerances": [1e-8]}, "tolerances")):
+            with self.assertRaises(rocking.InputError, msg=arguments) as caught:
+                rocking.cost(SLAB, **arguments)
+            self.assertEqual(caught.exception.pointer, pointer)
+
+    def test_parts_that_do_not_belong_together_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("one", "two", "whole")]
+            rocking.run(SLAB, shard=(1, 2), folder=names[0])
+            rocking.run(SLAB, shard=(2, 2), folder=names[1], seed=2)
+            for parts in ([], names[:2]):
+                with self.assertRaises(rocking.InputError):
+                    rocking.merge(names[2], parts)
+            with self.assertRaises(FileNotFoundError):
+                rocking.merge(names[2], [names[0], os.path.join(folder, "none")])
+            self.assertFalse(os.path.exists(names[2]))
+            with self.assertRaises(rocking.InputError):  # into one of the parts
+                rocking.merge(names[0], names[:1])
+            with self.assertRaises(rocking.InputError):  # another part of the same experiment
+                rocking.run(SLAB, shard=(2, 2), folder=names[0])
+            for shard in ((0, 2), (3, 2)):
+                with self.assertRaises(rocking.InputError) as caught:
+                    rocking.run(SLAB, shard=shard)
+                self.assertEqual(caught.exception.pointer, "shard")
+            until = changed(realisations={"until": {"half_width": 0.2, "at_most": 100}})
+            with self.assertRaises(rocking.InputError) as caught:
+                rocking.run(until, shard=(1, 2))
+            self.assertEqual(caught.exception.pointer, "/realisations")
+
     def test_a_folder_of_another_experiment_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             rocking.run(SLAB, folder=folder)
@@ -264,6 +349,13 @@ class Interrupting(unittest.TestCase):
         self.assertEqual(result.counts.sum(), result.done)
         with self.assertRaises(ValueError):
             result.probabilities
+
+    def test_ctrl_c_stops_a_measurement_of_cost(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt):
+            rocking.cost(LONG, sample=100000, progress=interrupt)
 
     def test_ctrl_c_stops_a_bifurcation(self):
         def interrupt(done, all):

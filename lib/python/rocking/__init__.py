@@ -19,11 +19,12 @@ True
 from . import _core
 from .bifurcations import BifurcationDiagram, DiagramStep, bifurcation
 from .comparisons import Comparison, ConditionComparison, ModeComparison, compare
+from .costs import Cost, cost
 from .errors import InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
 from .motions import GroundMotion, motion
 from .results import Result
-from .running import open_run, run
+from .running import merge, open_run, run
 from .studies import FragilityCurve, Orbit, OrbitsOfCondition, fragility, orbits
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
@@ -34,6 +35,7 @@ __all__ = [
     "CONTACTS",
     "Comparison",
     "ConditionComparison",
+    "Cost",
     "DiagramStep",
     "EVENTS",
     "Experiment",
@@ -52,8 +54,10 @@ __all__ = [
     "Trajectory",
     "bifurcation",
     "compare",
+    "cost",
     "experiment",
     "fragility",
+    "merge",
     "motion",
     "open_run",
     "orbits",

@@ -67,12 +67,31 @@ def parse(
 ) -> Experiment: ...
 def read(path: str, seed: Optional[str], realisations: Optional[str]) -> Experiment: ...
 def run(
-    experiment: Experiment, threads: int, folder: str, files: str, on_progress: _Progress
+    experiment: Experiment,
+    threads: int,
+    folder: str,
+    files: str,
+    shard: Optional[Tuple[int, int]],
+    on_progress: _Progress,
 ) -> Tuple[Run, bool]: ...
 def open_run(folder: str) -> Tuple[Experiment, Run]: ...
 def orbits(
     experiment: Experiment, longest: int, threads: int, on_progress: _Progress
 ) -> Tuple[Optional[str], bool]: ...
+class Cost:
+    def text(
+        self, experiment: Experiment, machine: str, start: str, duration: float, threads: int
+    ) -> str: ...
+
+def cost(
+    experiment: Experiment,
+    seconds: float,
+    sample: Optional[int],
+    tolerances: List[float],
+    threads: int,
+    on_progress: _Progress,
+) -> Tuple[Optional[Cost], bool]: ...
+def merge(folder: str, parts: List[str]) -> Tuple[Experiment, Run]: ...
 def bifurcation(
     experiment: Experiment, realisation: int, threads: int, on_progress: _Progress
 ) -> Tuple[Optional[str], bool]: ...

@@ -1,6 +1,8 @@
 #include "module.hpp"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -94,6 +96,18 @@ PYBIND11_MODULE(_core, module) {
   python::add_experiment(module);
   python::add_arrays(module);
   python::add_runs(module);
+  module.def("clopper_pearson", [](std::uint64_t successes, std::uint64_t trials, double confidence) {
+    const stats::Interval interval = clopper_pearson(successes, trials, confidence);
+    return py::make_tuple(interval.low, interval.high);
+  });
+  module.def("wilson", [](std::uint64_t successes, std::uint64_t trials, double confidence) {
+    const stats::Interval interval = wilson(successes, trials, confidence);
+    return py::make_tuple(interval.low, interval.high);
+  });
+  module.def("colour", [](const std::string& name) -> std::optional<std::string> {
+    const auto mode = mode_named(name);
+    return mode ? std::optional(std::string(colour_of(*mode))) : std::nullopt;
+  });
   module.def("version", [] { return std::string(version()); });
   module.def("schema", [](const std::string& name) { return std::string(schema(name)); });
   module.attr("contacts") = python::names_of<dynamics::ContactState, 5>();

@@ -112,8 +112,7 @@ py::tuple run_watched(const Experiment& experiment, unsigned threads, const std:
   Watched<RunResult> watched(std::move(on_progress));
   Execution asked{.threads = threads, .folder = folder, .files = files};
   if (shard) asked.shard = Shard{.part = shard->first, .parts = shard->second};
-  auto result =
-      watched.run(std::move(asked), [&](const Execution& execution) { return run(experiment, execution); });
+  auto result = watched.run(std::move(asked), [&](const Execution& execution) { return run(experiment, execution); });
   return py::make_tuple(std::move(result), watched.was_interrupted());
 }
 

@@ -221,6 +221,30 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertFalse(whole.is_complete)
         self.assertEqual(rocking.run(SLAB, folder=self.out).digest, rocking.run(SLAB).digest)
 
+    def test_intervals_are_those_of_the_report(self):
+        for condition in rocking.run(SLAB).report()["result"]["conditions"]:
+            for name, found in condition["probabilities"].items():
+                k, n = condition["counts"].get(name, 0), condition["realisations"]
+                for method in ("clopper_pearson", "wilson"):
+                    self.assertEqual(getattr(rocking, method)(k, n).tolist(), found[method], (name, method))
+        table = rocking.wilson(np.array([[0], [3]]), [4, 5, 6], confidence=0.5)
+        self.assertEqual(table.shape, (2, 3, 2))
+        self.assertEqual(table[1, 2].tolist(), rocking.wilson(3, 6, 0.5).tolist())
+        self.assertEqual(rocking.clopper_pearson([], []).shape, (0, 2))
+
+    def test_colours_are_those_of_the_figures(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        self.program("report", self.out, "--format", "gnuplot")
+        with open(os.path.join(self.out, "figures", "mode_bands.gp")) as file:
+            drawn = file.read()
+        result = rocking.run(SLAB)
+        occurred = [mode for mode, count in zip(result.modes, result.counts.sum(axis=0)) if count]
+        self.assertGreater(len(occurred), 1)
+        for mode in occurred:
+            self.assertTrue(f"fc rgb '{rocking.colour(mode)}' fs transparent solid 1" in drawn, mode)
+        with self.assertRaises(ValueError):
+            rocking.colour("(1;1)")
+
     def test_validate_is_that_of_the_program(self):
         theirs = json.loads(self.program("validate", self.path, "--json"))
         self.assertEqual(rocking.validate(self.path), theirs["experiment"])
@@ -280,6 +304,15 @@ class Errors(unittest.TestCase):
         self.assertEqual(caught.exception.pointer, "/sweep")
         with self.assertRaises(FileNotFoundError):
             rocking.compare(first, "/nowhere")
+
+    def test_bad_proportions_are_refused(self):
+        for arguments, pointer in (((3, 2), "successes"), ((1, 2, 1.0), "confidence")):
+            with self.assertRaises(rocking.InputError) as caught:
+                rocking.clopper_pearson(*arguments)
+            self.assertEqual(caught.exception.pointer, pointer)
+        for successes in (-1, 0.5):
+            with self.assertRaises(ValueError):
+                rocking.wilson(successes, 2)
 
     def test_bad_measurements_of_cost_are_refused(self):
         for arguments, pointer in (({"sample": 0}, "sample"), ({"sample": 10**6}, "sample"),

@@ -22,6 +22,7 @@ from .comparisons import Comparison, ConditionComparison, ModeComparison, compar
 from .costs import Cost, cost
 from .errors import InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
+from .intervals import clopper_pearson, colour, wilson
 from .motions import GroundMotion, motion
 from .results import Result
 from .running import merge, open_run, run
@@ -53,6 +54,8 @@ __all__ = [
     "TERMINATIONS",
     "Trajectory",
     "bifurcation",
+    "clopper_pearson",
+    "colour",
     "compare",
     "cost",
     "experiment",
@@ -65,6 +68,7 @@ __all__ = [
     "schema",
     "trajectory",
     "validate",
+    "wilson",
 ]
 
 

@@ -20,8 +20,9 @@ __all__ = ["Result"]
 class Result:
     """Result of a run. Rows are conditions, columns are response modes.
 
-    Of a run that was stopped, and of a part of a divided run, there are ``done``, ``all``, ``counts`` and ``realisations()`` only; the others raise
-    ValueError, because estimates of a part of the realisations are not those of the experiment.
+    Of a run that was stopped, and of a part of a divided run, there are ``done``, ``all``, ``counts`` and
+    ``realisations()`` only; the others raise ValueError, because estimates of a part of the realisations are not those of
+    the experiment.
     """
 
     def __init__(self, experiment: Experiment, core: _core.Run, occasion: tuple, folder: Optional[str]) -> None:

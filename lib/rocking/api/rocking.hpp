@@ -14,6 +14,7 @@
 #include "rocking/api/cost.hpp"
 #include "rocking/api/experiment.hpp"
 #include "rocking/api/ground_motions.hpp"
+#include "rocking/api/intervals.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/base/error.hpp"

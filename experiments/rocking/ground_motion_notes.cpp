@@ -18,8 +18,8 @@ namespace {
 struct UsedMotion {
   std::shared_ptr<const GroundMotion> motion;
   double largest_scale = 0.0;
-  bool may_move = false;               ///< in some condition the block moves, or may do so
-  std::optional<double> uplift_scale;  ///< the least one of all blocks
+  bool may_move = false;                 ///< in some condition the block moves, or may do so
+  std::optional<double> uplift_scale{};  ///< the least one of all blocks
 };
 
 /// Whether a block at rest starts to move at no smaller acceleration than that of uplift.

@@ -142,7 +142,7 @@ TEST_F(NothingIsLost, ByALimitOfTheSizeOfFiles) {
 TEST_F(NothingIsLost, ByADiskThatIsFull) {
   if (geteuid() != 0) GTEST_SKIP() << "only the superuser can mount a small disk";
   ask_for_more();
-  const auto mounted = shell("mkdir small && mount -t tmpfs -o size=3m none small");
+  const auto mounted = shell("mkdir small && mount -t tmpfs -o size=4m none small");
   if (mounted.exit_code != 0) GTEST_SKIP() << "no small disk can be mounted here: " << mounted.errors;
   const auto full =
       shell("'" ROCKING_PROGRAM

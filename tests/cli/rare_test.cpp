@@ -17,7 +17,8 @@ class Rare : public rocking::support::ProgramTest {
  protected:
   Rare() {
     Json experiment = quick_experiment();
-    experiment["fluctuation"]["amplitude"] = {{"sigma", 0.5}};
+    experiment.erase("friction");
+    experiment["fluctuation"] = {{"amplitude", {{"sigma", 0.5}}}};
     experiment["horizon"] = {{"transient_periods", 5}, {"sampled_periods", 10}};
     experiment["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "values": [4.2, 5.0]}])");
     write("quick.json", experiment.dump());

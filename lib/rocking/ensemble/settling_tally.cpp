@@ -16,6 +16,12 @@ std::vector<stats::Incidence> thinned(const std::vector<stats::Incidence>& curve
   return kept;
 }
 
+/// Periods from the settling period, the end of the first held window, to the end of the last one.
+std::int64_t confirmation_of(const Horizon& horizon) {
+  if (!horizon.until_classified) return 0;
+  return (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods;
+}
+
 }  // namespace
 
 void SettlingTally::add(const Summary& summary) {
@@ -24,10 +30,12 @@ void SettlingTally::add(const Summary& summary) {
   ++at_horizon_[before];
   if (summary.settling_period) {
     ++ends_[End{*summary.settling_period, summary.mode}];
-    Leaving& leaving = leaving_[summary.mode];
-    leaving.watched_periods +=
-        static_cast<std::uint64_t>(std::max<std::int64_t>(0, observed - *summary.settling_period));
-    leaving.left += summary.left_period ? 1 : 0;
+    if (summary.mode.kind != section::ResponseKind::overturned) {
+      Settled& settled = settled_[summary.mode];
+      ++settled.realisations;
+      settled.periods += static_cast<std::uint64_t>(observed - *summary.settling_period);
+      settled.left += summary.left_period ? 1 : 0;
+    }
   } else {
     ++ends_[End{observed, std::nullopt}];
   }
@@ -61,6 +69,8 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
   for (const auto& [end, count] : ends_) {
     if (end.mode) events.emplace(*end.mode, events.size());
   }
+  // A response that appears in the last windows cannot be confirmed: it is at risk of settling only before them.
+  const std::int64_t confirmation = confirmation_of(condition.horizon);
   stats::EventTally tally;
   std::vector<double> periods;
   for (const auto& [end, count] : ends_) {
@@ -70,6 +80,7 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
       periods.insert(periods.end(), count, static_cast<double>(end.period));
     } else {
       result.censored += count;
+      observation.time = std::max<std::int64_t>(0, end.period - confirmation);
     }
     tally[observation] += count;
   }
@@ -79,11 +90,13 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
   for (const auto& [mode, event] : events) {
     result.incidence[mode] = thinned(stats::cumulative_incidence(tally, event, confidence));
   }
-  for (auto [mode, leaving] : leaving_) {
-    if (leaving.watched_periods == 0) continue;
-    const double thousands = static_cast<double>(leaving.watched_periods) / 1000.0;
-    leaving.per_1000_periods = stats::poisson_rate_interval(leaving.left, thousands, confidence);
-    result.leaving[mode] = leaving;
+  for (const auto& [mode, settled] : settled_) {
+    const std::uint64_t watched = settled.periods - settled.realisations * static_cast<std::uint64_t>(confirmation);
+    if (watched == 0) continue;
+    const double thousands = static_cast<double>(watched) / 1000.0;
+    result.leaving[mode] = {.watched_periods = watched,
+                            .left = settled.left,
+                            .per_1000_periods = stats::poisson_rate_interval(settled.left, thousands, confidence)};
   }
   stats::EventTally pairs;
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;

@@ -16,7 +16,7 @@ namespace rocking {
 
 /// How often settled responses of one mode were left while they were watched.
 struct Leaving {
-  std::uint64_t watched_periods = 0;  ///< of all of them, until they were left
+  std::uint64_t watched_periods = 0;  ///< of all of them, from the end of the last held window until they were left
   std::uint64_t left = 0;
   stats::Interval per_1000_periods;  ///< exact interval of the rate, if it is constant
 };
@@ -55,9 +55,16 @@ class SettlingTally {
     }
   };
 
+  /// Settled responses of one mode.
+  struct Settled {
+    std::uint64_t realisations = 0;
+    std::uint64_t periods = 0;  ///< of all of them, from the settling period on
+    std::uint64_t left = 0;
+  };
+
   std::map<End, std::uint64_t> ends_;
   ModeTally at_horizon_;
-  std::map<section::ResponseMode, Leaving> leaving_;
+  std::map<section::ResponseMode, Settled> settled_;
   std::optional<section::ResponseMode> first_of_pair_;
   stats::Proportion differing_pairs_;
 };

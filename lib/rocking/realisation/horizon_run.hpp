@@ -116,24 +116,23 @@ class HorizonRun {
   section::PendingClassification classification_;
   std::optional<PerturbedPair> perturbed_pair_;
   // Only used with `until_classified`.
-  std::int64_t observed_ = 0;      ///< strobe points before the newest window, later with those in it
-  base::Sha256Builder continued_;  ///< of the strobe points after the fixed horizon
-  bool was_continued_ = false;
-  section::ResponseMode candidate_;   ///< of the newest windows
-  std::int64_t candidate_since_ = 0;  ///< end of the first of these windows
-  int candidate_held_ = 0;            ///< number of these windows
-  int watched_ = 0;                   ///< windows since the response has settled
+  std::int64_t observed_ = 0;                     ///< strobe points before the newest window, later with those in it
+  std::optional<base::Sha256Builder> continued_;  ///< of the strobe points after the fixed horizon, if there are any
+  section::ResponseMode candidate_;               ///< of the newest windows
+  std::int64_t candidate_since_ = 0;              ///< end of the first of these windows
+  int candidate_held_ = 0;                        ///< number of these windows
+  int watched_ = 0;                               ///< windows since the response has settled
 };
 
 /// Keeps the strobe points up to the fixed horizon and the digest of the later ones.
 inline void HorizonRun::keep_periods() {
   observed_ += static_cast<std::int64_t>(recorder_.periods().size());
-  if (!was_continued_) result_.strobe.reserve(recorder_.periods().size());
+  if (!continued_) result_.strobe.reserve(recorder_.periods().size());
   for (const section::Period& period : recorder_.periods()) {
-    if (was_continued_) {
-      continued_.add(period.point.tilt);
-      continued_.add(period.point.tilt_rate);
-      continued_.add(period.point.slip_rate);
+    if (continued_) {
+      continued_->add(period.point.tilt);
+      continued_->add(period.point.tilt_rate);
+      continued_->add(period.point.slip_rate);
     } else {
       result_.strobe.push_back(period.point);
     }
@@ -224,7 +223,7 @@ inline bool HorizonRun::begin_next_window() {
   const bool is_done =
       settling.settling_period && (watched_ >= horizon.until_classified->watch_windows || settling.left_to);
   if (is_done || observed_ + horizon.sampled_periods > horizon.until_classified->at_most_periods) return false;
-  was_continued_ = true;
+  if (!continued_) continued_.emplace();
   recorder_.forget();
   after_transient_ = motion_;
   motion_.extend(horizon.sampled_periods);
@@ -234,7 +233,7 @@ inline bool HorizonRun::begin_next_window() {
 inline RealisationResult HorizonRun::finish() {
   add(result_.operations, counts_);
   collect(result_, motion_, recorder_);
-  if (was_continued_) result_.settling->continued = continued_.finish();
+  if (continued_) result_.settling->continued = continued_->finish();
   return std::move(result_);
 }
 

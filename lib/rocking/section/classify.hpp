@@ -41,7 +41,7 @@ struct ClassifierInput {
 /// classified by the part after that. What is not clear is unresolved.
 ///
 /// The thresholds are derived in lib/docs/methods-classification.md. The same input gives the same bits everywhere.
-/// Cost: linear memory and O(N) time; about 200 passes if random, a few times as many if the response settles late.
+/// Cost: linear memory and O(N) time; some tens of passes if random, a few times as many if the response settles late.
 [[nodiscard]] PendingClassification classify(const ClassifierInput& input);
 
 /// As above. `exponent` is called at most once, and only if it is needed.

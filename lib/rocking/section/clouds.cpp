@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/section/order_statistics.hpp"
 #include "rocking/section/period.hpp"
 
 namespace rocking::section {
@@ -20,53 +22,51 @@ constexpr double trimming_correction = 1.0 / 0.74415721411178;
 // Median of the squared distance from the centre, in units of the scatter, for a normal law in the plane: 2 ln 2.
 constexpr double median_of_squares = 2.0 * std::numbers::ln2;
 
-double median(std::vector<double>& values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  if (values.size() % 2 == 1) return *middle;
-  return 0.5 * (*middle + *std::max_element(values.begin(), middle));
-}
-
 /// Squares of the median absolute deviations of the coordinates, at least `floor`: the initial value of the scatter.
-Covariance typical_size(std::span<const PlanePoint> deviations, double floor) {
-  std::vector<double> xs;
-  std::vector<double> ys;
-  for (const PlanePoint& d : deviations) {
-    xs.push_back(std::abs(d.x));
-    ys.push_back(std::abs(d.y));
-  }
-  const double x = median(xs);
-  const double y = median(ys);
+Covariance typical_size(std::span<const PlanePoint> deviations, double floor, std::span<double> memory) {
+  const std::span<double> sizes = memory.first(deviations.size());
+  const Scratch scratch = memory.subspan(sizes.size());
+  std::ranges::transform(deviations, sizes.begin(), [](const PlanePoint& d) { return std::abs(d.x); });
+  const double x = median_of(sizes, scratch);
+  std::ranges::transform(deviations, sizes.begin(), [](const PlanePoint& d) { return std::abs(d.y); });
+  const double y = median_of(sizes, scratch);
   return {x * x + floor, 0.0, y * y + floor};
 }
 
-/// Covariance about 0 of the deviations without the ones that are largest in the given metric.
-Covariance trimmed_covariance(std::span<const PlanePoint> deviations, const Covariance& metric) {
-  std::vector<double> distances;
-  distances.reserve(deviations.size());
-  for (const PlanePoint& d : deviations) distances.push_back(squared_distance(d, metric));
-  std::vector<double> ordered = distances;
-  const auto last = static_cast<std::ptrdiff_t>(kept_share * static_cast<double>(ordered.size() - 1));
-  std::nth_element(ordered.begin(), ordered.begin() + last, ordered.end());
-  const double limit = ordered[static_cast<std::size_t>(last)];
+/// Index, after sorting, of the largest distance that is kept.
+std::size_t last_kept(std::size_t count) {
+  return static_cast<std::size_t>(kept_share * static_cast<double>(count - 1));
+}
+
+/// Covariance about 0 of the deviations without the ones that are largest in the given metric. `memory` has room for
+/// two numbers per deviation.
+Covariance trimmed_covariance(std::span<const PlanePoint> deviations, const Covariance& metric,
+                              std::span<double> memory) {
+  const std::span<double> distances = memory.first(deviations.size());
+  for (std::size_t k = 0; k < distances.size(); ++k) distances[k] = squared_distance(deviations[k], metric);
+  const double limit = value_of_rank(distances, last_kept(distances.size()), memory.subspan(distances.size()));
+  // Adding 0 does not change a sum; which deviations are kept cannot be predicted, so that a branch takes longer.
   Covariance sum;
-  std::size_t kept = 0;
+  double kept = 0.0;
   for (std::size_t k = 0; k < deviations.size(); ++k) {
-    if (distances[k] > limit) continue;
-    sum.add(deviations[k]);
-    ++kept;
+    const PlanePoint& d = deviations[k];
+    const bool keeps = !(distances[k] > limit);
+    sum.xx += keeps ? d.x * d.x : 0.0;
+    sum.xy += keeps ? d.x * d.y : 0.0;
+    sum.yy += keeps ? d.y * d.y : 0.0;
+    kept += keeps ? 1.0 : 0.0;
   }
-  return sum.scaled(trimming_correction / static_cast<double>(kept));
+  return sum.scaled(trimming_correction / kept);
 }
 
 /// The scatter that is its own metric for trimming, iterated from the sizes along the axes. An iteration leaves less
 /// than half of the error in the direction, so that four leave less than a twentieth. This is far below the sampling
 /// error of 600 points.
 Covariance robust_scatter(std::span<const PlanePoint> deviations, double floor) {
-  Covariance scatter = typical_size(deviations, floor);
+  std::vector<double> memory(2 * deviations.size());
+  Covariance scatter = typical_size(deviations, floor, memory);
   for (int round = 0; round < 4; ++round) {
-    scatter = trimmed_covariance(deviations, scatter);
+    scatter = trimmed_covariance(deviations, scatter, memory);
     scatter.xx += floor;
     scatter.yy += floor;
   }
@@ -90,27 +90,108 @@ double farthest_turn(const Clouds& clouds, std::size_t divisor) {
   return std::sqrt(farthest);
 }
 
+/// Differences of deviations `lag` apart.
+void steps_of(std::span<const PlanePoint> deviations, std::size_t lag, std::vector<PlanePoint>& steps) {
+  steps.clear();
+  for (std::size_t k = lag; k < deviations.size(); ++k) steps.push_back(deviations[k] - deviations[k - lag]);
+}
+
+/// Largest correlation of deviations whose differences are `steps`. `memory` has room for two numbers per step.
+double memory_of(std::span<const PlanePoint> steps, const Covariance& scatter, double resolution,
+                 std::span<double> memory) {
+  const double unknown = 2.0 * resolution * resolution;  // resolution of the difference of two points
+  Covariance step = trimmed_covariance(steps, scatter, memory);
+  step.xx += unknown;
+  step.yy += unknown;
+  const double least = least_ratio(step, scatter);
+  const auto squares = memory.first(steps.size());  // trimmed_covariance leaves them here
+  const double median = median_of(squares, memory.subspan(steps.size()));
+  return std::max({0.0, 1.0 - 0.5 * least, 1.0 - 0.5 * median / median_of_squares});  // not NaN if one of them is
+}
+
+/// Whether a bound that takes a fraction of the time of memory_of shows that it does not exceed `limit`.
+///
+/// If no more than `last_kept` squared distances are at most `near`, the trimmed covariance keeps all of these. Its
+/// least variance is then at least that of their sum, divided by the number of all. The median is at least any value
+/// that fewer than half of the squares are below. Sums go over squares below 0.999 `near`, and limits are exceeded by 1
+/// %, because both computations round: the conditions on the scatter and on the mean square make that less than 1e-6.
+bool is_memory_surely_below(double limit, std::span<const PlanePoint> steps, const Covariance& scatter) {
+  const double least_variance = 1.01 * 2.0 * (1.0 - limit);
+  if (!(least_variance > 1e-3) || !(scatter.determinant() > 1e-4 * scatter.xx * scatter.yy)) return false;
+  const double low_square = least_variance * median_of_squares;
+  const double scale = 1.0 / scatter.determinant();
+  const auto count = static_cast<double>(steps.size());
+  for (const double near : {4.0, 1.0}) {
+    Covariance sum;
+    double within = 0.0;
+    double low = 0.0;
+    double total = 0.0;
+    for (const PlanePoint& d : steps) {
+      const double square = scale * (d.x * d.x * scatter.yy - 2.0 * d.x * d.y * scatter.xy + d.y * d.y * scatter.xx);
+      const double summed = square <= 0.999 * near ? 1.0 : 0.0;
+      sum.xx += summed * (d.x * d.x);
+      sum.xy += summed * (d.x * d.y);
+      sum.yy += summed * (d.y * d.y);
+      within += square <= near ? 1.0 : 0.0;
+      low += square <= low_square ? 1.0 : 0.0;
+      total += square;
+    }
+    if (!(total < 1e6 * count) || !(2.0 * low < count - 2.0)) return false;
+    if (within > static_cast<double>(last_kept(steps.size()))) continue;
+    return least_ratio(sum.scaled(trimming_correction / count), scatter) > least_variance;
+  }
+  return false;
+}
+
+/// The points divided into classes, with the coordinates of each class next to each other.
+class PointsByClass {
+ public:
+  PointsByClass(std::span<const PlanePoint> points, const Classes& classes)
+      : starts_(classes.count + 1), numbers_(3 * points.size()) {
+    for (const std::uint32_t c : classes.of) ++starts_[c + 1];
+    for (std::size_t c = 1; c < starts_.size(); ++c) starts_[c] += starts_[c - 1];
+    std::vector<std::uint32_t> ends(starts_.begin(), starts_.end() - 1);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      const std::size_t place = ends[classes.of[k]]++;
+      numbers_[place] = points[k].x;
+      numbers_[points.size() + place] = points[k].y;
+    }
+  }
+
+  [[nodiscard]] PlanePoint median(std::size_t c) {
+    const std::size_t points = starts_.back();
+    const std::size_t count = starts_[c + 1] - starts_[c];
+    const std::span<double> all(numbers_);
+    const Scratch scratch = all.last(points);
+    return {median_of(all.subspan(starts_[c], count), scratch),
+            median_of(all.subspan(points + starts_[c], count), scratch)};
+  }
+
+ private:
+  std::vector<std::uint32_t> starts_;  ///< by class; then the number of points
+  std::vector<double> numbers_;        ///< x of all, y of all, scratch
+};
+
 }  // namespace
 
 Classes classes_by_phase(std::size_t points, std::size_t n) { return classes_by_phase_and_time(points, n, 1); }
 
 Classes classes_by_phase_and_time(std::size_t points, std::size_t n, std::size_t parts) {
   Classes classes{std::vector<std::uint32_t>(points), n * parts};
+  std::size_t phase = 0;
+  std::size_t part = 0;
   for (std::size_t k = 0; k < points; ++k) {
-    classes.of[k] = static_cast<std::uint32_t>(k % n + n * (parts * k / points));
+    if (parts * k >= (part + 1) * points) ++part;
+    classes.of[k] = static_cast<std::uint32_t>(phase + n * part);
+    phase = phase + 1 == n ? 0 : phase + 1;
   }
   return classes;
 }
 
 std::vector<PlanePoint> centres_of(std::span<const PlanePoint> points, const Classes& classes) {
-  std::vector<std::vector<double>> xs(classes.count);
-  std::vector<std::vector<double>> ys(classes.count);
-  for (std::size_t k = 0; k < points.size(); ++k) {
-    xs[classes.of[k]].push_back(points[k].x);
-    ys[classes.of[k]].push_back(points[k].y);
-  }
+  PointsByClass by_class(points, classes);
   std::vector<PlanePoint> centres(classes.count);
-  for (std::size_t c = 0; c < classes.count; ++c) centres[c] = {median(xs[c]), median(ys[c])};
+  for (std::size_t c = 0; c < classes.count; ++c) centres[c] = by_class.median(c);
   return centres;
 }
 
@@ -124,13 +205,16 @@ std::vector<PlanePoint> deviations_of(std::span<const PlanePoint> points, const 
 
 Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution) {
   ROCKING_EXPECT(points.size() > classes.count && classes.of.size() == points.size());
-  Clouds clouds;
-  clouds.centres = centres_of(points, classes);
-  clouds.deviations = deviations_of(points, classes, clouds.centres);
-  const auto all = static_cast<double>(points.size());
-  const double correction = all / (all - static_cast<double>(classes.count));
-  clouds.scatter = robust_scatter(clouds.deviations, resolution * resolution).scaled(correction);
-  return clouds;
+  std::vector<PlanePoint> centres = centres_of(points, classes);
+  std::vector<PlanePoint> deviations = deviations_of(points, classes, centres);
+  return clouds_about(std::move(centres), std::move(deviations), resolution);
+}
+
+Clouds clouds_about(std::vector<PlanePoint> centres, std::vector<PlanePoint> deviations, double resolution) {
+  const auto all = static_cast<double>(deviations.size());
+  const double correction = all / (all - static_cast<double>(centres.size()));
+  const Covariance scatter = robust_scatter(deviations, resolution * resolution).scaled(correction);
+  return {std::move(centres), std::move(deviations), scatter};
 }
 
 std::vector<Separation> separations(const Clouds& clouds) {
@@ -159,22 +243,26 @@ std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& cloud
 }
 
 double longest_memory(const Clouds& clouds, double resolution) {
-  const double unknown = 2.0 * resolution * resolution;  // resolution of the difference of two points
+  std::vector<PlanePoint> steps;
+  std::vector<double> memory(2 * clouds.deviations.size());
   double longest = 0.0;
   for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
-    std::vector<PlanePoint> steps;
-    std::vector<double> squares;
-    for (std::size_t k = lag; k < clouds.deviations.size(); ++k) {
-      steps.push_back(clouds.deviations[k] - clouds.deviations[k - lag]);
-      squares.push_back(squared_distance(steps.back(), clouds.scatter));
-    }
-    Covariance step = trimmed_covariance(steps, clouds.scatter);
-    step.xx += unknown;
-    step.yy += unknown;
-    const double least = least_ratio(step, clouds.scatter);
-    longest = std::max({longest, 1.0 - 0.5 * least, 1.0 - 0.5 * median(squares) / median_of_squares});
+    steps_of(clouds.deviations, lag, steps);
+    longest = std::max(longest, memory_of(steps, clouds.scatter, resolution, memory));
   }
   return longest;
+}
+
+bool has_longer_memory(const Clouds& clouds, double resolution, double limit) {
+  std::vector<PlanePoint> steps;
+  steps.reserve(clouds.deviations.size());
+  std::vector<double> memory(2 * clouds.deviations.size());
+  for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
+    steps_of(clouds.deviations, lag, steps);
+    if (is_memory_surely_below(limit, steps, clouds.scatter)) continue;
+    if (memory_of(steps, clouds.scatter, resolution, memory) > limit) return true;
+  }
+  return false;
 }
 
 double extent_of(const Clouds& clouds) {

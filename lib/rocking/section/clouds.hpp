@@ -42,6 +42,10 @@ struct Classes {
 /// resolved.
 [[nodiscard]] Clouds gather(std::span<const PlanePoint> points, const Classes& classes, double resolution);
 
+/// As gather, with centres and deviations that are known.
+[[nodiscard]] Clouds clouds_about(std::vector<PlanePoint> centres, std::vector<PlanePoint> deviations,
+                                  double resolution);
+
 /// Distance that distinguishes n clouds from a divisor of n.
 struct Separation {
   std::size_t divisor = 1;  ///< d = n/p, p prime
@@ -61,6 +65,9 @@ struct Separation {
 /// is the covariance of the differences in units of the scatter. It is also computed from the median of the squared
 /// differences, which shows a memory that a few jumps interrupt.
 [[nodiscard]] double longest_memory(const Clouds& clouds, double resolution);
+
+/// Whether longest_memory exceeds the limit. Takes a fifth of its time: for most lags a bound shows that it does not.
+[[nodiscard]] bool has_longer_memory(const Clouds& clouds, double resolution, double limit);
 
 /// Distance of the farthest centre from the origin (the upright block): the extent of the motion.
 [[nodiscard]] double extent_of(const Clouds& clouds);

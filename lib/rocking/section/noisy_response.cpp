@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "rocking/base/elementary.hpp"
@@ -19,7 +20,9 @@ namespace {
 
 struct Phases {
   int n = 1;
-  double chance_left = 1.0;  ///< of the strongest line that was not accepted
+  double chance_left = 1.0;            ///< of the strongest line that was not accepted
+  std::vector<PlanePoint> centres;     ///< of the n classes
+  std::vector<PlanePoint> deviations;  ///< from these
 };
 
 /// Least common period of all lines, found one by one. Each line is removed with the class means before the next is
@@ -29,14 +32,15 @@ std::optional<Phases> find_phases(std::span<const PlanePoint> points, double res
   while (true) {
     const auto n = static_cast<std::size_t>(phases.n);
     const Classes classes = classes_by_phase(points.size(), n);
-    const auto deviations = deviations_of(points, classes, centres_of(points, classes));
-    const std::optional<Line> line = strongest_line(deviations, phases.n, resolution);
+    phases.centres = centres_of(points, classes);
+    phases.deviations = deviations_of(points, classes, phases.centres);
+    const std::optional<Line> line = strongest_line(phases.deviations, phases.n, resolution, line_chance);
     if (!line) return phases;
     if (line->chance >= line_chance) {
       phases.chance_left = line->chance;
       return phases;
     }
-    phases.n = std::lcm(phases.n, line->denominator);
+    phases.n = std::lcm(phases.n, line->frequency.denominator);
     if (phases.n > longest_period) return std::nullopt;
   }
 }
@@ -119,11 +123,10 @@ Finding find_clouds(std::span<const Period> periods, double resolution, const Th
   ROCKING_EXPECT(periods.size() >= 4 * static_cast<std::size_t>(longest_period));
   const std::vector<PlanePoint> points = plane_points(periods);
   const double line_chance = thresholds.line_chance / line_count;
-  const std::optional<Phases> phases = find_phases(points, resolution, line_chance);
+  std::optional<Phases> phases = find_phases(points, resolution, line_chance);
   if (!phases) return uncleared_count(Reason::period_too_long);
 
-  const auto n = static_cast<std::size_t>(phases->n);
-  const Clouds clouds = gather(points, classes_by_phase(points.size(), n), resolution);
+  const Clouds clouds = clouds_about(std::move(phases->centres), std::move(phases->deviations), resolution);
   const double apart = separation_margin(clouds, thresholds);
   const bool moving = moves_with_time(points, clouds, resolution, thresholds.chance_per_cut);
   const bool tiny = are_tiny(clouds, resolution, thresholds.tiny_share);
@@ -132,7 +135,7 @@ Finding find_clouds(std::span<const Period> periods, double resolution, const Th
   if (astray.at_the_end) return final_significance(Reason::not_stationary, true);
   if (astray.share > thresholds.largest_stray_share) return uncleared_count(Reason::out_of_order, moving);
   if (moving && !tiny) return final_significance(Reason::not_stationary, true);
-  if (!tiny && longest_memory(clouds, resolution) > thresholds.longest_memory) {
+  if (!tiny && has_longer_memory(clouds, resolution, thresholds.longest_memory)) {
     return uncleared_count(Reason::slow_memory, true);
   }
 

@@ -3,21 +3,18 @@
 #include <optional>
 #include <span>
 
+#include "rocking/section/line_neighbourhood.hpp"
 #include "rocking/section/plane.hpp"
 
 namespace rocking::section {
 
-/// A frequency numerator/denominator, per period, at which deviations may have a spectral line.
+/// A line and its chance.
 struct Line {
-  int numerator = 0;
-  int denominator = 1;
-  double chance = 1.0;  ///< probability that noise without a line exceeds its neighbourhood this much
+  LineFrequency frequency;
+  double chance = 1.0;
 };
 
-/// Number of reduced fractions j/q in (0, 1/2] with q <= 12: the tested lines.
-inline constexpr int line_count = 23;
-
-/// The most significant line of all j/q with 2 <= q <= 12 where q does not divide n; nothing if there is none to test.
+/// Probability that noise without a line exceeds its neighbourhood at this frequency as much as the deviations do.
 ///
 /// The real and imaginary parts of the Fourier sum of (x, y) at the frequency of the line form a matrix H of sums of
 /// squares and products with 2 degrees of freedom (1 at frequency 1/2). Those at the M nearest frequencies form a
@@ -27,7 +24,16 @@ inline constexpr int line_count = 23;
 ///     P(L <= y) = y^(2M-1) (2M - (2M - 1) y),   at frequency 1/2: y^(2M-1)
 ///
 /// Each line is compared with its own neighbourhood. It is therefore distinguished from the broad maximum of noise with
-/// long memory. `deviations` are measured from the centres of the classes k mod n.
-[[nodiscard]] std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution);
+/// long memory. `deviations` are measured from the centres of the classes k mod n; n is no multiple of the denominator.
+[[nodiscard]] double line_chance(const LineFrequency& line, std::span<const PlanePoint> deviations, int n,
+                                 double resolution);
+
+/// The line of least chance of all j/q with 2 <= q <= 12 where q does not divide n, the first of equal ones; nothing if
+/// there is none to test.
+///
+/// The chance of every line is bounded first (line_bounds.hpp); line_chance is called only for lines that may have the
+/// least. If only one line may have it, and its upper bound is below `needed_from`, the bound is returned instead.
+[[nodiscard]] std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution,
+                                                 double needed_from = 0.0);
 
 }  // namespace rocking::section

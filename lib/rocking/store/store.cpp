@@ -7,6 +7,9 @@
 #include <thread>
 #include <utility>
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include "rocking/base/error.hpp"
 #include "rocking/store/store_layout.hpp"
 
@@ -55,6 +58,15 @@ void begin_rollback(Database& database) {
   sqlite::number_in(database, "SELECT count(*) FROM sqlite_master");  // releases the lock
 }
 
+// A new name is on the disk only after its folder is flushed.
+void flush_folder_of(const std::filesystem::path& path) {
+  const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
 std::string spoken(const RealisationKey& key) {
   return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
 }
@@ -74,9 +86,17 @@ Store Store::create(const std::filesystem::path& path, const Identity& identity)
   unfinished += ".new";
   sqlite::remove_database(unfinished);
   { const std::ofstream empty(unfinished); }  // with the permissions of the umask; those that SQLite sets are narrower
-  { static_cast<void>(made(Database(unfinished, Access::create), identity)); }
+  {
+    // Nobody continues an unfinished store, so that it needs no journal on disk; each change is flushed. It gets the
+    // mode in which it is opened below, because a change of mode afterwards would need a journal and four more flushes.
+    Database database(unfinished, Access::create);
+    database.execute("PRAGMA journal_mode = MEMORY");
+    Store store = made(std::move(database), identity);
+    store.database_.execute("PRAGMA journal_mode = WAL");
+  }
   sqlite::remove_logs(path);
   std::filesystem::rename(unfinished, path);
+  flush_folder_of(path);
   return open(path, Access::write);
 }
 

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "support/split_mix.hpp"
+#include "support/synthetic_response.hpp"
 
 namespace rocking::section {
 namespace {
@@ -96,6 +97,28 @@ TEST(LongestMemory, IsTheCorrelationOfAnAutoregression) {
 TEST(LargestDeviation, IsTheMajorHalfAxis) {
   EXPECT_DOUBLE_EQ(largest_deviation({1.0, 0.0, 9.0}), 3.0);
   EXPECT_DOUBLE_EQ(largest_deviation({5.0, 4.0, 5.0}), 3.0);
+}
+
+TEST(HasLongerMemory, AgreesWithTheLongestMemory) {
+  support::SplitMix draw(77);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double memory = 1.0 - std::pow(10.0, -3.0 * draw.uniform());
+    const double stray = draw.uniform() < 0.5 ? 0.0 : 0.1 * draw.uniform();
+    const double flatness = std::pow(10.0, -6.0 * draw.uniform() * draw.uniform());
+    std::vector<PlanePoint> points;
+    PlanePoint p;
+    for (std::size_t k = 0; k < 48 + static_cast<std::size_t>(trial % 100); ++k) {
+      p = {memory * p.x + draw.normal(), 0.5 * memory * p.y + draw.normal()};
+      const double far = draw.uniform() < stray ? 1e4 : 1.0;
+      points.push_back({far * p.x, p.x + flatness * p.y});
+    }
+    const Clouds clouds =
+        gather(points, classes_by_phase(points.size(), 1 + static_cast<std::size_t>(trial % 3)), 1e-7);
+    const double longest = longest_memory(clouds, 1e-7);
+    for (const double limit : {0.3, 0.8, 0.96, 0.99, longest, std::nextafter(longest, 0.0)}) {
+      ASSERT_EQ(has_longer_memory(clouds, 1e-7, limit), longest > limit) << trial << ", limit " << limit;
+    }
+  }
 }
 
 }  // namespace

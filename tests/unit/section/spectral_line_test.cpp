@@ -60,7 +60,7 @@ TEST(StrongestLine, FindsALineThatIsThere) {
     }
     const auto line = strongest_line(points, 1, resolution);
     ASSERT_TRUE(line);
-    EXPECT_EQ(line->denominator, q);
+    EXPECT_EQ(line->frequency.denominator, q);
     EXPECT_LT(line->chance, 1e-6) << q;
   }
 }
@@ -70,7 +70,7 @@ TEST(StrongestLine, IsNotLookedForWhereTheCloudsAlreadyHaveIt) {
   for (int series = 0; series < 100; ++series) {
     const auto line = strongest_line(white_noise(120, draw), 12, resolution);
     ASSERT_TRUE(line);
-    EXPECT_NE(12 % line->denominator, 0);
+    EXPECT_NE(12 % line->frequency.denominator, 0);
   }
 }
 

@@ -22,7 +22,7 @@ using namespace rocking;
 using section::ResponseMode;
 using section::StrobePoint;
 
-constexpr std::uint64_t seed = 0x2012;
+constexpr std::uint64_t sweep_seed = 0x2012;
 
 /// Every source of fluctuation is on, so that a count that is not passed on is detected.
 Condition fluctuating_condition(double amplitude, double friction = 0.35) {
@@ -49,7 +49,7 @@ bool have_same_bits(const StrobePoint& a, const StrobePoint& b) {
 
 /// One motion whose Taylor steps end after every `stretch` strobe points, as those of a continuation do.
 std::vector<StrobePoint> one_long_run(const Condition& condition, std::uint64_t realisation, int stretches) {
-  const random::Draws draws(seed, realisation);
+  const random::Draws draws(sweep_seed, realisation);
   const int stretch = condition.horizon.transient_periods + condition.horizon.sampled_periods;
   StrobeRecorder recorder(dynamics::geometry_of(mean_block(condition.scene)).shape_angle, stretch * stretches);
   const auto beginning =
@@ -76,7 +76,7 @@ TEST(Continuation, IsOneLongRunToTheBitWhileTheParameterStays) {
   for (const auto& [amplitude, friction] : {Shaking{1.1, 0.35}, Shaking{1.6, 0.2}, Shaking{4.2, 0.35}}) {
     const Condition condition = fluctuating_condition(amplitude, friction);
     for (std::uint64_t realisation = 0; realisation < 25; ++realisation) {
-      Continuation continuation(random::Draws(seed, realisation));
+      Continuation continuation(random::Draws(sweep_seed, realisation));
       std::vector<StrobePoint> points;
       for (int i = 0; i < runs; ++i) {
         const RealisationResult result = continuation.run(condition);
@@ -103,8 +103,8 @@ TEST(Continuation, GivesThePointsOfARunThatIsNotCut) {
   condition.horizon = {.transient_periods = 20, .sampled_periods = 30};
   Condition longer = condition;
   longer.horizon.sampled_periods = 180;
-  const RealisationResult expected = realise(longer, seed, 0);
-  Continuation continuation(random::Draws(seed, 0));
+  const RealisationResult expected = realise(longer, sweep_seed, 0);
+  Continuation continuation(random::Draws(sweep_seed, 0));
   for (std::size_t i = 0; i < 4; ++i) {
     const RealisationResult result = continuation.run(condition);
     ASSERT_EQ(result.strobe.size(), 50U);
@@ -117,7 +117,7 @@ TEST(Continuation, GivesThePointsOfARunThatIsNotCut) {
 
 TEST(Continuation, KeepsStateAndPartOfThePeriodWhereTheFrequencyChanges) {
   Condition condition = fluctuating_condition(4.2);
-  Continuation continuation(random::Draws(seed, 3));
+  Continuation continuation(random::Draws(sweep_seed, 3));
   const RealisationResult before = continuation.run(condition);
   const dynamics::State last = continuation.motion()->state();
   const double psi = dynamics::geometry_of(mean_block(condition.scene)).shape_angle;
@@ -134,20 +134,20 @@ TEST(Continuation, KeepsStateAndPartOfThePeriodWhereTheFrequencyChanges) {
 TEST(SceneCoefficients, UnderAnotherMeanKeepTheDeviationsInForce) {
   const Condition condition = fluctuating_condition(4.2);
   const dynamics::Clock clock(10.0, 0.0);
-  SceneCoefficients coefficients(condition.scene, random::Draws(seed, 0));
+  SceneCoefficients coefficients(condition.scene, random::Draws(sweep_seed, 0));
   coefficients.stop();
   coefficients.stop();
   coefficients.chatter_ended();
   coefficients.chatter_ended();  // without a stop: the friction before it stays in force, though the count has advanced
   const double in_force = coefficients.static_friction();
   Scene scene = condition.scene;
-  const SceneCoefficients same(scene, random::Draws(seed, 0));
+  const SceneCoefficients same(scene, random::Draws(sweep_seed, 0));
   EXPECT_EQ(coefficients.under(same).static_friction(), in_force);
   EXPECT_EQ(coefficients.under(same).kinetic_friction(clock), coefficients.kinetic_friction(clock));
   EXPECT_EQ(coefficients.under(same).amplitude(clock), coefficients.amplitude(clock));
   scene.friction->static_coefficient += 0.25;
   support::harmonic(scene).amplitude += 0.25;
-  auto moved = coefficients.under(SceneCoefficients(scene, random::Draws(seed, 0)));
+  auto moved = coefficients.under(SceneCoefficients(scene, random::Draws(sweep_seed, 0)));
   EXPECT_NEAR(moved.static_friction(), in_force + 0.25, 0x1p-52);                      // a rounding of a sum below 1
   EXPECT_NEAR(moved.amplitude(clock), coefficients.amplitude(clock) + 0.25, 0x1p-49);  // of one below 8
 }

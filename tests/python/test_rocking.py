@@ -5,10 +5,12 @@ Environment: ROCKING_PROGRAM, the program; ROCKING_SOURCE, the root of the clone
 
 import doctest
 import importlib
+import inspect
 import json
 import os
 import pickle
 import pkgutil
+import re
 import signal
 import subprocess
 import tempfile
@@ -245,9 +247,169 @@ class AgainstTheProgram(unittest.TestCase):
         with self.assertRaises(ValueError):
             rocking.colour("(1;1)")
 
+    def test_verification_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        for source in (self.out, rocking.run(SLAB)):
+            told = []
+            found = rocking.verify(source, progress=lambda done, all: told.append((done, all)))
+            self.assertTrue(found.is_verified)
+            self.assertEqual((found.checked, found.different, found.not_compared), (60, 0, 0))
+            self.assertEqual(told[-1][0], told[-1][1])
+        self.assertLess(rocking.verify(self.out, sample=4).checked, 10)
+        report = os.path.join(self.out, "report.json")
+        with open(report) as file:
+            text = file.read()
+        with open(report, "w") as file:
+            file.write(re.sub(r'("estimate": ?)[0-9.]+', r"\g<1>0.125", text, count=1))
+        found = rocking.verify(self.out, sample=2)
+        self.assertEqual((found.different, len(found.findings)), (0, 1))
+        self.assertIn("estimate", found.findings[0])
+
+    def test_other_bits_are_found(self):
+        run = rocking.run(SLAB)
+        falsified = rocking.Result(rocking.experiment(SLAB, seed=2), run._core, run._occasion, None)
+        found = rocking.verify(falsified)
+        self.assertEqual((found.checked, found.different, found.is_verified), (60, 60, False))
+        self.assertIn("condition 0, realisation 0: the new result differs", found.findings[0])
+        with self.assertRaises(rocking.DifferentBits):
+            rocking.replay(falsified, realisation=3)
+
+    def test_replay_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        theirs = self.program("replay", self.out, "--condition", "1", "--realisation", "3")
+        for source in (self.out, rocking.run(SLAB)):
+            self.assertEqual(rocking.replay(source, condition=1, realisation=3).text(), theirs)
+        for form in ("json", "csv"):
+            for units in ("normalised", "si"):
+                asked = ["--condition", "1", "--realisation", "3", "--samples", "4", "--format", form, "--units", units]
+                motion = rocking.trajectory(self.path, condition=1, realisation=3, samples_per_period=4)
+                self.assertEqual(motion.text(form, units), self.program("trajectory", self.path, *asked))
+        with self.assertRaises(rocking.InputError):
+            rocking.replay(self.out, realisation=20)
+
+    def test_rare_is_that_of_the_program(self):
+        self.program("rare", self.path, "-o", self.out, "--peak-tilt", "0.3", "--particles", "50",
+                     "--relative-error", "0.5", "--score", "energy", "-q")
+        with open(os.path.join(self.out, "rare.json")) as file:
+            theirs = json.load(file)
+        told = []
+        ours = rocking.rare(SLAB, peak_tilt=0.3, particles=50, relative_error=0.5, score="energy",
+                            progress=lambda done, all: told.append((done, all)))
+        self.assertEqual(ours.data, theirs)
+        self.assertTrue(all(done <= every for done, every in told))
+        self.assertEqual(told, sorted(told, key=lambda pair: pair[0]))
+        self.assertEqual([found.probability for found in ours], [each["probability"] for each in theirs["conditions"]])
+
+    def test_check_of_random_numbers_is_that_of_the_program(self):
+        theirs = json.loads(self.program("check-normal", "--n", "500", "--sampler", "ziggurat", "--json"))
+        self.assertEqual(rocking.check_normal(500, sampler="ziggurat"), theirs)
+
+    def test_doctor_is_that_of_the_program(self):
+        theirs = json.loads(self.program("doctor", "--json"))
+        ours = rocking.doctor()
+        self.assertEqual({key: theirs[key] for key in ours}, ours)
+        self.assertEqual(set(theirs) - set(ours), {"machine", "system", "supported_systems", "lanes"})
+
+    def test_a_run_in_progress_can_be_looked_at(self):
+        running = subprocess.Popen([PROGRAM, "run", write(self.folder.name, LONG), "-o", self.out, "--no-page", "-q"])
+        self.addCleanup(running.wait)
+        self.addCleanup(running.kill)
+        store = os.path.join(self.out, "realisations.sqlite")
+        done = 0
+        until = time.monotonic() + 60
+        while done == 0 and time.monotonic() < until:
+            time.sleep(0.1)
+            if os.path.exists(store) and os.path.getsize(store):
+                done = rocking.open_run(self.out).done
+        self.assertIsNone(running.poll(), "it is in progress")
+        self.assertTrue(0 < done < 100000)
+
     def test_validate_is_that_of_the_program(self):
         theirs = json.loads(self.program("validate", self.path, "--json"))
         self.assertEqual(rocking.validate(self.path), theirs["experiment"])
+
+
+@unittest.skipUnless(hasattr(rocking._core, "write_page"), "built without fmt (Debian: libfmt-dev)")
+class Pages(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = write(self.folder.name, SLAB)
+        self.out = os.path.join(self.folder.name, "out")
+        self.ours = os.path.join(self.folder.name, "ours")
+
+    def program(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+    def expect_same(self, written, folder):
+        """The files that were written, and those of the program in a folder, have the same names and bytes."""
+        self.assertEqual(sorted(path.name for path in written), sorted(os.listdir(folder)))
+        for path in written:
+            if path.suffix == ".pdf":  # has the time at which it was drawn
+                continue
+            with open(os.path.join(folder, path.name), "rb") as file:
+                self.assertEqual(path.read_bytes(), file.read(), path.name)
+
+    def test_figures_and_tables_are_those_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        self.program("report", self.out, "--format", "gnuplot,csv,latex")
+        for source in (self.out, rocking.run(SLAB)):
+            self.expect_same(rocking.write_figures(source, self.ours).files, os.path.join(self.out, "figures"))
+            self.expect_same(rocking.write_tables(source, self.ours).files, os.path.join(self.out, "tables"))
+        self.program("report", self.out, "--format", "gnuplot", "--style", "journal", "--width", "double")
+        written = rocking.write_figures(self.out, self.ours, column="journal_double")
+        self.expect_same(written.files, os.path.join(self.out, "figures"))
+        with self.assertRaises(ValueError):
+            rocking.write_figures(self.out, self.ours, column="wide")
+
+    def test_page_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "-q")
+        with open(os.path.join(self.out, "report.json")) as file:
+            system = json.load(file)["system"]
+        result = rocking.open_run(self.out)
+        page = rocking.write_page(result, os.path.join(self.folder.name, "page.html")).files[0].read_text()
+        with open(os.path.join(self.out, "report.html")) as file:
+            theirs = file.read()
+        self.assertGreater(len(page), 50000)
+        self.assertIn(result.digest, page)
+        # All but machine and time, which a store does not know.
+        self.assertGreater(len(set(theirs.splitlines()) & set(page.splitlines())), 0.9 * len(set(theirs.splitlines())))
+        self.assertNotIn(system["start"] if "start" in system else "2012-01-01T", page)
+
+    def test_studies_are_drawn_as_by_the_program(self):
+        motion = ["trajectory", self.path, "--condition", "1", "--samples", "20"]
+        file = os.path.join(self.folder.name, "motion.json")
+        with open(file, "w") as out:
+            out.write(self.program(*motion))
+        self.program("figure", file, "-o", self.out)
+        self.expect_same(rocking.draw(file, folder=self.ours).files, self.out)
+        own = rocking.draw(rocking.trajectory(self.path, condition=1, samples_per_period=20), folder=self.ours)
+        self.assertEqual(sorted(path.name for path in own.files), sorted(os.listdir(self.out)))
+        result = rocking.run(SLAB)
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0})
+        for found in (rocking.bifurcation(SLAB), rocking.fragility(result), rocking.check_normal(100),
+                      rocking.orbits(still, longest=1)):
+            self.assertTrue(rocking.draw(found, folder=self.ours).files)
+        for other in ({"a": 1}, result):
+            with self.assertRaises(rocking.InputError):
+                rocking.draw(other, folder=self.ours)
+
+    def test_missing_gnuplot_is_told(self):
+        path = os.environ["PATH"]
+        self.addCleanup(os.environ.__setitem__, "PATH", path)
+        os.environ["PATH"] = self.folder.name
+        written = rocking.write_figures(rocking.run(SLAB), self.ours)
+        self.assertEqual(len(written.not_drawn), 1)
+        self.assertIn("gnuplot", written.not_drawn[0])
+        self.assertEqual({path.suffix for path in written.files}, {".tsv", ".gp"})
+
+    def test_what_cannot_be_written_is_refused(self):
+        with self.assertRaises(OSError):
+            rocking.write_page(rocking.run(SLAB), "/nowhere/report.html")
+        part = rocking.run(SLAB, shard=(1, 2), folder=self.out)
+        for write_it in (rocking.write_page, rocking.write_figures, rocking.write_tables):
+            with self.assertRaises(ValueError):
+                write_it(part, self.ours)
 
 
 class Errors(unittest.TestCase):
@@ -313,6 +475,25 @@ class Errors(unittest.TestCase):
         for successes in (-1, 0.5):
             with self.assertRaises(ValueError):
                 rocking.wilson(successes, 2)
+
+    def test_bad_checks_are_refused(self):
+        for call, arguments, pointer in (
+            (rocking.check_normal, {"n": 19}, "n"),
+            (rocking.check_normal, {"sigma": 0.0}, "sigma"),
+            (rocking.check_normal, {"mean": 1e6, "sigma": 1e-300}, "sigma"),
+            (rocking.check_normal, {"mean": float("nan")}, "mean"),
+            (rocking.check_normal, {"sampler": "dice"}, "sampler"),
+            (rocking.rare, {"source": SLAB, "particles": 19}, "particles"),
+            (rocking.rare, {"source": SLAB, "relative_error": 0.0}, "relative_error"),
+            (rocking.rare, {"source": SLAB, "peak_tilt": -1.0}, "peak_tilt"),
+            (rocking.verify, {"source": rocking.run(SLAB), "sample": 0}, "sample"),
+        ):
+            with self.assertRaises(rocking.InputError) as caught:
+                call(**arguments)
+            self.assertEqual(caught.exception.pointer, pointer)
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0})
+        with self.assertRaises(rocking.InputError):  # nothing is random
+            rocking.rare(still)
 
     def test_bad_measurements_of_cost_are_refused(self):
         for arguments, pointer in (({"sample": 0}, "sample"), ({"sample": 10**6}, "sample"),
@@ -399,6 +580,21 @@ class Interrupting(unittest.TestCase):
                        horizon={"transient_periods": 2000, "sampled_periods": 20})
         with self.assertRaises(KeyboardInterrupt):
             rocking.bifurcation(long, threads=1, progress=interrupt)
+
+    def test_ctrl_c_stops_rare_and_verify_and_orbits(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        result = rocking.run(changed(realisations=2000))
+        several = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, realisations=1,
+                          sweep=[{"parameter": "/excitation/amplitude", "values": np.linspace(1.0, 4.0, 200)}])
+        for call in (lambda: rocking.rare(SLAB, relative_error=1e-3, threads=1, progress=interrupt),
+                     lambda: rocking.verify(result, threads=1, progress=interrupt),
+                     lambda: rocking.orbits(several, longest=1, threads=1, progress=interrupt)):
+            began = time.monotonic()
+            with self.assertRaises(KeyboardInterrupt):
+                call()
+            self.assertLess(time.monotonic() - began, 20.0)
 
     def test_a_stopped_run_goes_on_in_its_folder(self):
         longer = changed(realisations=1500)
@@ -517,6 +713,18 @@ class Stubs(unittest.TestCase):
             if not name.startswith("_"):
                 self.assertRegex(stub, rf"(def|class) {name}\b|^{name}:|\n{name}:")
         self.assertTrue(os.path.exists(os.path.join(SOURCE, "lib/python/rocking/py.typed")))
+
+    def test_every_function_has_an_example_and_every_name_is_in_the_reference(self):
+        with open(os.path.join(SOURCE, "lib/docs/reference/index.rst")) as file:
+            reference = file.read()
+        for name in rocking.__all__:
+            public = getattr(rocking, name)
+            if name != "ExperimentLike":  # a union of types
+                self.assertRegex(reference, rf"rocking\.{name}\b")
+            if inspect.isroutine(public):
+                self.assertIn(">>>", public.__doc__, name)
+            elif inspect.isclass(public):
+                self.assertTrue(public.__doc__, name)
 
 
 def load_tests(loader, tests, pattern):

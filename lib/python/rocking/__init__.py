@@ -18,12 +18,16 @@ True
 
 from . import _core
 from .bifurcations import BifurcationDiagram, DiagramStep, bifurcation
+from .checks import RunCheck, check_normal, doctor, replay, verify
 from .comparisons import Comparison, ConditionComparison, ModeComparison, compare
 from .costs import Cost, cost
-from .errors import InputError, Interrupted, Problem, StoreError
+from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
+from .findings import Findings
 from .intervals import clopper_pearson, colour, wilson
 from .motions import GroundMotion, motion
+from .pages import Written, draw, write_figures, write_page, write_tables
+from .rare_events import RareEstimate, rare
 from .results import Result
 from .running import merge, open_run, run
 from .studies import FragilityCurve, Orbit, OrbitsOfCondition, fragility, orbits
@@ -38,9 +42,11 @@ __all__ = [
     "ConditionComparison",
     "Cost",
     "DiagramStep",
+    "DifferentBits",
     "EVENTS",
     "Experiment",
     "ExperimentLike",
+    "Findings",
     "FragilityCurve",
     "GroundMotion",
     "InputError",
@@ -49,26 +55,38 @@ __all__ = [
     "Orbit",
     "OrbitsOfCondition",
     "Problem",
+    "RareEstimate",
     "Result",
+    "RunCheck",
     "StoreError",
     "TERMINATIONS",
     "Trajectory",
+    "Written",
     "bifurcation",
+    "check_normal",
     "clopper_pearson",
     "colour",
     "compare",
     "cost",
+    "doctor",
+    "draw",
     "experiment",
     "fragility",
     "merge",
     "motion",
     "open_run",
     "orbits",
+    "rare",
+    "replay",
     "run",
     "schema",
     "trajectory",
     "validate",
+    "verify",
     "wilson",
+    "write_figures",
+    "write_page",
+    "write_tables",
 ]
 
 

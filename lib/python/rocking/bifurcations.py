@@ -9,6 +9,7 @@ import numpy as np
 
 from . import _core
 from .experiments import ExperimentLike, experiment
+from .findings import Findings
 from .running import Progress, processors
 
 __all__ = ["BifurcationDiagram", "DiagramStep", "bifurcation"]
@@ -57,7 +58,7 @@ def bifurcation(
     realisation: int = 0,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
-) -> List[BifurcationDiagram]:
+) -> Findings[BifurcationDiagram]:
     """Follow the responses along the first swept parameter: from the initial state, and from the end of the step before.
 
     A diagram for each combination of values of the other entries of the sweep. realisation: the one whose random
@@ -77,4 +78,4 @@ def bifurcation(
     if interrupted or text is None:
         raise KeyboardInterrupt
     data = json.loads(text)
-    return [BifurcationDiagram(diagram, data["parameter"]) for diagram in data["diagrams"]]
+    return Findings([BifurcationDiagram(diagram, data["parameter"]) for diagram in data["diagrams"]], data)

@@ -85,7 +85,18 @@ def run(
 def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:
     """The run in a folder that ``run(folder=...)`` or the program has filled; it need not be complete.
 
-    Raises OSError if there is none, StoreError if it is damaged.
+    A run that is in progress can be looked at: ``done`` is what is stored so far. Raises OSError if there is none,
+    StoreError if it is damaged.
+
+    >>> import tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     digest = rocking.run(slab, folder=folder).digest
+    ...     rocking.open_run(folder).digest == digest
+    True
     """
     where = os.fspath(folder)
     core_experiment, core = _core.open_run(where)

@@ -48,6 +48,14 @@ Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& req
                        TrajectoryExtent(request.periods > 0 ? request.periods : horizon, request.samples_per_period));
 }
 
+std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
+  return trajectory_text(RealisationKey{request.condition, request.realisation}, trajectory, units);
+}
+
+std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
+  return trajectory_csv(RealisationKey{request.condition, request.realisation}, trajectory, units);
+}
+
 std::string orbits(const Experiment& experiment, int longest, const Execution& execution) {
   expect("longest", longest, 1, static_cast<int>(section::longest_period));
   check_orbits(experiment);

@@ -6,6 +6,7 @@
 
 #include "rocking/api/export.hpp"
 #include "rocking/api/run.hpp"
+#include "rocking/output/write_trajectory.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison.hpp"
@@ -25,6 +26,14 @@ struct TrajectoryRequest {
 /// The trajectory of one realisation: strobe points, events, history, peaks, energy. Throws base::InputError if the
 /// experiment has no such condition or a number is out of range.
 [[nodiscard]] ROCKING_API Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request = {});
+
+/// A trajectory as JSON text (`rocking.trajectory/1`), in normalised or SI units.
+[[nodiscard]] ROCKING_API std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory,
+                                                      TrajectoryUnits units = TrajectoryUnits::normalised);
+
+/// The same as a table (CSV).
+[[nodiscard]] ROCKING_API std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& trajectory,
+                                                     TrajectoryUnits units = TrajectoryUnits::normalised);
 
 /// Periodic orbits of all conditions, as JSON text (`rocking.orbits/1`); `longest` is the largest period that is
 /// searched, in excitation periods. Throws base::InputError if a condition is random or not harmonic, and base::Stopped

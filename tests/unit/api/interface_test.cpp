@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <optional>
@@ -14,6 +15,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/pages.hpp"
 #include "rocking/store/store.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -102,6 +104,83 @@ TEST_F(Interface, FollowsTheStepsOfADiagram) {
   EXPECT_EQ(found[0].branches.front()[0].points.size(), 15U);
   std::atomic<bool> stop{true};
   EXPECT_THROW(static_cast<void>(diagrams(swept, 2, {.stop = &stop})), base::Stopped);
+}
+
+TEST_F(Interface, VerifiesTheBitsOfARun) {
+  const Experiment experiment = small_experiment();
+  StoredRun stored{.experiment = experiment, .run = run(experiment)};
+  EXPECT_EQ(verify(stored).checked, 12U);
+  EXPECT_EQ(verify(stored, 4).checked, 4U);
+  EXPECT_THAT(verify(stored).findings, ::testing::IsEmpty());
+  const std::string text = report(experiment, stored.run);
+  EXPECT_THAT(report_faults(text, stored), ::testing::IsEmpty());
+  EXPECT_EQ(replay(stored, {.realisation = 3}).strobe.size(), 20U);
+  EXPECT_THAT(refusal([&] { static_cast<void>(replay(stored, {.realisation = 12})); }), HasSubstr("realisation"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(replay(stored, {.condition = 1})); }), HasSubstr("condition 1"));
+  std::atomic<bool> stop{true};
+  EXPECT_THROW(static_cast<void>(verify(stored, {}, {.stop = &stop})), base::Stopped);
+
+  stored.experiment.seed += 1;  // so that the stored bits are those of another experiment
+  const RunCheck check = verify(stored);
+  EXPECT_EQ(check.different, 12U);
+  EXPECT_THAT(check.findings.at(0), HasSubstr("condition 0, realisation 0"));
+  EXPECT_THROW(static_cast<void>(replay(stored)), DifferentBits);
+  stored.run = run(stored.experiment);
+  EXPECT_THAT(report_faults(text, stored), ::testing::Not(::testing::IsEmpty()));
+}
+
+TEST_F(Interface, EstimatesRareEventsAgain) {
+  const Experiment experiment = small_experiment();
+  const RareRequest request{.question = {.event = {.peak_tilt = 0.1}, .relative_error = 0.5}, .particles = 20};
+  std::uint64_t last = 0;
+  const Execution execution{.on_progress = [&last](std::uint64_t done, std::uint64_t all) {
+    EXPECT_LE(last, done);
+    EXPECT_LE(done, all);
+    last = done;
+    return Decision::proceed;
+  }};
+  const auto found = rare_probabilities(experiment, request, execution);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(last, found[0].repetitions.size());
+  EXPECT_EQ(rare_text(experiment, request, found),
+            rare_text(experiment, request, rare_probabilities(experiment, request, {.threads = 2})));
+  std::atomic<bool> stop{true};
+  EXPECT_THROW(static_cast<void>(rare_probabilities(experiment, request, {.stop = &stop})), base::Stopped);
+  EXPECT_THAT(refusal([&] { static_cast<void>(rare_probabilities(experiment, {.particles = 1})); }),
+              HasSubstr("particles"));
+}
+
+TEST_F(Interface, ExaminesRandomNumbersAndTheMachine) {
+  const SamplerQuestion question{.n = 1000};
+  EXPECT_EQ(check_normal(question).n, 1000U);
+  EXPECT_THAT(check_normal_text(question, check_normal(question)), HasSubstr("rocking.check_normal/1"));
+  EXPECT_THAT(refusal([] { static_cast<void>(check_normal({.sampler = "dice"})); }), HasSubstr("box-muller"));
+  for (const base::ArithmeticCheck& check : check_arithmetic()) EXPECT_TRUE(check.passed) << check.name;
+  EXPECT_EQ(check_arithmetic().size(), 5U);
+}
+
+TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
+  const Experiment experiment = small_experiment();
+  const StoredRun stored{.experiment = experiment, .run = run(experiment)};
+  const TrajectoryRequest request{.realisation = 2, .samples_per_period = 4};
+  const std::string text = trajectory_text(request, trajectory(experiment, request));
+  EXPECT_THAT(trajectory_csv(request, trajectory(experiment, request), TrajectoryUnits::si), HasSubstr("tilt_rad"));
+  const auto drawn = draw({{.name = "motion", .text = text}}, in("drawn"));
+  for (const auto& written : {write_page(stored, in("page.html")), write_figures(stored, in("figures")),
+                              write_tables(stored, in("tables")), drawn}) {
+    EXPECT_FALSE(written.files.empty());
+    for (const fs::path& file : written.files) EXPECT_GT(fs::file_size(file), 0U) << file;
+  }
+  EXPECT_THAT(refusal([&] { static_cast<void>(draw({{.name = "none", .text = "{}"}}, in("drawn"))); }),
+              HasSubstr("none"));
+  const Experiment made = experiment_of(experiment.conditions);
+  EXPECT_THAT(refusal([&] {
+                static_cast<void>(write_page({made, run(made)}, in("page.html")));
+              }),
+              HasSubstr("made in C++"));
+  std::atomic<bool> stop{true};
+  const Execution stopped{.stop = &stop};
+  EXPECT_THROW(static_cast<void>(write_page(stored, in("page.html"), {}, stopped)), base::Stopped);
 }
 
 TEST_F(Interface, MeasuresCostByTheClocksOfItsCaller) {

@@ -9,6 +9,7 @@ from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core
+from .findings import Findings
 
 __all__ = ["GroundMotion", "motion"]
 
@@ -55,7 +56,7 @@ def motion(
     damping: float = 0.05,
     periods: Sequence[float] = (0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0),
     block: Optional[Tuple[float, float]] = None,
-) -> List[GroundMotion]:
+) -> Findings[GroundMotion]:
     """Read ground motions; a GroundMotion for each file.
 
     vertical: file with the vertical component of a single file. format: ``auto``, ``columns``, ``peer_at2``,
@@ -85,4 +86,5 @@ def motion(
             "block": None if block is None else [float(length) for length in block],
         }
     )
-    return [GroundMotion(found) for found in json.loads(text)["motions"]]
+    data = json.loads(text)
+    return Findings([GroundMotion(found) for found in data["motions"]], data)

@@ -10,6 +10,7 @@ import numpy as np
 
 from . import _core
 from .experiments import ExperimentLike, experiment
+from .findings import Findings
 from .results import Result
 from .running import Progress, open_run, processors, run
 
@@ -58,7 +59,7 @@ def orbits(
     longest: int = 5,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
-) -> List[OrbitsOfCondition]:
+) -> Findings[OrbitsOfCondition]:
     """Find the periodic orbits of each condition, stable and unstable, with their multipliers.
 
     longest: largest period that is searched, in excitation periods, at most 12. progress: called with (finished
@@ -75,7 +76,8 @@ def orbits(
     text, interrupted = _core.orbits(checked._core, longest, threads or processors(), progress)
     if interrupted or text is None:
         raise KeyboardInterrupt
-    return [OrbitsOfCondition(condition) for condition in json.loads(text)["conditions"]]
+    data = json.loads(text)
+    return Findings([OrbitsOfCondition(condition) for condition in data["conditions"]], data)
 
 
 class FragilityCurve:
@@ -100,14 +102,24 @@ class FragilityCurve:
 
 def fragility(
     source: Union[Result, ExperimentLike], *, threads: Optional[int] = None, progress: Optional[Progress] = None
-) -> List[FragilityCurve]:
+) -> Findings[FragilityCurve]:
     """Fit the probability of overturning as a function of the swept intensity; a curve for each point of the rest.
 
     source: a Result, the folder of a finished run, or an experiment, which is run first. Raises InputError if the
     experiment sweeps no intensity of the excitation or its number of realisations is not fixed.
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1",
+    ...     "sweep": [{"parameter": "/excitation/amplitude", "values": [1.0, 4.0, 12.0]}]}
+    >>> curve, = rocking.fragility(slab)
+    >>> curve.intensity
+    array([ 1.,  4., 12.])
     """
     if isinstance(source, (str, os.PathLike)) and os.path.isdir(source):
         source = open_run(source)
     result = source if isinstance(source, Result) else run(source, threads=threads, progress=progress)
     data = json.loads(_core.fragility(result.experiment._core, result._core))
-    return [FragilityCurve(curve) for curve in data["curves"]]
+    return Findings([FragilityCurve(curve) for curve in data["curves"]], data)

@@ -64,7 +64,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
  private:
   /// The steps of the lanes `computed` go to their ends, or to the last strobe instant.
   void note_peaks(const Truth& computed, const Truth& at_last_strobe, const Real& last_strobe) {
-    using base::select;
+    using base::in_any, base::select;
     dynamics::StepFinish<Real> end{.length = duration_, .tilt = end_.tilt, .tilt_rate = end_.tilt_rate};
     if (bits_of(at_last_strobe) != 0) {
       end = {.length = select(at_last_strobe, last_strobe, duration_),
@@ -72,6 +72,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
              .tilt_rate = select(at_last_strobe, load(b_.strobe_tilt_rate), end_.tilt_rate)};
     }
     const dynamics::TiltPeaks<Real> before{.tilt = load(b_.peak_tilt), .tilt_rate = load(b_.peak_tilt_rate)};
+    if (!in_any(dynamics::may_raise<Real>(m_, end, before))) return;
     const dynamics::TiltPeaks<Real> after = dynamics::peaks_after<Real>(m_, Base::order, end, before);
     store(b_.peak_tilt, select(computed, after.tilt, before.tilt));
     store(b_.peak_tilt_rate, select(computed, after.tilt_rate, before.tilt_rate));

@@ -48,7 +48,7 @@ struct StudyText {
   std::string text;
 };
 
-/// Draws trajectories, bifurcations, orbits, cost, fragility, ground motions and checks of random numbers, from their JSON
+/// Draws trajectories, bifurcations, branches of orbits, cost, fragility, ground motions with their series and checks of random numbers, from their JSON
 /// text, in a folder. Throws base::InputError with the name of a text that is none of these, and otherwise as write_page.
 [[nodiscard]] ROCKING_API Written draw(const std::vector<StudyText>& texts, const std::filesystem::path& folder,
                                        Column column = Column::screen, const Execution& execution = {});

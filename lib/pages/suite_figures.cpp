@@ -6,20 +6,14 @@
 #include "analysis/fragility_figure.hpp"
 #include "analysis/incremental_figure.hpp"
 #include "rocking/output/write_fragility.hpp"
-#include "rocking/studies/fragility.hpp"
-#include "rocking/studies/suite/incremental.hpp"
-#include "rocking/studies/suite/stripes.hpp"
-#include "rocking/studies/suite/suite_curve.hpp"
+#include "rocking/studies/run_fragility.hpp"
 
 namespace rocking::pages {
 
 std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store) {
   if (intensity_of(experiment).empty() || experiment.conditions.front().until) return {};
-  RunFragility run{.experiment = experiment};
-  for (const StripeGroup& group : stripes_of(run.experiment, store, true)) {
-    run.suites.push_back({.curve = suite_curve(group, {}, run.experiment.seed)});
-    run.incremental.push_back(incremental_analysis(group));
-  }
+  const FragilityQuestion question{.incremental = true};
+  const RunFragility run = run_fragility(experiment, stripes_of(experiment, store, true), question);
   if (run.suites.empty()) return {};
   const Json output = Json::parse(fragility_text({run}));
   std::vector<analysis::Figure> figures = analysis::fragility_figures(output);

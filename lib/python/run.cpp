@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -116,11 +117,15 @@ py::tuple run_watched(const Experiment& experiment, unsigned threads, const std:
   return py::make_tuple(std::move(result), watched.was_interrupted());
 }
 
-/// (JSON text or None, whether Ctrl-C stopped it).
-py::tuple orbits_watched(const Experiment& experiment, int longest, unsigned threads, py::object on_progress) {
+/// (JSON text or None, whether Ctrl-C stopped it). `range` of the branches; None: the branches are not followed.
+py::tuple orbits_watched(const Experiment& experiment, int longest,
+                         std::optional<std::pair<std::optional<double>, std::optional<double>>> range, unsigned threads,
+                         py::object on_progress) {
+  OrbitsRequest request{.longest = longest, .branches = range.has_value()};
+  if (range) std::tie(request.from, request.to) = *range;
   Watched<std::string> watched(std::move(on_progress));
   auto text = watched.run({.threads = threads},
-                          [&](const Execution& execution) { return orbits(experiment, longest, execution); });
+                          [&](const Execution& execution) { return orbits(experiment, request, execution); });
   return py::make_tuple(std::move(text), watched.was_interrupted());
 }
 
@@ -200,6 +205,7 @@ void add_runs(py::module_& module) {
                                 .format = asked["format"].cast<std::string>(),
                                 .units = asked["units"].cast<std::string>(),
                                 .time_step = asked["time_step"].cast<double>(),
+                                .series = asked["series"].cast<bool>(),
                                 .question = {.gravity = asked["gravity"].cast<double>(),
                                              .damping = asked["damping"].cast<double>(),
                                              .periods = asked["periods"].cast<std::vector<double>>()}};
@@ -209,9 +215,12 @@ void add_runs(py::module_& module) {
     const py::gil_scoped_release release;
     return motion(request);
   });
-  module.def("fragility", [](const Experiment& experiment, const RunResult& run) {
+  module.def("fragility", [](const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
+                             const std::optional<std::string>& hazard, bool incremental) {
     const py::gil_scoped_release release;
-    return fragility(experiment, run);
+    FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
+    if (hazard) question.hazard = hazard_curve(*hazard);
+    return fragility(experiment, run, question);
   });
   module.def("open_run", [](const std::string& folder) {
     StoredRun stored = [&] {

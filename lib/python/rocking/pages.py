@@ -85,8 +85,8 @@ def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:
 def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:
     """Draw what a study has found, in a folder: as ``rocking figure`` draws what the program printed.
 
-    sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits(), cost(), fragility(), motion(),
-    the dictionary of check_normal(), or paths of files that the program wrote. column: as write_figures(). Raises
+    sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits() with ``branches``, cost(),
+    fragility(), motion() with ``series``, the dictionary of check_normal(), or paths of files that the program wrote. column: as write_figures(). Raises
     InputError for a source that is none of these.
 
     >>> import tempfile, rocking

@@ -299,7 +299,7 @@ class AgainstTheProgram(unittest.TestCase):
         falsified = rocking.Result(rocking.experiment(SLAB, seed=2), run._core, run._occasion, None)
         found = rocking.verify(falsified)
         self.assertEqual((found.checked, found.is_verified), (60, False))
-        self.assertGreater(found.different, 50)  # what never moves is the same
+        self.assertGreaterEqual(found.different, 30)  # blocks that never move may have the same row with either seed
         self.assertIn("condition 0, realisation 0: the new result differs", found.findings[0])
         with self.assertRaises(rocking.DifferentBits):
             rocking.replay(falsified, condition=1, realisation=3)

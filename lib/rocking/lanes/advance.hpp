@@ -81,7 +81,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
   /// Moves on the lanes without a crossing and those that land, unless they reach the end of what holds for them: a
   /// breakpoint that is not passed here, or the end of the period.
   void move(const Truth& without_crossing, const Truth& lands, const Truth& strobed, const Real& steps_since) {
-    using base::select;
+    using base::magnitude, base::select;
     Truth ends_at_break = !(duration_ < reach_ - load(b_.resolution));
     if constexpr (on_grid) ends_at_break = without_crossing;
     Real later = time_ + duration_;
@@ -111,7 +111,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
       const Real amplitude = load(b_.amplitude);
       store(b_.amplitude, select(landed, -amplitude, amplitude));
       const Real peak = load(b_.peak_tilt_rate);
-      store(b_.peak_tilt_rate, select(landed, dynamics::peaks::larger(peak, base::magnitude(rebound_)), peak));
+      store(b_.peak_tilt_rate, select(landed, dynamics::peaks::larger(peak, magnitude(rebound_)), peak));
     } else {
       pass(b_.tilt, end_.tilt, m_.tilt[0]);
       pass(b_.tilt_rate, end_.tilt_rate, m_.tilt_rate[0]);

@@ -42,6 +42,9 @@ void set_range(const SweepView& view, const std::vector<Stretch>& stretches, Pan
   if (!view.axis.ticks.empty()) panel.x.ticks = view.axis.ticks;
 }
 
+/// Words of a caption of a run with `until_classified`.
+std::string in_the_end(const RunReport& report) { return settling_rows(report).empty() ? "" : " in the end"; }
+
 std::vector<double> places_of(const SweepView& view, const Slice& slice) {
   std::vector<double> places;
   for (const std::size_t condition : slice.conditions) places.push_back(view.x[condition]);
@@ -216,8 +219,8 @@ Figure mode_bands(const RunReport& report) {
                             .style = style_of_others(),
                             .legend = "others"});
   }
-  figure.caption = "Estimated probability of each response mode, stacked to 1; " + spoken_realisations(report) +
-                   ". Each condition extends halfway to its neighbours.";
+  figure.caption = "Estimated probability of each response mode" + in_the_end(report) + ", stacked to 1; " +
+                   spoken_realisations(report) + ". Each condition extends halfway to its neighbours.";
   return figure;
 }
 
@@ -257,7 +260,7 @@ Figure mode_bars(const RunReport& report, const SweepView& view) {
       add_bars(shown_modes(report), figure);
     }
   }
-  figure.caption = "Estimated probability of each response mode with its " + report.level() +
+  figure.caption = "Estimated probability of each response mode" + in_the_end(report) + " with its " + report.level() +
                    " simultaneous interval for all modes of a condition; " + spoken_realisations(report) + '.';
   return figure;
 }
@@ -277,8 +280,8 @@ Figure mode_probabilities(const RunReport& report) {
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     for (std::size_t m = 0; m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
   }
-  figure.caption = "Estimated probability of each response mode (markers, joined to guide the eye) with its " +
-                   report.level() +
+  figure.caption = "Estimated probability of each response mode" + in_the_end(report) +
+                   " (markers, joined to guide the eye) with its " + report.level() +
                    " simultaneous interval for all modes of a condition (ribbon, also where a mode did not occur); " +
                    spoken_realisations(report) + '.';
   return figure;

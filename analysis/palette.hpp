@@ -7,9 +7,7 @@
 
 namespace rocking::analysis {
 
-/// Style of a response mode in all figures. The colours are those of Okabe and Ito (2008), which readers with a colour
-/// vision deficiency can distinguish; hatching, dashes and markers distinguish them in grey. Rest, chaotic, overturned,
-/// unresolved, (1,1), (1,2), (1,3), (1,4) and (1,5) have distinct styles; other (m,n) share five further ones.
+/// Style of a response mode in all figures: look_of.
 [[nodiscard]] Style style_of(const section::ResponseMode& mode);
 
 /// Style of all responses that are too rare to be shown separately.

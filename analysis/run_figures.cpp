@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/divergence_figure.hpp"
+#include "analysis/incidence_figure.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/non_recurrence_figures.hpp"
 #include "analysis/quantile_figure.hpp"
@@ -18,6 +19,7 @@ std::vector<Figure> run_figures(const RunReport& report, const Store* store) {
   const auto add = [&figures](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
+  add(incidence_figure(report));
   for (Figure& figure : quantile_figures(report)) figures.push_back(std::move(figure));
   add(non_recurrence(report));
   add(divergence_quartiles(report));

@@ -67,6 +67,64 @@ std::map<std::string, QuantileReport> quantiles_from(const Json& condition) {
   return quantiles;
 }
 
+std::optional<std::int64_t> whole_from(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return json.get<std::int64_t>();
+}
+
+IncidenceCurve curve_from(const Json& json) {
+  IncidenceCurve curve{
+      .periods = json.at("periods"), .estimate = json.at("estimate"), .pointwise = {}, .simultaneous = {}};
+  for (const Json& interval : json.at("pointwise")) curve.pointwise.push_back(interval_from(interval));
+  for (const Json& interval : json.at("simultaneous")) curve.simultaneous.push_back(interval_from(interval));
+  return curve;
+}
+
+SettlingRow settling_from(const Json& json, std::uint64_t realisations) {
+  SettlingRow row;
+  row.realisations = realisations;
+  row.censored = json.at("censored");
+  const Json& before = json.at("at_horizon");
+  row.unresolved_at_horizon = before.at("counts").value(to_string(section::ResponseMode{}), std::uint64_t{0});
+  row.differ_at_horizon = number_from(before.at("differ"));
+  for (const auto& [name, found] : json.at("leaving").items()) {
+    const Json& interval = found.at("interval");
+    row.leaving.push_back({.mode = section::response_mode_named(name).value(),
+                           .left = found.at("left"),
+                           .watched_periods = found.at("watched_periods"),
+                           .per_1000_periods = interval_from(interval)});
+  }
+  if (!json.contains("nearly_all")) return row;
+  const Json& found = json.at("nearly_all");
+  row.all_but_one_per_cent = {.is_observed = found.at("basis") == "observed",
+                              .time = whole_from(found.at("periods")),
+                              .low = whole_from(found.at("interval").at(0)),
+                              .high = whole_from(found.at("interval").at(1)),
+                              .events = found.at("settled_in_the_last_half")};
+  return row;
+}
+
+/// Only runs with `until_classified` have it.
+std::optional<IncidenceReport> incidence_from(const Json& condition) {
+  if (!condition.contains("incidence")) return std::nullopt;
+  const Json& json = condition.at("incidence");
+  IncidenceReport found;
+  for (const auto& [name, curve] : json.at("modes").items()) {
+    found.modes[section::response_mode_named(name).value()] = curve_from(curve);
+  }
+  if (json.contains("any_mode")) found.any_mode = curve_from(json.at("any_mode"));
+  found.settling = settling_from(json, condition.at("realisations"));
+  found.settling_periods = levels_from(json.at("settling_periods"));
+  const auto median = std::ranges::find(found.settling_periods, 0.5, &stats::QuantileEstimate::level);
+  if (median != found.settling_periods.end()) found.settling.median = *median;
+  const Json& interval = json.at("at_horizon").at("differ_interval");
+  if (!interval.is_null()) found.differ_interval = interval_from(interval);
+  const char* divergence = json.contains("divergence_by_friction") ? "divergence_by_friction" : "parting_by_friction";
+  found.divergence = curve_from(json.at(divergence));
+  if (json.contains("divergence_periods")) found.divergence_periods = levels_from(json.at("divergence_periods"));
+  return found;
+}
+
 ConditionReport condition_from(const Json& json, double confidence) {
   ConditionReport condition;
   condition.confidence = confidence;
@@ -87,6 +145,10 @@ ConditionReport condition_from(const Json& json, double confidence) {
   }
   condition.quantiles = quantiles_from(json);
   condition.difference = difference_from(json.at("non_recurrence"));
+  condition.incidence = incidence_from(json);
+  if (condition.incidence && condition.difference) {
+    condition.incidence->settling.differ_in_the_end = condition.difference->differ;
+  }
   return condition;
 }
 
@@ -168,6 +230,66 @@ AnyShare share_of(const ConditionReport& condition, const section::ResponseMode&
   if (condition.stopped_by_data || !condition.is_random) return {};
   const stats::Proportion none{.successes = 0, .trials = condition.realisations};
   return {.count = 0, .estimate = 0.0, .interval = simultaneous_interval(mode, none, condition.confidence)};
+}
+
+namespace {
+
+/// A whole number of a condition's horizon: the swept value, or that of the experiment. Absent if it depends on the base
+/// motion.
+std::optional<std::int64_t> of_horizon(const RunReport& report, const ConditionReport& condition,
+                                       const std::string& place) {
+  Json horizon = report.experiment.at("horizon");
+  Json all = {{"horizon", std::move(horizon)}};
+  for (std::size_t i = 0; i < report.swept.size(); ++i) {
+    if (report.swept[i].starts_with("/horizon")) all[Json::json_pointer(report.swept[i])] = condition.parameters[i];
+  }
+  const Json::json_pointer pointer("/horizon" + place);
+  if (!all.contains(pointer) || !all.at(pointer).is_number()) return std::nullopt;
+  return all.at(pointer).get<std::int64_t>();
+}
+
+}  // namespace
+
+std::optional<SettlingRow> settling_row(const RunReport& report, std::size_t number) {
+  const ConditionReport& condition = report.conditions[number];
+  if (!condition.incidence) return std::nullopt;
+  SettlingRow row = condition.incidence->settling;
+  row.confidence = condition.confidence;
+  for (std::size_t i = 0; i < report.swept.size(); ++i) {
+    row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
+  }
+  const auto transient = of_horizon(report, condition, "/transient_periods");
+  const auto sampled = of_horizon(report, condition, "/sampled_periods");
+  if (transient && sampled) row.fixed_horizon = *transient + *sampled;
+  row.limit = of_horizon(report, condition, "/until_classified/at_most_periods");
+  const std::int64_t held = of_horizon(report, condition, "/until_classified/held_windows").value_or(1);
+  row.confirmation = (held - 1) * sampled.value_or(0);
+  return row;
+}
+
+std::vector<SettlingRow> settling_rows(const RunReport& report) {
+  std::vector<SettlingRow> rows;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    if (auto row = settling_row(report, i)) rows.push_back(*std::move(row));
+  }
+  return rows;
+}
+
+std::string unresolved_remedy(const RunReport& report) {
+  double largest = 0.0;
+  const ConditionReport* worst = nullptr;
+  for (const ConditionReport& condition : report.conditions) {
+    const auto found = condition.modes.find(section::ResponseMode{});
+    if (!condition.is_random || condition.incidence || found == condition.modes.end()) continue;
+    if (found->second.estimate <= largest) continue;
+    largest = found->second.estimate;
+    worst = &condition;
+  }
+  if (worst == nullptr || report.experiment.at("excitation").value("kind", "") != "harmonic") return "";
+  const auto transient = of_horizon(report, *worst, "/transient_periods");
+  const auto sampled = of_horizon(report, *worst, "/sampled_periods");
+  if (!transient || !sampled) return "";
+  return rocking::unresolved_remedy(largest, *transient, *sampled);
 }
 
 RunReport run_report_of(const Experiment& experiment, const ExperimentResult& result, const SystemFacts& system) {

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/section/response_mode.hpp"
@@ -54,6 +55,25 @@ struct QuantileReport {
   std::vector<stats::QuantileEstimate> levels_m;  ///< of a slip in metres; otherwise empty
 };
 
+/// Probability of having settled by each period at which its estimate changes; the lists have equal lengths.
+struct IncidenceCurve {
+  std::vector<double> periods;
+  std::vector<double> estimate;
+  std::vector<stats::Interval> pointwise;
+  std::vector<stats::Interval> simultaneous;
+};
+
+/// Which response, and by when; of a run with `until_classified`.
+struct IncidenceReport {
+  std::map<section::ResponseMode, IncidenceCurve> modes;
+  std::optional<IncidenceCurve> any_mode;  ///< absent in reports of earlier versions
+  SettlingRow settling;                    ///< without its parameters and its limit
+  std::vector<stats::QuantileEstimate> settling_periods;
+  std::optional<stats::Interval> differ_interval;  ///< at the fixed horizon
+  IncidenceCurve divergence;                       ///< of pairs with independent random numbers
+  std::vector<stats::QuantileEstimate> divergence_periods;
+};
+
 struct ConditionReport {
   std::vector<Json> parameters;    ///< a value for each entry of the sweep
   std::optional<Shaking> shaking;  ///< absent under a ground motion, and in reports of earlier versions
@@ -62,6 +82,7 @@ struct ConditionReport {
   /// By the key of the report, `peak_tilt`, `peak_slip`, ...; those that it has.
   std::map<std::string, QuantileReport> quantiles;
   std::optional<Difference> difference;  ///< absent with fewer than two realisations
+  std::optional<IncidenceReport> incidence = std::nullopt;
   bool stopped_by_data = false;          ///< `until` was requested
   bool is_random = true;  ///< otherwise the single realisation is the response, and intervals have no meaning
   double confidence = 0.95;
@@ -86,6 +107,15 @@ struct RunReport {
   /// Whether any condition is random.
   [[nodiscard]] bool is_random() const;
 };
+
+/// A condition's row of the table of settling; absent unless the run has `until_classified`.
+[[nodiscard]] std::optional<SettlingRow> settling_row(const RunReport& report, std::size_t condition);
+
+/// The rows of the table of settling; empty unless the run has `until_classified`.
+[[nodiscard]] std::vector<SettlingRow> settling_rows(const RunReport& report);
+
+/// What to do if a fixed horizon is too short; empty if it is not.
+[[nodiscard]] std::string unresolved_remedy(const RunReport& report);
 
 /// Share of a mode in a condition. A condition does not list modes that did not occur in it; their interval is the one
 /// that a report would have for a count of 0.

@@ -10,6 +10,7 @@
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
 #include "analysis/sweep_view.hpp"
+#include "analysis/table_text.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
@@ -22,50 +23,10 @@ using section::ResponseMode;
 
 constexpr std::size_t most_modes = 5;
 
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
-  std::string field = "\"";
-  for (const char c : text) field += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return field + '"';
-}
-
-std::string csv_number(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
-
 /// Empty if there is no interval.
 std::string end_of(const AnyShare& share, double stats::Interval::*end) {
   return share.interval ? number_text(*share.interval.*end) : "";
 }
-
-/// The first columns of a CSV: the swept parameters; both forms of the shaking without those that are swept, whether
-/// they differ between conditions or not; n.
-class CsvStart {
- public:
-  explicit CsvStart(const RunReport& report) {
-    for (const std::string& pointer : report.swept) head_ += csv_field(pointer) + ',';
-    for (const std::string_view key : shown_forms(shakings_of(report))) {
-      if (std::ranges::find(report.swept, "/excitation/" + std::string(key)) != report.swept.end()) continue;
-      shaking_.push_back(key);
-      head_ += std::string(key) + ',';
-    }
-    head_ += 'n';
-  }
-
-  [[nodiscard]] const std::string& head() const { return head_; }
-  [[nodiscard]] std::string of(const ConditionReport& condition) const {
-    std::string text;
-    for (const Json& value : condition.parameters) {
-      text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
-    }
-    for (const std::string_view key : shaking_) {
-      text += (condition.shaking ? number_text(number_of(*condition.shaking, key)) : "") + ',';
-    }
-    return text + std::to_string(condition.realisations);
-  }
-
- private:
-  std::vector<std::string_view> shaking_;
-  std::string head_;
-};
 
 /// The quantiles of a quantity in one unit.
 std::string quantile_lines(const std::string& start, const QuantileReport& quantiles,
@@ -77,43 +38,6 @@ std::string quantile_lines(const std::string& start, const QuantileReport& quant
             csv_number(quantile.high) + '\n';
   }
   return text;
-}
-
-/// Text for LaTeX; a symbol with a subscript is set in mathematics mode.
-std::string latex_text(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '\\': result += "\\textbackslash{}"; break;
-      case '~': result += "\\textasciitilde{}"; break;
-      case '^': result += "\\textasciicircum{}"; break;
-      case '&':
-      case '%':
-      case '$':
-      case '#':
-      case '_':
-      case '{':
-      case '}': result += std::string("\\") + c; break;
-      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-    }
-  }
-  return result;
-}
-
-std::string latex_symbol(const std::string& pointer) {
-  static const std::map<std::string, std::string> symbols{{"/excitation/amplitude", "$A_h$"},
-                                                          {"/excitation/frequency_ratio", "$\\Omega_h$"},
-                                                          {"/excitation/amplitude_g", "$a_h/g$"},
-                                                          {"/excitation/amplitude_m_s2", "$a_h$ [m/s$^2$]"},
-                                                          {"/excitation/frequency_hz", "$f$ [Hz]"},
-                                                          {"/excitation/period_s", "$T$ [s]"},
-                                                          {"/restitution/rate_ratio", "$\\delta$"},
-                                                          {"/friction", "$\\mu_s/\\mu_k$"},
-                                                          {"/friction/static", "$\\mu_s$"},
-                                                          {"/friction/kinetic", "$\\mu_k$"},
-                                                          {"/restitution", "$e$"}};
-  const auto found = symbols.find(pointer);
-  return found == symbols.end() ? latex_text(axis_of_parameter(pointer).quantity) : found->second;
 }
 
 std::string latex_share(const AnyShare& share) {
@@ -212,7 +136,8 @@ std::string modes_latex(const RunReport& report) {
   const std::size_t leading = columns.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
-          (report.is_random() ? "Response modes in per cent of $n$ realisations, with " + latex_text(report.level()) +
+          (report.is_random() ? std::string("Response modes") + (settling_rows(report).empty() ? "" : " in the end") +
+                                    " in per cent of $n$ realisations, with " + latex_text(report.level()) +
                                     " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
                                     "end of the interval."
                               : "Response modes in per cent; nothing is random.") +

@@ -10,6 +10,11 @@ foreach(room ${rooms})
   list(APPEND room_objects $<TARGET_OBJECTS:rocking_${room}>)
   list(APPEND room_headers $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/${room}>)
 endforeach()
+if(ROCKING_PAGES)
+  list(APPEND room_objects
+    $<TARGET_OBJECTS:rocking_pages> $<TARGET_OBJECTS:rocking_page> $<TARGET_OBJECTS:rocking_analysis>)
+  list(APPEND room_headers $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/include/pages>)
+endif()
 add_library(rocking_library ${room_objects})  # static or shared, by BUILD_SHARED_LIBS
 add_library(rocking::rocking ALIAS rocking_library)
 set_target_properties(rocking_library PROPERTIES
@@ -36,6 +41,7 @@ write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/rocking-config-vers
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/rocking-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/rocking-config-version.cmake
   DESTINATION ${package_folder})
 install(CODE "set(SOURCE \"${CMAKE_CURRENT_SOURCE_DIR}\")
+set(PAGES ${ROCKING_PAGES})
 set(DESTINATION \"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}\")
 include(\"${CMAKE_CURRENT_SOURCE_DIR}/package/install_headers.cmake\")")
 

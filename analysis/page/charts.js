@@ -70,6 +70,8 @@ var charts = (function () {
 
   Chart.prototype.underlay = function (context, area, g) {
     var chart = this;
+    // toDomXCoord knows no logarithmic axis of time.
+    function place(x) { return area.x + area.w * g.toPercentXCoord(x); }
     context.save();
     context.beginPath();
     context.rect(area.x, area.y, area.w, area.h);
@@ -77,7 +79,7 @@ var charts = (function () {
     this.boxes.forEach(function (layer) {
       if (chart.hidden[layer.legend]) return;
       layer.columns[0].forEach(function (unused, i) {
-        var left = g.toDomXCoord(layer.columns[0][i]), right = g.toDomXCoord(layer.columns[1][i]);
+        var left = place(layer.columns[0][i]), right = place(layer.columns[1][i]);
         var top = area.y, bottom = area.y + area.h;
         if (layer.kind === 'boxes') {
           top = g.toDomYCoord(layer.columns[3][i]);

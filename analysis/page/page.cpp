@@ -11,6 +11,7 @@
 #include "analysis/page/html.hpp"
 #include "analysis/page/limits.hpp"
 #include "analysis/page/question.hpp"
+#include "analysis/page/settling.hpp"
 #include "analysis/page/trust.hpp"
 
 namespace rocking::analysis {
@@ -25,6 +26,7 @@ struct Part {
 
 const std::vector<Part>& parts() {
   static const std::vector<Part> all{{"responses", "Which responses occur, and how likely are they?", {"mode_"}},
+                                     {"by-when", "Which response, and by when?", {"incidence"}},
                                      {"fragility", "What does the suite say?", {"fragility", "incremental"}},
                                      {"extent", "How far does the block move?", {"peak_", "final_"}},
                                      {"recurrence", "Is the response repeatable?", {"non_recurrence", "parting"}},
@@ -77,6 +79,9 @@ std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& f
   const std::string title = report.title.empty() ? "A rocking block" : report.title;
   const auto checks = checks_of(report);
   auto content = figures_by_part(report, figures);
+  if (const std::string settling = settling_html(report); !settling.empty()) {
+    content["by-when"] = settling + content["by-when"];
+  }
   const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
   std::string text = section("answer", "In short", answer_in_brief(report)) + "<div class=\"cards\">\n";
   text += card("asked", "What was simulated?", question_in_brief(report), "question");

@@ -100,9 +100,10 @@ std::string mode_table_html(const RunReport& report) {
   const bool random = report.is_random();
   if (random) {
     table.caption = fmt::format(
-        "Response modes in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; &lt; "
+        "Response modes{} in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; "
+        "&lt; "
         "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval",
-        escaped(report.level()));
+        settling_rows(report).empty() ? "" : " in the end", escaped(report.level()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
   const std::vector<ParameterColumn> columns = parameter_columns(report);

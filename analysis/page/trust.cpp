@@ -176,11 +176,13 @@ Check unresolved(const RunReport& report) {
             .rating = Rating::fine,
             .finding = "Every response is classified.",
             .where = {}};
+  const std::string remedy = unresolved_remedy(report);
   return {.name = "unresolved responses",
           .rating = found.largest_share > worrying_share ? Rating::look : Rating::note,
           .finding = fmt::format("{} of {} ({} %); most at {}: {} %.", found.count,
                                  counted(realisations_of(report), "realisation"), per_cent(found.share),
-                                 escaped(condition_name(report, found.where)), per_cent(found.largest_share)),
+                                 escaped(condition_name(report, found.where)), per_cent(found.largest_share)) +
+                     (remedy.empty() ? "" : " Remedy: " + escaped(remedy) + '.'),
           .where = {}};
 }
 

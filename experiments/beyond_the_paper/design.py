@@ -3,7 +3,12 @@
 import itertools
 import json
 import math
+import sys
+from pathlib import Path
 from statistics import NormalDist
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from rocking_module import rocking  # noqa: E402
 
 SOURCES = ("friction", "restitution", "amplitude")
 COMBINATIONS = [tuple(s for s, on in zip(SOURCES, bits) if on) for bits in itertools.product((0, 1), repeat=3)]
@@ -16,12 +21,6 @@ QUANTITIES = {"(1,1)": lambda mode: mode == "(1,1)", "(1,3)": lambda mode: mode 
 def path_of(folder, names):
     """Path of the report of a combination, below reports/beyond_the_paper."""
     return f"{folder}/{'_'.join(names)}/report.json" if names else "none/report.json"
-
-
-def wilson(successes, trials, z):
-    centre = (successes + z * z / 2) / (trials + z * z)
-    reach = z / (trials + z * z) * math.sqrt(successes * (1 - successes / trials) + z * z / 4)
-    return max(0.0, centre - reach), min(1.0, centre + reach)
 
 
 def mover(terms):
@@ -51,11 +50,11 @@ class Cell:
     def count(self, quantity):
         return sum(k for mode, k in self.counts.items() if QUANTITIES[quantity](mode))
 
-    def term(self, quantity, weight, z):
+    def term(self, quantity, weight, confidence):
         if quantity == "non-recurrence":
             return (weight, self.non_recurrence["differ"], *self.non_recurrence["differ_interval"])
         k = self.count(quantity)
-        return (weight, k / self.n, *wilson(k, self.n, z))
+        return (weight, k / self.n, *rocking.wilson(k, self.n, confidence).tolist())
 
 
 class Design:
@@ -73,9 +72,12 @@ class Design:
     def tests(self):
         return len(EFFECTS) * len(self.amplitudes)
 
+    def level(self, is_simultaneous):
+        """Confidence of one interval: simultaneous with those of the other tests, or of it alone."""
+        return 1 - (1 - self.confidence) / self.tests() if is_simultaneous else self.confidence
+
     def z(self, is_simultaneous):
-        significance = (1 - self.confidence) / (self.tests() if is_simultaneous else 1)
-        return NormalDist().inv_cdf(1 - significance / 2)
+        return NormalDist().inv_cdf(0.5 + self.level(is_simultaneous) / 2)
 
     def effect(self, names, quantity, amplitude):
         """Estimate, low, high. One source: the increase of the probability by the source, mean over the others. Two: the
@@ -83,10 +85,10 @@ class Design:
 
         Simultaneous over all effects and amplitudes, except for non-recurrence, whose intervals are individual.
         """
-        z = self.z(is_simultaneous=quantity != "non-recurrence")
+        level = self.level(is_simultaneous=quantity != "non-recurrence")
         mean_over = 2 ** (len(SOURCES) - len(names))
         terms = []
         for combination, cells in self.cells.items():
             sign = math.prod(1 if name in combination else -1 for name in names)
-            terms.append(cells[amplitude].term(quantity, sign / mean_over, z))
+            terms.append(cells[amplitude].term(quantity, sign / mean_over, level))
         return mover(terms)

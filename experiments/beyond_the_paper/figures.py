@@ -3,12 +3,13 @@
 import shutil
 import subprocess
 
-from design import COMBINATIONS, EFFECTS
+from design import COMBINATIONS, EFFECTS, rocking
 
-# As in every figure of rocking (analysis/palette.cpp).
-MODES = [("(1,1)", "#0072b2"), ("(1,3)", "#d55e00"), ("other (m,n)", "#009e73"), ("rest", "#b4b4b4"),
-         ("chaotic", "#cc79a7"), ("unresolved", "#f0f0f0")]
-QUANTITY_LOOKS = {"(1,1)": ("#0072b2", 7, -1), "(1,3)": ("#d55e00", 9, 0), "irregular": ("#cc79a7", 5, 1)}
+# Colours are those of every figure of rocking; all other (m,n) have that of (1,2).
+MODES = [(mode, rocking.colour("(1,2)" if mode == "other (m,n)" else mode))
+         for mode in ("(1,1)", "(1,3)", "other (m,n)", "rest", "chaotic", "unresolved")]
+QUANTITY_LOOKS = {"(1,1)": (rocking.colour("(1,1)"), 7, -1), "(1,3)": (rocking.colour("(1,3)"), 9, 0),
+                  "irregular": (rocking.colour("chaotic"), 5, 1)}
 
 
 def spoken(names):

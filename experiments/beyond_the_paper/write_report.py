@@ -44,7 +44,7 @@ def cell_text(design, names, amplitude, quantity):
         found = cell.probabilities[quantity]
         estimate, (low, high) = found["estimate"], found["simultaneous"]
     else:
-        _, estimate, low, high = cell.term(quantity, 1, design.z(is_simultaneous=False))
+        _, estimate, low, high = cell.term(quantity, 1, design.level(is_simultaneous=False))
     return f"{per_cent(estimate)} [{per_cent(low)}, {per_cent(high)}]"
 
 

@@ -20,6 +20,7 @@
 #include "rocking/ensemble/run.hpp"
 #include "rocking/output/alarms.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/settling_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/output/unreached_precision.hpp"
 #include "rocking/output/write_report.hpp"
@@ -105,6 +106,10 @@ std::string summary_of(const Experiment& experiment, const ExperimentResult& res
   if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
   text += fmt::format("{}, {}, of which {} unresolved\n", counted(result.conditions.size(), "condition"),
                       counted(realisations, "realisation"), unresolved_realisations(result));
+  text += settling_text(settling_rows(experiment, result), table_look().width);
+  if (const std::string remedy = unresolved_remedy(experiment, result); !remedy.empty()) {
+    text += "horizon too short: " + remedy + '\n';
+  }
   text += unreached_precision(experiment, result);
   text += overturning_line(rows);
   text += late_settling_of(result);

@@ -6,7 +6,7 @@
 #include "rocking/input/read_quantity.hpp"
 #include "rocking/output/check_normal_summary.hpp"
 #include "rocking/output/write_check_normal.hpp"
-#include "rocking/random/sampler.hpp"
+#include "rocking/studies/check_sampler.hpp"
 #include "rocking/text/seed_text.hpp"
 #include "usage.hpp"
 
@@ -21,30 +21,16 @@ struct CheckNormalRequest {
   Loudness loudness;
 };
 
-/// The sample and its neighbours, each scaled to the law.
-stats::NormalCheck check_sample(const CheckNormalRequest& request, std::uint64_t seed) {
-  const random::SamplerKind kind = random::sampler_from_string(request.sampler).value();
-  const auto drawn = [&](std::uint64_t realisation, random::Source source) {
-    auto numbers = random::standard_sample(kind, {seed, realisation}, source, request.n);
-    for (double& number : numbers) number = request.law.mean + request.law.sigma * number;
-    return numbers;
-  };
-  const auto sample = drawn(0, random::Source::check_normal);
-  const auto of_next_realisation = drawn(1, random::Source::check_normal);
-  const auto of_next_source = drawn(0, random::Source::slip_rate);
-  const auto check = stats::check_normal({sample, of_next_realisation, of_next_source}, request.law);
-  if (!check)
-    throw UsageError("--sigma: too small compared with --mean to give two different numbers; give a larger one");
-  return *check;
-}
-
 ExitCode check_normal(const CheckNormalRequest& request) {
   const auto seed = seed_from_text(request.seed);
   if (!seed)
     throw UsageError("--seed " + request.seed +
                      ": must be a whole number of at most 64 bits; give a value such as 0x2012 or 8210");
   if (!(request.law.sigma > 0.0)) throw UsageError("--sigma: must be positive; give a value such as 0.03");
-  const SamplerCheck check{request.sampler, *seed, check_sample(request, *seed)};
+  const auto found = check_sampler({.n = request.n, .law = request.law, .seed = *seed, .sampler = request.sampler});
+  if (!found)
+    throw UsageError("--sigma: too small compared with --mean to give two different numbers; give a larger one");
+  const SamplerCheck check{request.sampler, *seed, *found};
   print_result(request.loudness.json ? check_normal_text(check) : check_normal_summary(check));
   if (!stats::is_refuted(check.found)) return ExitCode::done;
   print_notice("these numbers do not follow the distribution: a p-value is below 1e-6");

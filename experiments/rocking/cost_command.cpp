@@ -1,9 +1,7 @@
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -14,17 +12,15 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/output/cost_table.hpp"
 #include "rocking/output/write_cost.hpp"
-#include "rocking/studies/cost/cost.hpp"
+#include "rocking/studies/cost/budget.hpp"
 #include "rocking/text/files.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
-
-/// A realisation takes some hundred bytes per tolerance until all are measured.
-constexpr std::uint64_t largest_sample = 100'000;
 
 struct CostRequest {
   std::string file;
@@ -38,49 +34,44 @@ struct CostRequest {
 };
 
 std::vector<double> tolerances_of(const CostRequest& request, const Experiment& experiment) {
-  if (request.tolerances.empty()) return tolerance_ladder(experiment);
-  std::set<double, std::greater<>> all(request.tolerances.begin(), request.tolerances.end());
-  const std::vector<double> own = own_tolerances(experiment);
-  all.insert(own.begin(), own.end());
-  if (all.size() < 3) {
-    throw UsageError(
-        "--tolerances: with the experiment's own these are fewer than three; the tightest is the reference and the "
-        "second tightest the floor, so give at least three, for example 1e-8,1e-11,1e-14");
-  }
-  return {all.begin(), all.end()};
+  std::vector<double> all = cost_tolerances(experiment, request.tolerances);
+  if (all.size() >= 3) return all;
+  throw UsageError(
+      "--tolerances: with the experiment's own these are fewer than three; the tightest is the reference and the "
+      "second tightest the floor, so give at least three, for example 1e-8,1e-11,1e-14");
 }
-
-/// Time for the measurement of speed, relative to the time for the sample. Together they take the requested time; if
-/// the sample takes less than its share, the measurement of speed may take a few seconds.
-constexpr double timing_share = 1.0 / 3.0;
-constexpr double few_seconds = 5.0;
 
 /// Absent if interrupted.
 std::optional<Cost> measured(const Experiment& experiment, const CostRequest& request,
                              const std::vector<double>& tolerances, Progress& progress) {
-  const double time = request.time / (1.0 + timing_share);
-  const auto at_this_rate = [&](std::uint64_t done) {
-    const double all = static_cast<double>(done) * time / std::max(progress.elapsed(), 1e-9);
-    return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_sample))));
-  };
+  const CostBudget budget{.seconds = request.time, .sample = request.sample};
   RunOptions options;
   options.threads = request.execution.threads;
   options.stop_requested = &stop_on_interrupt();
   options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-    progress.show(done, request.sample ? all : std::min(all, at_this_rate(done)),
+    progress.show(done, budget.sample ? all : std::min(all, expected_sample(budget, done, progress.elapsed())),
                   [] { return "times are measured afterwards"; });
   };
-  CostPlan plan{.tolerances = tolerances, .sample = request.sample.value_or(largest_sample)};
-  if (!request.sample) plan.is_enough = [&] { return progress.elapsed() >= time; };
-  const auto sample = measure_cost(experiment, plan, options);
-  const double spent = progress.elapsed();
-  const double spare = request.sample ? few_seconds : std::min(few_seconds, request.time - spent);
-  const double end = spent + std::max(timing_share * spent, spare);
-  auto timing = time_cost(
-      experiment, tolerances,
-      {.processor_seconds = thread_seconds, .seconds_left = [&] { return end - progress.elapsed(); }}, options);
-  if (why_stopped() == StopReason::signal) return std::nullopt;
-  return cost_of(experiment, tolerances, sample, std::move(timing));
+  return cost_within(experiment, tolerances, budget,
+                     {.elapsed_seconds = [&] { return progress.elapsed(); }, .processor_seconds = thread_seconds},
+                     options);
+}
+
+/// A line on until_classified; empty if no condition has it.
+std::string fixed_horizon_note(const Experiment& experiment) {
+  double most = 0.0;
+  for (const Condition& condition : experiment.conditions) {
+    const Horizon& horizon = condition.horizon;
+    if (!horizon.until_classified) continue;
+    const double fixed = static_cast<double>(horizon.transient_periods) + horizon.sampled_periods;
+    most = std::max(most, static_cast<double>(horizon.until_classified->at_most_periods) / fixed);
+  }
+  if (most <= 1.0) return "";
+  return fmt::format(
+      "until_classified: errors, response modes and times are those of the fixed horizon. A realisation that goes on "
+      "to "
+      "its limit has {:.3g} times as many periods; `rocking run --dry-run` estimates how many go on\n",
+      most);
 }
 
 std::filesystem::path cost_file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
@@ -113,7 +104,8 @@ ExitCode cost(const CostRequest& request) {
   }
   const MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
   const std::string text = cost_text(result);
-  std::string table = (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result);
+  std::string table =
+      (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result) + fixed_horizon_note(experiment);
   if (folder) {
     write_atomically(cost_file_in(request.folder), text);
     table += fmt::format("numbers: {}\n", cost_file_in(request.folder).string());
@@ -127,7 +119,7 @@ void add_budget(CLI::App& command, CostRequest& request) {
       add_duration(command, "--time", request.time, "Measure as many realisations as possible in this time, e.g. 5min")
           ->capture_default_str();
   command.add_option("--sample", request.sample, "Measure N realisations; gives the same numbers again, except times")
-      ->check(whole_number(1, largest_sample))
+      ->check(whole_number(1, largest_cost_sample))
       ->excludes(time)
       ->type_name("N");
   command

@@ -1,38 +1,20 @@
 #include "drawing.hpp"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/draw.hpp"
-#include "analysis/fragility_figure.hpp"
-#include "analysis/incremental_figure.hpp"
 #include "analysis/run_figures.hpp"
 #include "interrupt.hpp"
 #include "output.hpp"
+#include "pages/suite_figures.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/output/write_fragility.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::program {
 namespace {
-
-/// What `rocking fragility --ida` draws of a suite; empty if its sweep has no intensity, or with `until`.
-std::vector<analysis::Figure> figures_of_suite(const Store& store) {
-  RunFragility run{.experiment = experiment_of(store.identity())};
-  if (intensity_of(run.experiment).empty() || run.experiment.conditions.front().until) return {};
-  for (const StripeGroup& group : stripes_of(run.experiment, store, true)) {
-    run.suites.push_back({.curve = suite_curve(group, {}, run.experiment.seed)});
-    run.incremental.push_back(incremental_analysis(group));
-  }
-  if (run.suites.empty()) return {};
-  const Json output = Json::parse(fragility_text({run}));
-  std::vector<analysis::Figure> figures = analysis::fragility_figures(output);
-  for (analysis::Figure& figure : analysis::incremental_figures(output)) figures.push_back(std::move(figure));
-  return figures;
-}
 
 /// Without the records, or with a store of an earlier version, the other figures are drawn.
 void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
@@ -40,7 +22,8 @@ void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
     print_notice(fmt::format("the fragility of the suite was not drawn: {}", error.what()));
   };
   try {
-    for (analysis::Figure& figure : figures_of_suite(store)) figures.push_back(std::move(figure));
+    for (analysis::Figure& figure : pages::suite_figures(experiment_of(store.identity()), store))
+      figures.push_back(std::move(figure));
   } catch (const base::InputError& error) {
     tell(error);
   } catch (const MissingInput& error) {
@@ -54,8 +37,7 @@ std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis
   if (!folder.has_store()) return analysis::run_figures(report);
   const Store store = folder.open_sound_store();
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store);
-  const bool is_suite = std::ranges::find(report.swept, "/excitation/file") != report.swept.end();
-  if (is_suite) add_suite(store, figures);
+  if (pages::is_suite(report.swept)) add_suite(store, figures);
   return figures;
 }
 

@@ -54,13 +54,6 @@ void check_run(const Experiment& experiment, const std::string& name) {
   }
 }
 
-/// Overturning, and each peak tilt that is asked for.
-std::vector<FragilityEvent> events_of(const FragilityRequest& request) {
-  std::vector<FragilityEvent> events(1);
-  for (const double tilt : request.peak_tilts) events.push_back({.peak_tilt = tilt});
-  return events;
-}
-
 std::optional<HazardCurve> hazard_of(const FragilityRequest& request) {
   if (request.hazard.empty()) return std::nullopt;
   try {
@@ -70,50 +63,18 @@ std::optional<HazardCurve> hazard_of(const FragilityRequest& request) {
   }
 }
 
-/// Whether a header names another intensity than that of the run. Other words say nothing.
-void check_intensity(const HazardCurve& hazard, std::string_view parameter) {
-  constexpr std::array<std::string_view, 6> known{"amplitude", "amplitude_g", "amplitude_m_s2",
-                                                  "scale",     "pga_g",       "pgv_m_s"};
-  const std::string own = last_key(parameter);
-  if (hazard.intensity == own || std::ranges::find(known, hazard.intensity) == known.end()) return;
-  throw base::InputError(
-      {.place = hazard.name + ", line 1",
-       .value = hazard.intensity,
-       .reason = "is not the intensity of the run, which is " + own,
-       .remedy = "give a hazard curve in " + own + ", or a run that sweeps /excitation/" + hazard.intensity});
-}
-
-void add_group(const StripeGroup& group, const FragilityRequest& request, const std::optional<HazardCurve>& hazard,
-               RunFragility& run) {
-  for (const FragilityEvent& event : events_of(request)) {
-    if (group.is_suite()) {
-      ShownSuite& shown = run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed)});
-      shown.has_hazard = hazard.has_value();
-      if (hazard) shown.rate = annual_rate(shown.curve, *hazard);
-    } else {
-      ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed)});
-      if (hazard) shown.rate = annual_rate(shown.curve, *hazard);
-    }
-  }
-  if (request.incremental) run.incremental.push_back(incremental_analysis(group));
-}
-
-RunFragility fragility_of(const std::string& name, const FragilityRequest& request,
-                          const std::optional<HazardCurve>& hazard) {
+RunFragility fragility_of(const std::string& name, const FragilityQuestion& question) {
   const RunFolder folder(name);
   const Store store = folder.open_sound_store();
-  RunFragility run{.experiment = experiment_of(store.identity())};
-  check_run(run.experiment, name);
-  if (hazard) check_intensity(*hazard, intensity_of(run.experiment));
-  const bool needs_peak_tilts = !request.peak_tilts.empty() || request.incremental;
+  const Experiment experiment = experiment_of(store.identity());
+  check_run(experiment, name);
   std::vector<StripeGroup> groups;
   try {
-    groups = stripes_of(run.experiment, store, needs_peak_tilts);
+    groups = stripes_of(experiment, store, needs_peak_tilts(question));
   } catch (const base::InputError& error) {
     throw MissingInput(fmt::format("{}: {}", name, error.what()));
   }
-  for (const StripeGroup& group : groups) add_group(group, request, hazard, run);
-  return run;
+  return run_fragility(experiment, groups, question);
 }
 
 std::filesystem::path curve_file_in(const std::string& folder) {
@@ -133,9 +94,10 @@ ExitCode fragility(const FragilityRequest& request) {
     throw InTheWay(curve_file_in(request.output).string() +
                    ": already exists; choose another folder, or add --overwrite to replace it");
   }
-  const std::optional<HazardCurve> hazard = hazard_of(request);
+  const FragilityQuestion question{
+      .peak_tilts = request.peak_tilts, .hazard = hazard_of(request), .incremental = request.incremental};
   std::vector<RunFragility> runs;
-  for (const std::string& name : request.folders) runs.push_back(fragility_of(name, request, hazard));
+  for (const std::string& name : request.folders) runs.push_back(fragility_of(name, question));
   const std::string text = fragility_text(runs);
   std::string table = fragility_table(runs, request.per_record ? RecordTable::shown : RecordTable::omitted);
   if (!request.output.empty()) {

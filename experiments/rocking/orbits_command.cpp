@@ -15,7 +15,7 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "rocking/input/read_experiment.hpp"
+#include "rocking/input/condition_family.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/studies/orbits/branches.hpp"
@@ -58,49 +58,21 @@ std::optional<std::vector<OrbitsOfCondition>> search(const Experiment& experimen
   return orbits(experiment, static_cast<int>(request.longest), options);
 }
 
-/// The pointer of the only swept parameter, if branches can be followed over it.
-std::optional<std::string> branch_parameter(const Experiment& experiment) {
-  const auto& parameters = experiment.conditions.front().parameters;
-  if (parameters.size() != 1 || !can_be_continued(parameters.front().pointer)) return std::nullopt;
-  for (const Condition& condition : experiment.conditions) {
-    if (!Json::parse(condition.parameters.front().value).is_number()) return std::nullopt;
-  }
-  return parameters.front().pointer;
-}
-
-/// The experiment's condition at any value of its swept parameter.
-ConditionFamily family_of(const Experiment& experiment, const std::string& pointer) {
-  Json document = Json::parse(experiment.canonical_text);
-  document.erase("sweep");
-  return [document, place = Json::json_pointer(pointer)](double value) -> std::optional<Condition> {
-    Json one = document;
-    one[place] = value;
-    try {
-      return read_experiment(one.dump()).conditions.front();
-    } catch (const base::InputError&) {
-      return std::nullopt;  // not an allowed value
-    }
-  };
-}
-
 /// What is asked for; absent if there are no branches. Throws UsageError if a range is given and there are none in it.
 std::optional<BranchQuestion> branch_question(const Experiment& experiment, const OrbitsRequest& request) {
-  const auto pointer = branch_parameter(experiment);
+  const auto swept = only_swept_number(experiment);
   const bool has_range = request.from || request.to;
-  if (!pointer || request.without_branches) {
+  if (!swept || !can_be_continued(swept->pointer) || request.without_branches) {
     if (!has_range) return std::nullopt;
     throw UsageError(
         "--from and --to limit branches, but none are followed: sweep one number of the motion, and omit "
         "--no-branches");
   }
-  BranchQuestion question{.conditions = family_of(experiment, *pointer),
-                          .values = {},
+  BranchQuestion question{.conditions = condition_family(experiment, swept->pointer),
+                          .values = swept->values,
                           .range = {},
                           .most_points = request.branch_points,
                           .most_branches = request.branches};
-  for (const Condition& condition : experiment.conditions) {
-    question.values.push_back(Json::parse(condition.parameters.front().value).get<double>());
-  }
   const auto [least, greatest] = std::ranges::minmax(question.values);
   question.range = {.low = request.from.value_or(least), .high = request.to.value_or(greatest)};
   if (question.range.low < question.range.high) return question;

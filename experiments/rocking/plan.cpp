@@ -17,6 +17,10 @@
 namespace rocking::program {
 namespace {
 
+/// Processor time of a period in a later window over that of a period of the fixed horizon, at most: there is an exponent
+/// in every window, and none in the transient periods.
+constexpr double most_cost_of_window = 2.0;
+
 struct Effect {
   const char* name;
   bool (*is_on)(const Scene&);
@@ -49,13 +53,38 @@ void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>
   }
 }
 
+/// Time if this share of the realisations goes on to its limit and the others are classified at once.
+double seconds_if_continued(const Plan& plan, double share) {
+  const auto fixed = static_cast<double>(plan.periods);
+  const double continued =
+      share * static_cast<double>(plan.most_periods) + (1.0 - share) * static_cast<double>(plan.least_periods);
+  return plan.time->seconds * (1.0 + most_cost_of_window * (continued - fixed) / fixed);
+}
+
+/// What `until_classified` adds; empty without it.
+std::string continued_text(const Plan& plan) {
+  if (plan.most_periods <= plan.periods) return "";
+  std::string text;
+  if (plan.time->unresolved) {
+    const double share = static_cast<double>(*plan.time->unresolved) / static_cast<double>(plan.time->realisations);
+    text = fmt::format(
+        "until_classified: {} of the sample were unresolved at the fixed horizon; if all such "
+        "realisations went on to their limit, at most about {}\n",
+        *plan.time->unresolved, spoken_duration(seconds_if_continued(plan, share)));
+  }
+  return text + fmt::format("until_classified: if every realisation went on to its limit, at most about {}\n",
+                            spoken_duration(seconds_if_continued(plan, 1.0)));
+}
+
 std::string time_text(const Plan& plan) {
   if (!plan.time) return "";
-  const auto& [seconds, realisations, share] = *plan.time;
+  const auto& [seconds, realisations, share, unresolved] = *plan.time;
   const std::string horizons =
       share < 1.0 ? fmt::format(" over the first {} % of their periods", significant(100.0 * share, 2)) : "";
-  return fmt::format("{} {}, from a sample of {}{}\n", plan.at_most ? "at most" : "about", spoken_duration(seconds),
-                     counted(realisations, "realisation"), horizons);
+  return fmt::format("{} {}{}, from a sample of {}{}\n", plan.at_most ? "at most" : "about", spoken_duration(seconds),
+                     plan.most_periods > plan.periods ? " for the fixed horizon" : "",
+                     counted(realisations, "realisation"), horizons) +
+         continued_text(plan);
 }
 
 }  // namespace
@@ -71,7 +100,14 @@ Plan plan_of(const Experiment& experiment, const Means& means) {
     plan.has_record = plan.has_record || !is_periodic(condition.scene.excitation);
     const auto transient = condition.horizon.transient_periods;
     const auto sampled = condition.horizon.sampled_periods;
-    plan.periods += realisations * (static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled));
+    const auto fixed = static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled);
+    plan.periods += realisations * fixed;
+    const auto& until = condition.horizon.until_classified;
+    const auto limit = until ? std::max(fixed, static_cast<std::uint64_t>(until->at_most_periods)) : fixed;
+    const auto windows = until ? until->held_windows - 1 + until->watch_windows : 0;
+    const auto watched = fixed + static_cast<std::uint64_t>(windows) * static_cast<std::uint64_t>(sampled);
+    plan.most_periods += realisations * limit;
+    plan.least_periods += realisations * std::min(limit, watched);
   }
   plan.needs = needs_of(experiment, means);
   for (const Condition& condition : experiment.conditions) {
@@ -96,6 +132,9 @@ std::string to_text(const Plan& plan) {
   text += fmt::format("{}, {}{}, {} of the {}\n", counted(plan.conditions, "condition"), plan.at_most ? "at most " : "",
                       counted(plan.realisations, "realisation"), counted(plan.periods, "period"),
                       plan.has_record ? "strobe" : "excitation");
+  if (plan.most_periods > plan.periods) {
+    text += fmt::format("at most {} with until_classified\n", counted(plan.most_periods, "period"));
+  }
   text += fmt::format("{} {} of disk space, {} of memory\n", plan.at_most ? "at most" : "about",
                       spoken_size(plan.needs.disk_bytes), spoken_size(plan.needs.memory_bytes));
   text += time_text(plan);
@@ -110,10 +149,12 @@ std::vector<Fact> facts_of(const Plan& plan) {
       {"title", plan.title},     {"conditions", plan.conditions},       {"realisations", plan.realisations},
       {"periods", plan.periods}, {"disk_bytes", plan.needs.disk_bytes}, {"memory_bytes", plan.needs.memory_bytes},
       {"effects", plan.effects}};
+  if (plan.most_periods > plan.periods) facts.push_back({"most_periods", plan.most_periods});
   if (plan.time) {
     facts.push_back({"seconds", plan.time->seconds});
     facts.push_back({"sampled_realisations", plan.time->realisations});
     facts.push_back({"sampled_share_of_horizon", plan.time->horizon_share});
+    if (plan.most_periods > plan.periods) facts.push_back({"most_seconds", seconds_if_continued(plan, 1.0)});
   }
   return facts;
 }

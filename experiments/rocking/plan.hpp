@@ -19,6 +19,8 @@ struct Plan {
   std::uint64_t realisations = 0;  ///< of all conditions
   bool at_most = false;            ///< some conditions may stop earlier
   std::uint64_t periods = 0;       ///< of all realisations together
+  std::uint64_t most_periods = 0;  ///< the same if every realisation goes on to its limit; `periods` without a limit
+  std::uint64_t least_periods = 0;  ///< the same if each is classified at once: with the windows that hold and watch it
   bool has_record = false;         ///< periods are those of the strobe, not of an excitation
   Needs needs;
   std::optional<TimeEstimate> time;  ///< absent: not measured, or not to be had

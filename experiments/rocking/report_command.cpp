@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "analysis/settling_tables.hpp"
 #include "analysis/tables.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
@@ -79,7 +80,8 @@ std::string table_again(const analysis::RunReport& report) {
     if (tilt != condition.quantiles.end()) row.peak_tilt = peak_tilt_cell(tilt->second.levels);
     rows.push_back(std::move(row));
   }
-  return mode_table(rows, table_look());
+  const std::string settling = settling_text(settling_rows(report), table_look().width);
+  return mode_table(rows, table_look()) + (settling.empty() ? "" : '\n' + settling);
 }
 
 ExitCode report_again(const ReportRequest& request) {
@@ -110,8 +112,16 @@ ExitCode report_again(const ReportRequest& request) {
     write("modes.csv", modes_csv(report));
     write("non_recurrence.csv", non_recurrence_csv(report));
     write("quantiles.csv", quantiles_csv(report));
+    if (!settling_rows(report).empty()) {
+      write("settling.csv", settling_csv(report));
+      write("incidence.csv", incidence_csv(report));
+      write("leaving.csv", leaving_csv(report));
+    }
   }
-  if (formats.contains("latex")) write("modes.tex", modes_latex(report));
+  if (formats.contains("latex")) {
+    write("modes.tex", modes_latex(report));
+    if (!settling_rows(report).empty()) write("settling.tex", settling_latex(report));
+  }
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})
                                      : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"),

@@ -92,6 +92,7 @@ struct Measured {
   double periods = 0.0;  ///< that were run; half of those of the realisations in progress at the end
   double seconds = 0.0;
   std::uint64_t realisations = 0;
+  std::uint64_t unresolved = 0;
 };
 
 Measured measure(const Experiment& sample, unsigned threads, double seconds) {
@@ -121,6 +122,9 @@ Measured measure(const Experiment& sample, unsigned threads, double seconds) {
                    in_progress -= periods_in(pair);
                    measured.periods += periods_in(pair);
                    measured.realisations += summaries.size();
+                   for (const Summary& summary : summaries) {
+                     if (summary.mode.kind == section::ResponseKind::unresolved) ++measured.unresolved;
+                   }
                  }});
   measured.seconds = seconds_since(start);
   if (measured.realisations > 0) measured.periods += 0.5 * in_progress;
@@ -169,7 +173,8 @@ std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Me
   // Shortened horizons are whole numbers, so the share that was run differs from the wanted one.
   return TimeEstimate{.seconds = second.seconds * all_periods / second.periods / parts,
                       .realisations = second.realisations,
-                      .horizon_share = share};
+                      .horizon_share = share,
+                      .unresolved = share < 1.0 ? std::nullopt : std::optional(second.unresolved)};
 }
 
 }  // namespace rocking::program

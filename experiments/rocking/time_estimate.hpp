@@ -16,13 +16,15 @@ struct TimeEstimate {
   double seconds = 0.0;            ///< that the run will take, by wall clock
   std::uint64_t realisations = 0;  ///< of the sample
   double horizon_share = 1.0;      ///< share of their periods that the sample ran; 1: all
+  /// Realisations of the sample that were unresolved; absent if it had shorter horizons.
+  std::optional<std::uint64_t> unresolved = std::nullopt;
 };
 
 /// Runs a sample of the pairs of realisations, with reruns and label checks, on as many threads as the run will have,
 /// for at most `longest_sample_s`, and extrapolates by the number of periods. The sample is spread evenly over the
 /// conditions. If full horizons take too long, the sample has shorter ones. Absent if not even the shortest sample was
 /// finished in that time, or if a signal asks to stop. With `until` the estimate is that of the largest number of
-/// realisations.
+/// realisations; with `until_classified` it is that of the fixed horizon.
 [[nodiscard]] std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Means& means);
 
 }  // namespace rocking::program

@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
-#include "animation.hpp"
 #include "commands.hpp"
 #include "output.hpp"
+#include "pages/animation.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/trajectory.hpp"
@@ -32,11 +32,11 @@ struct TrajectoryRequest {
 
 ExitCode write_animation_page(const TrajectoryRequest& request, const Experiment& experiment, std::int64_t periods) {
   const auto samples = request.samples > 0 ? std::optional(request.samples) : std::nullopt;
-  auto motion = animation_of(experiment, request.key,
-                             {.periods = periods,
-                              .shown_periods = periods,
-                              .most_samples = analysis::most_samples_alone,
-                              .samples_per_period = samples});
+  auto motion = pages::animation_of(experiment, request.key,
+                                    {.periods = periods,
+                                     .shown_periods = periods,
+                                     .most_samples = analysis::most_samples_alone,
+                                     .samples_per_period = samples});
   if (!motion) throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
   motion->name = fmt::format("condition {}, {}", request.key.condition, motion->name);
   write_atomically(request.page, analysis::animation_page_text(experiment.title, *motion));

@@ -1,7 +1,11 @@
 # Installs rocking/rocking.hpp and every header that it includes, directly or not: no other header is public. Variables:
-# SOURCE, the folder that holds rocking/; DESTINATION, the include folder.
+# SOURCE, the folder that holds rocking/; DESTINATION, the include folder; PAGES, whether
+# rocking/pages.hpp is one too.
 cmake_policy(VERSION 3.25)
 set(waiting rocking/rocking.hpp)
+if(PAGES)
+  list(APPEND waiting rocking/pages.hpp)
+endif()
 set(installed "")
 while(waiting)
   list(POP_FRONT waiting header)
@@ -12,6 +16,9 @@ while(waiting)
   set(file ${SOURCE}/${header})
   if(header STREQUAL "rocking/rocking.hpp")
     set(file ${SOURCE}/rocking/api/rocking.hpp)  # the header that users include has no room in its name
+  endif()
+  if(header STREQUAL "rocking/pages.hpp")
+    set(file ${SOURCE}/pages/pages.hpp)
   endif()
   get_filename_component(folder ${header} DIRECTORY)
   file(INSTALL ${file} DESTINATION ${DESTINATION}/${folder})

@@ -86,6 +86,14 @@ void add_arrays(py::module_& module) {
             {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}));
       },
       py::call_guard<py::gil_scoped_release>());
+  module.def(
+      "trajectory_text",
+      [](const Trajectory& trajectory, std::uint64_t condition, std::uint64_t realisation, bool si, bool as_table) {
+        const TrajectoryRequest request{.condition = condition, .realisation = realisation};
+        const TrajectoryUnits units = si ? TrajectoryUnits::si : TrajectoryUnits::normalised;
+        return as_table ? trajectory_csv(request, trajectory, units) : trajectory_text(request, trajectory, units);
+      },
+      py::call_guard<py::gil_scoped_release>());
 }
 
 }  // namespace rocking::python

@@ -1,6 +1,8 @@
 #include "module.hpp"
 
 #include <array>
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <system_error>
 
@@ -38,6 +40,8 @@ void translate(std::exception_ptr pointer) {
     if (pointer) std::rethrow_exception(pointer);
   } catch (const base::InputError& error) {
     set_error("InputError", tuples_of(error.problems()));
+  } catch (const DifferentBits& error) {
+    set_error("DifferentBits", py::str(error.what()));
   } catch (const sqlite::UnusableFile& error) {
     set_error("StoreError", py::str(error.what()));
   } catch (const std::system_error& error) {
@@ -93,7 +97,23 @@ PYBIND11_MODULE(_core, module) {
   py::register_exception_translator(&python::translate);
   python::add_experiment(module);
   python::add_arrays(module);
+  python::add_checks(module);
   python::add_runs(module);
+#if defined(ROCKING_HAS_PAGES)
+  python::add_pages(module);
+#endif
+  module.def("clopper_pearson", [](std::uint64_t successes, std::uint64_t trials, double confidence) {
+    const stats::Interval interval = clopper_pearson(successes, trials, confidence);
+    return py::make_tuple(interval.low, interval.high);
+  });
+  module.def("wilson", [](std::uint64_t successes, std::uint64_t trials, double confidence) {
+    const stats::Interval interval = wilson(successes, trials, confidence);
+    return py::make_tuple(interval.low, interval.high);
+  });
+  module.def("colour", [](const std::string& name) -> std::optional<std::string> {
+    const auto mode = mode_named(name);
+    return mode ? std::optional(std::string(colour_of(*mode))) : std::nullopt;
+  });
   module.def("version", [] { return std::string(version()); });
   module.def("schema", [](const std::string& name) { return std::string(schema(name)); });
   module.attr("contacts") = python::names_of<dynamics::ContactState, 5>();

@@ -8,6 +8,12 @@ namespace rocking::python {
 /// Trajectories as structured arrays.
 void add_arrays(pybind11::module_& module);
 
+/// Checks of runs, random numbers and the machine; rare overturning.
+void add_checks(pybind11::module_& module);
+
+/// Pages and figures, in a library that has them (ROCKING_HAS_PAGES).
+void add_pages(pybind11::module_& module);
+
 /// Runs, which Ctrl-C stops, and their results.
 void add_runs(pybind11::module_& module);
 

@@ -1,7 +1,12 @@
+#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include <pybind11/numpy.h>
@@ -103,19 +108,59 @@ py::list estimates_of(const RunResult& run) {
 
 /// (run, whether Ctrl-C stopped it).
 py::tuple run_watched(const Experiment& experiment, unsigned threads, const std::string& folder,
-                      const std::string& files, py::object on_progress) {
+                      const std::string& files, std::optional<std::pair<std::uint64_t, std::uint64_t>> shard,
+                      py::object on_progress) {
   Watched<RunResult> watched(std::move(on_progress));
-  auto result = watched.run({.threads = threads, .folder = folder, .files = files},
-                            [&](const Execution& execution) { return run(experiment, execution); });
+  Execution asked{.threads = threads, .folder = folder, .files = files};
+  if (shard) asked.shard = Shard{.part = shard->first, .parts = shard->second};
+  auto result = watched.run(std::move(asked), [&](const Execution& execution) { return run(experiment, execution); });
   return py::make_tuple(std::move(result), watched.was_interrupted());
 }
 
-/// (JSON text or None, whether Ctrl-C stopped it).
-py::tuple orbits_watched(const Experiment& experiment, int longest, unsigned threads, py::object on_progress) {
+/// (JSON text or None, whether Ctrl-C stopped it). `range` of the branches; None: the branches are not followed.
+py::tuple orbits_watched(const Experiment& experiment, int longest,
+                         std::optional<std::pair<std::optional<double>, std::optional<double>>> range, unsigned threads,
+                         py::object on_progress) {
+  OrbitsRequest request{.longest = longest, .branches = range.has_value()};
+  if (range) std::tie(request.from, request.to) = *range;
   Watched<std::string> watched(std::move(on_progress));
   auto text = watched.run({.threads = threads},
-                          [&](const Execution& execution) { return orbits(experiment, longest, execution); });
+                          [&](const Execution& execution) { return orbits(experiment, request, execution); });
   return py::make_tuple(std::move(text), watched.was_interrupted());
+}
+
+/// (JSON text or None, whether Ctrl-C stopped it).
+py::tuple bifurcation_watched(const Experiment& experiment, std::uint64_t realisation, unsigned threads,
+                              py::object on_progress) {
+  Watched<std::string> watched(std::move(on_progress));
+  auto text = watched.run({.threads = threads},
+                          [&](const Execution& execution) { return bifurcation(experiment, realisation, execution); });
+  return py::make_tuple(std::move(text), watched.was_interrupted());
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+double seconds_of_this_thread() {
+  timespec time{};
+  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// (cost or None, whether Ctrl-C stopped it).
+py::tuple cost_watched(const Experiment& experiment, double seconds, std::optional<std::uint64_t> sample,
+                       std::vector<double> tolerances, unsigned threads, py::object on_progress) {
+  const auto start = std::chrono::steady_clock::now();
+  const CostRequest request{.elapsed_seconds = [start] { return seconds_since(start); },
+                            .processor_seconds = seconds_of_this_thread,
+                            .seconds = seconds,
+                            .sample = sample,
+                            .tolerances = std::move(tolerances)};
+  Watched<Cost> watched(std::move(on_progress));
+  auto found = watched.run({.threads = threads},
+                           [&](const Execution& execution) { return cost(experiment, request, execution); });
+  return py::make_tuple(std::move(found), watched.was_interrupted());
 }
 
 }  // namespace
@@ -140,12 +185,27 @@ void add_runs(py::module_& module) {
       });
   module.def("run", &run_watched);
   module.def("orbits", &orbits_watched);
+  module.def("bifurcation", &bifurcation_watched);
+  py::class_<Cost>(module, "Cost")
+      .def("text", [](const Cost& found, const Experiment& experiment, std::string machine, std::string start,
+                      double duration, unsigned threads) {
+        return cost_text(
+            experiment, found,
+            {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
+      });
+  module.def("cost", &cost_watched);
+  module.def("compare", [](const Experiment& experiment, const RunResult& run, const Experiment& other_experiment,
+                           const RunResult& other_run) {
+    const py::gil_scoped_release release;
+    return comparison({experiment, run}, {other_experiment, other_run});
+  });
   module.def("motion", [](const py::dict& asked) {
     GroundMotionRequest request{.files = asked["files"].cast<std::vector<std::string>>(),
                                 .vertical = asked["vertical"].cast<std::string>(),
                                 .format = asked["format"].cast<std::string>(),
                                 .units = asked["units"].cast<std::string>(),
                                 .time_step = asked["time_step"].cast<double>(),
+                                .series = asked["series"].cast<bool>(),
                                 .question = {.gravity = asked["gravity"].cast<double>(),
                                              .damping = asked["damping"].cast<double>(),
                                              .periods = asked["periods"].cast<std::vector<double>>()}};
@@ -155,14 +215,24 @@ void add_runs(py::module_& module) {
     const py::gil_scoped_release release;
     return motion(request);
   });
-  module.def("fragility", [](const Experiment& experiment, const RunResult& run) {
+  module.def("fragility", [](const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
+                             const std::optional<std::string>& hazard, bool incremental) {
     const py::gil_scoped_release release;
-    return fragility(experiment, run);
+    FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
+    if (hazard) question.hazard = hazard_curve(*hazard);
+    return fragility(experiment, run, question);
   });
   module.def("open_run", [](const std::string& folder) {
     StoredRun stored = [&] {
       const py::gil_scoped_release release;
       return open_run(folder);
+    }();
+    return py::make_tuple(std::move(stored.experiment), std::move(stored.run));
+  });
+  module.def("merge", [](const std::string& folder, const std::vector<std::string>& parts) {
+    StoredRun stored = [&] {
+      const py::gil_scoped_release release;
+      return merge(folder, {parts.begin(), parts.end()});
     }();
     return py::make_tuple(std::move(stored.experiment), std::move(stored.run));
   });

@@ -20,14 +20,30 @@ class JeongYang : public rocking::support::ProgramTest {
     if (shell("python3 -c 'import lzma'").exit_code != 0) GTEST_SKIP() << "skipped: no python3 (Debian: python3)";
   }
 
-  rocking::support::Outcome python(const std::string& script) const {
-    return shell("PYTHONPATH='" + questions + "' python3 -B - <<'END'\n" + script + "\nEND");
+  rocking::support::Outcome python(const std::string& script, const std::string& interpreter = "python3") const {
+    return shell("PYTHONPATH='" + questions + "' " + interpreter + " -B - <<'END'\n" + script + "\nEND");
   }
 };
 
+const char* const no_module =
+    "skipped: the Python module is not built (Debian: python3-dev pybind11-dev python3-numpy)";
+
 TEST_F(JeongYang, PublishedWordsAreWhatTheScriptMakesOfThePublishedResults) {
-  const auto checked = shell("exec python3 -B '" + questions + "/write.py' '" + published + "' --check");
+  if (python_with_module().empty()) GTEST_SKIP() << no_module;
+  const auto checked =
+      shell("exec " + python_with_module() + " -B '" + questions + "/write.py' '" + published + "' --check");
   EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+}
+
+// Without -S an interpreter may find numpy, which the module needs.
+TEST_F(JeongYang, ScriptsSayHowToBuildTheModuleThatTheyLack) {
+  const auto outcome =
+      shell("exec env -u PYTHONPATH python3 -S -B '" + questions + "/write.py' '" + published + "' --check");
+  EXPECT_EQ(outcome.exit_code, 1);
+  for (const char* words : {"needs the Python module", "--target rocking_python", "build/release/python/python3"}) {
+    EXPECT_NE(outcome.errors.find(words), std::string::npos) << outcome.errors;
+  }
+  EXPECT_EQ(outcome.errors.find("Traceback"), std::string::npos) << outcome.errors;
 }
 
 TEST_F(JeongYang, ExperimentFilesAreAllValid) {
@@ -42,11 +58,12 @@ TEST_F(JeongYang, ExperimentFilesAreAllValid) {
 }
 
 TEST_F(JeongYang, IntervalsOfTheScriptAreThoseOfTheProgram) {
+  if (python_with_module().empty()) GTEST_SKIP() << no_module;
   const auto outcome = python(R"(
 from intervals import clopper_pearson
 from published import read
 report = read(")" + published +
-                              R"(/any_start_fixed_friction.json.xz")
+                                  R"(/any_start_fixed_friction.json.xz")
 seen = {}
 for condition in report["result"]["conditions"]:
     for mode, found in condition["probabilities"].items():
@@ -54,7 +71,8 @@ for condition in report["result"]["conditions"]:
 assert len(seen) > 20
 for (k, n), expected in seen.items():
     assert all(abs(a - b) < 1e-9 for a, b in zip(clopper_pearson(k, n), expected)), (k, n)
-)");
+)",
+                              python_with_module());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 

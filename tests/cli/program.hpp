@@ -33,6 +33,12 @@ class ProgramTest : public ::testing::Test {
   /// Runs `rocking` with these arguments, as interpreted by a shell.
   Outcome rocking(const std::string& arguments) const { return shell("exec '" ROCKING_PROGRAM "' " + arguments); }
 
+  /// The Python for which the module `rocking` was built, with the module on its path; empty if it is not built.
+  static std::string python_with_module() {
+    const auto folder = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "python";
+    return std::filesystem::exists(folder / "python3") ? "'" + (folder / "python3").string() + "'" : "";
+  }
+
   /// Starts a command in the background of a script, where a shell makes its children ignore SIGINT.
   static std::string in_background(const std::string& command) {
     return "env --default-signal=INT " + command + " & child=$!; ";

@@ -10,6 +10,9 @@ namespace {
 
 using rocking::Json;
 using rocking::support::quick_experiment;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
 
 class UntilClassified : public rocking::support::ProgramTest {
  protected:
@@ -83,6 +86,58 @@ TEST_F(UntilClassified, HasTheSameBytesWhenStoppedResumedOrExtended) {
   run("run until.json -o longer --realisations 9");
   run("resume longer --realisations 24");
   EXPECT_EQ(lasting_part("longer"), lasting_part("whole"));
+}
+
+TEST_F(UntilClassified, TellsByWhenOnTheTerminalOnThePageAndInTables) {
+  const auto outcome = rocking("run until.json -o whole -q");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("shares are those in the end"), HasSubstr("unresolved at 80")));
+  EXPECT_THAT(read("whole/report.html"), AllOf(HasSubstr("id=\"by-when\""), HasSubstr("<figure id=\"incidence\""),
+                                               HasSubstr("How often settled responses were left again")));
+  EXPECT_THAT(rocking("report whole --format text").output, HasSubstr("shares are those in the end"));
+  ASSERT_EQ(rocking("report whole --format csv,latex -q").exit_code, 0);
+  EXPECT_THAT(read("whole/tables/settling.csv"), HasSubstr("unresolved_at_horizon"));
+  EXPECT_THAT(read("whole/tables/incidence.csv"), HasSubstr("\"(1,3)\""));
+  EXPECT_THAT(read("whole/tables/leaving.csv"), HasSubstr("per_1000_periods"));
+  EXPECT_THAT(read("whole/tables/settling.tex"), HasSubstr("in the end"));
+  EXPECT_THAT(read("whole/tables/modes.tex"), HasSubstr("Response modes in the end"));
+}
+
+TEST_F(UntilClassified, ReadsAReportOfBeforeTheCurvesWereNamed) {
+  run("run until.json -o whole");
+  Json report = Json::parse(read("whole/report.json"));
+  for (Json& condition : report["result"]["conditions"]) {
+    Json& incidence = condition["incidence"];
+    incidence["parting_by_friction"] = incidence["divergence_by_friction"];
+    for (const char* key : {"divergence_by_friction", "divergence_periods", "any_mode", "nearly_all"}) {
+      incidence.erase(key);
+    }
+  }
+  write("whole/report.json", report.dump());
+  const auto outcome = rocking("report whole --format html,csv,latex -q");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(read("whole/report.html"), HasSubstr("<figure id=\"incidence\""));
+}
+
+// Another 60 periods of the excitation without a limit: the scene is too short for most responses.
+TEST_F(UntilClassified, IsProposedWhereAFixedHorizonIsTooShort) {
+  Json experiment = Json::parse(read("until.json"));
+  experiment["horizon"].erase("until_classified");
+  write("fixed.json", experiment.dump());
+  EXPECT_THAT(rocking("run fixed.json -o fixed -q").output, HasSubstr("horizon too short"));
+  EXPECT_THAT(read("fixed/report.html"), AllOf(HasSubstr("until_classified"), Not(HasSubstr("id=\"by-when\""))));
+}
+
+TEST_F(UntilClassified, IsBoundedInAPlanAndMentionedWithCosts) {
+  const auto plan = rocking("run until.json --dry-run");
+  EXPECT_EQ(plan.exit_code, 0);
+  EXPECT_THAT(plan.output, AllOf(HasSubstr("at most 72000 periods with until_classified"),
+                                 HasSubstr("for the fixed horizon"), HasSubstr("until_classified: if every")));
+  const Json facts = Json::parse(rocking("run until.json --dry-run --json").output);
+  EXPECT_EQ(facts.at("most_periods"), 72000);
+  EXPECT_GT(facts.at("most_seconds"), facts.at("seconds"));
+  EXPECT_THAT(rocking("cost until.json --sample 4 --tolerances 1e-6,1e-8,1e-10 -q").output,
+              HasSubstr("those of the fixed horizon"));
 }
 
 TEST_F(UntilClassified, IsVerifiedAndReplayed) {

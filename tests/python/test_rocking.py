@@ -5,14 +5,17 @@ Environment: ROCKING_PROGRAM, the program; ROCKING_SOURCE, the root of the clone
 
 import doctest
 import importlib
+import inspect
 import json
 import os
 import pickle
 import pkgutil
+import re
 import signal
 import subprocess
 import tempfile
 import threading
+import time
 import unittest
 
 import numpy as np
@@ -116,6 +119,19 @@ class AgainstTheProgram(unittest.TestCase):
             self.assertEqual([list(point) for point in one.points], other["points"])
             self.assertEqual([[m.real, m.imag] for m in one.multipliers], other["multipliers"])
 
+    def test_branches_of_orbits_are_those_of_the_program(self):
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0},
+                        sweep=[{"parameter": "/excitation/amplitude", "values": [3.9, 4.0]}])
+        path = write(self.folder.name, still)
+        self.program("orbits", path, "-o", self.out, "--periods", "1", "--from", "3.8", "-q")
+        with open(os.path.join(self.out, "orbits.json")) as file:
+            theirs = json.load(file)
+        self.assertEqual(rocking.orbits(still, longest=1, branches=True, branch_range=(3.8, None)).data, theirs)
+        for wrong in ({"branch_range": (4.0, 3.0)}, {"source": changed(excitation=still["excitation"], sweep=[
+                {"parameter": "/horizon/sampled_periods", "values": [20, 30]}])}):
+            with self.assertRaises(rocking.InputError):
+                rocking.orbits(**{"source": still, "longest": 1, "branches": True, **wrong})
+
     def test_motion_is_that_of_the_program(self):
         path = os.path.join(self.folder.name, "pulse.txt")
         with open(path, "w") as file:
@@ -135,10 +151,299 @@ class AgainstTheProgram(unittest.TestCase):
         theirs = json.loads(self.program("fragility", self.out, "--json"))["curves"][0]
         for source in (SLAB, self.out, rocking.run(SLAB)):
             self.assertEqual(rocking.fragility(source)[0].data, theirs)
+        hazard = os.path.join(self.folder.name, "hazard.csv")
+        with open(hazard, "w") as file:
+            file.write("amplitude,rate\n0.5,1e-2\n20,1e-4\n")
+        asked = ["--peak-tilt", "0.5", "--hazard", hazard, "--ida"]
+        theirs = json.loads(self.program("fragility", self.out, *asked, "--json"))
+        ours = rocking.fragility(self.out, peak_tilts=[0.5], hazard=hazard, incremental=True)
+        self.assertEqual(ours.data, theirs)
+        self.assertEqual(len(ours), 2)
+        self.assertEqual([curve.annual_rate for curve in ours], [curve["annual_rate"] for curve in theirs["curves"]])
+        with open(hazard, "w") as file:
+            file.write("pga_g,rate\n0.5,1e-2\n20,1e-4\n")
+        for wrong in ({"hazard": hazard}, {"peak_tilts": [0.0]}):
+            with self.assertRaises(rocking.InputError):
+                rocking.fragility(self.out, **wrong)
+        with self.assertRaises(FileNotFoundError):
+            rocking.fragility(self.out, hazard="/nowhere/hazard.csv")
+
+    def test_comparison_is_that_of_the_program(self):
+        softer = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [0.5, 8.0, 4.0]}])
+        folders = [os.path.join(self.folder.name, name) for name in ("first", "second")]
+        for experiment, folder in zip((SLAB, softer), folders):
+            rocking.run(experiment, folder=folder)
+        theirs = json.loads(self.program("compare", *folders, "--json"))
+        self.assertGreater(sum(condition["changed"]["count"] for condition in theirs["conditions"]), 0)
+        for first, second in (folders, (rocking.run(SLAB), rocking.run(softer))):
+            ours = rocking.compare(first, second)
+            self.assertEqual(ours.data, theirs)
+            for one, other in zip(ours.conditions, theirs["conditions"]):
+                self.assertEqual(one.changed, other["changed"]["count"])
+                for name, mode in one.modes.items():
+                    self.assertEqual(mode.p_value, other["modes"][name]["mcnemar_p_value"])
+                    for key in ("both", "first_only", "second_only", "neither", "difference", "variance_reduction"):
+                        self.assertEqual(getattr(mode, key), other["modes"][name][key], key)
+
+    def test_bifurcation_is_that_of_the_program(self):
+        self.program("bifurcation", self.path, "-o", self.out, "--realisation", "2", "-q")
+        with open(os.path.join(self.out, "bifurcation.json")) as file:
+            theirs = json.load(file)
+        told = []
+        ours = rocking.bifurcation(SLAB, realisation=2, progress=lambda done, all: told.append((done, all)))
+        self.assertEqual(told[-1], (9, 9))
+        self.assertEqual([diagram.parameter for diagram in ours], [theirs["parameter"]] * len(theirs["diagrams"]))
+        for one, other in zip(ours, theirs["diagrams"]):
+            self.assertEqual(len(one.steps), len(other["steps"]))
+            for step, expected in zip(one.steps, other["steps"]):
+                self.assertEqual((step.value, step.branch, step.mode, step.reason, step.termination),
+                                 tuple(expected[key] for key in ("value", "branch", "mode", "reason", "termination")))
+                self.assertEqual(step.is_continued, expected["start"] == "continued")
+                self.assertEqual([list(point) for point in step.points], expected["points"])
+
+    def test_cost_is_that_of_the_program(self):
+        asked = ["--sample", "4", "--tolerances", "1e-5,1e-8,1e-14"]
+        theirs = json.loads(self.program("cost", self.path, *asked, "--json", "-q"))
+        told = []
+        ours = rocking.cost(self.path, sample=4, tolerances=[1e-5, 1e-8, 1e-14], seconds=0.1,
+                            progress=lambda done, all: told.append(done))
+        self.assertEqual(told[-1], 4)
+        for key in ("format", "input", "result"):
+            self.assertEqual(ours.data[key], theirs[key], key)
+        self.assertEqual(set(ours.data["system"]), set(theirs["system"]))
+        self.assertEqual(ours.sample, 4)
+        curve = theirs["result"]["tolerances"]
+        self.assertEqual(ours.tolerance.tolist(), [entry["tolerance"] for entry in curve])
+        self.assertEqual(ours.median_error[:-1].tolist(), [e["departure"]["error"]["median"] for e in curve[:-1]])
+        self.assertTrue(np.isnan(ours.median_error[-1]) and np.isnan(ours.flips_interval[-1]).all())
+        self.assertTrue((ours.seconds_per_period > 0).all())
+
+    def test_cost_spends_the_time_that_it_is_given(self):
+        began = time.monotonic()
+        found = rocking.cost(LONG, seconds=1.0, tolerances=[1e-5, 1e-14])
+        self.assertGreater(found.sample, 1)
+        self.assertLess(time.monotonic() - began, 20.0)  # a loaded machine
+
+    def test_parts_merge_to_the_whole(self):
+        parts = [os.path.join(self.folder.name, f"part{i}") for i in (1, 2, 3)]
+        self.program("run", self.path, "--shard", "1/3", "-o", parts[0], "--no-page", "-q")
+        for i in (2, 3):
+            part = rocking.run(SLAB, shard=(i, 3), folder=parts[i - 1])
+            self.assertEqual(part.done, part.all)
+            self.assertFalse(part.is_complete)
+            with self.assertRaises(ValueError):
+                part.probabilities
+        self.assertEqual(sum(rocking.open_run(part).done for part in parts), 60)
+        by_program = os.path.join(self.folder.name, "whole")
+        self.program("merge", by_program, *parts, "--no-page", "-q")
+        with open(os.path.join(by_program, "report.json")) as file:
+            digest = json.load(file)["result"]["digest"]
+        whole = rocking.merge(self.out, parts)
+        self.assertEqual(whole.digest, digest)
+        self.assertEqual(whole.digest, rocking.run(SLAB).digest)
+        self.assertEqual(sorted(os.listdir(self.out)), ["realisations.sqlite"])
+        self.assertIn("60 of 60", self.program("status", self.out))
+
+    def test_missing_parts_are_run_by_the_next_call(self):
+        part = os.path.join(self.folder.name, "part")
+        rocking.run(SLAB, shard=(1, 4), folder=part)
+        whole = rocking.merge(self.out, [part])
+        self.assertTrue(0 < whole.done < whole.all)
+        self.assertFalse(whole.is_complete)
+        self.assertEqual(rocking.run(SLAB, folder=self.out).digest, rocking.run(SLAB).digest)
+
+    def test_intervals_are_those_of_the_report(self):
+        for condition in rocking.run(SLAB).report()["result"]["conditions"]:
+            for name, found in condition["probabilities"].items():
+                k, n = condition["counts"].get(name, 0), condition["realisations"]
+                for method in ("clopper_pearson", "wilson"):
+                    self.assertEqual(getattr(rocking, method)(k, n).tolist(), found[method], (name, method))
+        table = rocking.wilson(np.array([[0], [3]]), [4, 5, 6], confidence=0.5)
+        self.assertEqual(table.shape, (2, 3, 2))
+        self.assertEqual(table[1, 2].tolist(), rocking.wilson(3, 6, 0.5).tolist())
+        self.assertEqual(rocking.clopper_pearson([], []).shape, (0, 2))
+
+    def test_colours_are_those_of_the_figures(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        self.program("report", self.out, "--format", "gnuplot")
+        with open(os.path.join(self.out, "figures", "mode_bands.gp")) as file:
+            drawn = file.read()
+        result = rocking.run(SLAB)
+        occurred = [mode for mode, count in zip(result.modes, result.counts.sum(axis=0)) if count]
+        self.assertGreater(len(occurred), 1)
+        for mode in occurred:
+            self.assertTrue(f"fc rgb '{rocking.colour(mode)}' fs transparent solid 1" in drawn, mode)
+        with self.assertRaises(ValueError):
+            rocking.colour("(1;1)")
+
+    def test_verification_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        for source in (self.out, rocking.run(SLAB)):
+            told = []
+            found = rocking.verify(source, progress=lambda done, all: told.append((done, all)))
+            self.assertTrue(found.is_verified)
+            self.assertEqual((found.checked, found.different, found.not_compared), (60, 0, 0))
+            self.assertEqual(told[-1][0], told[-1][1])
+        self.assertLess(rocking.verify(self.out, sample=4).checked, 10)
+        report = os.path.join(self.out, "report.json")
+        with open(report) as file:
+            text = file.read()
+        with open(report, "w") as file:
+            file.write(re.sub(r'("estimate": ?)[0-9.]+', r"\g<1>0.125", text, count=1))
+        found = rocking.verify(self.out, sample=2)
+        self.assertEqual((found.different, len(found.findings)), (0, 1))
+        self.assertIn("estimate", found.findings[0])
+
+    def test_other_bits_are_found(self):
+        run = rocking.run(SLAB)
+        falsified = rocking.Result(rocking.experiment(SLAB, seed=2), run._core, run._occasion, None)
+        found = rocking.verify(falsified)
+        self.assertEqual((found.checked, found.is_verified), (60, False))
+        self.assertGreaterEqual(found.different, 30)  # blocks that never move may have the same row with either seed
+        self.assertIn("condition 0, realisation 0: the new result differs", found.findings[0])
+        with self.assertRaises(rocking.DifferentBits):
+            rocking.replay(falsified, condition=1, realisation=3)
+
+    def test_replay_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        theirs = self.program("replay", self.out, "--condition", "1", "--realisation", "3")
+        for source in (self.out, rocking.run(SLAB)):
+            self.assertEqual(rocking.replay(source, condition=1, realisation=3).text(), theirs)
+        for form in ("json", "csv"):
+            for units in ("normalised", "si"):
+                asked = ["--condition", "1", "--realisation", "3", "--samples", "4", "--format", form, "--units", units]
+                motion = rocking.trajectory(self.path, condition=1, realisation=3, samples_per_period=4)
+                self.assertEqual(motion.text(form, units), self.program("trajectory", self.path, *asked))
+        with self.assertRaises(rocking.InputError):
+            rocking.replay(self.out, realisation=20)
+
+    def test_rare_is_that_of_the_program(self):
+        self.program("rare", self.path, "-o", self.out, "--peak-tilt", "0.3", "--particles", "50",
+                     "--relative-error", "0.5", "--score", "energy", "-q")
+        with open(os.path.join(self.out, "rare.json")) as file:
+            theirs = json.load(file)
+        told = []
+        ours = rocking.rare(SLAB, peak_tilt=0.3, particles=50, relative_error=0.5, score="energy",
+                            progress=lambda done, all: told.append((done, all)))
+        self.assertEqual(ours.data, theirs)
+        self.assertTrue(all(done <= every for done, every in told))
+        self.assertEqual(told, sorted(told, key=lambda pair: pair[0]))
+        self.assertEqual([found.probability for found in ours], [each["probability"] for each in theirs["conditions"]])
+
+    def test_check_of_random_numbers_is_that_of_the_program(self):
+        theirs = json.loads(self.program("check-normal", "--n", "500", "--sampler", "ziggurat", "--json"))
+        self.assertEqual(rocking.check_normal(500, sampler="ziggurat"), theirs)
+
+    def test_doctor_is_that_of_the_program(self):
+        theirs = json.loads(self.program("doctor", "--json"))
+        ours = rocking.doctor()
+        self.assertEqual({key: theirs[key] for key in ours}, ours)
+        self.assertEqual(set(theirs) - set(ours), {"machine", "system", "supported_systems", "lanes"})
+
+    def test_a_run_in_progress_can_be_looked_at(self):
+        running = subprocess.Popen([PROGRAM, "run", write(self.folder.name, LONG), "-o", self.out, "--no-page", "-q"])
+        self.addCleanup(running.wait)
+        self.addCleanup(running.kill)
+        store = os.path.join(self.out, "realisations.sqlite")
+        done = 0
+        until = time.monotonic() + 60
+        while done == 0 and time.monotonic() < until:
+            time.sleep(0.1)
+            if os.path.exists(store) and os.path.getsize(store):
+                done = rocking.open_run(self.out).done
+        self.assertIsNone(running.poll(), "it is in progress")
+        self.assertTrue(0 < done < 100000)
 
     def test_validate_is_that_of_the_program(self):
         theirs = json.loads(self.program("validate", self.path, "--json"))
         self.assertEqual(rocking.validate(self.path), theirs["experiment"])
+
+
+@unittest.skipUnless(hasattr(rocking._core, "write_page"), "built without fmt (Debian: libfmt-dev)")
+class Pages(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.path = write(self.folder.name, SLAB)
+        self.out = os.path.join(self.folder.name, "out")
+        self.ours = os.path.join(self.folder.name, "ours")
+
+    def program(self, *arguments):
+        return subprocess.run([PROGRAM, *arguments], check=True, capture_output=True, text=True).stdout
+
+    def expect_same(self, written, folder):
+        """The files that were written, and those of the program in a folder, have the same names and bytes."""
+        self.assertEqual(sorted(path.name for path in written), sorted(os.listdir(folder)))
+        for path in written:
+            if path.suffix == ".pdf":  # has the time at which it was drawn
+                continue
+            with open(os.path.join(folder, path.name), "rb") as file:
+                self.assertEqual(path.read_bytes(), file.read(), path.name)
+
+    def test_figures_and_tables_are_those_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "--no-page", "-q")
+        self.program("report", self.out, "--format", "gnuplot,csv,latex")
+        for source in (self.out, rocking.run(SLAB)):
+            self.expect_same(rocking.write_figures(source, self.ours).files, os.path.join(self.out, "figures"))
+            self.expect_same(rocking.write_tables(source, self.ours).files, os.path.join(self.out, "tables"))
+        self.program("report", self.out, "--format", "gnuplot", "--style", "journal", "--width", "double")
+        written = rocking.write_figures(self.out, self.ours, column="journal_double")
+        self.expect_same(written.files, os.path.join(self.out, "figures"))
+        with self.assertRaises(ValueError):
+            rocking.write_figures(self.out, self.ours, column="wide")
+
+    def test_page_is_that_of_the_program(self):
+        self.program("run", self.path, "-o", self.out, "-q")
+        with open(os.path.join(self.out, "report.json")) as file:
+            system = json.load(file)["system"]
+        result = rocking.open_run(self.out)
+        page = rocking.write_page(result, os.path.join(self.folder.name, "page.html")).files[0].read_text()
+        with open(os.path.join(self.out, "report.html")) as file:
+            theirs = file.read()
+        self.assertGreater(len(page), 50000)
+        self.assertIn(result.digest, page)
+        # All but machine and time, which a store does not know.
+        self.assertGreater(len(set(theirs.splitlines()) & set(page.splitlines())), 0.9 * len(set(theirs.splitlines())))
+        self.assertNotIn(system["start"] if "start" in system else "2012-01-01T", page)
+
+    def test_studies_are_drawn_as_by_the_program(self):
+        motion = ["trajectory", self.path, "--condition", "1", "--samples", "20"]
+        file = os.path.join(self.folder.name, "motion.json")
+        with open(file, "w") as out:
+            out.write(self.program(*motion))
+        self.program("figure", file, "-o", self.out)
+        self.expect_same(rocking.draw(file, folder=self.ours).files, self.out)
+        own = rocking.draw(rocking.trajectory(self.path, condition=1, samples_per_period=20), folder=self.ours)
+        self.assertEqual(sorted(path.name for path in own.files), sorted(os.listdir(self.out)))
+        result = rocking.run(SLAB)
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0},
+                        sweep=[{"parameter": "/excitation/amplitude", "values": [3.9, 4.0]}])
+        record = os.path.join(self.folder.name, "pulse.txt")
+        with open(record, "w") as out:
+            out.write("".join(f"{0.01 * i} {4 * np.sin(0.3 * i)}\n" for i in range(200)))
+        for found in (rocking.bifurcation(SLAB), rocking.fragility(result), rocking.check_normal(100),
+                      rocking.orbits(still, longest=1, branches=True), rocking.motion(record, units="g", series=True)):
+            self.assertTrue(rocking.draw(found, folder=self.ours).files)
+        for other in ({"a": 1}, result):
+            with self.assertRaises(rocking.InputError):
+                rocking.draw(other, folder=self.ours)
+
+    def test_missing_gnuplot_is_told(self):
+        path = os.environ["PATH"]
+        self.addCleanup(os.environ.__setitem__, "PATH", path)
+        os.environ["PATH"] = self.folder.name
+        written = rocking.write_figures(rocking.run(SLAB), self.ours)
+        self.assertEqual(len(written.not_drawn), 1)
+        self.assertIn("gnuplot", written.not_drawn[0])
+        self.assertEqual({path.suffix for path in written.files}, {".tsv", ".gp"})
+
+    def test_what_cannot_be_written_is_refused(self):
+        with self.assertRaises(OSError):
+            rocking.write_page(rocking.run(SLAB), "/nowhere/report.html")
+        part = rocking.run(SLAB, shard=(1, 2), folder=self.out)
+        for write_it in (rocking.write_page, rocking.write_figures, rocking.write_tables):
+            with self.assertRaises(ValueError):
+                write_it(part, self.ours)
 
 
 class Errors(unittest.TestCase):
@@ -180,6 +485,83 @@ class Errors(unittest.TestCase):
         with self.assertRaises(TypeError):
             rocking.run(rocking.experiment(SLAB), seed=3)
 
+    def test_runs_that_cannot_be_paired_are_refused(self):
+        first = rocking.run(SLAB)
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.compare(first, rocking.run(SLAB, seed=2))
+        self.assertEqual(caught.exception.pointer, "/seed")
+        shorter = changed()
+        del shorter["sweep"]
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.compare(first, rocking.run(shorter))
+        self.assertEqual(caught.exception.pointer, "/sweep")
+        with self.assertRaises(rocking.InputError) as caught:
+            rocking.bifurcation(shorter)
+        self.assertEqual(caught.exception.pointer, "/sweep")
+        with self.assertRaises(FileNotFoundError):
+            rocking.compare(first, "/nowhere")
+
+    def test_bad_proportions_are_refused(self):
+        for arguments, pointer in (((3, 2), "successes"), ((1, 2, 1.0), "confidence")):
+            with self.assertRaises(rocking.InputError) as caught:
+                rocking.clopper_pearson(*arguments)
+            self.assertEqual(caught.exception.pointer, pointer)
+        for successes in (-1, 0.5):
+            with self.assertRaises(ValueError):
+                rocking.wilson(successes, 2)
+
+    def test_bad_checks_are_refused(self):
+        for call, arguments, pointer in (
+            (rocking.check_normal, {"n": 19}, "n"),
+            (rocking.check_normal, {"sigma": 0.0}, "sigma"),
+            (rocking.check_normal, {"mean": 1e6, "sigma": 1e-300}, "sigma"),
+            (rocking.check_normal, {"mean": float("nan")}, "mean"),
+            (rocking.check_normal, {"sampler": "dice"}, "sampler"),
+            (rocking.rare, {"source": SLAB, "particles": 19}, "particles"),
+            (rocking.rare, {"source": SLAB, "relative_error": 0.0}, "relative_error"),
+            (rocking.rare, {"source": SLAB, "peak_tilt": -1.0}, "peak_tilt"),
+            (rocking.verify, {"source": rocking.run(SLAB), "sample": 0}, "sample"),
+        ):
+            with self.assertRaises(rocking.InputError) as caught:
+                call(**arguments)
+            self.assertEqual(caught.exception.pointer, pointer)
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0})
+        with self.assertRaises(rocking.InputError):  # nothing is random
+            rocking.rare(still)
+
+    def test_bad_measurements_of_cost_are_refused(self):
+        for arguments, pointer in (({"sample": 0}, "sample"), ({"sample": 10**6}, "sample"),
+                                   ({"seconds": 0.0}, "seconds"), ({"tolerances": [1.0]}, "tolerances"),
+                                   ({"tolerances": [float("nan")]}, "tolerances"),
+                                   ({"tolerances": [1e-8]}, "tolerances")):
+            with self.assertRaises(rocking.InputError, msg=arguments) as caught:
+                rocking.cost(SLAB, **arguments)
+            self.assertEqual(caught.exception.pointer, pointer)
+
+    def test_parts_that_do_not_belong_together_are_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            names = [os.path.join(folder, name) for name in ("one", "two", "whole")]
+            rocking.run(SLAB, shard=(1, 2), folder=names[0])
+            rocking.run(SLAB, shard=(2, 2), folder=names[1], seed=2)
+            for parts in ([], names[:2]):
+                with self.assertRaises(rocking.InputError):
+                    rocking.merge(names[2], parts)
+            with self.assertRaises(FileNotFoundError):
+                rocking.merge(names[2], [names[0], os.path.join(folder, "none")])
+            self.assertFalse(os.path.exists(names[2]))
+            with self.assertRaises(rocking.InputError):  # into one of the parts
+                rocking.merge(names[0], names[:1])
+            with self.assertRaises(rocking.InputError):  # another part of the same experiment
+                rocking.run(SLAB, shard=(2, 2), folder=names[0])
+            for shard in ((0, 2), (3, 2)):
+                with self.assertRaises(rocking.InputError) as caught:
+                    rocking.run(SLAB, shard=shard)
+                self.assertEqual(caught.exception.pointer, "shard")
+            until = changed(realisations={"until": {"half_width": 0.2, "at_most": 100}})
+            with self.assertRaises(rocking.InputError) as caught:
+                rocking.run(until, shard=(1, 2))
+            self.assertEqual(caught.exception.pointer, "/realisations")
+
     def test_a_folder_of_another_experiment_is_refused(self):
         with tempfile.TemporaryDirectory() as folder:
             rocking.run(SLAB, folder=folder)
@@ -215,6 +597,38 @@ class Interrupting(unittest.TestCase):
         self.assertEqual(result.counts.sum(), result.done)
         with self.assertRaises(ValueError):
             result.probabilities
+
+    def test_ctrl_c_stops_a_measurement_of_cost(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        with self.assertRaises(KeyboardInterrupt):
+            rocking.cost(LONG, sample=100000, progress=interrupt)
+
+    def test_ctrl_c_stops_a_bifurcation(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        values = np.linspace(1.0, 4.0, 200)
+        long = changed(sweep=[{"parameter": "/excitation/amplitude", "values": values}],
+                       horizon={"transient_periods": 2000, "sampled_periods": 20})
+        with self.assertRaises(KeyboardInterrupt):
+            rocking.bifurcation(long, threads=1, progress=interrupt)
+
+    def test_ctrl_c_stops_rare_and_verify_and_orbits(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        result = rocking.run(changed(realisations=2000))
+        several = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, realisations=1,
+                          sweep=[{"parameter": "/excitation/amplitude", "values": np.linspace(1.0, 4.0, 200)}])
+        for call in (lambda: rocking.rare(SLAB, relative_error=1e-3, threads=1, progress=interrupt),
+                     lambda: rocking.verify(result, threads=1, progress=interrupt),
+                     lambda: rocking.orbits(several, longest=1, threads=1, progress=interrupt)):
+            began = time.monotonic()
+            with self.assertRaises(KeyboardInterrupt):
+                call()
+            self.assertLess(time.monotonic() - began, 20.0)
 
     def test_a_stopped_run_goes_on_in_its_folder(self):
         longer = changed(realisations=1500)
@@ -333,6 +747,18 @@ class Stubs(unittest.TestCase):
             if not name.startswith("_"):
                 self.assertRegex(stub, rf"(def|class) {name}\b|^{name}:|\n{name}:")
         self.assertTrue(os.path.exists(os.path.join(SOURCE, "lib/python/rocking/py.typed")))
+
+    def test_every_function_has_an_example_and_every_name_is_in_the_reference(self):
+        with open(os.path.join(SOURCE, "lib/docs/reference/index.rst")) as file:
+            reference = file.read()
+        for name in rocking.__all__:
+            public = getattr(rocking, name)
+            if name != "ExperimentLike":  # a union of types
+                self.assertRegex(reference, rf"rocking\.{name}\b")
+            if inspect.isroutine(public):
+                self.assertIn(">>>", public.__doc__, name)
+            elif inspect.isclass(public):
+                self.assertTrue(public.__doc__, name)
 
 
 def load_tests(loader, tests, pattern):

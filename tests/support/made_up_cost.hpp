@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rocking/studies/cost/cost.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 #include "support/excitation.hpp"
 
 /// Invented results of a measurement of cost.

@@ -23,12 +23,14 @@ build_packages=(
 # have 1.83 or newer as libboost-dev.
 boost_packages=(libboost1.81-dev libboost-dev)
 oldest_boost=107400  # 1.74, as BOOST_VERSION writes it
+# For the Python module, which scripts of experiments/ use.
+python_packages=(pybind11-dev python3-dev python3-numpy)
 # For `tests/all --full`. Tests that need a package which the system does not offer are skipped with a message.
 full_packages=(
   clang libbenchmark-dev
   valgrind  # for a profile
   libsundials-dev  # for one test and a benchmark; installs MPI, PETSc and a Fortran compiler too
-  pybind11-dev python3-dev python3-numpy  # for the Python module
+  "${python_packages[@]}"
   python3-pip python3-setuptools python3-wheel  # to install it with pip
   doxygen python3-sphinx  # for the reference documentation
   dpkg-dev file groff-base  # for the package of the system, and to check the manual pages

@@ -17,41 +17,76 @@ True
 """
 
 from . import _core
-from .errors import InputError, Interrupted, Problem, StoreError
+from .bifurcations import BifurcationDiagram, DiagramStep, bifurcation
+from .checks import RunCheck, check_normal, doctor, replay, verify
+from .comparisons import Comparison, ConditionComparison, ModeComparison, compare
+from .costs import Cost, cost
+from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
+from .findings import Findings
+from .intervals import clopper_pearson, colour, wilson
 from .motions import GroundMotion, motion
+from .pages import Written, draw, write_figures, write_page, write_tables
+from .rare_events import RareEstimate, rare
 from .results import Result
-from .running import open_run, run
+from .running import merge, open_run, run
 from .studies import FragilityCurve, Orbit, OrbitsOfCondition, fragility, orbits
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
 __version__ = _core.version()
 
 __all__ = [
+    "BifurcationDiagram",
     "CONTACTS",
+    "Comparison",
+    "ConditionComparison",
+    "Cost",
+    "DiagramStep",
+    "DifferentBits",
     "EVENTS",
     "Experiment",
     "ExperimentLike",
+    "Findings",
     "FragilityCurve",
     "GroundMotion",
     "InputError",
     "Interrupted",
+    "ModeComparison",
     "Orbit",
     "OrbitsOfCondition",
     "Problem",
+    "RareEstimate",
     "Result",
+    "RunCheck",
     "StoreError",
     "TERMINATIONS",
     "Trajectory",
+    "Written",
+    "bifurcation",
+    "check_normal",
+    "clopper_pearson",
+    "colour",
+    "compare",
+    "cost",
+    "doctor",
+    "draw",
     "experiment",
     "fragility",
+    "merge",
     "motion",
     "open_run",
     "orbits",
+    "rare",
+    "replay",
     "run",
     "schema",
     "trajectory",
     "validate",
+    "verify",
+    "wilson",
+    "write_figures",
+    "write_page",
+    "write_tables",
 ]
 
 

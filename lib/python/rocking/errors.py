@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple
 if TYPE_CHECKING:
     from .results import Result
 
-__all__ = ["InputError", "Interrupted", "Problem", "StoreError"]
+__all__ = ["DifferentBits", "InputError", "Interrupted", "Problem", "StoreError"]
 
 
 class Problem(NamedTuple):
@@ -52,6 +52,10 @@ class InputError(ValueError):
     def pointer(self) -> str:
         """Place of the first problem: a JSON pointer."""
         return self.problems[0].place if self.problems else ""
+
+
+class DifferentBits(RuntimeError):
+    """A realisation that was simulated again has another result than the stored one."""
 
 
 class StoreError(RuntimeError):

@@ -9,6 +9,7 @@ from typing import Any, List, Mapping, Optional, Sequence, Tuple, Union
 import numpy as np
 
 from . import _core
+from .findings import Findings
 
 __all__ = ["GroundMotion", "motion"]
 
@@ -55,13 +56,15 @@ def motion(
     damping: float = 0.05,
     periods: Sequence[float] = (0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0),
     block: Optional[Tuple[float, float]] = None,
-) -> List[GroundMotion]:
+    series: bool = False,
+) -> Findings[GroundMotion]:
     """Read ground motions; a GroundMotion for each file.
 
     vertical: file with the vertical component of a single file. format: ``auto``, ``columns``, ``peer_at2``,
     ``esm_asc``. units: ``g``, ``m/s2``, ``cm/s2``; by default those of the file, or m/s2. time_step: of columns without
     times [s]. gravity: what 1 g is [m/s^2]. damping, periods [s]: of the response spectrum. block: width and height [m]
-    of a block whose least scale of uplift is wanted. Raises InputError with file, line and value of each fault.
+    of a block whose least scale of uplift is wanted. series: also the motions sample by sample, in ``data`` of the list,
+    which draw() needs. Raises InputError with file, line and value of each fault.
 
     >>> import os, rocking, tempfile
     >>> path = os.path.join(tempfile.mkdtemp(), "pulse.txt")
@@ -82,7 +85,9 @@ def motion(
             "gravity": float(gravity),
             "damping": float(damping),
             "periods": [float(period) for period in periods],
+            "series": bool(series),
             "block": None if block is None else [float(length) for length in block],
         }
     )
-    return [GroundMotion(found) for found in json.loads(text)["motions"]]
+    data = json.loads(text)
+    return Findings([GroundMotion(found) for found in data["motions"]], data)

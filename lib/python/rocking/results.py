@@ -20,8 +20,9 @@ __all__ = ["Result"]
 class Result:
     """Result of a run. Rows are conditions, columns are response modes.
 
-    Of a run that was stopped there are ``done``, ``all``, ``counts`` and ``realisations()`` only; the others raise
-    ValueError, because estimates of a part of the realisations are not those of the experiment.
+    Of a run that was stopped, and of a part of a divided run, there are ``done``, ``all``, ``counts`` and
+    ``realisations()`` only; the others raise ValueError, because estimates of a part of the realisations are not those of
+    the experiment.
     """
 
     def __init__(self, experiment: Experiment, core: _core.Run, occasion: tuple, folder: Optional[str]) -> None:
@@ -159,11 +160,14 @@ class Result:
         return pandas.DataFrame(rows)
 
     def _expect_complete(self) -> None:
-        if not self.is_complete:
-            raise ValueError(f"the run was stopped after {self.done} of {self.all} realisations")
+        if self.is_complete:
+            return
+        if self.done == self.all:
+            raise ValueError("one part of a divided run has no estimates; rocking.merge() joins the parts")
+        raise ValueError(f"{self.done} of {self.all} realisations are done: the run was stopped, or parts are missing")
 
     def __repr__(self) -> str:
-        state = "" if self.is_complete else f", stopped after {self.done}"
+        state = "" if self.is_complete else f", {self.done} done"
         return f"<rocking.Result of {self.all} realisations of {len(self.experiment)} condition(s){state}>"
 
 

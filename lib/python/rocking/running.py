@@ -6,14 +6,14 @@ import datetime
 import os
 import platform
 import time
-from typing import Callable, Optional, Union
+from typing import Callable, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .errors import Interrupted
 from .experiments import Experiment, ExperimentLike, experiment
 from .results import Result
 
-__all__ = ["Progress", "open_run", "run"]
+__all__ = ["Progress", "merge", "open_run", "run"]
 
 Progress = Callable[[int, int], object]
 
@@ -30,6 +30,7 @@ def run(
     realisations: Optional[int] = None,
     threads: Optional[int] = None,
     folder: Union[str, "os.PathLike[str]", None] = None,
+    shard: Optional[Tuple[int, int]] = None,
     progress: Optional[Progress] = None,
 ) -> Result:
     """Simulate all realisations of an experiment and estimate the probability of each response.
@@ -42,6 +43,9 @@ def run(
 
     folder: keeps the realisations in ``folder/realisations.sqlite``, as the program does; a run that was stopped goes
     on there. Default: in memory.
+
+    shard: (i, n) runs the i-th of n parts, from 1; merge() joins their folders. The Result of a part has counts and no
+    estimates.
 
     progress: called now and then with (finished realisations, all).
 
@@ -68,10 +72,10 @@ def run(
     where = None if folder is None else os.fspath(folder)
     start = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     began = time.perf_counter()
-    core, interrupted = _core.run(checked._core, threads, where or "", checked._files, progress)
+    core, interrupted = _core.run(checked._core, threads, where or "", checked._files, shard, progress)
     occasion = (platform.platform(), start, time.perf_counter() - began, threads)
     result = Result(checked, core, occasion, where)
-    if interrupted and not result.is_complete:
+    if interrupted and result.done < result.all:
         raise Interrupted(result)
     if interrupted:
         raise KeyboardInterrupt
@@ -81,9 +85,48 @@ def run(
 def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:
     """The run in a folder that ``run(folder=...)`` or the program has filled; it need not be complete.
 
-    Raises OSError if there is none, StoreError if it is damaged.
+    A run that is in progress can be looked at: ``done`` is what is stored so far. Raises OSError if there is none,
+    StoreError if it is damaged.
+
+    >>> import tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     digest = rocking.run(slab, folder=folder).digest
+    ...     rocking.open_run(folder).digest == digest
+    True
     """
     where = os.fspath(folder)
     core_experiment, core = _core.open_run(where)
+    occasion = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
+    return Result(Experiment(core_experiment, where), core, occasion, where)
+
+
+def merge(
+    folder: Union[str, "os.PathLike[str]"], parts: Sequence[Union[str, "os.PathLike[str]"]]
+) -> Result:
+    """Join the parts of a divided run in a new folder. The result has the bits of one run.
+
+    folder: for the whole; has no run yet. parts: folders that ``run(shard=..., folder=...)`` or the program has filled;
+    they may overlap if their common realisations agree. While realisations are missing, the Result is not complete:
+    ``run(..., folder=folder)`` adds them. Raises InputError if the parts are not of one experiment or contradict each
+    other; nothing is kept then. OSError and StoreError as open_run().
+
+    >>> import os, tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "realisations": 10, "seed": "0x1"}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     parts = [os.path.join(folder, str(i)) for i in (1, 2)]
+    ...     for i, part in enumerate(parts, 1):
+    ...         part_of_it = rocking.run(slab, shard=(i, 2), folder=part)
+    ...     rocking.merge(os.path.join(folder, "whole"), parts).digest == rocking.run(slab).digest
+    True
+    """
+    where = os.fspath(folder)
+    core_experiment, core = _core.merge(where, [os.fspath(part) for part in parts])
     occasion = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
     return Result(Experiment(core_experiment, where), core, occasion, where)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Dict, List, Mapping, Optional, Union
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 import numpy as np
 
 from . import _core
 from .experiments import ExperimentLike, experiment
+from .findings import Findings
 from .results import Result
 from .running import Progress, open_run, processors, run
 
@@ -56,13 +57,16 @@ def orbits(
     source: ExperimentLike,
     *,
     longest: int = 5,
+    branches: bool = False,
+    branch_range: Tuple[Optional[float], Optional[float]] = (None, None),
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
-) -> List[OrbitsOfCondition]:
+) -> Findings[OrbitsOfCondition]:
     """Find the periodic orbits of each condition, stable and unstable, with their multipliers.
 
-    longest: largest period that is searched, in excitation periods, at most 12. progress: called with (finished
-    conditions, all). Raises InputError if a condition is random or its excitation is not harmonic.
+    longest: largest period that is searched, in excitation periods, at most 12. branches: also follow the orbits over the
+    only swept parameter, in branch_range or the range of the sweep; they are in ``data["branches"]`` of the list, which
+    draw() draws. progress: called with (finished conditions, all). Raises InputError if a condition is random or its excitation is not harmonic.
 
     >>> import rocking
     >>> found = rocking.orbits({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -72,10 +76,13 @@ def orbits(
     True
     """
     checked = experiment(source)
-    text, interrupted = _core.orbits(checked._core, longest, threads or processors(), progress)
+    text, interrupted = _core.orbits(
+        checked._core, longest, tuple(branch_range) if branches else None, threads or processors(), progress
+    )
     if interrupted or text is None:
         raise KeyboardInterrupt
-    return [OrbitsOfCondition(condition) for condition in json.loads(text)["conditions"]]
+    data = json.loads(text)
+    return Findings([OrbitsOfCondition(condition) for condition in data["conditions"]], data)
 
 
 class FragilityCurve:
@@ -85,6 +92,8 @@ class FragilityCurve:
         levels = data["levels"]
         self.data: Mapping[str, Any] = data  #: the curve as in ``rocking.fragility/1``
         self.parameter: str = data["parameter"]  #: JSON pointer to the intensity
+        self.event: Mapping[str, Any] = data["event"]  #: overturning, or the peak tilt that is exceeded
+        self.annual_rate: Optional[Mapping[str, Any]] = data.get("annual_rate")  #: with a hazard curve
         self.intensity = np.array([level["intensity"] for level in levels], dtype=float)
         self.overturned = np.array([level["overturned"] for level in levels], dtype=np.int64)
         self.realisations = np.array([level["realisations"] for level in levels], dtype=np.int64)
@@ -99,15 +108,42 @@ class FragilityCurve:
 
 
 def fragility(
-    source: Union[Result, ExperimentLike], *, threads: Optional[int] = None, progress: Optional[Progress] = None
-) -> List[FragilityCurve]:
+    source: Union[Result, ExperimentLike],
+    *,
+    peak_tilts: Sequence[float] = (),
+    hazard: Union[str, "os.PathLike[str]", None] = None,
+    incremental: bool = False,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> Findings[FragilityCurve]:
     """Fit the probability of overturning as a function of the swept intensity; a curve for each point of the rest.
 
-    source: a Result, the folder of a finished run, or an experiment, which is run first. Raises InputError if the
+    source: a Result, the folder of a finished run, or an experiment, which is run first. peak_tilts: also curves of the
+    probability that the peak of abs(Theta) exceeds each. hazard: file of a hazard curve (CSV: intensity, annual rate of
+    exceedance), which gives each curve its ``annual_rate``. incremental: also the peak tilt against intensity for each
+    record, in ``data`` of the list. Raises InputError if the
     experiment sweeps no intensity of the excitation or its number of realisations is not fixed.
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1",
+    ...     "sweep": [{"parameter": "/excitation/amplitude", "values": [1.0, 4.0, 12.0]}]}
+    >>> curve, = rocking.fragility(slab)
+    >>> curve.intensity
+    array([ 1.,  4., 12.])
     """
     if isinstance(source, (str, os.PathLike)) and os.path.isdir(source):
         source = open_run(source)
     result = source if isinstance(source, Result) else run(source, threads=threads, progress=progress)
-    data = json.loads(_core.fragility(result.experiment._core, result._core))
-    return [FragilityCurve(curve) for curve in data["curves"]]
+    data = json.loads(
+        _core.fragility(
+            result.experiment._core,
+            result._core,
+            [float(tilt) for tilt in peak_tilts],
+            None if hazard is None else os.fspath(hazard),
+            incremental,
+        )
+    )
+    return Findings([FragilityCurve(curve) for curve in data["curves"]], data)

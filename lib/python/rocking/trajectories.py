@@ -28,8 +28,10 @@ class Trajectory:
     States are Theta (tilt over psi), Theta', X (slip over R) and V; times are tau = p t.
     """
 
-    def __init__(self, core: _core.Trajectory) -> None:
+    def __init__(self, core: _core.Trajectory, condition: int, realisation: int) -> None:
         self._core = core
+        self.condition = condition  #: number of the condition, from 0
+        self.realisation = realisation  #: number of the realisation, from 0
         self.strobe: np.ndarray = core.strobe  #: at each excitation period: period, tilt, tilt_rate, slip, slip_rate, contact
         self.events: np.ndarray = core.events  #: tau, kind (place in EVENTS), and the state after the event
         self.history: np.ndarray = core.history  #: tau, state, contact, base_acceleration [g]; empty unless asked for
@@ -74,6 +76,14 @@ class Trajectory:
         """Instants at which neither sticking nor slipping agrees with the equations."""
         return self._core.contradictions
 
+    def text(self, format: str = "json", units: str = "normalised") -> str:
+        """As ``rocking trajectory`` prints it: ``json`` or ``csv``, in ``normalised`` or ``si`` units."""
+        if format not in ("json", "csv"):
+            raise ValueError(f"format = {format!r}: must be 'json' or 'csv'")
+        if units not in ("normalised", "si"):
+            raise ValueError(f"units = {units!r}: must be 'normalised' or 'si'")
+        return _core.trajectory_text(self._core, self.condition, self.realisation, units == "si", format == "csv")
+
     def to_pandas(self, rows: str = "strobe") -> "pandas.DataFrame":
         """``strobe``, ``events`` or ``history`` as a table, with names of contacts and events."""
         import pandas
@@ -114,5 +124,7 @@ def trajectory(
         raise ValueError(f"periods = {periods}: must be at least 1")
     checked = experiment(source, seed=seed)
     return Trajectory(
-        _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period)
+        _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period),
+        condition,
+        realisation,
     )

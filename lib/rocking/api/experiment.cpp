@@ -4,6 +4,7 @@
 
 #include "rocking/base/build_info.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/mode_look.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/text/schema.hpp"
 
@@ -30,6 +31,10 @@ Experiment experiment_of(std::vector<Condition> conditions, const Declaration& d
 }
 
 std::string name_of(const section::ResponseMode& mode) { return to_string(mode); }
+
+std::string_view colour_of(const section::ResponseMode& mode) { return look_of(mode).colour; }
+
+std::optional<section::ResponseMode> mode_named(std::string_view name) { return section::response_mode_named(name); }
 
 std::string_view version() { return base::build_info().version; }
 

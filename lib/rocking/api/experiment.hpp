@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,12 @@ struct Declaration {
 
 /// `(1,3)`, `chaotic`, `overturned`, `rest` or `unresolved`.
 [[nodiscard]] ROCKING_API std::string name_of(const section::ResponseMode& mode);
+
+/// The colour of a response mode in all figures, as `#rrggbb`.
+[[nodiscard]] ROCKING_API std::string_view colour_of(const section::ResponseMode& mode);
+
+/// The mode that name_of gives this name; absent if there is none.
+[[nodiscard]] ROCKING_API std::optional<section::ResponseMode> mode_named(std::string_view name);
 
 /// Version of the library, MAJOR.MINOR.PATCH. In 0.x a minor version may change the interface.
 [[nodiscard]] ROCKING_API std::string_view version();

@@ -71,7 +71,8 @@ std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
 }
 
 std::string motion(const GroundMotionRequest& request) {
-  return motion_text(ground_motions(request), request.question, MotionDetail::measures);
+  return motion_text(ground_motions(request), request.question,
+                     request.series ? MotionDetail::series : MotionDetail::measures);
 }
 
 }  // namespace rocking

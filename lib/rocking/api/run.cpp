@@ -1,11 +1,12 @@
 #include "rocking/api/run.hpp"
 
-#include <algorithm>
-#include <atomic>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_folder.hpp"
+#include "rocking/api/run_options.hpp"
+#include "rocking/api/system_facts.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
@@ -22,27 +23,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path store_in(const fs::path& folder) { return folder / "realisations.sqlite"; }
-
-bool has_store(const fs::path& folder) {
-  std::error_code none;
-  const auto bytes = fs::file_size(store_in(folder), none);
-  return !none && bytes > 0;
-}
-
 std::string code_name() {
   const base::BuildInfo build = base::build_info();
   return std::string(build.version) + ' ' + std::string(build.revision);
 }
 
-base::InputError refused(const fs::path& folder, std::string reason, std::string remedy) {
-  return base::InputError(
-      {.place = folder.string(), .value = "", .reason = std::move(reason), .remedy = std::move(remedy), .where = {}});
+void check_shard(const Experiment& experiment, const Shard& shard) {
+  if (shard.part < 1 || shard.part > shard.parts) {
+    refuse("shard", std::to_string(shard.part) + '/' + std::to_string(shard.parts),
+           "is not a part of a whole: the part is a number from 1 to that of the parts");
+  }
+  for (const Condition& condition : experiment.conditions) {
+    if (!condition.until) continue;
+    refuse("/realisations", "until", "needs all realisations at once, and a part does not know those of the others");
+  }
 }
 
 Store store_for(const Experiment& experiment, const Execution& execution) {
   const fs::path& folder = execution.folder;
-  Identity identity{.experiment = experiment.canonical_text, .code = code_name(), .files = ".", .shard = {}};
+  Identity identity{
+      .experiment = experiment.canonical_text, .code = code_name(), .files = ".", .shard = execution.shard};
   if (folder.empty()) return Store::in_memory(identity);
   if (experiment.canonical_text.empty()) {
     throw refused(folder, "an experiment without text cannot be kept in a folder",
@@ -57,8 +57,8 @@ Store store_for(const Experiment& experiment, const Execution& execution) {
   if (store.identity().experiment != experiment.canonical_text) {
     throw refused(folder, "has realisations of another experiment", "choose another folder");
   }
-  if (store.identity().shard) {
-    throw refused(folder, "has one part of a divided run", "use the program for it: `rocking resume`");
+  if (store.identity().shard != execution.shard) {
+    throw refused(folder, "has another part of the experiment", "choose another folder");
   }
   if (!store.is_of_current_layout() || store.identity().results != results_version) {
     throw refused(folder, "was written by another version", "`rocking resume` brings it up to date");
@@ -91,30 +91,17 @@ const ExperimentResult& complete(const RunResult& run) {
 
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
+  if (execution.shard) check_shard(experiment, *execution.shard);
   Store store = store_for(experiment, execution);
-  std::atomic<bool> own_flag{false};
-  std::atomic<bool>& stop = execution.stop != nullptr ? *execution.stop : own_flag;
-  RunOptions options;
-  options.threads = std::max(1U, execution.threads);
-  options.stop_requested = &stop;
-  if (execution.on_progress) {
-    options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-      if (execution.on_progress(done, all) == Decision::stop) stop = true;
-    };
-  }
+  const AskedOptions asked(execution);
   // Whether it ended or was stopped follows from the rows.
-  static_cast<void>(run(experiment, store, options));
+  static_cast<void>(run(experiment, store, asked.options()));
   if (!execution.folder.empty()) store.close_up();
-  return look_at(experiment, std::move(store), &stop);
+  return look_at(experiment, std::move(store), asked.stop());
 }
 
 StoredRun open_run(const std::filesystem::path& folder) {
-  if (!has_store(folder)) {
-    throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
-                            folder.string() + ": contains no run (there is no realisations.sqlite)");
-  }
-  Store store = Store::open(store_in(folder), sqlite::Access::read);
-  if (const auto damage = store.damage()) throw sqlite::UnusableFile(*damage);
+  Store store = sound_store(folder);
   const Identity& identity = store.identity();
   StoredRun stored{
       .experiment = read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)}),
@@ -124,12 +111,7 @@ StoredRun open_run(const std::filesystem::path& folder) {
 }
 
 std::string report(const Experiment& experiment, const RunResult& run, const Occasion& occasion) {
-  const SystemFacts system{.build = base::build_info(),
-                           .machine = occasion.machine,
-                           .start = occasion.start,
-                           .duration_s = occasion.duration_s,
-                           .threads = occasion.threads};
-  return report_text(with_text(experiment), complete(run), system);
+  return report_text(with_text(experiment), complete(run), facts_of(occasion));
 }
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete(run).digest); }

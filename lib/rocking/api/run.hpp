@@ -13,6 +13,7 @@
 #include "rocking/api/export.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/store/shard.hpp"
 
 /// Runs of experiments.
 namespace rocking {
@@ -22,7 +23,7 @@ class Store;
 /// What the owner of a run says when it is told of progress.
 enum class Decision : std::uint8_t { proceed, stop };
 
-/// How an experiment is run. No field changes a result.
+/// How an experiment is run. No field changes a realisation.
 struct Execution {
   unsigned threads = 1;  ///< at least 1
   /// Called from time to time, by one thread at a time, with the numbers of finished realisations and of all.
@@ -35,13 +36,16 @@ struct Execution {
   std::filesystem::path folder = {};
   /// Folder of the ground motions that the experiment names; kept in the store, so that the run can be resumed.
   std::filesystem::path files = ".";
+  /// The part that is run of an experiment divided among processes or machines; merge() joins the folders. A part has
+  /// counts and no result. Absent: all of it.
+  std::optional<Shard> shard = {};
 };
 
 /// What is known of an experiment after a run.
 struct RunResult {
-  std::optional<ExperimentResult> result;  ///< absent if the run was stopped before the end
+  std::optional<ExperimentResult> result;  ///< absent if the run was stopped before the end, and of a part
   std::uint64_t done = 0;                  ///< realisations that are finished
-  std::uint64_t all = 0;                   ///< realisations of the experiment
+  std::uint64_t all = 0;                   ///< realisations of the experiment, or of the part
   /// Finished realisations by response mode, for each condition; also of a run that was stopped.
   std::vector<std::map<section::ResponseMode, std::uint64_t>> counts;
   std::shared_ptr<const Store> store;  ///< the realisations
@@ -64,6 +68,13 @@ struct StoredRun {
 /// Reads the folder that run(), or the program, has filled. Throws std::system_error with the path where there is none,
 /// std::runtime_error if the store is damaged, and base::InputError if a file that the experiment names has changed.
 [[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
+
+/// Joins the parts of a divided run, folders that run() or the program has filled, in a new folder; the run there has no
+/// result while realisations are missing. Parts may overlap if their common realisations agree. Throws base::InputError
+/// if the folder already contains a run, if the parts are not of one experiment and of this results version, or if they
+/// contradict each other (nothing is kept then), and otherwise as open_run. Nothing else may use the folder meanwhile.
+[[nodiscard]] ROCKING_API StoredRun merge(const std::filesystem::path& folder,
+                                          const std::vector<std::filesystem::path>& parts);
 
 /// What the report says of the machine and the time, which the library does not read itself.
 struct Occasion {

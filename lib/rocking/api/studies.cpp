@@ -5,18 +5,24 @@
 #include <utility>
 
 #include "rocking/api/refuse.hpp"
+#include "rocking/api/run_options.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/ensemble/run.hpp"
+#include "rocking/input/condition_family.hpp"
+#include "rocking/input/read_hazard.hpp"
+#include "rocking/output/write_bifurcation.hpp"
+#include "rocking/output/write_comparison.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/bifurcation.hpp"
+#include "rocking/studies/comparison.hpp"
+#include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
-#include "rocking/studies/suite/stripes.hpp"
-#include "rocking/studies/suite/suite_curve.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
@@ -45,26 +51,129 @@ Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& req
                        TrajectoryExtent(request.periods > 0 ? request.periods : horizon, request.samples_per_period));
 }
 
-std::string orbits(const Experiment& experiment, int longest, const Execution& execution) {
-  expect("longest", longest, 1, static_cast<int>(section::longest_period));
-  check_orbits(experiment);
-  std::atomic<bool> own_flag{false};
-  std::atomic<bool>& stop = execution.stop != nullptr ? *execution.stop : own_flag;
-  RunOptions options;
-  options.threads = std::max(1U, execution.threads);
-  options.stop_requested = &stop;
-  if (execution.on_progress) {
-    options.on_progress = [&](std::uint64_t done, std::uint64_t all) {
-      if (execution.on_progress(done, all) == Decision::stop) stop = true;
-    };
-  }
-  auto conditions = orbits(experiment, longest, options);
-  if (!conditions) throw base::Stopped();
-  const Experiment told = with_text(experiment);
-  return orbits_text({.experiment = &told, .longest = longest, .conditions = std::move(*conditions)});
+std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
+  return trajectory_text(RealisationKey{request.condition, request.realisation}, trajectory, units);
 }
 
-std::string fragility(const Experiment& experiment, const RunResult& run) {
+std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
+  return trajectory_csv(RealisationKey{request.condition, request.realisation}, trajectory, units);
+}
+
+namespace {
+
+std::vector<OrbitsOfCondition> found_orbits(const Experiment& experiment, int longest, const AskedOptions& asked) {
+  expect("longest", longest, 1, static_cast<int>(section::longest_period));
+  check_orbits(experiment);
+  auto conditions = orbits(experiment, longest, asked.options());
+  if (!conditions) throw base::Stopped();
+  return std::move(*conditions);
+}
+
+/// What is asked of branches. Throws where there are none.
+BranchQuestion branch_question(const Experiment& experiment, const OrbitsRequest& request, const std::string& pointer,
+                               const std::vector<double>& values) {
+  BranchQuestion question{.conditions = condition_family(experiment, pointer),
+                          .values = values,
+                          .range = {},
+                          .most_points = request.most_points,
+                          .most_branches = request.most_branches};
+  const auto [least, greatest] = std::ranges::minmax(values);
+  question.range = {.low = request.from.value_or(least), .high = request.to.value_or(greatest)};
+  if (!(question.range.low < question.range.high)) {
+    refuse("from", base::shortest(question.range.low),
+           "must be less than the end of the range of branches, " + base::shortest(question.range.high));
+  }
+  return question;
+}
+
+/// Adds the orbits on branches at the conditions to those that are known.
+FoundBranches followed(const Experiment& experiment, const OrbitsRequest& request, base::StopRequest stop,
+                       std::vector<OrbitsOfCondition>& conditions) {
+  const auto swept = experiment.canonical_text.empty() ? std::nullopt : only_swept_number(experiment);
+  if (!swept || !can_be_continued(swept->pointer)) {
+    refuse("branches", "", "are followed over the sweep of one number of the motion alone; the experiment has none");
+  }
+  const BranchQuestion question = branch_question(experiment, request, swept->pointer, swept->values);
+  return {.pointer = swept->pointer,
+          .range = question.range,
+          .most_points = request.most_points,
+          .study = branches_of(question, conditions, stop)};
+}
+
+}  // namespace
+
+std::vector<std::vector<PeriodicOrbit>> periodic_orbits(const Experiment& experiment, int longest,
+                                                        const Execution& execution) {
+  std::vector<std::vector<PeriodicOrbit>> all;
+  for (const OrbitsOfCondition& condition : found_orbits(experiment, longest, AskedOptions(execution))) {
+    auto& here = all.emplace_back();
+    for (const Orbit& orbit : condition.orbits) {
+      PeriodicOrbit& found = here.emplace_back();
+      found.period = orbit.period;
+      found.cycles = orbit.cycles;
+      for (const SectionState& state : orbit.points) found.points.push_back(state.point);
+      found.multipliers = orbit.stability.multipliers;
+      found.kind = to_string(orbit.stability.kind);
+      found.is_stable = orbit.stability.is_stable();
+      found.residual = orbit.residual;
+    }
+  }
+  return all;
+}
+
+std::string orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
+  expect("most_points", request.most_points, std::uint64_t{2}, std::uint64_t{1'000'000});
+  expect("most_branches", request.most_branches, std::uint64_t{1}, std::uint64_t{100'000});
+  const AskedOptions asked(execution);
+  const Experiment told = with_text(experiment);
+  FoundOrbits found{
+      .experiment = &told, .longest = request.longest, .conditions = found_orbits(experiment, request.longest, asked)};
+  if (request.branches) found.branches = followed(experiment, request, asked.stop(), found.conditions);
+  return orbits_text(found);
+}
+
+std::string orbits(const Experiment& experiment, int longest, const Execution& execution) {
+  return orbits(experiment, OrbitsRequest{.longest = longest}, execution);
+}
+
+std::vector<ConditionComparison> compare(const StoredRun& first, const StoredRun& second) {
+  const Experiment& experiment = first.experiment;
+  if (second.experiment.seed != experiment.seed) {
+    refuse("/seed", std::to_string(second.experiment.seed),
+           "is another than that of the first run (" + std::to_string(experiment.seed) +
+               "), so that the runs have no common random numbers; run one of them with the seed of the other");
+  }
+  if (second.experiment.conditions.size() != experiment.conditions.size()) {
+    refuse("/sweep", "",
+           "gives the runs different numbers of conditions: " + std::to_string(experiment.conditions.size()) + " and " +
+               std::to_string(second.experiment.conditions.size()));
+  }
+  std::vector<double> confidences;
+  for (const Condition& condition : experiment.conditions) confidences.push_back(condition.confidence);
+  return compare(*first.run.store, *second.run.store, confidences);
+}
+
+std::string comparison(const StoredRun& first, const StoredRun& second) {
+  auto conditions = compare(first, second);
+  const Experiment one = with_text(first.experiment);
+  const Experiment other = with_text(second.experiment);
+  return comparison_text({.first = &one, .second = &other, .conditions = std::move(conditions)});
+}
+
+std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
+  expect("realisation", realisation, std::uint64_t{0}, largest_realisation);
+  auto found = bifurcation(experiment, realisation, AskedOptions(execution).options());
+  if (!found) throw base::Stopped();
+  return std::move(*found);
+}
+
+std::string bifurcation(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
+  return bifurcation_text({.experiment = &experiment,
+                           .realisation = realisation,
+                           .diagrams = diagrams(experiment, realisation, execution)});
+}
+
+RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
   if (intensity_of(experiment).empty()) {
     refuse("/sweep", "",
            "sweeps no intensity of the excitation: /excitation/amplitude (or amplitude_g, amplitude_m_s2) or "
@@ -73,15 +182,18 @@ std::string fragility(const Experiment& experiment, const RunResult& run) {
   if (experiment.conditions.front().until) {
     refuse("/realisations", "until", "a fragility function needs a fixed number of realisations");
   }
-  RunFragility found{.experiment = with_text(experiment)};
-  for (const StripeGroup& group : stripes_of(found.experiment, *run.store, false)) {
-    if (group.is_suite()) {
-      found.suites.push_back({.curve = suite_curve(group, {}, experiment.seed)});
-    } else {
-      found.curves.push_back({.curve = fragility(group, {}, experiment.seed)});
-    }
+  for (const double tilt : question.peak_tilts) {
+    if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
-  return fragility_text({found});
+  return run_fragility(experiment, stripes_of(experiment, *run.store, needs_peak_tilts(question)), question);
+}
+
+std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
+  return fragility_text({fragility_curves(with_text(experiment), run, question)});
+}
+
+HazardCurve hazard_curve(const std::filesystem::path& file) {
+  return read_hazard(read_file(file, most_hazard_bytes), file.string());
 }
 
 }  // namespace rocking

@@ -17,10 +17,7 @@ namespace rocking::base {
 /// a where a < b, else b.
 [[nodiscard]] inline double smaller(double a, double b) { return a < b ? a : b; }
 
-template <class Real>
-[[nodiscard]] inline Real magnitude(const Real& x) {
-  return select(x < Real(0.0), -x, x);
-}
+[[nodiscard]] inline double magnitude(double x) { return std::abs(x); }
 
 /// a <= b.
 template <class Real>

@@ -123,10 +123,11 @@ class BlockMotion : public MotionProgress<Coefficients> {
   /// The motion goes to the state `next` at time x of the step.
   void note_peaks(double x, const State& next) {
     if (!is_rocking(state_.contact)) return;
-    this->set_peaks(
-        peaks_after<double>(series_.rows(), static_cast<std::size_t>(series_.order()),
-                            {.length = x, .tilt = state_.side * next.tilt, .tilt_rate = state_.side * next.tilt_rate},
-                            {.tilt = this->peaks().tilt, .tilt_rate = this->peaks().tilt_rate}));
+    const StepFinish<double> end{
+        .length = x, .tilt = state_.side * next.tilt, .tilt_rate = state_.side * next.tilt_rate};
+    const TiltPeaks<double> before{.tilt = this->peaks().tilt, .tilt_rate = this->peaks().tilt_rate};
+    if (!may_raise<double>(series_.rows(), end, before)) return;
+    this->set_peaks(peaks_after<double>(series_.rows(), static_cast<std::size_t>(series_.order()), end, before));
   }
 
   [[nodiscard]] static bool is_finite(const State& state) {

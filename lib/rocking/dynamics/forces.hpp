@@ -106,7 +106,8 @@ template <base::Number Real>
 /// Whether friction of at most `coefficient` times N is enough for these forces; N > 0.
 template <base::Lane Real>
 [[nodiscard]] inline auto friction_is_enough(const SideForces<Real>& forces, const Real& coefficient) {
-  return base::at_most(base::magnitude(forces.friction), coefficient * forces.normal);
+  using base::magnitude;
+  return base::at_most(magnitude(forces.friction), coefficient * forces.normal);
 }
 
 /// Forces of rocking without slip, of a state.

@@ -45,13 +45,13 @@ template <base::Lane Real>
 template <base::Lane Real>
 [[nodiscard]] inline StickingImpulse<Real> sticking_impulse(const LandingRates<Real>& before,
                                                             const LandingEdge<Real>& edge) {
-  using base::select;
+  using base::magnitude, base::select;
   const Real w1 = before.tilt_rate;
   const Real w2 = sticking_rate(before, edge);
   const Real along = select(w1 < Real(0.0), -w2, w2);
   return {.tilt_rate = w2,
           .horizontal = -(edge.cosine * w2 + lambda_term(before, edge.cosine)),
-          .vertical = edge.sine * ((Real(1.0) + Real(2.0) * edge.restitution) * base::magnitude(w1) + along)};
+          .vertical = edge.sine * ((Real(1.0) + Real(2.0) * edge.restitution) * magnitude(w1) + along)};
 }
 
 }  // namespace rocking::dynamics

@@ -41,7 +41,10 @@ void Reduction::count(const Summary& summary) {
   add_to_pairs(summary);
   if (summary.long_mode) ++checked_[{summary.mode, *summary.long_mode}];
   peaks_.add(summary);
-  if (condition_->horizon.until_classified) settling_.add(summary);
+  if (condition_->horizon.until_classified) {
+    settling_.add(summary);
+    response_times_.add(summary);
+  }
   operations_ += summary.operations;
   validity_.clamps += summary.clamps;
   digest_.add(summary.digest);
@@ -135,7 +138,9 @@ ConditionResult Reduction::result() const {
   result.peaks = is_complete() ? peak_quantiles_ : peaks_.quantiles(*condition_);
   if (!settling_.is_empty()) {
     const DivergenceTimes times = by_friction_.times();
-    result.settling = settling_.result(*condition_, by_friction_.by_period(), times.pairs - times.diverged);
+    const std::uint64_t later = times.pairs - times.diverged;
+    result.settling = settling_.result(*condition_, by_friction_.by_period(), later);
+    result.response_times = response_times_.result(*condition_, by_friction_.by_period(), later);
   }
   result.validity = validity_;
   result.operations = operations_;

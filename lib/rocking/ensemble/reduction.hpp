@@ -9,6 +9,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/ensemble/peak_tally.hpp"
+#include "rocking/ensemble/response_times.hpp"
 #include "rocking/ensemble/result.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -63,6 +64,7 @@ class Reduction {
   Validity validity_;
   PeakTally peaks_;
   SettlingTally settling_;
+  ResponseTimesTally response_times_;
   OperationCounts operations_;
   base::Sha256Builder digest_;
   Summary first_of_pair_;

@@ -8,6 +8,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/peak_tally.hpp"
+#include "rocking/ensemble/response_times.hpp"
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/ensemble/tolerance_sensitivity.hpp"
@@ -104,6 +105,7 @@ struct ConditionResult {
   std::optional<PeakQuantiles> peaks = std::nullopt;
   /// Absent at a fixed horizon.
   std::optional<SettlingResult> settling = std::nullopt;
+  std::optional<ResponseTimes> response_times = std::nullopt;  ///< likewise
   Validity validity;
   OperationCounts operations;
   StoppedBecause stopped_because = StoppedBecause::all_realisations_done;

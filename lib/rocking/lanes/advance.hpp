@@ -64,7 +64,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
  private:
   /// The steps of the lanes `computed` go to their ends, or to the last strobe instant.
   void note_peaks(const Truth& computed, const Truth& at_last_strobe, const Real& last_strobe) {
-    using base::select;
+    using base::in_any, base::select;
     dynamics::StepFinish<Real> end{.length = duration_, .tilt = end_.tilt, .tilt_rate = end_.tilt_rate};
     if (bits_of(at_last_strobe) != 0) {
       end = {.length = select(at_last_strobe, last_strobe, duration_),
@@ -72,6 +72,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
              .tilt_rate = select(at_last_strobe, load(b_.strobe_tilt_rate), end_.tilt_rate)};
     }
     const dynamics::TiltPeaks<Real> before{.tilt = load(b_.peak_tilt), .tilt_rate = load(b_.peak_tilt_rate)};
+    if (!in_any(dynamics::may_raise<Real>(m_, end, before))) return;
     const dynamics::TiltPeaks<Real> after = dynamics::peaks_after<Real>(m_, Base::order, end, before);
     store(b_.peak_tilt, select(computed, after.tilt, before.tilt));
     store(b_.peak_tilt_rate, select(computed, after.tilt_rate, before.tilt_rate));
@@ -80,7 +81,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
   /// Moves on the lanes without a crossing and those that land, unless they reach the end of what holds for them: a
   /// breakpoint that is not passed here, or the end of the period.
   void move(const Truth& without_crossing, const Truth& lands, const Truth& strobed, const Real& steps_since) {
-    using base::select;
+    using base::magnitude, base::select;
     Truth ends_at_break = !(duration_ < reach_ - load(b_.resolution));
     if constexpr (on_grid) ends_at_break = without_crossing;
     Real later = time_ + duration_;
@@ -110,7 +111,7 @@ class Advance : Breakpoints<kind, Shaking, Real> {
       const Real amplitude = load(b_.amplitude);
       store(b_.amplitude, select(landed, -amplitude, amplitude));
       const Real peak = load(b_.peak_tilt_rate);
-      store(b_.peak_tilt_rate, select(landed, dynamics::peaks::larger(peak, base::magnitude(rebound_)), peak));
+      store(b_.peak_tilt_rate, select(landed, dynamics::peaks::larger(peak, magnitude(rebound_)), peak));
     } else {
       pass(b_.tilt, end_.tilt, m_.tilt[0]);
       pass(b_.tilt_rate, end_.tilt_rate, m_.tilt_rate[0]);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -25,10 +26,11 @@ class Breakpoints : public Rebounds<kind, Shaking, Real> {
   /// Lanes whose step begins at a breakpoint that was passed here and where sticking may fail: their motions must check
   /// it. The expressions are those of dynamics::ContactRules::friction_holds.
   [[nodiscard]] Truth may_slip_at_breakpoint() const {
+    using base::magnitude;
     const Real mu_s = load(b_.static_friction);
     const Real most = mu_s * m_.normal[0];
     const Real friction = Real(4.0 / 3.0) * m_.base[0] - m_.rate_cosine[1];
-    const Truth holds = presses_ && base::at_most(base::magnitude(friction), most);
+    const Truth holds = presses_ && base::at_most(magnitude(friction), most);
     return occupied_ && load(b_.fresh) == Real(1.0) && !holds;
   }
 
@@ -51,8 +53,10 @@ class Breakpoints : public Rebounds<kind, Shaking, Real> {
     const Real known = load(b_.intervals.known);
     mark(b_.at_breakpoint, bits_of(no_event && known == Real(0.0)));
     store(b_.intervals.known, known - Real(1.0));
-    for (std::size_t lane = first_; lane < first_ + Row<Real>::lanes; ++lane) {
-      b_.intervals.present[lane] = (b_.intervals.present[lane] + 1) % dynamics::most_known_intervals;
+    static_assert(std::has_single_bit(static_cast<std::uint64_t>(dynamics::most_known_intervals)));
+    std::int64_t* present = &b_.intervals.present[first_];
+    for (int lane = 0; lane < Row<Real>::lanes; ++lane) {
+      present[lane] = (present[lane] + 1) & (dynamics::most_known_intervals - 1);
     }
     const Real per_period = load(b_.intervals.per_period);
     const Real next = load(b_.intervals.next_boundary) + Real(1.0);

@@ -81,6 +81,11 @@ inline Pack<w> select(const Truth<w>& condition, const Pack<w>& a, const Pack<w>
   return Pack<w>(chosen(condition.truths, a.numbers, b.numbers));
 }
 template <int w>
+inline Pack<w> magnitude(const Pack<w>& x) {
+  constexpr std::uint64_t all_but_sign = ~std::uint64_t{0} >> 1U;
+  return Pack<w>((typename Pack<w>::Numbers)((typename Pack<w>::Bits)x.numbers & all_but_sign));
+}
+template <int w>
 inline Pack<w> smaller(const Pack<w>& a, const Pack<w>& b) {
   return Pack<w>(smaller_of(a.numbers, b.numbers));
 }

@@ -51,7 +51,7 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
   /// Whether friction holds the block during the impact and after it. False within 1 % of the limit: there the motion
   /// decides, so that the rounding of the expressions below has no influence on results.
   [[nodiscard]] Truth sticks() const {
-    using base::fused;
+    using base::fused, base::magnitude;
     const Real closest = Real(0.99) * load(b_.static_friction);
     const auto edge = landing_edge();
     const auto impulse = dynamics::sticking_impulse<Real>(landing_rates(), edge);
@@ -61,8 +61,8 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
     // In the frame of the new side.
     const auto forces = dynamics::forces_without_slip<Real>(
         {.edge = {edge.sine, edge.cosine}, .omega = rebound_, .beta = -base, .weight = Real(1.0)});
-    return base::at_most(base::magnitude(impulse.horizontal), closest * impulse.vertical) &&
-           Real(0.0) < forces.normal && dynamics::friction_is_enough(forces, closest);
+    return base::at_most(magnitude(impulse.horizontal), closest * impulse.vertical) && Real(0.0) < forces.normal &&
+           dynamics::friction_is_enough(forces, closest);
   }
 };
 

@@ -13,12 +13,8 @@ namespace {
 template <class Real>
 struct Row {
   static constexpr int lanes = Real::lanes;
-  static Real load(const double* numbers) {
-    Real result;
-    __builtin_memcpy(&result, numbers, sizeof(Real));
-    return result;
-  }
-  static void store(const Real& value, double* numbers) { __builtin_memcpy(numbers, &value, sizeof(Real)); }
+  static Real load(const double* numbers) { return Real(*reinterpret_cast<const Successive*>(numbers)); }
+  static void store(const Real& value, double* numbers) { *reinterpret_cast<Successive*>(numbers) = value.numbers; }
   /// Stores the lanes whose bits are set, one after another. The doubles that follow, up to a whole register, are
   /// overwritten.
   static void store_those(std::uint32_t those, const Real& value, double* numbers) {
@@ -33,6 +29,11 @@ struct Row {
   static Real load_each(const std::array<double, length>* rows, const std::int64_t* places) {
     return Real(loaded_each<typename Real::Numbers>(rows, places));
   }
+
+ private:
+  /// Doubles in memory, as a vector. Unlike a copy of bytes, a store of them cannot change an address or an index, so
+  /// that the compiler may keep these in registers.
+  using Successive [[gnu::aligned(alignof(double))]] = typename Real::Numbers;
 };
 template <>
 struct Row<double> {

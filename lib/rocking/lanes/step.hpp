@@ -46,7 +46,7 @@ class Step : public LaneAccess<kind, Shaking, Real> {
   }
 
   /// The series from there, and the length of the step.
-  [[gnu::noinline]] void expand() {
+  [[gnu::noinline, gnu::flatten]] void expand() {
     using base::smaller;
     if constexpr (slips) {
       m_.slip_rate[0] = load(b_.slip_rate);

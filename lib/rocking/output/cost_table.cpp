@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/output/text_table.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

@@ -147,10 +147,24 @@ Json long_run_shares_json(const LongRuns& runs) {
   return json;
 }
 
-Json incidence_json(const SettlingResult& settling) {
+/// By which period all but one per cent have settled.
+Json nearly_all_json(const stats::TimeToShare& found) {
+  const auto whole = [](const std::optional<std::int64_t>& period) { return period ? Json(*period) : Json(); };
+  Json json = Json::object();
+  json["unsettled"] = number(ResponseTimes::tolerable_share);
+  json["basis"] = found.is_observed ? "observed" : found.time ? "extrapolated" : "unknown";
+  json["periods"] = whole(found.time);
+  json["interval"] = Json::array({whole(found.low), whole(found.high)});
+  json["settled_in_the_last_half"] = found.events;
+  return json;
+}
+
+Json incidence_json(const SettlingResult& settling, const ResponseTimes& times) {
   Json json = Json::object();
   json["censored"] = settling.censored;
-  json["settling_periods"] = quantiles_json(settling.settling_periods);
+  json["settling_periods"] = quantiles_json(times.quartiles);
+  json["nearly_all"] = nearly_all_json(times.nearly_all);
+  json["any_mode"] = curve_json(times.any_mode);
   Json& modes = json["modes"] = Json::object();
   for (const auto& [mode, curve] : settling.incidence) modes[to_string(mode)] = curve_json(curve);
   Json& before = json["at_horizon"] = Json::object();
@@ -158,7 +172,8 @@ Json incidence_json(const SettlingResult& settling) {
   for (const auto& [mode, count] : settling.at_horizon) before["counts"][to_string(mode)] = count;
   before["differ"] = optional_number(settling.differ);
   before["differ_interval"] = settling.differ ? interval_json(settling.differ_interval) : Json();
-  json["parting_by_friction"] = curve_json(settling.divergence);
+  json["divergence_by_friction"] = curve_json(settling.divergence);
+  json["divergence_periods"] = quantiles_json(times.divergence_quartiles);
   Json& leaving = json["leaving"] = Json::object();
   for (const auto& [mode, found] : settling.leaving) {
     Json& entry = leaving[to_string(mode)] = Json::object();
@@ -216,7 +231,9 @@ Json condition_json(const Condition& condition, const ConditionResult& result) {
   json["counts"] = counts_json(result);
   json["probabilities"] = probabilities_json(result);
   json["non_recurrence"] = non_recurrence_json(result);
-  if (result.settling) json["incidence"] = incidence_json(*result.settling);
+  if (result.settling && result.response_times) {
+    json["incidence"] = incidence_json(*result.settling, *result.response_times);
+  }
   add_peaks(json, result.peaks);
   json["validity"] = validity_json(result.validity, result.operations);
   json["stopped_because"] = to_string(result.stopped_because);

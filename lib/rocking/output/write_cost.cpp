@@ -3,6 +3,7 @@
 #include "rocking/output/cost_table.hpp"
 #include "rocking/output/provenance_json.hpp"
 #include "rocking/output/result_json.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking {

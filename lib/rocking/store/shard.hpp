@@ -9,6 +9,8 @@ struct Shard {
   std::uint64_t part = 1;  ///< from 1 to `parts`
   std::uint64_t parts = 1;
 
+  friend bool operator==(const Shard&, const Shard&) = default;
+
   /// Whether the work item with this number, counted from 0 over the whole experiment, belongs to this part.
   [[nodiscard]] bool has(std::uint64_t number) const { return number % parts == part - 1; }
 };

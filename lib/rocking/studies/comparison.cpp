@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "rocking/store/store.hpp"
+
 namespace rocking {
 namespace {
 

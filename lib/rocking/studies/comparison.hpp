@@ -9,9 +9,10 @@
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/paired.hpp"
-#include "rocking/store/store.hpp"
 
 namespace rocking {
+
+class Store;
 
 /// A response mode under two settings.
 struct ModeComparison {

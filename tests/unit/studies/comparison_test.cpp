@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/store/store.hpp"
+
 namespace rocking {
 namespace {
 

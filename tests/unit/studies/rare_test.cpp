@@ -8,6 +8,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/rare/block_model.hpp"
+#include "rocking/studies/rare/splitting.hpp"
 
 namespace {
 

@@ -4,6 +4,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/quantile.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 
 namespace rocking {
 namespace {

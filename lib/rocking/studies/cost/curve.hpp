@@ -8,9 +8,11 @@
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/paired.hpp"
-#include "rocking/studies/cost/measurement.hpp"
+#include "rocking/store/summary.hpp"
 
 namespace rocking {
+
+struct MeasuredRealisation;
 
 /// A realisation whose response mode a tolerance changes.
 struct Flip {

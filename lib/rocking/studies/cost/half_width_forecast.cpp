@@ -5,6 +5,7 @@
 #include <map>
 
 #include "rocking/base/error.hpp"
+#include "rocking/studies/cost/measurement.hpp"
 
 namespace rocking {
 namespace {

@@ -7,9 +7,10 @@
 
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/studies/cost/measurement.hpp"
 
 namespace rocking {
+
+struct MeasuredRealisation;
 
 /// Half-widths of a condition's widest interval at some number of realisations, if modes keep their shares.
 struct HalfWidths {

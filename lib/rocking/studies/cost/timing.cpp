@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rocking/base/on_threads.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/realisation/realisation_scheduler.hpp"
 #include "rocking/scene/check_condition.hpp"

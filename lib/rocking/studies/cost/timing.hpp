@@ -5,10 +5,11 @@
 #include <span>
 #include <vector>
 
-#include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {
+
+struct RunOptions;
 
 /// Processor time of realisations that run together in lanes, as in a run: with classification, without storage, reruns
 /// and checks of labels.

@@ -10,20 +10,10 @@
 #include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
 namespace rocking::rare {
-
-/// What measures how near a motion is to the event.
-enum class Score : std::uint8_t {
-  tilt,    ///< largest abs(Theta) so far
-  energy,  ///< largest energy of rocking so far, over that at the unstable equilibrium; 0 at rest
-};
-
-/// The event: the block overturns, or abs(Theta) exceeds `peak_tilt` (also if it overturns).
-struct Event {
-  std::optional<double> peak_tilt;  ///< [-]
-};
 
 /// How the random numbers of a scene are changed from particle to particle.
 struct Moves {

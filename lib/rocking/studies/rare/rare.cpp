@@ -10,6 +10,8 @@
 #include "rocking/base/on_threads.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/repetitions.hpp"
+#include "rocking/studies/rare/block_model.hpp"
+#include "rocking/studies/rare/splitting.hpp"
 
 namespace rocking {
 namespace {

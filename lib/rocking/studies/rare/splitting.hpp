@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "rocking/random/draws.hpp"
+#include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
 /// Multilevel splitting over any model of trajectories: a pilot run sets the levels, repetitions at these fixed levels
@@ -56,14 +57,6 @@ enum class PilotEnd : std::uint8_t {
 struct Pilot {
   std::vector<double> levels;  ///< rising; without the event
   PilotEnd end = PilotEnd::reached;
-  double work = 0.0;
-};
-
-/// One repetition: product of the shares of particles that reached each level in turn, and the event. Unbiased.
-struct Repetition {
-  double estimate = 0.0;
-  std::vector<double> reached;  ///< share of the particles at each level, the event last; ends at the first 0
-  std::size_t ancestors = 0;    ///< first trajectories from which those that had the event descend
   double work = 0.0;
 };
 

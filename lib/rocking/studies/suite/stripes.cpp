@@ -8,6 +8,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/scene/ground_motion_peaks.hpp"
+#include "rocking/store/store.hpp"
 
 namespace rocking {
 namespace {

@@ -9,9 +9,10 @@
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/fragility.hpp"
-#include "rocking/store/store.hpp"
 
 namespace rocking {
+
+class Store;
 
 /// What a fragility function is the probability of: overturning, or a peak tilt above a value.
 struct FragilityEvent {

@@ -1,4 +1,4 @@
-#include "animation.hpp"
+#include "pages/animation.hpp"
 
 #include <algorithm>
 #include <map>
@@ -9,13 +9,10 @@
 
 #include "analysis/overview.hpp"
 #include "analysis/page/words.hpp"
-#include "exit_code.hpp"
-#include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/realisation/trajectory.hpp"
-#include "usage.hpp"
 
-namespace rocking::program {
+namespace rocking::pages {
 namespace {
 
 using section::ResponseMode;
@@ -160,29 +157,20 @@ std::optional<analysis::Animation> animation_of(const Experiment& experiment, co
   return motion;
 }
 
-analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis::RunReport& report) {
+analysis::ShownAnimations no_animations(const std::string& reason) {
+  return {.explanation = "No realisation is shown: " + reason + '.', .motions = {}};
+}
+
+analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store,
+                                        const analysis::RunReport& report) {
   analysis::ShownAnimations shown;
-  const auto none = [&shown](const std::string& reason) {
-    shown.explanation = "No realisation is shown: " + reason + '.';
-    return shown;
-  };
-  if (!folder.has_store()) return none("realisations.sqlite was not beside the report");
-  const Store store = folder.open_store(sqlite::Access::read);
-  std::optional<Experiment> experiment;
-  try {
-    experiment = experiment_of(store.identity());
-  } catch (const base::InputError&) {
-    return none("a file that the experiment names has changed");
-  } catch (const MissingInput&) {
-    return none("a file that the experiment names is missing");
-  }
   const auto least = analysis::repeatability_of(report).least;
   const bool divided = least && report.conditions[*least].difference->differ > 0.0;
   const std::vector<Choice> choices = divided ? choices_within(store, report, *least) : choices_across(store, report);
   for (const Choice& choice : choices) {
-    const std::int64_t periods = horizon_of(experiment->conditions.at(choice.key.condition));
+    const std::int64_t periods = horizon_of(experiment.conditions.at(choice.key.condition));
     if (periods > longest_run) continue;
-    auto motion = animation_of(*experiment, choice.key,
+    auto motion = animation_of(experiment, choice.key,
                                {.periods = periods,
                                 .shown_periods = shown_periods(choice.mode),
                                 .most_samples = analysis::most_samples_of_a_run,
@@ -194,7 +182,7 @@ analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis:
         motion->name);
     shown.motions.push_back(std::move(*motion));
   }
-  if (shown.motions.empty()) return none("a realisation is too long, or this program does not give its bits");
+  if (shown.motions.empty()) return no_animations("a realisation is too long, or this program does not give its bits");
   const std::string what = "computed again from the seed.";
   shown.explanation = divided ? fmt::format(
                                     "Here the realisations differ most: {}. One realisation of each response mode "
@@ -204,4 +192,4 @@ analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis:
   return shown;
 }
 
-}  // namespace rocking::program
+}  // namespace rocking::pages

@@ -2,13 +2,14 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "analysis/page/page.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/store/store.hpp"
 #include "rocking/store/summary.hpp"
-#include "run_folder.hpp"
 
-namespace rocking::program {
+namespace rocking::pages {
 
 /// What is shown of a realisation.
 struct AnimationExtent {
@@ -22,9 +23,13 @@ struct AnimationExtent {
 [[nodiscard]] std::optional<analysis::Animation> animation_of(const Experiment& experiment, const RealisationKey& key,
                                                               const AnimationExtent& extent);
 
-/// The motions in the page of a run: of the condition whose realisations differ most, one of each response mode. If no
-/// condition has different responses, one of each response mode of the run. Without a store, or if this program does
-/// not give the bits of the store, there are none, and the explanation says why.
-[[nodiscard]] analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis::RunReport& report);
+/// No motions, and why.
+[[nodiscard]] analysis::ShownAnimations no_animations(const std::string& reason);
 
-}  // namespace rocking::program
+/// The motions in the page of a run: of the condition whose realisations differ most, one of each response mode. If no
+/// condition has different responses, one of each response mode of the run. If this program does not give the bits of the
+/// store, there are none, and the explanation says why.
+[[nodiscard]] analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store,
+                                                      const analysis::RunReport& report);
+
+}  // namespace rocking::pages

@@ -1,0 +1,231 @@
+#include "analysis/incidence_figure.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "analysis/palette.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/output/mode_table.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+using section::ResponseMode;
+
+constexpr std::size_t most_incidence_modes = 5;
+
+/// A time axis that covers more than this ratio is logarithmic.
+constexpr double linear_ratio = 10.0;
+
+/// The conditions that are shown, ascending.
+std::vector<std::size_t> shown_conditions(const RunReport& report) {
+  std::vector<std::size_t> shown;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    if (report.conditions[i].incidence) shown.push_back(i);
+  }
+  const auto share = [&report](std::size_t i) {
+    const SettlingRow& row = report.conditions[i].incidence->settling;
+    return static_cast<double>(row.unresolved_at_horizon) / static_cast<double>(row.realisations);
+  };
+  std::ranges::stable_sort(shown, std::greater{}, share);
+  if (shown.size() > most_incidence_panels) shown.resize(most_incidence_panels);
+  std::ranges::sort(shown);
+  return shown;
+}
+
+/// The modes that are drawn; unresolved is none in which a response settles.
+std::vector<ResponseMode> drawn_modes(const RunReport& report) {
+  auto occurring = report.occurring();
+  occurring.erase(ResponseMode{});
+  return modes_to_show(occurring, most_incidence_modes);
+}
+
+/// Places of an axis of time.
+struct Span {
+  double low = 1.0;
+  double high = 2.0;
+};
+
+/// From a little before the first change to the end of the longest observation.
+Span span_of(const RunReport& report, const std::vector<std::size_t>& shown) {
+  double first = HUGE_VAL;
+  double last = 0.0;
+  for (const std::size_t i : shown) {
+    const IncidenceReport& incidence = *report.conditions[i].incidence;
+    for (const auto& [mode, curve] : incidence.modes) {
+      if (curve.periods.empty()) continue;
+      first = std::min(first, curve.periods.front());
+      last = std::max(last, curve.periods.back());
+    }
+    const auto limit = settling_row(report, i)->limit;
+    if (incidence.settling.censored > 0 && limit) last = std::max(last, static_cast<double>(*limit));
+  }
+  if (last == 0.0) return {};
+  const double low = std::max(1.0, std::floor(0.8 * first));
+  return {.low = low, .high = std::max(last, low + 1.0)};
+}
+
+/// Values of a step function, of which `rise` has the levels, at `period`; `before` before its first change.
+template <class Value>
+Value level_at(const IncidenceCurve& curve, const std::vector<Value>& levels, double period, const Value& before) {
+  const auto after = std::ranges::upper_bound(curve.periods, period);
+  if (after == curve.periods.begin()) return before;
+  return levels[static_cast<std::size_t>(after - curve.periods.begin()) - 1];
+}
+
+constexpr stats::Interval nothing{.low = 0.0, .high = 0.0};
+
+std::set<double> places_of(const IncidenceReport& incidence, const Span& span) {
+  std::set<double> places{span.low, span.high};
+  for (const auto& [mode, curve] : incidence.modes) places.insert(curve.periods.begin(), curve.periods.end());
+  if (incidence.any_mode) places.insert(incidence.any_mode->periods.begin(), incidence.any_mode->periods.end());
+  return places;
+}
+
+constexpr std::size_t columns_per_mode = 5;
+
+/// Columns: period, not_settled, then five of each mode: estimate, pointwise low and high, simultaneous low and high.
+Table table_of_incidence(const RunReport& report, const IncidenceReport& incidence,
+                         const std::vector<ResponseMode>& modes, const std::string& name, const Span& span) {
+  const std::string level = report.level();
+  Table table{.name = name,
+              .columns = {{"period", "excitation periods since the start"},
+                          {"not_settled", "probability of not having settled by then"}},
+              .rows = {}};
+  for (const ResponseMode& mode : modes) {
+    const std::string of = to_string(mode);
+    table.columns.push_back({of, "probability of having settled in " + of + " by then"});
+    table.columns.push_back({of + "_low", "lower end of its pointwise " + level + " interval"});
+    table.columns.push_back({of + "_high", "upper end of it"});
+    table.columns.push_back({of + "_band_low", "lower edge of its simultaneous " + level + " band"});
+    table.columns.push_back({of + "_band_high", "upper edge of it"});
+  }
+  for (const double place : places_of(incidence, span)) {
+    std::vector<Cell> row{place, Cell()};
+    if (const auto& any = incidence.any_mode) row[1] = 1.0 - level_at(*any, any->estimate, place, 0.0);
+    for (const ResponseMode& mode : modes) {
+      const auto found = incidence.modes.find(mode);
+      if (found == incidence.modes.end()) {
+        row.resize(row.size() + columns_per_mode);
+        continue;
+      }
+      const IncidenceCurve& curve = found->second;
+      const stats::Interval pointwise = level_at(curve, curve.pointwise, place, nothing);
+      const stats::Interval band = level_at(curve, curve.simultaneous, place, nothing);
+      row.insert(row.end(),
+                 {level_at(curve, curve.estimate, place, 0.0), pointwise.low, pointwise.high, band.low, band.high});
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// The band between two columns as a ribbon with the steps of its curve; ribbons join places by straight lines.
+Table stepped_band(const Table& whole, std::size_t low, std::size_t high) {
+  Table table{.name = "band of " + whole.columns[low].name + ": " + whole.name,
+              .columns = {whole.columns[0], whole.columns[low], whole.columns[high]},
+              .rows = {},
+              .only_drawn = true};
+  for (const auto& row : whole.rows) {
+    if (!table.rows.empty()) {
+      const auto before = table.rows.back();
+      table.rows.push_back({row[0], before[1], before[2]});
+    }
+    table.rows.push_back({row[0], row[low], row[high]});
+  }
+  return table;
+}
+
+void add_band(std::size_t table, std::size_t low, const Style& style, double opacity, Figure& figure) {
+  Style ribbon = style;
+  ribbon.hatch = 0;
+  ribbon.opacity = opacity;
+  figure.tables.push_back(stepped_band(figure.tables[table], low, low + 1));
+  figure.panels.back().layers.push_back(
+      {.kind = LayerKind::ribbon, .table = figure.tables.size() - 1, .columns = {0, 1, 2}, .style = ribbon});
+}
+
+/// Shades the time before the fixed horizon.
+void add_horizon(std::int64_t horizon, const Span& span, Figure& figure) {
+  const auto place = static_cast<double>(horizon);
+  if (place <= span.low || span.high <= place) return;
+  figure.tables.push_back({.name = "fixed horizon",
+                           .columns = {{"from", "start of the shading"}, {"to", "fixed horizon"}},
+                           .rows = {{span.low, place}},
+                           .only_drawn = true});
+  figure.panels.back().layers.push_back({.kind = LayerKind::spans,
+                                         .table = figure.tables.size() - 1,
+                                         .columns = {0, 1},
+                                         .style = {.colour = "#c8c8c8", .opacity = 0.25},
+                                         .legend = "up to the fixed horizon"});
+}
+
+void add_panel(const RunReport& report, std::size_t condition, const std::vector<ResponseMode>& modes, const Span& span,
+               Figure& figure) {
+  const IncidenceReport& incidence = *report.conditions[condition].incidence;
+  const std::string name = name_of_condition(report, report.conditions[condition]);
+  const std::size_t table = figure.tables.size();
+  figure.tables.push_back(
+      table_of_incidence(report, incidence, modes, name.empty() ? "the only condition" : name, span));
+  Panel panel{.title = name,
+              .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = span.low},
+              .y = {.quantity = "probability", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
+              .layers = {}};
+  panel.x.logarithmic = span.high > linear_ratio * span.low;
+  panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
+  figure.panels.push_back(std::move(panel));
+  if (const auto horizon = settling_row(report, condition)->fixed_horizon) add_horizon(*horizon, span, figure);
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (!incidence.modes.contains(modes[m])) continue;
+    const std::size_t first = 2 + columns_per_mode * m;
+    add_band(table, first + 3, style_of(modes[m]), 0.1, figure);
+    add_band(table, first + 1, style_of(modes[m]), 0.2, figure);
+  }
+  auto& layers = figure.panels.back().layers;
+  if (incidence.any_mode) {
+    Style style = style_of(ResponseMode{});
+    style.colour = "#707070";
+    style.dash = 5;
+    style.width = 1.2;
+    layers.push_back(
+        {.kind = LayerKind::steps, .table = table, .columns = {0, 1}, .style = style, .legend = "not yet settled"});
+  }
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    if (!incidence.modes.contains(modes[m])) continue;
+    layers.push_back({.kind = LayerKind::steps,
+                      .table = table,
+                      .columns = {0, 2 + columns_per_mode * m},
+                      .style = style_of(modes[m]),
+                      .legend = to_string(modes[m])});
+  }
+}
+
+}  // namespace
+
+std::optional<Figure> incidence_figure(const RunReport& report) {
+  const std::vector<std::size_t> shown = shown_conditions(report);
+  if (shown.empty()) return std::nullopt;
+  const std::vector<ResponseMode> modes = drawn_modes(report);
+  const Span span = span_of(report, shown);
+  Figure figure;
+  figure.name = "incidence";
+  figure.title = "Which response, and by when";
+  figure.subtitle = report.title;
+  for (const std::size_t i : shown) add_panel(report, i, modes, span, figure);
+  figure.caption =
+      "Probability that a realisation has settled in a response mode by a time (cumulative incidence), with its " +
+      report.level() +
+      " interval at each time (darker) and its band for all times at once (lighter, of each mode alone). Realisations "
+      "that were not classified are censored.";
+  if (report.occurring().size() > modes.size() + 1) figure.caption += " Rarer modes are not drawn.";
+  if (report.conditions.size() > shown.size()) {
+    figure.caption += " Shown are the " + std::to_string(shown.size()) +
+                      " conditions in which most realisations are unresolved at the fixed horizon.";
+  }
+  return figure;
+}
+
+}  // namespace rocking::analysis

@@ -1,0 +1,142 @@
+#include "analysis/settling_tables.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "analysis/data_file.hpp"
+#include "analysis/sweep_view.hpp"
+#include "analysis/table_text.hpp"
+#include "rocking/output/settling_table.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+bool has_incidence(const RunReport& report) {
+  return std::ranges::any_of(report.conditions,
+                             [](const ConditionReport& condition) { return condition.incidence.has_value(); });
+}
+
+std::string csv_whole(const std::optional<std::int64_t>& number) { return number ? std::to_string(*number) : ""; }
+
+std::string csv_interval(const std::optional<stats::Interval>& interval) {
+  return interval ? ',' + number_text(interval->low) + ',' + number_text(interval->high) : ",,";
+}
+
+std::string curve_lines(const std::string& start, const IncidenceCurve& curve) {
+  std::string text;
+  for (std::size_t i = 0; i < curve.periods.size(); ++i) {
+    text += start + ',' + number_text(curve.periods[i]) + ',' + number_text(curve.estimate[i]) +
+            csv_interval(curve.pointwise[i]) + csv_interval(curve.simultaneous[i]) + '\n';
+  }
+  return text;
+}
+
+std::string latex_count(std::uint64_t count, const SettlingRow& row) {
+  if (count > 0) return per_cent(static_cast<double>(count) / static_cast<double>(row.realisations));
+  return "$<$ " + upper_bound_text(bound_of_none(row.realisations, row.confidence));
+}
+
+std::string latex_probability(const std::optional<double>& probability) {
+  return probability ? per_cent(*probability) : "--";
+}
+
+/// `$>$ 1000 [740, --]`
+std::string latex_period(std::string text) {
+  if (text.starts_with('>')) text.replace(0, 1, "$>$");
+  for (auto at = text.find(", -]"); at != std::string::npos; at = text.find(", -]")) text.replace(at, 4, ", --]");
+  return text;
+}
+
+}  // namespace
+
+std::string settling_csv(const RunReport& report) {
+  if (!has_incidence(report)) return "";
+  const CsvStart start(report);
+  std::string text =
+      start.head() +
+      ",unresolved_at_horizon,not_classified,lower_quartile,lower_quartile_low,lower_quartile_high,median,median_low,"
+      "median_high,upper_quartile,upper_quartile_low,upper_quartile_high,99_percent,99_percent_low,99_percent_high,"
+      "99_percent_basis,differ_at_horizon,differ_at_horizon_low,differ_at_horizon_high,differ,differ_low,differ_high\n";
+  for (const ConditionReport& condition : report.conditions) {
+    if (!condition.incidence) continue;
+    const IncidenceReport& incidence = *condition.incidence;
+    const SettlingRow& row = incidence.settling;
+    text += start.of(condition) + ',' + std::to_string(row.unresolved_at_horizon) + ',' + std::to_string(row.censored);
+    for (const stats::QuantileEstimate& quartile : incidence.settling_periods) {
+      text += ',' + csv_number(quartile.value) + ',' + csv_number(quartile.low) + ',' + csv_number(quartile.high);
+    }
+    if (const auto& found = row.all_but_one_per_cent) {
+      text += ',' + csv_whole(found->time) + ',' + csv_whole(found->low) + ',' + csv_whole(found->high) +
+              (found->is_observed ? ",observed"
+               : found->time      ? ",extrapolated"
+                                  : ",unknown");
+    } else {
+      text += ",,,,";
+    }
+    text += ',' + csv_number(row.differ_at_horizon) + csv_interval(incidence.differ_interval) + ',' +
+            csv_number(row.differ_in_the_end) +
+            csv_interval(condition.difference ? std::optional(condition.difference->interval) : std::nullopt) + '\n';
+  }
+  return text;
+}
+
+std::string incidence_csv(const RunReport& report) {
+  if (!has_incidence(report)) return "";
+  const CsvStart start(report);
+  std::string text = start.head() + ",mode,period,estimate,low,high,band_low,band_high\n";
+  for (const ConditionReport& condition : report.conditions) {
+    if (!condition.incidence) continue;
+    const std::string first = start.of(condition);
+    for (const auto& [mode, curve] : condition.incidence->modes) {
+      text += curve_lines(first + ',' + csv_field(to_string(mode)), curve);
+    }
+    if (condition.incidence->any_mode) text += curve_lines(first + ",any", *condition.incidence->any_mode);
+    text += curve_lines(first + ",diverged", condition.incidence->divergence);
+  }
+  return text;
+}
+
+std::string leaving_csv(const RunReport& report) {
+  if (!has_incidence(report)) return "";
+  const CsvStart start(report);
+  std::string text = start.head() + ",mode,left,watched_periods,per_1000_periods,low,high\n";
+  for (const ConditionReport& condition : report.conditions) {
+    if (!condition.incidence) continue;
+    for (const LeftMode& found : condition.incidence->settling.leaving) {
+      text += start.of(condition) + ',' + csv_field(to_string(found.mode)) + ',' + std::to_string(found.left) + ',' +
+              std::to_string(found.watched_periods) + ',' +
+              number_text(1000.0 * static_cast<double>(found.left) / static_cast<double>(found.watched_periods)) +
+              csv_interval(found.per_1000_periods) + '\n';
+    }
+  }
+  return text;
+}
+
+std::string settling_latex(const RunReport& report) {
+  if (!has_incidence(report)) return "";
+  const std::vector<ParameterColumn> columns = parameter_columns(report);
+  std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
+  text +=
+      "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
+      "Realisations in per cent that are unresolved at the fixed horizon and in the end, median settling period "
+      "with its " +
+      latex_text(report.level()) +
+      " interval (--: open), and probability in per cent that two runs differ in response mode at the fixed horizon "
+      "and in the end; $<$: did not occur, upper end of the interval.}\n";
+  text += "  \\begin{tabular}{" + std::string(columns.size() + 6, 'r') + "}\n    \\toprule\n    ";
+  for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
+  text += "$n$ & unresolved & in the end & settled by & differ & in the end \\\\\n    \\midrule\n";
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const auto row = settling_row(report, i);
+    if (!row) continue;
+    text += "    ";
+    for (const ParameterColumn& column : columns) text += latex_text(column.values[i]) + " & ";
+    text += std::to_string(row->realisations) + " & " + latex_count(row->unresolved_at_horizon, *row) + " & " +
+            latex_count(row->censored, *row) + " & " + latex_period(period_text(row->median, row->limit)) + " & " +
+            latex_probability(row->differ_at_horizon) + " & " + latex_probability(row->differ_in_the_end) + " \\\\\n";
+  }
+  return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+}  // namespace rocking::analysis

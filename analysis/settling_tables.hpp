@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "analysis/run_report.hpp"
+
+/// Which response, and by when, as tables for other programs and for publications. Empty unless the run has
+/// `until_classified`.
+namespace rocking::analysis {
+
+/// CSV with a line for each condition: the parameters, the shaking, `n`, `unresolved_at_horizon`, `not_classified`, the
+/// quartiles of the settling period and the period by which all but one per cent have settled with their intervals,
+/// `differ` at the fixed horizon and in the end. A field is empty if there is no value.
+[[nodiscard]] std::string settling_csv(const RunReport& report);
+
+/// CSV with a line for each condition, response mode and period at which its cumulative incidence changes: the
+/// parameters, the shaking, `n`, `mode`, `period`, `estimate`, `low`, `high`, `band_low`, `band_high`. The mode `any` is
+/// that of having settled; `diverged` the divergence of pairs.
+[[nodiscard]] std::string incidence_csv(const RunReport& report);
+
+/// CSV with a line for each condition and watched response mode: the parameters, the shaking, `n`, `mode`, `left`,
+/// `watched_periods`, `per_1000_periods`, `low`, `high`.
+[[nodiscard]] std::string leaving_csv(const RunReport& report);
+
+/// A LaTeX table (booktabs) with a line for each condition: the realisations that are unresolved at the fixed horizon
+/// and in the end, the median settling period, and the probability that two runs differ at both.
+[[nodiscard]] std::string settling_latex(const RunReport& report);
+
+}  // namespace rocking::analysis

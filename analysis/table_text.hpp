@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/run_report.hpp"
+
+/// Pieces of tables in CSV and LaTeX.
+namespace rocking::analysis {
+
+/// A field of CSV (RFC 4180).
+[[nodiscard]] std::string csv_field(const std::string& text);
+
+/// A number with all its digits; empty if there is none.
+[[nodiscard]] std::string csv_number(const std::optional<double>& number);
+
+/// The first columns of a CSV: the swept parameters; both forms of the shaking without those that are swept, whether
+/// they differ between conditions or not; n.
+class CsvStart {
+ public:
+  explicit CsvStart(const RunReport& report);
+
+  [[nodiscard]] const std::string& head() const { return head_; }
+  [[nodiscard]] std::string of(const ConditionReport& condition) const;
+
+ private:
+  std::vector<std::string_view> shaking_;
+  std::string head_;
+};
+
+/// Text for LaTeX.
+[[nodiscard]] std::string latex_text(const std::string& text);
+
+/// The symbol of a parameter in mathematics mode, or its name.
+[[nodiscard]] std::string latex_symbol(const std::string& pointer);
+
+}  // namespace rocking::analysis

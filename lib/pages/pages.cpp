@@ -1,0 +1,116 @@
+#include "rocking/pages.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/draw.hpp"
+#include "analysis/look.hpp"
+#include "analysis/output_figures.hpp"
+#include "analysis/page/page.hpp"
+#include "analysis/run_figures.hpp"
+#include "analysis/run_report.hpp"
+#include "analysis/tables.hpp"
+#include "pages/animation.hpp"
+#include "pages/suite_figures.hpp"
+#include "rocking/api/refuse.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/store/store.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+namespace fs = std::filesystem;
+
+analysis::RunReport report_of(const StoredRun& stored, const Occasion& occasion = {}) {
+  if (stored.experiment.canonical_text.empty()) {
+    refuse("experiment", "", "was made in C++ and has no text; read it from a file or from text");
+  }
+  return analysis::read_run_report(report(stored.experiment, stored.run, occasion));
+}
+
+std::vector<analysis::Figure> figures_of(const StoredRun& stored, const analysis::RunReport& report) {
+  std::vector<analysis::Figure> figures = analysis::run_figures(report, stored.run.store.get());
+  if (!pages::is_suite(report.swept)) return figures;
+  for (analysis::Figure& figure : pages::suite_figures(stored.experiment, *stored.run.store)) {
+    figures.push_back(std::move(figure));
+  }
+  return figures;
+}
+
+void note(const analysis::Drawing& drawing, Written& written) {
+  if (drawing.is_drawn() || std::ranges::find(written.not_drawn, drawing.reason) != written.not_drawn.end()) return;
+  written.not_drawn.push_back(drawing.reason);
+}
+
+analysis::FigureLook look_for(Column column) {
+  switch (column) {
+    case Column::journal_single: return analysis::journal_look(analysis::JournalWidth::single_column);
+    case Column::journal_double: return analysis::journal_look(analysis::JournalWidth::double_column);
+    case Column::screen: break;
+  }
+  return analysis::screen_look();
+}
+
+Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& folder, Column column,
+                  const Execution& execution) {
+  ensure_writable(folder);
+  Written written;
+  for (const analysis::Figure& figure : figures) {
+    const analysis::Drawing drawing =
+        analysis::write_figure(figure, folder, analysis::picture_formats(), execution.stop, look_for(column));
+    note(drawing, written);
+    for (const char* ending : {"tsv", "gp"}) written.files.push_back(folder / (figure.name + '.' + ending));
+    if (!drawing.is_drawn()) continue;
+    for (const std::string& format : analysis::picture_formats()) {
+      written.files.push_back(folder / (figure.name + '.' + format));
+    }
+  }
+  return written;
+}
+
+}  // namespace
+
+Written write_page(const StoredRun& stored, const fs::path& file, const Occasion& occasion,
+                   const Execution& execution) {
+  const analysis::RunReport report = report_of(stored, occasion);
+  Written written;
+  std::vector<analysis::DrawnFigure> drawn;
+  for (analysis::Figure& figure : figures_of(stored, report)) {
+    analysis::Drawing drawing;
+    std::string svg = analysis::svg_of(figure, drawing, execution.stop);
+    note(drawing, written);
+    drawn.push_back({.figure = std::move(figure), .svg = std::move(svg)});
+  }
+  write_atomically(
+      file, analysis::page_text(report, drawn, pages::animations_of(stored.experiment, *stored.run.store, report)));
+  written.files.push_back(file);
+  return written;
+}
+
+Written write_figures(const StoredRun& stored, const fs::path& folder, Column column, const Execution& execution) {
+  return write_all(figures_of(stored, report_of(stored)), folder, column, execution);
+}
+
+Written write_tables(const StoredRun& stored, const fs::path& folder) {
+  const analysis::RunReport report = report_of(stored);
+  ensure_writable(folder);
+  Written written;
+  const auto write = [&](const char* name, const std::string& text) {
+    write_atomically(folder / name, text);
+    written.files.push_back(folder / name);
+  };
+  write("modes.csv", analysis::modes_csv(report));
+  write("non_recurrence.csv", analysis::non_recurrence_csv(report));
+  write("quantiles.csv", analysis::quantiles_csv(report));
+  write("modes.tex", analysis::modes_latex(report));
+  return written;
+}
+
+Written draw(const std::vector<StudyText>& texts, const fs::path& folder, Column column, const Execution& execution) {
+  std::vector<analysis::OutputFile> files;
+  for (const StudyText& each : texts) files.push_back({.path = each.name, .text = each.text});
+  return write_all(analysis::output_figures(files, {}), folder, column, execution);
+}
+
+}  // namespace rocking

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "rocking/api/export.hpp"
+#include "rocking/api/run.hpp"
+
+/// \file
+/// Pages, figures and tables of runs. A library that was built without fmt does not have them.
+namespace rocking {
+
+/// For what figures are drawn.
+enum class Column : std::uint8_t {
+  screen,          ///< pages and slides
+  journal_single,  ///< the column of a journal: 84 mm, 8 points, no titles
+  journal_double,  ///< 174 mm
+};
+
+/// What was written.
+struct Written {
+  std::vector<std::filesystem::path> files;
+  /// Reasons why pictures are missing, each once: gnuplot is not installed, or failed. Empty: all are there.
+  std::vector<std::string> not_drawn;
+};
+
+/// Writes the page of a complete run, one HTML file without external resources, as the program's `report.html`. Runs
+/// gnuplot for its pictures. Uses `stop` of the execution. Throws std::invalid_argument if the run is not complete,
+/// base::InputError if its experiment was made in C++ (the page shows the text of the experiment), base::Stopped if it is
+/// asked to stop, and std::system_error with the path where the file cannot be written.
+[[nodiscard]] ROCKING_API Written write_page(const StoredRun& stored, const std::filesystem::path& file,
+                                             const Occasion& occasion = {}, const Execution& execution = {});
+
+/// Draws the figures of a complete run in a folder, which is created if necessary: data (tsv), gnuplot's script (gp) and
+/// pictures (svg, png, pdf). Otherwise as write_page.
+[[nodiscard]] ROCKING_API Written write_figures(const StoredRun& stored, const std::filesystem::path& folder,
+                                                Column column = Column::screen, const Execution& execution = {});
+
+/// Writes the tables of a complete run into a folder, which is created if necessary: modes.csv, non_recurrence.csv,
+/// quantiles.csv, modes.tex. Otherwise as write_page.
+[[nodiscard]] ROCKING_API Written write_tables(const StoredRun& stored, const std::filesystem::path& folder);
+
+/// A text that a study returned or the program printed, such as `rocking.fragility/1`, and its name in errors.
+struct StudyText {
+  std::string name;
+  std::string text;
+};
+
+/// Draws trajectories, bifurcations, branches of orbits, cost, fragility, ground motions with their series and checks of random numbers, from their JSON
+/// text, in a folder. Throws base::InputError with the name of a text that is none of these, and otherwise as write_page.
+[[nodiscard]] ROCKING_API Written draw(const std::vector<StudyText>& texts, const std::filesystem::path& folder,
+                                       Column column = Column::screen, const Execution& execution = {});
+
+}  // namespace rocking

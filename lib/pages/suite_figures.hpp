@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/store/store.hpp"
+
+namespace rocking::pages {
+
+/// Fragility and incremental dynamic analysis of a suite of ground motions, as `rocking fragility --ida` draws them. Empty
+/// if its sweep has no intensity, or with `until`. Throws base::InputError if the store is of an earlier version.
+[[nodiscard]] std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store);
+
+/// Whether the swept parameters are those of a suite of ground motions.
+[[nodiscard]] bool is_suite(const std::vector<std::string>& swept);
+
+}  // namespace rocking::pages

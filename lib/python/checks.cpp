@@ -1,0 +1,99 @@
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include <pybind11/stl.h>
+
+#include "module.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/rocking.hpp"
+#include "watched.hpp"
+
+namespace rocking::python {
+namespace {
+
+namespace py = pybind11;
+
+/// ((checked, different, not compared, findings) or None, whether Ctrl-C stopped it).
+py::tuple verify_watched(const Experiment& experiment, const RunResult& run, std::optional<std::uint64_t> sample,
+                         unsigned threads, py::object on_progress) {
+  Watched<RunCheck> watched(std::move(on_progress));
+  const auto found = watched.run({.threads = threads}, [&](const Execution& execution) {
+    return verify({experiment, run}, sample, execution);
+  });
+  py::object told = py::none();
+  if (found) told = py::make_tuple(found->checked, found->different, found->not_compared, found->findings);
+  return py::make_tuple(std::move(told), watched.was_interrupted());
+}
+
+/// (JSON text or None, whether Ctrl-C stopped it). The time is shared equally among the conditions.
+py::tuple rare_watched(const Experiment& experiment, double relative_error, std::optional<double> peak_tilt,
+                       std::size_t particles, bool by_energy, std::optional<double> seconds, unsigned threads,
+                       py::object on_progress) {
+  RareRequest request{.question = {.event = {.peak_tilt = peak_tilt}, .relative_error = relative_error},
+                      .particles = particles,
+                      .score = by_energy ? rare::Score::energy : rare::Score::tilt};
+  if (seconds) {
+    request.time_is_up = [start = std::chrono::steady_clock::now(), all = *seconds,
+                          conditions = experiment.conditions.size()](std::size_t condition) {
+      const double share = static_cast<double>(condition + 1) / static_cast<double>(conditions);
+      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >= share * all;
+    };
+  }
+  Watched<std::string> watched(std::move(on_progress));
+  auto text = watched.run({.threads = threads}, [&](const Execution& execution) {
+    return rare_text(experiment, request, rare_probabilities(experiment, request, execution));
+  });
+  return py::make_tuple(std::move(text), watched.was_interrupted());
+}
+
+py::dict build_facts() {
+  const base::BuildInfo build = base::build_info();
+  py::dict facts;
+  facts["version"] = std::string(build.version);
+  facts["revision"] = std::string(build.revision);
+  facts["compiler"] = std::string(build.compiler);
+  facts["flags"] = std::string(build.flags);
+  facts["build_type"] = std::string(build.build_type);
+  return facts;
+}
+
+py::list arithmetic() {
+  py::list list;
+  for (const base::ArithmeticCheck& check : check_arithmetic()) {
+    list.append(py::make_tuple(std::string(check.name), check.passed));
+  }
+  return list;
+}
+
+}  // namespace
+
+void add_checks(py::module_& module) {
+  module.def("verify", &verify_watched);
+  module.def("rare", &rare_watched);
+  module.def("report_faults", [](const std::string& report, const Experiment& experiment, const RunResult& run) {
+    const py::gil_scoped_release release;
+    return report_faults(report, {experiment, run});
+  });
+  module.def("replay", [](const Experiment& experiment, const RunResult& run, std::uint64_t condition,
+                          std::uint64_t realisation, std::int64_t periods, int samples) {
+    const py::gil_scoped_release release;
+    return std::make_shared<Trajectory>(replay(
+        {experiment, run},
+        {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}));
+  });
+  module.def(
+      "check_normal", [](std::uint64_t n, double mean, double sigma, std::uint64_t seed, const std::string& sampler) {
+        const py::gil_scoped_release release;
+        const SamplerQuestion question{.n = n, .law = {.mean = mean, .sigma = sigma}, .seed = seed, .sampler = sampler};
+        return check_normal_text(question, check_normal(question));
+      });
+  module.def("build_info", &build_facts);
+  module.def("check_arithmetic", &arithmetic);
+}
+
+}  // namespace rocking::python

@@ -1,0 +1,60 @@
+#include "rocking/pages.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <pybind11/stl.h>
+
+#include "module.hpp"
+#include "rocking/rocking.hpp"
+#include "watched.hpp"
+
+namespace rocking::python {
+namespace {
+
+namespace py = pybind11;
+
+/// (paths, reasons, whether Ctrl-C stopped it).
+template <class Write>
+py::tuple write_watched(const Write& write) {
+  Watched<Written> watched(py::none{});
+  const auto written = watched.run({}, write);
+  std::vector<std::string> files;
+  if (written) {
+    for (const auto& file : written->files) files.push_back(file.string());
+  }
+  return py::make_tuple(std::move(files), written ? written->not_drawn : std::vector<std::string>{},
+                        watched.was_interrupted());
+}
+
+}  // namespace
+
+void add_pages(py::module_& module) {
+  module.def("write_page", [](const Experiment& experiment, const RunResult& run, const std::string& file,
+                              std::string machine, std::string start, double duration, unsigned threads) {
+    const Occasion occasion{
+        .machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads};
+    return write_watched([&](const Execution& execution) {
+      return write_page({experiment, run}, file, occasion, execution);
+    });
+  });
+  module.def("write_figures",
+             [](const Experiment& experiment, const RunResult& run, const std::string& folder, int column) {
+               return write_watched([&](const Execution& execution) {
+                 return write_figures({experiment, run}, folder, static_cast<Column>(column), execution);
+               });
+             });
+  module.def("write_tables", [](const Experiment& experiment, const RunResult& run, const std::string& folder) {
+    return write_watched([&](const Execution&) { return write_tables({experiment, run}, folder); });
+  });
+  module.def("draw", [](const std::vector<std::pair<std::string, std::string>>& sources, const std::string& folder,
+                        int column) {
+    std::vector<StudyText> texts;
+    for (const auto& [name, text] : sources) texts.push_back({.name = name, .text = text});
+    return write_watched(
+        [&](const Execution& execution) { return draw(texts, folder, static_cast<Column>(column), execution); });
+  });
+}
+
+}  // namespace rocking::python

@@ -1,0 +1,137 @@
+"""Checks of runs, of the random numbers and of the machine."""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any, Dict, List, Mapping, Optional, Union
+
+from . import _core
+from .results import Result
+from .running import Progress, open_run, processors
+from .trajectories import Trajectory
+
+__all__ = ["RunCheck", "check_normal", "doctor", "replay", "verify"]
+
+
+class RunCheck:
+    """What a check of a run has found."""
+
+    def __init__(self, checked: int, different: int, not_compared: int, findings: List[str]) -> None:
+        self.checked = checked  #: realisations that were run again
+        self.different = different  #: of them, with another result
+        self.not_compared = not_compared  #: stored by a former version, of which this one computes other bits
+        self.findings = findings  #: what differs, in words: the first few
+
+    @property
+    def is_verified(self) -> bool:
+        """Whether nothing differs."""
+        return not self.findings
+
+    def __repr__(self) -> str:
+        state = "verified" if self.is_verified else f"{len(self.findings)} finding(s)"
+        return f"<rocking.RunCheck of {self.checked} realisations: {state}>"
+
+
+def verify(
+    source: Union[Result, str, "os.PathLike[str]"],
+    *,
+    sample: Optional[int] = None,
+    threads: Optional[int] = None,
+    progress: Optional[Progress] = None,
+) -> RunCheck:
+    """Run realisations of a run again and compare them with the stored ones to the bit.
+
+    source: a Result, or the folder of a run; if the folder has a ``report.json``, it must follow from the realisations.
+    sample: about this many realisations, evenly spaced; default: all. Raises OSError and StoreError as open_run().
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "realisations": 10, "seed": "0x1"}
+    >>> rocking.verify(rocking.run(slab))
+    <rocking.RunCheck of 10 realisations: verified>
+    """
+    result = source if isinstance(source, Result) else open_run(source)
+    faults: List[str] = []
+    report = None if isinstance(source, Result) else os.path.join(os.fspath(source), "report.json")
+    if report is not None and os.path.exists(report):
+        with open(report, encoding="utf-8") as file:
+            text = file.read()
+        result._expect_complete()
+        faults = [f"report.json: {each}" for each in _core.report_faults(text, result.experiment._core, result._core)]
+    found, interrupted = _core.verify(
+        result.experiment._core, result._core, sample, threads or processors(), progress
+    )
+    if interrupted or found is None:
+        raise KeyboardInterrupt
+    checked, different, not_compared, findings = found
+    return RunCheck(checked, different, not_compared, faults + findings)
+
+
+def replay(
+    source: Union[Result, str, "os.PathLike[str]"],
+    *,
+    condition: int = 0,
+    realisation: int = 0,
+    periods: Optional[int] = None,
+    samples_per_period: int = 0,
+) -> Trajectory:
+    """Simulate one realisation of a run again, checked against its digest. Arguments as trajectory().
+
+    source: a Result, or the folder of a run. Raises InputError if the run has no such realisation, and DifferentBits if
+    this version gives it another result.
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "realisations": 10, "seed": "0x1"}
+    >>> rocking.replay(rocking.run(slab), realisation=3).termination
+    'reached_horizon'
+    """
+    if periods is not None and periods < 1:
+        raise ValueError(f"periods = {periods}: must be at least 1")
+    result = source if isinstance(source, Result) else open_run(source)
+    return Trajectory(
+        _core.replay(result.experiment._core, result._core, condition, realisation, periods or 0, samples_per_period),
+        condition,
+        realisation,
+    )
+
+
+def check_normal(
+    n: int = 20000,
+    *,
+    mean: float = 0.4,
+    sigma: float = 0.03,
+    seed: int = 0x2012,
+    sampler: str = "box-muller",
+) -> Mapping[str, Any]:
+    """Compare random numbers with a normal distribution: moments, tests of fit, correlations, histogram.
+
+    n: how many numbers, 20 to 1e8. sampler: ``box-muller``, that of simulations, ``ziggurat`` or ``inverse-cdf``.
+    Returns a dictionary as in ``rocking.check_normal/1``. Raises InputError for a number out of range.
+
+    >>> import rocking
+    >>> found = rocking.check_normal(1000)
+    >>> abs(found["mean"]["value"] - 0.4) < 0.01
+    True
+    """
+    return json.loads(_core.check_normal(n, mean, sigma, seed, sampler))
+
+
+def doctor() -> Dict[str, Any]:
+    """The build, and whether the arithmetic of this machine gives the same bits as others.
+
+    Keys: ``version``, ``revision``, ``compiler``, ``flags``, ``build_type``, a bool for each check, and ``sound``, which
+    is whether all passed.
+
+    >>> import rocking
+    >>> rocking.doctor()["sound"]
+    True
+    """
+    facts: Dict[str, Any] = _core.build_info()
+    checks = dict(_core.check_arithmetic())
+    return {**facts, **checks, "sound": all(checks.values())}

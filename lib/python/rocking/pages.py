@@ -1,0 +1,132 @@
+"""Pages, figures and tables."""
+
+from __future__ import annotations
+
+import json
+import os
+from pathlib import Path
+from typing import Any, List, Mapping, NamedTuple, Union
+
+from . import _core
+from .results import Result
+from .running import open_run
+from .trajectories import Trajectory
+
+__all__ = ["Written", "draw", "write_figures", "write_page", "write_tables"]
+
+_Path = Union[str, "os.PathLike[str]"]
+_COLUMNS = ("screen", "journal_single", "journal_double")
+
+
+class Written(NamedTuple):
+    """What was written."""
+
+    files: List[Path]
+    not_drawn: List[str]  #: reasons why pictures are missing: gnuplot is not installed, or failed
+
+
+def write_page(source: Union[Result, _Path], file: _Path) -> Written:
+    """Write the page of a complete run: one HTML file without external resources, as the program's ``report.html``.
+
+    source: a Result, or the folder of a run. Runs gnuplot for the pictures; without it the page has none for printing,
+    and ``not_drawn`` says so. Raises ValueError if the run is not complete, OSError where the file cannot be written.
+
+    >>> import os, tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = rocking.write_page(rocking.run(slab), os.path.join(folder, "report.html"))
+    >>> [file.name for file in written.files]
+    ['report.html']
+    """
+    result = _complete(source)
+    return _call("write_page", result.experiment._core, result._core, os.fspath(file), *result._occasion)
+
+
+def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = "screen") -> Written:
+    """Draw the figures of a complete run in a folder: data (tsv), gnuplot's script (gp) and pictures (svg, png, pdf).
+
+    source: a Result, or the folder of a run. column: ``screen``, ``journal_single`` (84 mm, 8 points, no titles) or
+    ``journal_double`` (174 mm). Errors as write_page().
+
+    >>> import tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = rocking.write_figures(rocking.run(slab), folder, column="journal_single")
+    >>> "mode_bands.gp" in [file.name for file in written.files]
+    True
+    """
+    result = _complete(source)
+    return _call("write_figures", result.experiment._core, result._core, os.fspath(folder), _number_of(column))
+
+
+def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:
+    """Write the tables of a complete run: modes.csv, non_recurrence.csv, quantiles.csv, modes.tex.
+
+    source: a Result, or the folder of a run. Errors as write_page().
+
+    >>> import tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     [file.name for file in rocking.write_tables(rocking.run(slab), folder).files]
+    ['modes.csv', 'non_recurrence.csv', 'quantiles.csv', 'modes.tex']
+    """
+    result = _complete(source)
+    return _call("write_tables", result.experiment._core, result._core, os.fspath(folder))
+
+
+def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:
+    """Draw what a study has found, in a folder: as ``rocking figure`` draws what the program printed.
+
+    sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits() with ``branches``, cost(),
+    fragility(), motion() with ``series``, the dictionary of check_normal(), or paths of files that the program wrote. column: as write_figures(). Raises
+    InputError for a source that is none of these.
+
+    >>> import tempfile, rocking
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     written = rocking.draw(rocking.check_normal(100), folder=folder)
+    >>> "normal_histogram.tsv" in [file.name for file in written.files]
+    True
+    """
+    texts = [_document_of(source, number) for number, source in enumerate(sources)]
+    return _call("draw", texts, os.fspath(folder), _number_of(column))
+
+
+def _complete(source: Union[Result, _Path]) -> Result:
+    result = source if isinstance(source, Result) else open_run(source)
+    result._expect_complete()
+    return result
+
+
+def _number_of(column: str) -> int:
+    if column not in _COLUMNS:
+        raise ValueError(f"column = {column!r}: must be one of {', '.join(_COLUMNS)}")
+    return _COLUMNS.index(column)
+
+
+def _document_of(source: Any, number: int) -> "tuple[str, str]":
+    if isinstance(source, (str, os.PathLike)):
+        path = os.fspath(source)
+        with open(path, encoding="utf-8") as file:
+            return path, file.read()
+    if isinstance(source, Trajectory):
+        return f"source {number}", source.text()
+    data = source if isinstance(source, Mapping) else getattr(source, "data", None)
+    return f"source {number}", json.dumps(data)
+
+
+def _call(name: str, *arguments: Any) -> Written:
+    function = getattr(_core, name, None)
+    if function is None:
+        raise NotImplementedError(f"{name}: this module was built without fmt (Debian: libfmt-dev)")
+    files, not_drawn, interrupted = function(*arguments)
+    if interrupted:
+        raise KeyboardInterrupt
+    return Written([Path(file) for file in files], not_drawn)

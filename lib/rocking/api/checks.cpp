@@ -1,0 +1,99 @@
+#include "rocking/api/checks.hpp"
+
+#include <utility>
+
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_options.hpp"
+#include "rocking/base/digest.hpp"
+#include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/input/read_report.hpp"
+#include "rocking/output/report_differences.hpp"
+#include "rocking/output/write_check_normal.hpp"
+#include "rocking/realisation/realisation_digest.hpp"
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/realisation/trajectory.hpp"
+#include "rocking/store/store.hpp"
+#include "rocking/studies/verification.hpp"
+
+namespace rocking {
+namespace {
+
+std::string text_of(const RealisationKey& key) {
+  return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
+}
+
+std::string text_of(const Difference& difference) {
+  std::string fields;
+  for (const std::string& field : difference.fields) fields += (fields.empty() ? "" : ", ") + field;
+  return text_of(difference.key) + ": the new result differs from the stored one in " + fields;
+}
+
+}  // namespace
+
+RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, const Execution& execution) {
+  if (sample == 0) refuse("sample", "0", "must be at least 1");
+  const AskedOptions asked(execution);
+  const Verification found = verify(stored.experiment, *stored.run.store, sample, asked.options());
+  asked.stop().check();
+  RunCheck check{
+      .checked = found.checked, .different = found.different, .not_compared = found.not_compared, .findings = {}};
+  for (const Difference& difference : found.differences) check.findings.push_back(text_of(difference));
+  return check;
+}
+
+std::vector<std::string> report_faults(std::string_view text, const StoredRun& stored) {
+  const ReportClaims claims = read_report(text);
+  if (base::to_hex(base::sha256(claims.experiment)) != claims.sha256) {
+    return {"input.experiment does not have the digest of input.sha256: one of them was changed"};
+  }
+  std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
+  if (!faults.empty()) return faults;  // other numbers follow from that
+  return report_differences(text, report(stored.experiment, stored.run));
+}
+
+Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request) {
+  const Experiment& experiment = stored.experiment;
+  const RealisationKey key{.condition = request.condition, .realisation = request.realisation};
+  const auto row =
+      key.condition < experiment.conditions.size() ? stored.run.store->find(key) : std::optional<Summary>{};
+  if (!row) refuse("realisation", std::to_string(key.realisation), "is not in the run: it has no " + text_of(key));
+  const RealisationResult again = realise(experiment.conditions[key.condition], experiment.seed, key.realisation);
+  if (digest_of(again, key.realisation) != row->digest) {
+    throw DifferentBits(text_of(key) + ": this version gives a result different from the stored one, which rocking " +
+                        stored.run.store->identity().code + " computed");
+  }
+  return trajectory(experiment, request);
+}
+
+stats::NormalCheck check_normal(const SamplerQuestion& question) {
+  constexpr std::uint64_t least = 20;
+  constexpr std::uint64_t most = 100'000'000;
+  if (question.n < least || question.n > most) {
+    refuse("n", std::to_string(question.n), "must be a whole number from 20 to 100000000");
+  }
+  if (!(question.law.mean >= -1e6 && question.law.mean <= 1e6)) {
+    refuse("mean", base::shortest(question.law.mean), "must be from -1e6 to 1e6");
+  }
+  if (!(question.law.sigma > 0.0 && question.law.sigma <= 1e6)) {
+    refuse("sigma", base::shortest(question.law.sigma), "must be positive, and at most 1e6");
+  }
+  if (!is_sampler(question.sampler)) {
+    refuse("sampler", question.sampler, "is no sampler: they are box-muller, ziggurat, inverse-cdf");
+  }
+  auto found = check_sampler(question);
+  if (!found) {
+    refuse("sigma", base::shortest(question.law.sigma),
+           "is too small compared with the mean to give two different numbers");
+  }
+  return std::move(*found);
+}
+
+std::string check_normal_text(const SamplerQuestion& question, const stats::NormalCheck& found) {
+  return check_normal_text({.sampler = question.sampler, .seed = question.seed, .found = found});
+}
+
+std::vector<base::ArithmeticCheck> check_arithmetic() { return base::arithmetic_checks(); }
+
+}  // namespace rocking

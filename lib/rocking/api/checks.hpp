@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/api/run.hpp"
+#include "rocking/api/studies.hpp"
+#include "rocking/base/arithmetic_checks.hpp"
+#include "rocking/studies/check_sampler.hpp"
+
+/// Checks of runs, of the random numbers and of the machine.
+namespace rocking {
+
+/// A realisation that was run again has another result than the one that is stored.
+class DifferentBits : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// What a check of a run has found.
+struct RunCheck {
+  std::uint64_t checked = 0;       ///< realisations that were run again
+  std::uint64_t different = 0;     ///< of them
+  std::uint64_t not_compared = 0;  ///< stored by a former version, of which this one computes other bits
+  /// What differs, in words: of the first few realisations.
+  std::vector<std::string> findings;
+};
+
+/// Runs realisations of a run again and compares them with the stored ones to the bit: all of them, or about `sample`,
+/// evenly spaced. Uses `threads`, `on_progress` and `stop` of the execution. Throws base::Stopped if it is asked to
+/// stop.
+[[nodiscard]] ROCKING_API RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample = {},
+                                          const Execution& execution = {});
+
+/// What in the text of a report (`rocking.report/1`) does not follow from a complete run: the first ten differences.
+/// Throws base::InputError where the text is no report, and std::invalid_argument if the run is not complete.
+[[nodiscard]] ROCKING_API std::vector<std::string> report_faults(std::string_view report, const StoredRun& stored);
+
+/// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
+/// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().
+[[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {});
+
+/// Compares random numbers with a normal distribution: moments, tests of fit, correlations, histogram. Throws
+/// base::InputError for a number out of range or an unknown sampler.
+[[nodiscard]] ROCKING_API stats::NormalCheck check_normal(const SamplerQuestion& question = {});
+
+/// The same as JSON text (`rocking.check_normal/1`).
+[[nodiscard]] ROCKING_API std::string check_normal_text(const SamplerQuestion& question,
+                                                        const stats::NormalCheck& found);
+
+/// Examines the arithmetic of this machine, as `rocking doctor` does: if all checks pass, results have the same bits as
+/// on other machines.
+[[nodiscard]] ROCKING_API std::vector<base::ArithmeticCheck> check_arithmetic();
+
+}  // namespace rocking

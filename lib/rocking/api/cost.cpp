@@ -1,0 +1,62 @@
+#include "rocking/api/cost.hpp"
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_options.hpp"
+#include "rocking/api/system_facts.hpp"
+#include "rocking/api/written_experiment.hpp"
+#include "rocking/base/number_text.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/output/write_cost.hpp"
+#include "rocking/studies/cost/budget.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr double tightest_tolerance = 1e-16;
+constexpr double coarsest_tolerance = 1e-2;
+
+void check_request(const CostRequest& request) {
+  if (!request.elapsed_seconds || !request.processor_seconds) {
+    throw std::invalid_argument("a measurement of cost needs both clocks: elapsed_seconds and processor_seconds");
+  }
+  if (!(request.seconds > 0.0)) refuse("seconds", base::shortest(request.seconds), "must be a positive number");
+  if (request.sample && (*request.sample < 1 || *request.sample > largest_cost_sample)) {
+    refuse("sample", std::to_string(*request.sample),
+           "must be a whole number from 1 to " + std::to_string(largest_cost_sample));
+  }
+  for (const double tolerance : request.tolerances) {
+    if (tightest_tolerance <= tolerance && tolerance <= coarsest_tolerance) continue;
+    refuse("tolerances", base::shortest(tolerance), "must be from 1e-16 to 1e-2");
+  }
+}
+
+}  // namespace
+
+Cost cost(const Experiment& experiment, const CostRequest& request, const Execution& execution) {
+  check_request(request);
+  const std::vector<double> tolerances = cost_tolerances(experiment, request.tolerances);
+  if (tolerances.size() < 3) {
+    refuse("tolerances", "",
+           "are fewer than three with the experiment's own; the tightest is the reference and the second tightest the "
+           "floor, so give at least three, for example 1e-8, 1e-11, 1e-14");
+  }
+  const double start = request.elapsed_seconds();
+  auto found = cost_within(experiment, tolerances, {.seconds = request.seconds, .sample = request.sample},
+                           {.elapsed_seconds = [&] { return request.elapsed_seconds() - start; },
+                            .processor_seconds = request.processor_seconds},
+                           AskedOptions(execution).options());
+  if (!found) throw base::Stopped();
+  return std::move(*found);
+}
+
+std::string cost_text(const Experiment& experiment, const Cost& cost, const Occasion& occasion) {
+  const Experiment told = with_text(experiment);
+  return cost_text({.experiment = &told, .cost = cost, .system = facts_of(occasion)});
+}
+
+}  // namespace rocking

@@ -1,0 +1,88 @@
+#include <cstddef>
+#include <system_error>
+#include <utility>
+
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run.hpp"
+#include "rocking/api/run_folder.hpp"
+#include "rocking/store/merge.hpp"
+#include "rocking/store/results_version.hpp"
+#include "rocking/store/store.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The store of the whole until it is complete; removed with this object unless it was put in its place.
+class UnfinishedWhole {
+ public:
+  explicit UnfinishedWhole(const fs::path& folder) : folder_(folder), path_(folder / "merging.sqlite") {
+    if (fs::exists(path_)) {
+      throw refused(folder, "has the file merging.sqlite of a merge that was killed or is under way",
+                    "remove that file if nothing else is merging there");
+    }
+  }
+  UnfinishedWhole(const UnfinishedWhole&) = delete;
+  UnfinishedWhole& operator=(const UnfinishedWhole&) = delete;
+  ~UnfinishedWhole() {
+    std::error_code none;
+    fs::remove(path_, none);
+    for (const char* suffix : sqlite::log_suffixes) fs::remove(path_.string() + suffix, none);
+  }
+
+  [[nodiscard]] const fs::path& path() const { return path_; }
+  /// The store is closed.
+  void install() const { fs::rename(path_, store_in(folder_)); }
+
+ private:
+  fs::path folder_;
+  fs::path path_;
+};
+
+void expect_kin(const Identity& first, const Identity& other, const fs::path& part) {
+  if (other.experiment != first.experiment) {
+    throw refused(part, "belongs to another experiment than the first part (a setting or the seed differs)",
+                  "merge the parts of one experiment");
+  }
+  if (other.results != results_version) {
+    throw refused(part, "was run by rocking " + other.code + ", which may give other results than this version",
+                  "`rocking resume` runs again what differs");
+  }
+}
+
+void join(Store& whole, const Store& part, const fs::path& name) {
+  const auto conflicts = merge(whole, part);
+  if (conflicts.empty()) return;
+  const RealisationKey& key = conflicts.front().key;
+  throw refused(name,
+                "has " + std::to_string(conflicts.size()) +
+                    " realisation(s) that differ from those of an earlier part; "
+                    "the first: condition " +
+                    std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation),
+                "`rocking verify` shows which part is right");
+}
+
+}  // namespace
+
+StoredRun merge(const fs::path& folder, const std::vector<fs::path>& parts) {
+  if (parts.empty()) refuse("parts", "", "are missing: give at least one folder");
+  std::vector<Store> stores;
+  for (const fs::path& part : parts) stores.push_back(sound_store(part));
+  Identity identity = stores.front().identity();
+  for (std::size_t i = 0; i < parts.size(); ++i) expect_kin(identity, stores[i].identity(), parts[i]);
+  ensure_writable(folder);
+  if (has_store(folder)) throw refused(folder, "already contains a run", "choose another folder for the whole");
+  const UnfinishedWhole unfinished(folder);
+  {
+    identity.shard.reset();
+    Store whole = Store::create(unfinished.path(), identity);
+    for (std::size_t i = 0; i < parts.size(); ++i) join(whole, stores[i], parts[i]);
+    whole.close_up();
+  }
+  unfinished.install();
+  return open_run(folder);
+}
+
+}  // namespace rocking

@@ -1,0 +1,71 @@
+#include "rocking/api/rare.hpp"
+
+#include <cstdint>
+
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_options.hpp"
+#include "rocking/api/written_experiment.hpp"
+#include "rocking/base/number_text.hpp"
+#include "rocking/output/write_rare.hpp"
+#include "rocking/studies/rare/rare.hpp"
+
+namespace rocking {
+namespace {
+
+void check(const RareRequest& request) {
+  if (request.particles < 20 || request.particles > 100'000) {
+    refuse("particles", std::to_string(request.particles), "must be a whole number from 20 to 100000");
+  }
+  const double error = request.question.relative_error;
+  if (!(error >= 1e-3 && error <= 1.0)) refuse("relative_error", base::shortest(error), "must be from 1e-3 to 1");
+  const auto tilt = request.question.event.peak_tilt;
+  if (tilt && !(*tilt >= 0.0 && *tilt <= 100.0)) refuse("peak_tilt", base::shortest(*tilt), "must be from 0 to 100");
+}
+
+/// Progress by condition as progress of all.
+class AddedUp {
+ public:
+  explicit AddedUp(const RunOptions& options) : options_(&options) {}
+
+  void tell(std::size_t condition, std::size_t done, std::size_t planned) {
+    if (condition != condition_) earlier_ += last_;
+    condition_ = condition;
+    last_ = done;
+    if (options_->on_progress) options_->on_progress(earlier_ + done, earlier_ + planned);
+  }
+
+ private:
+  const RunOptions* options_;
+  std::size_t condition_ = 0;
+  std::uint64_t last_ = 0;
+  std::uint64_t earlier_ = 0;
+};
+
+}  // namespace
+
+std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareRequest& request,
+                                             const Execution& execution) {
+  check(request);
+  check_rare(experiment);
+  const AskedOptions asked(execution);
+  AddedUp progress(asked.options());
+  RareSettings settings{
+      .particles = request.particles, .score = request.score, .threads = asked.options().threads, .stop = asked.stop()};
+  settings.time_is_up = request.time_is_up;
+  settings.on_progress = [&progress](std::size_t condition, std::size_t done, std::size_t planned) {
+    progress.tell(condition, done, planned);
+  };
+  return rare_probabilities(experiment, request.question, settings);
+}
+
+std::string rare_text(const Experiment& experiment, const RareRequest& request,
+                      const std::vector<RareEstimate>& found) {
+  const Experiment told = with_text(experiment);
+  return rare_text({.experiment = &told,
+                    .question = request.question,
+                    .score = request.score,
+                    .particles = request.particles,
+                    .conditions = found});
+}
+
+}  // namespace rocking

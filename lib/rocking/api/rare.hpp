@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "rocking/api/run.hpp"
+#include "rocking/studies/rare/estimate.hpp"
+
+/// Probabilities of rare overturning.
+namespace rocking {
+
+/// What is asked of each condition, and with how much work.
+struct RareRequest {
+  RareQuestion question = {};
+  std::size_t particles = 500;            ///< trajectories of a repetition at each level; 20 to 100000
+  rare::Score score = rare::Score::tilt;  ///< what measures how near a motion is to the event
+  /// Asked before each repetition after the first 8 of a condition. Empty: never, so that the same is estimated again.
+  std::function<bool(std::size_t condition)> time_is_up = {};
+};
+
+/// Estimates the probability of overturning, or of a large tilt, by multilevel splitting: one entry for each condition.
+/// Uses `threads`, `on_progress` and `stop` of the execution; progress counts repetitions, and their number grows while
+/// the precision is not reached. Throws base::InputError if nothing in a condition is random or a number is out of range,
+/// and base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
+[[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
+                                                                       const RareRequest& request,
+                                                                       const Execution& execution = {});
+
+/// The same as JSON text (`rocking.rare/1`).
+[[nodiscard]] ROCKING_API std::string rare_text(const Experiment& experiment, const RareRequest& request,
+                                                const std::vector<RareEstimate>& found);
+
+}  // namespace rocking

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "rocking/base/error.hpp"
+#include "rocking/store/store.hpp"
+
+/// The folder of a run.
+namespace rocking {
+
+[[nodiscard]] std::filesystem::path store_in(const std::filesystem::path& folder);
+
+/// An empty file, as a full disk may leave, does not count.
+[[nodiscard]] bool has_store(const std::filesystem::path& folder);
+
+/// Opens the store for reading after a check of every page and row. Throws std::system_error with the path where there
+/// is none, sqlite::UnusableFile if it is damaged.
+[[nodiscard]] Store sound_store(const std::filesystem::path& folder);
+
+/// The error of a folder that cannot be used as asked.
+[[nodiscard]] base::InputError refused(const std::filesystem::path& folder, std::string reason, std::string remedy);
+
+}  // namespace rocking

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+
+#include "rocking/api/run.hpp"
+#include "rocking/ensemble/run.hpp"
+
+namespace rocking {
+
+/// What an execution asks for, as options of a run. Must outlive the run, which looks at its flag.
+class AskedOptions {
+ public:
+  explicit AskedOptions(const Execution& execution) : stop_(execution.stop != nullptr ? execution.stop : &own_flag_) {
+    options_.threads = std::max(1U, execution.threads);
+    options_.stop_requested = stop_;
+    if (!execution.on_progress) return;
+    options_.on_progress = [stop = stop_, &execution](std::uint64_t done, std::uint64_t all) {
+      if (execution.on_progress(done, all) == Decision::stop) *stop = true;
+    };
+  }
+  AskedOptions(const AskedOptions&) = delete;
+  AskedOptions& operator=(const AskedOptions&) = delete;
+
+  [[nodiscard]] const RunOptions& options() const { return options_; }
+  [[nodiscard]] base::StopRequest stop() const { return stop_; }
+
+ private:
+  std::atomic<bool> own_flag_{false};
+  std::atomic<bool>* stop_;
+  RunOptions options_;
+};
+
+}  // namespace rocking

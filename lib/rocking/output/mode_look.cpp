@@ -1,0 +1,41 @@
+#include "rocking/output/mode_look.hpp"
+
+#include <array>
+#include <cstddef>
+
+namespace rocking {
+namespace {
+
+using section::ResponseKind;
+
+constexpr std::array<ModeLook, 5> looks_of_others{
+    {{"#f0e442", 2, 6, 4}, {"#7f5fc7", 4, 8, 5}, {"#8c564b", 5, 3, 1}, {"#17a2a2", 2, 15, 6}, {"#7a7a00", 4, 14, 7}}};
+
+ModeLook look_of_periodic(const section::ResponseMode& mode) {
+  if (mode.rocks == 1) {
+    switch (mode.periods) {
+      case 1: return {"#0072b2", 1, 7, 0};
+      case 2: return {"#009e73", 4, 5, 5};
+      case 3: return {"#d55e00", 2, 9, 4};
+      case 4: return {"#56b4e9", 5, 11, 1};
+      case 5: return {"#e69f00", 3, 13, 6};
+      default: break;
+    }
+  }
+  return looks_of_others[static_cast<std::size_t>(mode.rocks * 3 + mode.periods) % looks_of_others.size()];
+}
+
+}  // namespace
+
+ModeLook look_of(const section::ResponseMode& mode) {
+  switch (mode.kind) {
+    case ResponseKind::periodic: return look_of_periodic(mode);
+    case ResponseKind::chaotic: return {"#cc79a7", 3, 2, 2};
+    case ResponseKind::overturned: return {"#000000", 1, 10, 0};
+    case ResponseKind::rest: return {"#b4b4b4", 5, 4, 0};
+    case ResponseKind::unresolved: break;
+  }
+  return {"#f0f0f0", 3, 1, 5};
+}
+
+}  // namespace rocking

@@ -1,0 +1,256 @@
+#include "rocking/output/settling_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::size_t most_remedies = 3;
+
+/// Fixed horizons in the limit that is proposed before anything is known of the settling times.
+constexpr std::int64_t first_limit_horizons = 20;
+
+std::string end_text(const std::optional<double>& end, std::string_view absent) {
+  return end ? significant(*end, 6) : std::string(absent);
+}
+
+std::string whole_text(const std::optional<std::int64_t>& end) { return end ? std::to_string(*end) : "-"; }
+
+std::string share_text(const SettlingRow& row, std::uint64_t count) {
+  const std::uint64_t of = row.realisations;
+  if (count == 0) {
+    return "0 (< " + upper_bound_text(bound_of_none(of, row.confidence)) + " %)";
+  }
+  return std::to_string(count) + " (" + per_cent(static_cast<double>(count) / static_cast<double>(of)) + " %)";
+}
+
+std::string probability_cell(const std::optional<double>& probability) {
+  return probability ? per_cent(*probability) : ".";
+}
+
+/// The value that all rows have; empty if they differ or one has none.
+std::string common(std::span<const SettlingRow> rows, std::optional<std::int64_t> SettlingRow::*member) {
+  const auto& first = rows.front().*member;
+  const bool same = first && std::ranges::all_of(rows, [&](const SettlingRow& row) { return row.*member == first; });
+  return same ? std::to_string(*first) : "";
+}
+
+/// Periods rounded up to two significant digits.
+std::int64_t rounded_up(std::int64_t periods) {
+  std::int64_t unit = 1;
+  while (periods / unit >= 100) unit *= 10;
+  return (periods + unit - 1) / unit * unit;
+}
+
+struct SettlingColumn {
+  std::string heading;
+  std::function<std::string(const SettlingRow&)> cell;
+};
+
+std::string settling_columns(std::span<const SettlingRow> rows, std::size_t width) {
+  const std::string horizon = common(rows, &SettlingRow::fixed_horizon);
+  const std::string at = horizon.empty() ? "at the horizon" : "at " + horizon;
+  const std::vector<SettlingColumn> columns{
+      {"unresolved " + at, [](const SettlingRow& row) { return share_text(row, row.unresolved_at_horizon); }},
+      {"in the end", [](const SettlingRow& row) { return share_text(row, row.censored); }},
+      {"settled by (median)", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
+      {"99 % settled by",
+       [](const SettlingRow& row) { return row.all_but_one_per_cent ? horizon_text(*row.all_but_one_per_cent) : "."; }},
+      {"differ " + at, [](const SettlingRow& row) { return probability_cell(row.differ_at_horizon); }},
+      {"differ in the end", [](const SettlingRow& row) { return probability_cell(row.differ_in_the_end); }}};
+  std::vector<TextRow> table(rows.size() + 1);
+  for (const Parameter& parameter : rows.front().parameters) table[0].push_back(last_key(parameter.pointer));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (const Parameter& parameter : rows[i].parameters) table[i + 1].push_back(short_value(parameter));
+  }
+  for (const SettlingColumn& column : columns) {
+    std::vector<TextRow> wider = table;
+    wider[0].push_back(column.heading);
+    for (std::size_t i = 0; i < rows.size(); ++i) wider[i + 1].push_back(column.cell(rows[i]));
+    const std::string text = aligned(wider);
+    if (!table[0].empty() && letters_in(text.substr(0, text.find('\n'))) > width) break;
+    table = std::move(wider);
+  }
+  return aligned(table);
+}
+
+/// The mode and the condition whose rate of leaving has the highest upper bound.
+std::string leaving_line(std::span<const SettlingRow> rows) {
+  std::uint64_t left = 0;
+  std::uint64_t periods = 0;
+  const LeftMode* most = nullptr;
+  const SettlingRow* where = nullptr;
+  for (const SettlingRow& row : rows) {
+    for (const LeftMode& leaving : row.leaving) {
+      left += leaving.left;
+      periods += leaving.watched_periods;
+      if (most != nullptr && leaving.per_1000_periods.low <= most->per_1000_periods.low &&
+          (leaving.left == 0 || most->left > 0)) {
+        continue;
+      }
+      most = &leaving;
+      where = &row;
+    }
+  }
+  if (most == nullptr) return "";
+  if (left == 0) return "no settled response was left in " + counted(periods, "watched period") + '\n';
+  const std::string name = name_of(*where);
+  return "settled responses were left " + counted(left, "time") + " in " + counted(periods, "watched period") +
+         "; most often " + to_string(most->mode) + (name.empty() ? "" : " at " + name) + ": " + leaving_text(*most) +
+         " per 1000 periods" + (may_be_left(*most) ? ". A label is that of a window, not of all time" : "") + '\n';
+}
+
+SettlingRow row_of(const Condition& condition, const ConditionResult& result) {
+  const SettlingResult& settling = *result.settling;
+  const Horizon& horizon = condition.horizon;
+  SettlingRow row;
+  row.parameters = condition.parameters;
+  row.realisations = result.realisations;
+  row.confidence = condition.confidence;
+  const auto unresolved = settling.at_horizon.find(section::ResponseMode{});
+  if (unresolved != settling.at_horizon.end()) row.unresolved_at_horizon = unresolved->second;
+  row.censored = settling.censored;
+  row.fixed_horizon = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  if (horizon.until_classified) {
+    row.limit = horizon.until_classified->at_most_periods;
+    row.confirmation = (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods;
+  }
+  row.differ_at_horizon = settling.differ;
+  if (result.non_recurrence) row.differ_in_the_end = result.non_recurrence->differ;
+  for (const auto& [mode, leaving] : settling.leaving) {
+    row.leaving.push_back({.mode = mode,
+                           .left = leaving.left,
+                           .watched_periods = leaving.watched_periods,
+                           .per_1000_periods = leaving.per_1000_periods});
+  }
+  if (!result.response_times) return row;
+  const auto& quartiles = result.response_times->quartiles;
+  const auto median = std::ranges::find(quartiles, 0.5, &stats::QuantileEstimate::level);
+  if (median != quartiles.end()) row.median = *median;
+  row.all_but_one_per_cent = result.response_times->nearly_all;
+  return row;
+}
+
+}  // namespace
+
+std::vector<SettlingRow> settling_rows(const Experiment& experiment, const ExperimentResult& result) {
+  std::vector<SettlingRow> rows;
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    if (result.conditions[i].settling) rows.push_back(row_of(experiment.conditions[i], result.conditions[i]));
+  }
+  return rows;
+}
+
+std::string name_of(const SettlingRow& condition) {
+  std::string name;
+  for (const Parameter& parameter : condition.parameters) {
+    name += (name.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+  }
+  return name;
+}
+
+std::string period_text(const stats::QuantileEstimate& quantile, const std::optional<std::int64_t>& limit) {
+  const std::string value =
+      quantile.value ? significant(*quantile.value, 6) : "> " + (limit ? std::to_string(*limit) : "the limit");
+  return value + " [" + end_text(quantile.low, "-") + ", " + end_text(quantile.high, "-") + ']';
+}
+
+std::string horizon_text(const stats::TimeToShare& found) {
+  if (!found.time) return found.low ? "> " + std::to_string(*found.low) : "unknown";
+  return (found.is_observed ? "" : "about ") + std::to_string(*found.time) + " [" + whole_text(found.low) + ", " +
+         whole_text(found.high) + ']';
+}
+
+std::string leaving_text(const LeftMode& leaving) {
+  const double rate = 1000.0 * static_cast<double>(leaving.left) / static_cast<double>(leaving.watched_periods);
+  return significant(rate, 2) + " [" + significant(leaving.per_1000_periods.low, 2) + ", " +
+         significant(leaving.per_1000_periods.high, 2) + ']';
+}
+
+bool may_be_left(const LeftMode& leaving) { return leaving.left > 0 && leaving.per_1000_periods.high > 1.0; }
+
+std::string limit_remedy(const SettlingRow& condition, const std::string& name) {
+  const double share = static_cast<double>(condition.censored) / static_cast<double>(condition.realisations);
+  if (share <= ResponseTimes::tolerable_share || !condition.all_but_one_per_cent) return "";
+  const stats::TimeToShare& found = *condition.all_but_one_per_cent;
+  const std::string start = (name.empty() ? "" : name + ": ") + per_cent(share) + " % are not classified" +
+                            (condition.limit ? " after " + std::to_string(*condition.limit) + " periods" : "");
+  if (found.is_observed) {
+    return start +
+           ", because their observation ended early; a longer horizon does not help (see the realisations that "
+           "the model could not continue)";
+  }
+  if (!found.time) {
+    return start +
+           "; none settled in the last half of the observation, so that it cannot be told which horizon would do. "
+           "They may never settle";
+  }
+  return start + ". If they go on settling as in the last half of the observation (" +
+         counted(found.events, "response") + "), 1 % are left after about " + std::to_string(rounded_up(*found.time)) +
+         " periods [" + whole_text(found.low) + ", " + whole_text(found.high) +
+         "]; later if some of them hardly ever settle. Set /horizon/until_classified/at_most_periods to " +
+         std::to_string(rounded_up(found.high.value_or(*found.time) + condition.confirmation));
+}
+
+std::string settling_text(std::span<const SettlingRow> conditions, std::size_t width) {
+  if (conditions.empty()) return "";
+  const std::string limit = common(conditions, &SettlingRow::limit);
+  std::uint64_t realisations = 0;
+  std::uint64_t censored = 0;
+  std::vector<std::string> remedies;
+  for (const SettlingRow& row : conditions) {
+    realisations += row.realisations;
+    censored += row.censored;
+    if (std::string remedy = limit_remedy(row, name_of(row)); !remedy.empty()) remedies.push_back(std::move(remedy));
+  }
+  std::string text =
+      "shares are those in the end: an unresolved realisation goes on" +
+      (limit.empty() ? std::string(" to its limit") : " for up to " + limit + " periods") + "; " +
+      std::to_string(censored) + " of " + counted(realisations, "realisation") + " were not classified by then\n\n" +
+      settling_columns(conditions, width) +
+      "\nsettled by: median and 99 % quantile of the settling period [interval; -: open]; differ: per cent of pairs of "
+      "runs with different responses\n" +
+      leaving_line(conditions);
+  for (std::size_t i = 0; i < std::min(remedies.size(), most_remedies); ++i) {
+    text += "horizon too short: " + remedies[i] + '\n';
+  }
+  if (remedies.size() > most_remedies) {
+    text += "horizon too short: " + counted(remedies.size() - most_remedies, "further condition") + '\n';
+  }
+  return text;
+}
+
+std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t sampled) {
+  if (share <= worrying_unresolved_share) return "";
+  const std::int64_t limit = rounded_up(first_limit_horizons * (transient + sampled));
+  return "up to " + per_cent(share) + " % of the realisations of a condition are unresolved after " +
+         std::to_string(transient + sampled) +
+         " periods. Add \"until_classified\": {\"at_most_periods\": " + std::to_string(limit) +
+         "} to /horizon: unresolved realisations then go on until they are classified, and the report tells which "
+         "horizon would do";
+}
+
+std::string unresolved_remedy(const Experiment& experiment, const ExperimentResult& result) {
+  double largest = 0.0;
+  const Condition* worst = nullptr;
+  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+    const Condition& condition = experiment.conditions[i];
+    if (condition.horizon.until_classified || !is_periodic(condition.scene.excitation)) continue;
+    if (!is_random(condition.scene)) continue;
+    for (const auto& [mode, probability] : result.conditions[i].modes) {
+      if (mode.kind != section::ResponseKind::unresolved || probability.estimate <= largest) continue;
+      largest = probability.estimate;
+      worst = &condition;
+    }
+  }
+  if (worst == nullptr) return "";
+  return unresolved_remedy(largest, worst->horizon.transient_periods, worst->horizon.sampled_periods);
+}
+
+}  // namespace rocking

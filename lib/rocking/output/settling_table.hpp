@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/ensemble/result.hpp"
+#include "rocking/output/mode_table.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/stats/interval.hpp"
+#include "rocking/stats/quantile_interval.hpp"
+#include "rocking/stats/survival.hpp"
+
+namespace rocking {
+
+/// Share of a condition's realisations above which its unresolved responses call for a longer horizon.
+inline constexpr double worrying_unresolved_share = 0.05;
+
+/// A response mode that was left again while it was watched.
+struct LeftMode {
+  section::ResponseMode mode;
+  std::uint64_t left = 0;
+  std::uint64_t watched_periods = 0;
+  stats::Interval per_1000_periods;
+};
+
+/// A condition of a run with UntilClassified: a row of the table.
+struct SettlingRow {
+  std::vector<Parameter> parameters;  ///< swept; the same pointers in every row
+  std::uint64_t realisations = 0;
+  double confidence = 0.95;
+  std::uint64_t unresolved_at_horizon = 0;
+  std::uint64_t censored = 0;                              ///< not classified at the limit
+  std::optional<std::int64_t> fixed_horizon;               ///< [periods]; absent if it is not known
+  std::optional<std::int64_t> limit;                       ///< at_most_periods
+  std::int64_t confirmation = 0;                           ///< periods of the held windows after the first
+  stats::QuantileEstimate median;                          ///< settling period
+  std::optional<stats::TimeToShare> all_but_one_per_cent;  ///< absent in reports of earlier versions
+  std::optional<double> differ_at_horizon, differ_in_the_end;
+  std::vector<LeftMode> leaving;  ///< of each mode that was watched
+};
+
+/// The rows of a run with UntilClassified; none of another run.
+[[nodiscard]] std::vector<SettlingRow> settling_rows(const Experiment& experiment, const ExperimentResult& result);
+
+/// `140 [80, 200]`; `> 1000` where the median lies beyond the observation, with the end of its interval that is known.
+[[nodiscard]] std::string period_text(const stats::QuantileEstimate& quantile,
+                                      const std::optional<std::int64_t>& limit);
+
+/// By when all but one per cent have settled: `320 [260, -]`, `about 4100 [2480, 7760]` if it is extrapolated, `unknown`.
+[[nodiscard]] std::string horizon_text(const stats::TimeToShare& found);
+
+/// `0.31 [0.01, 1.72]`, left per 1000 watched periods with its exact interval.
+[[nodiscard]] std::string leaving_text(const LeftMode& leaving);
+
+/// Whether an interval of a rate of leaving exceeds one per 1000 periods. Then the label is that of a window.
+[[nodiscard]] bool may_be_left(const LeftMode& leaving);
+
+/// Text for a terminal, after the table of the response modes: that its shares are those in the end; how many
+/// realisations were not classified; for each condition the unresolved ones at the fixed horizon and in the end, the
+/// settling period, and the probability that two runs differ at both; rates of leaving; which limit would do where it
+/// was too short. Columns for which `width` has no room are omitted. Empty without rows.
+[[nodiscard]] std::string settling_text(std::span<const SettlingRow> conditions, std::size_t width);
+
+/// What to do about a fixed horizon at which more than worrying_unresolved_share of a condition is unresolved: a
+/// sentence with `until_classified` and a limit, for an excitation with periods. `share`: the largest of any condition.
+/// `transient` and `sampled`: its periods. Empty if the share is smaller.
+[[nodiscard]] std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t sampled);
+
+/// The same of a run; empty if it has UntilClassified or its excitation has no periods.
+[[nodiscard]] std::string unresolved_remedy(const Experiment& experiment, const ExperimentResult& result);
+
+/// What to do about a limit at which more than one per cent of a condition is not classified: the limit that would do,
+/// or that it cannot be told; empty if it is less. `name`: of the condition, empty if there is one only.
+[[nodiscard]] std::string limit_remedy(const SettlingRow& condition, const std::string& name);
+
+/// `friction 0.4/0.35, amplitude 6`; empty if nothing is swept.
+[[nodiscard]] std::string name_of(const SettlingRow& condition);
+
+}  // namespace rocking

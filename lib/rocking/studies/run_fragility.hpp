@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/hazard.hpp"
+#include "rocking/studies/annual_rate.hpp"
+#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/suite/incremental.hpp"
+#include "rocking/studies/suite/stripes.hpp"
+#include "rocking/studies/suite/suite_curve.hpp"
+
+namespace rocking {
+
+/// The curve of one motion; with the annual rate where a hazard curve is given.
+struct ShownCurve {
+  FragilityCurve curve;
+  std::optional<AnnualRate> rate = std::nullopt;
+};
+
+/// The curve of a suite.
+struct ShownSuite {
+  SuiteCurve curve;
+  bool has_hazard = false;                        ///< whether a hazard curve is given
+  std::optional<AnnualRate> rate = std::nullopt;  ///< absent also where the suite has no law
+};
+
+/// The curves of a run.
+struct RunFragility {
+  Experiment experiment;
+  std::vector<ShownCurve> curves = {};
+  std::vector<ShownSuite> suites = {};
+  std::vector<IncrementalAnalysis> incremental = {};
+};
+
+/// What is asked of a run beside the probability of overturning.
+struct FragilityQuestion {
+  std::vector<double> peak_tilts = {};     ///< also the probability that abs(Theta) exceeds each; > 0
+  std::optional<HazardCurve> hazard = {};  ///< gives the mean annual rates
+  bool incremental = false;                ///< also the peak tilt against intensity for each record
+};
+
+/// Whether stripes_of must find peak tilts for the question.
+[[nodiscard]] bool needs_peak_tilts(const FragilityQuestion& question);
+
+/// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
+/// of another intensity.
+[[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
+                                         const FragilityQuestion& question);
+
+}  // namespace rocking

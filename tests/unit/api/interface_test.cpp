@@ -1,0 +1,206 @@
+// The calls of the library's interface that write or join files, or need more than an experiment.
+
+#include "rocking/rocking.hpp"
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/pages.hpp"
+#include "rocking/store/store.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace rocking {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class Interface : public ::testing::Test {
+ protected:
+  [[nodiscard]] static Experiment small_experiment(const std::string& keys = "") {
+    return parse_experiment(R"({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+      "excitation": {"kind": "harmonic", "amplitude": 2, "frequency_ratio": 10, "phase_rad": {"uniform": [0, 6.28]}},
+      "horizon": {"transient_periods": 5, "sampled_periods": 15}, "restitution": 0.9, "realisations": 12)" +
+                            keys + "}");
+  }
+
+  /// The message of what `act` throws; empty if it throws nothing.
+  template <class Act>
+  [[nodiscard]] static std::string refusal(const Act& act) {
+    try {
+      act();
+    } catch (const base::InputError& error) {
+      return error.what();
+    }
+    return "";
+  }
+
+  [[nodiscard]] fs::path in(const std::string& name) const { return folder_ / name; }
+  /// Runs a part into a folder.
+  [[nodiscard]] fs::path part(const std::string& name, std::optional<Shard> shard) const {
+    Execution execution{.folder = in(name)};
+    execution.shard = shard;
+    static_cast<void>(run(small_experiment(), execution));
+    return in(name);
+  }
+
+ private:
+  support::TemporaryFolder folder_;
+};
+
+TEST_F(Interface, JoinsPartsToTheBitsOfOneRun) {
+  const std::vector<fs::path> parts{part("b", Shard{.part = 2, .parts = 2}), part("a", Shard{.part = 1, .parts = 2})};
+  const StoredRun whole = merge(in("whole"), parts);
+  ASSERT_TRUE(whole.run.is_complete());
+  EXPECT_EQ(digest_of(whole.run), digest_of(run(small_experiment())));
+}
+
+TEST_F(Interface, RefusesPartsThatContradictEachOtherAndKeepsNothing) {
+  const std::vector<fs::path> parts{part("a", {}), part("b", {})};
+  {
+    Store store = Store::open(parts[1] / "realisations.sqlite", sqlite::Access::write);
+    Summary changed = *store.find({0, 7});
+    changed.margin += 1.0;
+    store.add({0, 7}, changed);
+    store.close_up();
+  }
+  const std::string told = refusal([&] { static_cast<void>(merge(in("whole"), parts)); });
+  EXPECT_THAT(told, HasSubstr("condition 0, realisation 7"));
+  EXPECT_TRUE(fs::is_empty(in("whole")));
+}
+
+TEST_F(Interface, RefusesAFolderWithARunOrAnUnfinishedMerge) {
+  const fs::path whole = part("a", {});
+  EXPECT_THAT(refusal([&] { static_cast<void>(merge(whole, {whole})); }), HasSubstr("already contains a run"));
+  fs::create_directory(in("killed"));
+  std::ofstream(in("killed") / "merging.sqlite") << "part of a store";
+  EXPECT_THAT(refusal([&] { static_cast<void>(merge(in("killed"), {whole})); }), HasSubstr("merging.sqlite"));
+  EXPECT_TRUE(fs::exists(in("killed") / "merging.sqlite")) << "another process may be at work";
+}
+
+TEST_F(Interface, ComparesRunsInMemory) {
+  const StoredRun first{.experiment = small_experiment(), .run = run(small_experiment())};
+  const auto compared = compare(first, first);
+  ASSERT_EQ(compared.size(), 1U);
+  EXPECT_EQ(compared[0].realisations, 12U);
+  EXPECT_EQ(compared[0].changed.successes, 0U);
+}
+
+TEST_F(Interface, FollowsTheStepsOfADiagram) {
+  const Experiment swept = small_experiment(R"(, "sweep": [{"parameter": "/excitation/amplitude", "values": [3, 1]}])");
+  const auto found = diagrams(swept, 2);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].conditions, (std::vector<std::size_t>{1, 0})) << "by increasing value";
+  EXPECT_EQ(found[0].branches.front()[0].points.size(), 15U);
+  std::atomic<bool> stop{true};
+  EXPECT_THROW(static_cast<void>(diagrams(swept, 2, {.stop = &stop})), base::Stopped);
+}
+
+TEST_F(Interface, VerifiesTheBitsOfARun) {
+  const Experiment experiment = small_experiment();
+  StoredRun stored{.experiment = experiment, .run = run(experiment)};
+  EXPECT_EQ(verify(stored).checked, 12U);
+  EXPECT_EQ(verify(stored, 4).checked, 4U);
+  EXPECT_THAT(verify(stored).findings, ::testing::IsEmpty());
+  const std::string text = report(experiment, stored.run);
+  EXPECT_THAT(report_faults(text, stored), ::testing::IsEmpty());
+  EXPECT_EQ(replay(stored, {.realisation = 3}).strobe.size(), 20U);
+  EXPECT_THAT(refusal([&] { static_cast<void>(replay(stored, {.realisation = 12})); }), HasSubstr("realisation"));
+  EXPECT_THAT(refusal([&] { static_cast<void>(replay(stored, {.condition = 1})); }), HasSubstr("condition 1"));
+  std::atomic<bool> stop{true};
+  EXPECT_THROW(static_cast<void>(verify(stored, {}, {.stop = &stop})), base::Stopped);
+
+  stored.experiment.seed += 1;  // so that the stored bits are those of another experiment
+  const RunCheck check = verify(stored);
+  // Motions that start at rest and lift at the same phase of the base may have the same bits with either seed.
+  EXPECT_GE(check.different, 6U);
+  EXPECT_THAT(check.findings.at(0), HasSubstr("condition 0, realisation 0"));
+  EXPECT_THROW(static_cast<void>(replay(stored)), DifferentBits);
+  stored.run = run(stored.experiment);
+  EXPECT_THAT(report_faults(text, stored), ::testing::Not(::testing::IsEmpty()));
+}
+
+TEST_F(Interface, EstimatesRareEventsAgain) {
+  const Experiment experiment = small_experiment();
+  const RareRequest request{.question = {.event = {.peak_tilt = 0.1}, .relative_error = 0.5}, .particles = 20};
+  std::uint64_t last = 0;
+  const Execution execution{.on_progress = [&last](std::uint64_t done, std::uint64_t all) {
+    EXPECT_LE(last, done);
+    EXPECT_LE(done, all);
+    last = done;
+    return Decision::proceed;
+  }};
+  const auto found = rare_probabilities(experiment, request, execution);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(last, found[0].repetitions.size());
+  EXPECT_EQ(rare_text(experiment, request, found),
+            rare_text(experiment, request, rare_probabilities(experiment, request, {.threads = 2})));
+  std::atomic<bool> stop{true};
+  EXPECT_THROW(static_cast<void>(rare_probabilities(experiment, request, {.stop = &stop})), base::Stopped);
+  EXPECT_THAT(refusal([&] { static_cast<void>(rare_probabilities(experiment, {.particles = 1})); }),
+              HasSubstr("particles"));
+}
+
+TEST_F(Interface, ExaminesRandomNumbersAndTheMachine) {
+  const SamplerQuestion question{.n = 1000};
+  EXPECT_EQ(check_normal(question).n, 1000U);
+  EXPECT_THAT(check_normal_text(question, check_normal(question)), HasSubstr("rocking.check_normal/1"));
+  EXPECT_THAT(refusal([] { static_cast<void>(check_normal({.sampler = "dice"})); }), HasSubstr("box-muller"));
+  for (const base::ArithmeticCheck& check : check_arithmetic()) EXPECT_TRUE(check.passed) << check.name;
+  EXPECT_EQ(check_arithmetic().size(), 5U);
+}
+
+TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
+  const Experiment experiment = small_experiment();
+  const StoredRun stored{.experiment = experiment, .run = run(experiment)};
+  const TrajectoryRequest request{.realisation = 2, .samples_per_period = 4};
+  const std::string text = trajectory_text(request, trajectory(experiment, request));
+  EXPECT_THAT(trajectory_csv(request, trajectory(experiment, request), TrajectoryUnits::si), HasSubstr("tilt_rad"));
+  const auto drawn = draw({{.name = "motion", .text = text}}, in("drawn"));
+  for (const auto& written : {write_page(stored, in("page.html")), write_figures(stored, in("figures")),
+                              write_tables(stored, in("tables")), drawn}) {
+    EXPECT_FALSE(written.files.empty());
+    for (const fs::path& file : written.files) EXPECT_GT(fs::file_size(file), 0U) << file;
+  }
+  EXPECT_THAT(refusal([&] { static_cast<void>(draw({{.name = "none", .text = "{}"}}, in("drawn"))); }),
+              HasSubstr("none"));
+  const Experiment made = experiment_of(experiment.conditions);
+  EXPECT_THAT(refusal([&] {
+                static_cast<void>(write_page({made, run(made)}, in("page.html")));
+              }),
+              HasSubstr("made in C++"));
+  std::atomic<bool> stop{true};
+  const Execution stopped{.stop = &stop};
+  EXPECT_THROW(static_cast<void>(write_page(stored, in("page.html"), {}, stopped)), base::Stopped);
+}
+
+TEST_F(Interface, MeasuresCostByTheClocksOfItsCaller) {
+  EXPECT_THROW(static_cast<void>(cost(small_experiment(), {})), std::invalid_argument);
+  double time = 0.0;
+  double processor_time = 0.0;
+  const CostRequest request{.elapsed_seconds = [&time] { return time += 0.05; },
+                            .processor_seconds = [&processor_time] { return processor_time += 1.0; },
+                            .seconds = 0.1,
+                            .sample = 3,
+                            .tolerances = {1e-6, 1e-14}};
+  const Cost found = cost(small_experiment(), request);
+  EXPECT_EQ(found.sample, 3U);
+  EXPECT_EQ(found.curve.size(), 3U) << "with the experiment's own tolerance";
+  EXPECT_GT(found.timing.seconds_per_period.front(), 0.0);
+  EXPECT_THAT(cost_text(small_experiment(), found), HasSubstr("rocking.cost/1"));
+  std::atomic<bool> stop{true};
+  EXPECT_THROW(static_cast<void>(cost(small_experiment(), request, {.stop = &stop})), base::Stopped);
+}
+
+}  // namespace
+}  // namespace rocking

@@ -25,9 +25,12 @@ class UntilClassified : public rocking::support::ProgramTest {
     experiment["horizon"] = {
         {"transient_periods", 20},
         {"sampled_periods", 60},
-        {"until_classified", {{"at_most_periods", 1000}, {"held_windows", 2}, {"watch_windows", 2}}}};
+        {"until_classified",
+         {{"at_most_periods", 1000}, {"held_windows", 2}, {"watch_windows", 2}, {"long_run_every", 3}}}};
     experiment["realisations"] = 24;
     write("until.json", experiment.dump());
+    experiment["horizon"]["until_classified"].erase("long_run_every");
+    write("without.json", experiment.dump());
   }
 
   std::string lasting_part(const std::string& folder) const {
@@ -143,6 +146,28 @@ TEST_F(UntilClassified, IsVerifiedAndReplayed) {
   for (const char* number : {"0", "7", "23"}) {
     const auto outcome = rocking(std::string("replay whole --condition 1 --realisation ") + number);
     EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  }
+}
+
+TEST_F(UntilClassified, HasTheSameResultsBesidesLongRuns) {
+  run("run until.json -o whole");
+  run("run without.json -o without");
+  const Json with = Json::parse(read("whole/report.json"))["result"]["conditions"];
+  const Json without = Json::parse(read("without/report.json"))["result"]["conditions"];
+  for (std::size_t i = 0; i < with.size(); ++i) {
+    Json condition = with[i];
+    Json expected = without[i];
+    for (Json* each : {&condition, &expected}) {  // all draws are counted, those of long runs included
+      for (const char* key : {"draws", "clamped_draws"}) (*each)["validity"].erase(key);
+    }
+    const Json shares = condition["incidence"]["long_run_shares"];
+    condition["incidence"].erase("long_run_shares");
+    EXPECT_TRUE(condition == expected) << i;
+    EXPECT_EQ(shares["realisations"], 8);
+    EXPECT_EQ(shares["windows"], 8);  // of 60 periods, from 500 on: 500, ..., 920
+    double sum = 0.0;
+    for (const auto& [mode, share] : shares["modes"].items()) sum += share["share"].get<double>();
+    EXPECT_NEAR(sum, 1.0, 1e-12);
   }
 }
 

@@ -179,6 +179,19 @@ std::vector<Condition> crowd() {
   return conditions;
 }
 
+/// Realisations that go on window by window, some of them with a long run.
+std::vector<Condition> settling_crowd() {
+  std::vector<Condition> conditions;
+  for (const double amplitude : {5.5, 6.0, 7.0, 8.0}) {
+    conditions.push_back(shaken(amplitude, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35}));
+    Condition& condition = conditions.back();
+    condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.03;
+    condition.horizon.until_classified =
+        UntilClassified{.at_most_periods = 600, .held_windows = 2, .watch_windows = 1, .long_run_every = 3};
+  }
+  return conditions;
+}
+
 /// All realisations of these conditions, those of one condition far apart.
 std::vector<RequestedRun> mixed(const std::vector<Condition>& conditions) {
   std::vector<RequestedRun> tasks;
@@ -202,6 +215,14 @@ std::string spelled(const PeakValues& peaks) {
   return text;
 }
 
+std::string spelled(const std::optional<Settling>& settling) {
+  if (!settling) return "";
+  return ", " + to_string(settling->horizon_mode) + " of " + std::to_string(settling->observed_periods) +
+         " periods, settled " + std::to_string(settling->settling_period.value_or(-1)) + ", left " +
+         std::to_string(settling->left_period.value_or(-1)) + ", long run " +
+         (settling->long_run ? to_string(*settling->long_run) : "none");
+}
+
 /// All parts of a result as text, including the counts of work.
 std::string spelled(const RealisationResult& result) {
   const OperationCounts& operations = result.operations;
@@ -212,7 +233,7 @@ std::string spelled(const RealisationResult& result) {
          std::to_string(operations.perturbed_pair_periods) + " periods of perturbed pairs, " +
          std::to_string(result.losses_of_contact) + " losses, " + std::to_string(result.contradictions) +
          " contradictions, margin " + std::to_string(result.classification.margin) + ", peaks" + spelled(result.peaks) +
-         ", " + std::to_string(result.losses_before_fall) + " losses before the fall";
+         ", " + std::to_string(result.losses_before_fall) + " losses before the fall" + spelled(result.settling);
 }
 
 std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<RequestedRun>& tasks) {
@@ -246,6 +267,10 @@ std::uint64_t expect_the_bits_alone(const std::vector<Condition>& conditions) {
 }
 
 TEST(Lanes, GiveEachRealisationTheBitsThatItGetsAlone) { EXPECT_GT(expect_the_bits_alone(crowd()), 10U); }
+
+TEST(Lanes, GiveEachRealisationThatIsRunUntilItIsClassifiedTheBitsThatItGetsAlone) {
+  expect_the_bits_alone(settling_crowd());
+}
 
 TEST(Lanes, GiveEachRealisationUnderAGroundMotionTheBitsThatItGetsAlone) {
   EXPECT_EQ(expect_the_bits_alone(recorded_crowd()), 0U);

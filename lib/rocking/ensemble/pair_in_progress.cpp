@@ -22,6 +22,7 @@ PairInProgress::PairInProgress(const Experiment& experiment, const Pair& pair, s
     : pair_(pair), tighter_(experiment.conditions[pair.condition]), longer_(tighter_) {
   const Condition& condition = experiment.conditions[pair.condition];
   tighter_.tolerance = rerun_tolerance(condition.tolerance);
+  if (tighter_.horizon.until_classified) tighter_.horizon.until_classified->long_run_every = 0;
   longer_.horizon.until_classified.reset();
   // More sampled periods after the same transient, with common random numbers.
   if (condition.label_check) longer_.horizon.sampled_periods *= static_cast<int>(condition.label_check->times_longer);

@@ -39,6 +39,11 @@ void SettlingTally::add(const Summary& summary) {
   } else {
     ++ends_[End{observed, std::nullopt}];
   }
+  if (summary.long_run) {
+    ++long_runs_;
+    long_run_windows_ = summary.long_run->total();
+    for (const auto& [mode, windows] : *summary.long_run) in_long_runs_[mode].add(windows);
+  }
   if (!first_of_pair_) {
     first_of_pair_ = before;
     return;
@@ -46,6 +51,16 @@ void SettlingTally::add(const Summary& summary) {
   ++differing_pairs_.trials;
   differing_pairs_.successes += *first_of_pair_ == before ? 0 : 1;
   first_of_pair_.reset();
+}
+
+LongRuns SettlingTally::long_runs(double confidence) const {
+  LongRuns runs{.windows = long_run_windows_, .count = long_runs_, .shares = {}};
+  for (auto [mode, windows] : in_long_runs_) {
+    windows.clusters = long_runs_;  // also those without this mode
+    windows.trials_each = long_run_windows_;
+    runs.shares[mode] = {.share = windows.share(), .interval = stats::korn_graubard(windows, confidence)};
+  }
+  return runs;
 }
 
 SettlingResult SettlingTally::result(const Condition& condition, const std::map<std::int64_t, std::uint64_t>& diverged,
@@ -97,6 +112,9 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
     result.leaving[mode] = {.watched_periods = watched,
                             .left = settled.left,
                             .per_1000_periods = stats::poisson_rate_interval(settled.left, thousands, confidence)};
+  }
+  if (condition.horizon.until_classified && condition.horizon.until_classified->long_run_every > 0) {
+    result.long_runs = long_runs(confidence);
   }
   stats::EventTally pairs;
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;

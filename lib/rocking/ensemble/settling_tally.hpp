@@ -9,6 +9,7 @@
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/incidence.hpp"
+#include "rocking/stats/mean_share.hpp"
 #include "rocking/stats/quantile_interval.hpp"
 #include "rocking/store/summary.hpp"
 
@@ -19,6 +20,17 @@ struct Leaving {
   std::uint64_t watched_periods = 0;  ///< of all of them, from the end of the last held window until they were left
   std::uint64_t left = 0;
   stats::Interval per_1000_periods;  ///< exact interval of the rate, if it is constant
+};
+
+/// Windows of the long runs of a condition.
+struct LongRuns {
+  std::uint64_t windows = 0;  ///< counted in each of them
+  std::uint64_t count = 0;    ///< number of long runs
+  struct Share {
+    double share = 0.0;  ///< of these windows
+    stats::Interval interval;
+  };
+  std::map<section::ResponseMode, Share> shares;
 };
 
 /// Which response, and by when, of the realisations of a condition with UntilClassified.
@@ -34,6 +46,7 @@ struct SettlingResult {
   std::map<section::ResponseMode, std::vector<stats::Incidence>> incidence;
   std::map<section::ResponseMode, Leaving> leaving;  ///< empty unless settled responses are watched
   std::vector<stats::Incidence> divergence;          ///< of pairs, censored at the fixed horizon
+  std::optional<LongRuns> long_runs;                 ///< absent unless asked for
 };
 
 /// Collects the settling of the realisations of a condition. Memory is proportional to the number of distinct periods.
@@ -47,6 +60,8 @@ class SettlingTally {
                                       std::uint64_t later) const;
 
  private:
+  [[nodiscard]] LongRuns long_runs(double confidence) const;
+
   struct End {
     std::int64_t period = 0;
     std::optional<section::ResponseMode> mode;  ///< absent: censored
@@ -65,6 +80,9 @@ class SettlingTally {
   std::map<End, std::uint64_t> ends_;
   ModeTally at_horizon_;
   std::map<section::ResponseMode, Settled> settled_;
+  std::uint64_t long_runs_ = 0;
+  std::uint64_t long_run_windows_ = 0;  ///< of each of them
+  std::map<section::ResponseMode, stats::ClusteredProportion> in_long_runs_;
   std::optional<section::ResponseMode> first_of_pair_;
   stats::Proportion differing_pairs_;
 };

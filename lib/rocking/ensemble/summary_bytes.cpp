@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <stdexcept>
+#include <string>
 #include <type_traits>
 
 namespace rocking {
@@ -14,6 +15,11 @@ class Packer {
     static_assert(std::is_trivially_copyable_v<Value>);
     const auto* first = reinterpret_cast<const std::byte*>(&value);
     bytes_.insert(bytes_.end(), first, first + sizeof value);
+  }
+  void put(const section::ModeCounts& counts) {
+    const std::string text = to_string(counts);
+    put(std::uint64_t{text.size()});
+    for (const char letter : text) put(letter);
   }
   template <class Value>
   void put(const std::optional<Value>& value) {
@@ -35,6 +41,14 @@ class Unpacker {
     if (bytes_.size() < sizeof value) throw std::length_error("a message between processes ends too early");
     std::memcpy(&value, bytes_.data(), sizeof value);
     bytes_ = bytes_.subspan(sizeof value);
+  }
+  void get(section::ModeCounts& counts) {
+    std::uint64_t size = 0;
+    get(size);
+    if (size > bytes_.size()) throw std::length_error("a message between processes ends too early");
+    std::string text(size, ' ');
+    for (char& letter : text) get(letter);
+    counts = section::mode_counts_named(text).value_or(section::ModeCounts{});
   }
   template <class Value>
   void get(std::optional<Value>& value) {

@@ -134,6 +134,19 @@ Json curve_json(const std::vector<stats::Incidence>& curve) {
   return json;
 }
 
+Json long_run_shares_json(const LongRuns& runs) {
+  Json json = Json::object();
+  json["realisations"] = runs.count;
+  json["windows"] = runs.windows;
+  Json& modes = json["modes"] = Json::object();
+  for (const auto& [mode, share] : runs.shares) {
+    Json& entry = modes[to_string(mode)] = Json::object();
+    entry["share"] = number(share.share);
+    entry["interval"] = interval_json(share.interval);
+  }
+  return json;
+}
+
 /// By which period all but one per cent have settled.
 Json nearly_all_json(const stats::TimeToShare& found) {
   const auto whole = [](const std::optional<std::int64_t>& period) { return period ? Json(*period) : Json(); };
@@ -170,6 +183,7 @@ Json incidence_json(const SettlingResult& settling, const ResponseTimes& times) 
         number(1000.0 * static_cast<double>(found.left) / static_cast<double>(found.watched_periods));
     entry["interval"] = interval_json(found.per_1000_periods);
   }
+  if (settling.long_runs) json["long_run_shares"] = long_run_shares_json(*settling.long_runs);
   return json;
 }
 

@@ -57,6 +57,33 @@ inline void collect(RealisationResult& result, const Motion& motion, const Strob
   return std::max<std::int64_t>(condition.horizon.transient_periods, 1);
 }
 
+/// Whether the realisation is observed up to the limit of UntilClassified.
+[[nodiscard]] inline bool has_long_run(const Condition& condition, std::uint64_t realisation) {
+  const auto& until = condition.horizon.until_classified;
+  return until && until->long_run_every > 0 && realisation % until->long_run_every == 0;
+}
+
+/// Windows in the second half of `at_most_periods`, in which the modes of a long run are counted; at least the last one.
+struct CountedWindows {
+  std::int64_t first = 0;   ///< earliest period with which a counted window may begin
+  std::int64_t last = 0;    ///< period with which the last window begins
+  std::int64_t length = 1;  ///< of a window, in periods
+
+  /// Number of counted windows among that which begins with this period and all later ones.
+  [[nodiscard]] std::uint64_t from(std::int64_t begin) const {
+    if (begin < first) begin += (first - begin + length - 1) / length * length;
+    return begin > last ? 0 : static_cast<std::uint64_t>((last - begin) / length + 1);
+  }
+};
+
+/// Precondition: the condition has UntilClassified.
+[[nodiscard]] inline CountedWindows counted_windows(const Horizon& horizon) {
+  const std::int64_t length = horizon.sampled_periods;
+  const std::int64_t limit = horizon.until_classified->at_most_periods;
+  const std::int64_t last = horizon.transient_periods + (limit - horizon.transient_periods - length) / length * length;
+  return {.first = std::min(limit / 2, last), .last = last, .length = length};
+}
+
 /// One realisation on its way to the horizon, and its classification at the end. The motion has a pointer to the
 /// recorder, so that the object cannot be moved. A copy of the motion at the end of the transient is kept for the
 /// reference and the perturbed trajectory.
@@ -71,12 +98,17 @@ class HorizonRun {
         motion_(make_motion(recorder_)) {
     result_.operations.initial_draws = beginning.draws;
     result_.clamps = beginning.clamps;
+    window_begin_ = condition.horizon.transient_periods;
   }
   HorizonRun(const HorizonRun&) = delete;
   HorizonRun& operator=(const HorizonRun&) = delete;
 
   [[nodiscard]] Motion& motion() { return motion_; }
   [[nodiscard]] integrate::LoopCounts& counts() { return counts_; }
+
+  /// To be called before the first step. The windows of the realisation are counted by mode up to the limit. The rest
+  /// of the result, without operation counts, clamps and the digest of the motion, is what it is without this.
+  void observe_long_run() { result_.settling.emplace().long_run.emplace(); }
 
   /// To be called when the motion has ended. True if that was only the end of the transient and the motion continues.
   [[nodiscard]] bool go_on() {
@@ -95,6 +127,8 @@ class HorizonRun {
   /// To be called when the newest window has been classified. True if the motion continues for another window, after
   /// which go_on() is called again.
   [[nodiscard]] bool begin_next_window();
+  /// Mode of the newest window, when it has been classified.
+  [[nodiscard]] const section::ResponseMode& newest_mode() const { return newest_mode_; }
 
   /// The result, to be called when everything has been run.
   [[nodiscard]] RealisationResult finish();
@@ -105,6 +139,9 @@ class HorizonRun {
   void take(const section::Classification& newest);
   void settle(const section::Classification& newest);
   void watch(const section::ResponseMode& newest);
+  [[nodiscard]] bool is_observed() const;
+  void count_window();
+  void keep_observed();
 
   const Condition* condition_;
   double shape_angle_;
@@ -122,6 +159,9 @@ class HorizonRun {
   std::int64_t candidate_since_ = 0;              ///< end of the first of these windows
   int candidate_held_ = 0;                        ///< number of these windows
   int watched_ = 0;                               ///< windows since the response has settled
+  section::ResponseMode newest_mode_;
+  std::int64_t window_begin_ = 0;                     ///< of the newest window, if windows are counted
+  std::optional<RealisationResult> observed_result_;  ///< when only the long run was left to observe
 };
 
 /// Keeps the strobe points up to the fixed horizon and the digest of the later ones.
@@ -169,12 +209,15 @@ inline std::optional<section::Classification> HorizonRun::classification_without
 
 /// Takes the classification of the newest window.
 inline void HorizonRun::take(const section::Classification& newest) {
+  newest_mode_ = newest.mode;
+  if (observed_result_) return;
   if (!condition_->horizon.until_classified) {
     result_.classification = newest;
     return;
   }
-  if (!result_.settling) result_.settling.emplace().horizon_mode = newest.mode;
+  if (!result_.settling) result_.settling.emplace();
   Settling& settling = *result_.settling;
+  if (!continued_) settling.horizon_mode = newest.mode;
   const bool is_overturned = newest.mode.kind == section::ResponseKind::overturned;
   settling.observed_periods = observed_ + (is_overturned ? 1 : 0);
   if (settling.settling_period) {
@@ -210,6 +253,28 @@ inline void HorizonRun::watch(const section::ResponseMode& newest) {
   result_.settling->left_to = newest;
 }
 
+/// Whether the observation has ended, except for a long run.
+inline bool HorizonRun::is_observed() const {
+  const Settling& settling = *result_.settling;
+  return settling.settling_period &&
+         (watched_ >= condition_->horizon.until_classified->watch_windows || settling.left_to);
+}
+
+/// Counts the newest window. If the motion has ended in it, all later ones have the mode of this end.
+inline void HorizonRun::count_window() {
+  const CountedWindows counted = counted_windows(condition_->horizon);
+  const std::uint64_t all = counted.from(window_begin_);
+  window_begin_ += counted.length;
+  const bool goes_on = motion_.termination() == dynamics::Termination::reached_horizon;
+  const std::uint64_t count = goes_on ? all - counted.from(window_begin_) : all;
+  if (count > 0) (*result_.settling->long_run)[newest_mode_] += count;
+}
+
+inline void HorizonRun::keep_observed() {
+  observed_result_ = result_;
+  collect(*observed_result_, motion_, recorder_);
+}
+
 inline bool HorizonRun::begin_next_window() {
   if (perturbed_pair_) {
     const ExponentRun run = perturbed_pair_->result();
@@ -218,11 +283,13 @@ inline bool HorizonRun::begin_next_window() {
     take(classification_.with_exponent(run.exponent));
   }
   const Horizon& horizon = condition_->horizon;
-  if (!horizon.until_classified || motion_.termination() != dynamics::Termination::reached_horizon) return false;
-  const Settling& settling = *result_.settling;
-  const bool is_done =
-      settling.settling_period && (watched_ >= horizon.until_classified->watch_windows || settling.left_to);
-  if (is_done || observed_ + horizon.sampled_periods > horizon.until_classified->at_most_periods) return false;
+  if (!horizon.until_classified) return false;
+  const bool has_long_run = result_.settling->long_run.has_value();
+  if (has_long_run) count_window();
+  if (motion_.termination() != dynamics::Termination::reached_horizon) return false;
+  if (is_observed() && !has_long_run) return false;
+  if (observed_ + horizon.sampled_periods > horizon.until_classified->at_most_periods) return false;
+  if (is_observed() && !observed_result_) keep_observed();
   if (!continued_) continued_.emplace();
   recorder_.forget();
   after_transient_ = motion_;
@@ -233,6 +300,12 @@ inline bool HorizonRun::begin_next_window() {
 inline RealisationResult HorizonRun::finish() {
   add(result_.operations, counts_);
   collect(result_, motion_, recorder_);
+  if (observed_result_) {
+    observed_result_->operations = result_.operations;
+    observed_result_->clamps = result_.clamps;
+    observed_result_->settling->long_run = std::move(result_.settling->long_run);
+    result_ = std::move(*observed_result_);
+  }
   if (continued_) result_.settling->continued = continued_->finish();
   return std::move(result_);
 }

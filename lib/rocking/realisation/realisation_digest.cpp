@@ -13,6 +13,7 @@ base::Sha256 digest_of(const RealisationResult& result, std::uint64_t realisatio
     builder.add(point.slip_rate);
   }
   if (result.settling && result.settling->was_continued()) builder.add(result.settling->continued);
+  if (result.settling && result.settling->long_run) builder.add(to_string(*result.settling->long_run));
   for (const std::uint64_t count : result.operations.events) builder.add(count);
   return builder.finish();
 }

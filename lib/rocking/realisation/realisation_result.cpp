@@ -20,6 +20,7 @@ RealisationResult realise_unchecked(const Condition& condition, std::uint64_t se
       begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
   HorizonRun run(condition, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
+  if (has_long_run(condition, realisation)) run.observe_long_run();
   return run_alone(run, stop);
 }
 

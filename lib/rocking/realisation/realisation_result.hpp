@@ -11,6 +11,7 @@
 #include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/classification.hpp"
+#include "rocking/section/mode_counts.hpp"
 #include "rocking/section/period.hpp"
 
 namespace rocking {
@@ -25,6 +26,7 @@ struct Settling {
   std::optional<std::int64_t> left_period;      ///< end of the window in which a settled response had another mode
   std::optional<section::ResponseMode> left_to;  ///< this mode
   base::Sha256 continued{};  ///< digest of the strobe points after the fixed horizon; zero without any
+  std::optional<section::ModeCounts> long_run;  ///< windows of its long run by their modes; absent without one
 
   [[nodiscard]] bool was_continued() const { return continued != base::Sha256{}; }
 };

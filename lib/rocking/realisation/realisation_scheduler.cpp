@@ -65,6 +65,7 @@ class RealisationScheduler::Implementation {
         std::make_unique<RealisationInProgress>(condition, beginning, id, [&](dynamics::Observer& observer) {
           return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
         }));
+    if (has_long_run(condition, run.realisation)) runs_.back()->observe_long_run();
     scheduler_.add(runs_.back()->itself);
   }
 

@@ -55,6 +55,7 @@ struct UntilClassified {
   std::int64_t at_most_periods = 20'000;  ///< from the start on; a window that would end later is not begun
   int held_windows = 1;                   ///< the response has settled if so many successive windows give one mode
   int watch_windows = 0;                  ///< windows that a settled response is observed for, until it is left
+  std::uint64_t long_run_every = 0;       ///< every N-th realisation has a long run up to the limit; 0: none
 };
 
 struct Horizon {

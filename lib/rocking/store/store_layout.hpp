@@ -13,12 +13,13 @@
 /// 3: the column clamped_length_at_bound.
 /// 4: the columns of peaks and slip, peak_tilt to final_slip_m, and left_ground_before_fall.
 /// 5: the columns of realisations run until they are classified, horizon_mode to left_to.
+/// 6: the column long_run.
 ///
 /// A new field of a row (for_each_field) needs a new layout. Stores of earlier layouts lack its column; the field then
 /// has its default value.
 namespace rocking {
 
-inline constexpr std::int64_t current_layout = 5;
+inline constexpr std::int64_t current_layout = 6;
 
 /// Turns an empty database into a store without rows and identity.
 void lay_out(sqlite::Database& database);

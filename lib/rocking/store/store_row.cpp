@@ -80,6 +80,7 @@ class Reader {
     std::copy_n(bytes.begin(), std::min(bytes.size(), digest.size()), digest.begin());
   }
   void get(section::ResponseMode& mode) { take(section::response_mode_named(statement_->text(place_++)), mode); }
+  void get(section::ModeCounts& counts) { take(section::mode_counts_named(statement_->text(place_++)), counts); }
   void get(section::Reason& reason) { take(section::reason_named(statement_->text(place_++)), reason); }
   void get(dynamics::Termination& termination) {
     take(dynamics::termination_named(statement_->text(place_++)), termination);

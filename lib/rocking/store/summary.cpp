@@ -37,7 +37,8 @@ Summary summary_at_fixed_horizon(const RealisationResult& result, std::uint64_t 
           .observed_periods = std::nullopt,
           .settling_period = std::nullopt,
           .left_period = std::nullopt,
-          .left_to = std::nullopt};
+          .left_to = std::nullopt,
+          .long_run = std::nullopt};
 }
 
 }  // namespace
@@ -55,6 +56,7 @@ Summary summarise(const RealisationResult& result, std::uint64_t realisation) {
   summary.settling_period = settling.settling_period;
   summary.left_period = settling.left_period;
   summary.left_to = settling.left_to;
+  summary.long_run = settling.long_run;
   return summary;
 }
 

@@ -61,6 +61,7 @@ struct Summary {
   std::optional<std::int64_t> settling_period;
   std::optional<std::int64_t> left_period;
   std::optional<section::ResponseMode> left_to;
+  std::optional<section::ModeCounts> long_run;  ///< absent without a long run and before layout 6
 
   [[nodiscard]] bool was_clamped() const;
 };
@@ -112,6 +113,7 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("settling_period", summary.settling_period);
   visit("left_period", summary.left_period);
   visit("left_to", summary.left_to);
+  visit("long_run", summary.long_run);
 }
 
 }  // namespace rocking

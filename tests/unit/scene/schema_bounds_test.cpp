@@ -50,6 +50,7 @@ std::map<std::string, Rule> rules_by_place() {
                                   {"/horizon/until_classified/at_most_periods", rules::at_most_periods},
                                   {"/horizon/until_classified/held_windows", rules::held_windows},
                                   {"/horizon/until_classified/watch_windows", rules::watch_windows},
+                                  {"/horizon/until_classified/long_run_every", rules::long_run_every},
                                   {"/accuracy/tolerance", rules::tolerance},
                                   {"/accuracy/repeat_every", rules::rerun_every},
                                   {"/realisations", rules::realisations},
@@ -146,7 +147,8 @@ std::map<std::string, Json> defaults_by_place() {
           {"/check_labels/times_longer", check.times_longer},
           {"/confidence", condition.confidence},
           {"/horizon/until_classified/held_windows", until.held_windows},
-          {"/horizon/until_classified/watch_windows", until.watch_windows}};
+          {"/horizon/until_classified/watch_windows", until.watch_windows},
+          {"/horizon/until_classified/long_run_every", until.long_run_every}};
 }
 
 void collect_defaults(const Json& schema, const std::string& place, std::map<std::string, Json>& defaults) {

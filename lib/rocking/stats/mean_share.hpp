@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+
+#include "rocking/stats/interval.hpp"
+
+namespace rocking::stats {
+
+/// Sums over independent clusters, each of which has the same number of trials. Within a cluster the trials may depend
+/// on each other in any way.
+struct ClusteredProportion {
+  std::uint64_t clusters = 0;
+  std::uint64_t trials_each = 1;  ///< at least 1
+  double successes = 0.0;         ///< a whole number
+  double squares = 0.0;           ///< sum of the squares of the successes of each cluster
+
+  void add(std::uint64_t its_successes) {
+    const auto count = static_cast<double>(its_successes);
+    ++clusters;
+    successes += count;
+    squares += count * count;
+  }
+  /// The mean share of successes; 0 without clusters.
+  [[nodiscard]] double share() const;
+};
+
+/// Confidence interval for the expected share of successes of a cluster: Clopper-Pearson's with an effective number of
+/// trials.
+///
+///     n* = p (1 - p)/v [z/t(n - 1)]^2,   v: variance of the mean of the n clusters' shares,   n <= n* <= n trials_each
+///
+/// z and t(n - 1) are two-sided quantiles of the normal law and of Student's. Below n it is n, because no law of a share
+/// has a larger variance than that of whole clusters; so it is if all clusters are equal, where v says nothing. Its
+/// coverage is measured, not proven (lib/docs/settling.md). Without clusters [0, 1].
+/// Source: Korn & Graubard (1998), Surv. Methodol. 24, 193-201.
+[[nodiscard]] Interval korn_graubard(const ClusteredProportion& proportion, double confidence);
+
+}  // namespace rocking::stats

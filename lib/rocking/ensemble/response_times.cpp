@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking {
@@ -38,9 +39,7 @@ ResponseTimes ResponseTimesTally::result(const Condition& condition,
   const Horizon& horizon = condition.horizon;
   const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
   // A response that appears in the last windows cannot be held for long enough: it is at risk only before them.
-  const std::int64_t confirmation =
-      horizon.until_classified ? (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods
-                               : 0;
+  const std::int64_t confirmation = confirmation_periods(horizon);
   stats::EventTally tally;
   for (const auto& [period, count] : settled_) tally[{.time = period, .event = 0}] += count;
   for (const auto& [period, count] : censored_) {

@@ -3,26 +3,21 @@
 #include <algorithm>
 
 #include "rocking/stats/diversity.hpp"
+#include "rocking/stats/survival.hpp"
 
 namespace rocking {
 namespace {
 
-/// At most `most_times` of them, evenly spread, with the first and the last one.
-std::vector<stats::Incidence> thinned(const std::vector<stats::Incidence>& curve) {
-  constexpr std::size_t most = SettlingResult::most_times;
-  if (curve.size() <= most) return curve;
-  std::vector<stats::Incidence> kept;
-  for (std::size_t i = 0; i < most; ++i) kept.push_back(curve[i * (curve.size() - 1) / (most - 1)]);
-  return kept;
-}
-
-/// Periods from the settling period, the end of the first held window, to the end of the last one.
-std::int64_t confirmation_of(const Horizon& horizon) {
-  if (!horizon.until_classified) return 0;
-  return (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods;
+std::vector<stats::Incidence> curve_of(const stats::EventTally& tally, std::size_t event, double confidence) {
+  return stats::thinned(stats::cumulative_incidence(tally, event, confidence), SettlingResult::most_times);
 }
 
 }  // namespace
+
+std::int64_t confirmation_periods(const Horizon& horizon) {
+  if (!horizon.until_classified) return 0;
+  return (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods;
+}
 
 void SettlingTally::add(const Summary& summary) {
   const std::int64_t observed = summary.observed_periods.value_or(0);
@@ -85,25 +80,20 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
     if (end.mode) events.emplace(*end.mode, events.size());
   }
   // A response that appears in the last windows cannot be confirmed: it is at risk of settling only before them.
-  const std::int64_t confirmation = confirmation_of(condition.horizon);
+  const std::int64_t confirmation = confirmation_periods(condition.horizon);
   stats::EventTally tally;
-  std::vector<double> periods;
   for (const auto& [end, count] : ends_) {
     stats::EndOfObservation observation{.time = end.period, .event = std::nullopt};
     if (end.mode) {
       observation.event = events.at(*end.mode);
-      periods.insert(periods.end(), count, static_cast<double>(end.period));
     } else {
       result.censored += count;
       observation.time = std::max<std::int64_t>(0, end.period - confirmation);
     }
     tally[observation] += count;
   }
-  for (const double level : {0.25, 0.5, 0.75}) {
-    result.settling_periods.push_back(stats::quantile_estimate(periods, result.censored, level, confidence));
-  }
   for (const auto& [mode, event] : events) {
-    result.incidence[mode] = thinned(stats::cumulative_incidence(tally, event, confidence));
+    result.incidence[mode] = curve_of(tally, event, confidence);
   }
   for (const auto& [mode, settled] : settled_) {
     const std::uint64_t watched = settled.periods - settled.realisations * static_cast<std::uint64_t>(confirmation);
@@ -120,7 +110,7 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
   const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
   for (const auto& [period, count] : diverged) pairs[{.time = period, .event = 0}] = count;
   if (later > 0) pairs[{.time = horizon, .event = std::nullopt}] = later;
-  if (!pairs.empty()) result.divergence = thinned(stats::cumulative_incidence(pairs, 0, confidence));
+  if (!pairs.empty()) result.divergence = curve_of(pairs, 0, confidence);
   return result;
 }
 

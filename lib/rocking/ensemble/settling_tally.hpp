@@ -33,6 +33,9 @@ struct LongRuns {
   std::map<section::ResponseMode, Share> shares;
 };
 
+/// Periods from the settling period, the end of the first held window, to the end of the last one.
+[[nodiscard]] std::int64_t confirmation_periods(const Horizon& horizon);
+
 /// Which response, and by when, of the realisations of a condition with UntilClassified.
 struct SettlingResult {
   static constexpr std::size_t most_times = 200;
@@ -41,7 +44,6 @@ struct SettlingResult {
   std::optional<double> differ;     ///< probability that two runs differ there; absent for fewer than two
   stats::Interval differ_interval;  ///< Clopper-Pearson on disjoint pairs
   std::uint64_t censored = 0;       ///< realisations that were not classified
-  std::vector<stats::QuantileEstimate> settling_periods;  ///< quartiles; the censored ones count as beyond
   /// By mode, thinned to `most_times` times.
   std::map<section::ResponseMode, std::vector<stats::Incidence>> incidence;
   std::map<section::ResponseMode, Leaving> leaving;  ///< empty unless settled responses are watched

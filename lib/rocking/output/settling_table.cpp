@@ -117,10 +117,8 @@ SettlingRow row_of(const Condition& condition, const ConditionResult& result) {
   if (unresolved != settling.at_horizon.end()) row.unresolved_at_horizon = unresolved->second;
   row.censored = settling.censored;
   row.fixed_horizon = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
-  if (horizon.until_classified) {
-    row.limit = horizon.until_classified->at_most_periods;
-    row.confirmation = (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods;
-  }
+  if (horizon.until_classified) row.limit = horizon.until_classified->at_most_periods;
+  row.confirmation = confirmation_periods(horizon);
   row.differ_at_horizon = settling.differ;
   if (result.non_recurrence) row.differ_in_the_end = result.non_recurrence->differ;
   for (const auto& [mode, leaving] : settling.leaving) {

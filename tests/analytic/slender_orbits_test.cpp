@@ -429,8 +429,11 @@ TEST(SlenderOrbit, HasItsCurvesOfFoldsAndLossesOfSymmetryWhereTheClosedFormHasTh
     for (const BifurcationCurve& curve : curves) {
       const bool is_fold = curve.kind == BifurcationKind::fold;
       EXPECT_TRUE(is_fold || curve.kind == BifurcationKind::symmetry_breaking);
-      EXPECT_EQ(curve.ends[0], BranchEnd::range);
-      EXPECT_EQ(curve.ends[1], BranchEnd::range);
+      const std::string where = std::to_string(family.omega) + ' ' + std::string(to_string(curve.kind)) + " from " +
+                                std::to_string(curve.points.front().values[1]) + " to " +
+                                std::to_string(curve.points.back().values[1]);
+      EXPECT_EQ(to_string(curve.ends[0]), "range") << where;
+      EXPECT_EQ(to_string(curve.ends[1]), "range") << where;
       EXPECT_NEAR(std::abs(curve.points.back().values[1] - curve.points.front().values[1]), 0.2 * family.omega, 1e-12);
       double largest = 0.0;
       for (const BifurcationPoint& point : curve.points) {
@@ -440,7 +443,7 @@ TEST(SlenderOrbit, HasItsCurvesOfFoldsAndLossesOfSymmetryWhereTheClosedFormHasTh
         EXPECT_LE(point.orbit.residual, 1e-10);
         EXPECT_LE(point.test, 1e-10);
       }
-      EXPECT_LT(largest, 2e-8) << family.omega << ' ' << is_fold;
+      EXPECT_LT(largest, 2e-8) << where;
     }
   }
 }

@@ -118,11 +118,15 @@ std::optional<PlaneUnknowns> next_of(const Curve& derivative, const PlaneSection
   return next;
 }
 
-/// The null vector of the derivative, of norm 1, with a positive product with the normal.
-PlaneUnknowns tangent_of(const Curve& derivative, const PlaneSection& section) {
+/// The null vector of the derivative, of norm 1, with a positive product with the normal. Its entries along coordinates
+/// that the contact state fixes are 0: a slip rate of 1e-20 would be another contact state.
+PlaneUnknowns tangent_of(const Curve& derivative, const PlaneSection& section, const PoincareImage& image) {
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivative, Eigen::ComputeFullV);
   const Eigen::VectorXd last = svd.matrixV().col(4);
-  const PlaneUnknowns tangent{last[0], last[1], last[2], last[3], last[4]};
+  PlaneUnknowns tangent{last[0], last[1], last[2], last[3], last[4]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_fixed(image, i)) tangent[i] = 0.0;
+  }
   return dot(tangent, section.normal) < 0.0 ? plus({}, -1.0, tangent) : tangent;
 }
 
@@ -191,7 +195,7 @@ std::optional<CriticalPoint> correct(const CriticalFamily& family, const Critica
   best->test = smallest_singular_value(family, best->image);
   if (!(best->test <= largest_test * largest_entry(best->image.derivative))) return std::nullopt;
   best->border = border_of(family, best->image);
-  best->tangent = tangent_of(*derivative_at_best, section);
+  best->tangent = tangent_of(*derivative_at_best, section, best->image);
   return best;
 }
 

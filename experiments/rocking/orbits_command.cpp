@@ -3,7 +3,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include <fmt/format.h>
 
@@ -18,6 +20,7 @@
 #include "rocking/input/condition_family.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/section/period.hpp"
+#include "rocking/studies/orbits/bifurcation_curve.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/text/files.hpp"
@@ -38,6 +41,10 @@ struct OrbitsRequest {
   std::optional<double> to;    ///< likewise the largest one
   std::uint64_t branch_points = default_branch_points;
   std::uint64_t branches = default_branches;
+  std::vector<std::string> second;  ///< pointers of the second parameter; empty: no curves
+  std::optional<double> second_from;
+  std::optional<double> second_to;
+  std::uint64_t curve_points = default_curve_points;
 };
 
 /// Throws InputError, with the file and the line, where the experiment has no orbits.
@@ -91,10 +98,51 @@ std::optional<FoundBranches> branches(const Experiment& experiment, const std::o
                        .study = branches_of(*question, conditions, &stop_on_interrupt())};
 }
 
+/// The second parameter and its range, without the curves; absent if none is asked for. Throws UsageError or
+/// base::InputError if they cannot be followed.
+std::optional<FoundCurves> curve_request(const Experiment& experiment, const std::optional<BranchQuestion>& question,
+                                         const OrbitsRequest& request) {
+  if (request.second.empty()) {
+    if (!request.second_from && !request.second_to) return std::nullopt;
+    throw UsageError("--second-from and --second-to are the range of --second-parameter, which is missing");
+  }
+  if (!question) throw UsageError("--second-parameter: no branches are followed; sweep one number of the motion");
+  if (!request.second_from || !request.second_to || !(*request.second_from < *request.second_to)) {
+    throw UsageError("--second-parameter needs a range: --second-from X --second-to Y, with X below Y");
+  }
+  for (const std::string& pointer : request.second) {
+    if (can_be_continued(pointer)) continue;
+    throw UsageError(
+        fmt::format("--second-parameter {}: no real number on which the motion depends continuously; give for example "
+                    "/excitation/frequency_ratio or /friction/static",
+                    pointer));
+  }
+  FoundCurves found{.pointers = request.second,
+                    .value = second_parameter(experiment, request.second).value,
+                    .range = {.low = *request.second_from, .high = *request.second_to},
+                    .most_points = request.curve_points,
+                    .curves = {}};
+  if (found.value >= found.range.low && found.value <= found.range.high) return found;
+  throw UsageError(fmt::format("--second-from {} --second-to {}: the value of the experiment, {}, must be between them",
+                               found.range.low, found.range.high, found.value));
+}
+
+void follow_curves(const Experiment& experiment, const OrbitsRequest& request, const FoundBranches& branches,
+                   FoundCurves& found) {
+  if (!request.execution.loudness.quiet) print_notice("following bifurcations over the second parameter");
+  const SecondParameter second = second_parameter(experiment, found.pointers);
+  const CurveQuestion question{.conditions = condition_plane(experiment, branches.pointer, second),
+                               .ranges = {branches.range, found.range},
+                               .second = found.value,
+                               .most_points = found.most_points};
+  found.curves = bifurcation_curves(question, branches.study, &stop_on_interrupt());
+}
+
 ExitCode orbits(const OrbitsRequest& request) {
   const Experiment experiment = load_experiment(request.file, {});
   refuse_without_orbits(experiment, request.file);  // before any file is written
   const std::optional<BranchQuestion> question = branch_question(experiment, request);
+  std::optional<FoundCurves> curves = curve_request(experiment, question, request);
   const std::filesystem::path path(request.folder);
   const std::filesystem::path file = path / "orbits.json";
   RunFolder folder(path);
@@ -112,6 +160,8 @@ ExitCode orbits(const OrbitsRequest& request) {
   FoundOrbits found{.experiment = &experiment, .longest = static_cast<int>(request.longest), .conditions = {}};
   try {
     found.branches = branches(experiment, question, request, *conditions);
+    if (curves) follow_curves(experiment, request, *found.branches, *curves);
+    found.curves = std::move(curves);
   } catch (const base::Stopped&) {
     return explain_stop();
   }
@@ -157,6 +207,19 @@ void add_orbits(CLI::App& app, Action& action) {
       ->type_name("N");
   command->add_option("--branches", request->branches, "Largest number of branches")
       ->check(whole_number(1, 100'000))
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      ->add_option("--second-parameter", request->second,
+                   "JSON pointer of a second number, over which folds, doublings and losses of symmetry are followed; "
+                   "of several pointers, the numbers at the others keep their ratio to the first")
+      ->type_name("POINTER");
+  command->add_option("--second-from", request->second_from, "Smallest value of the second number")->type_name("X");
+  command->add_option("--second-to", request->second_to, "Largest value of it")->type_name("X");
+  command
+      ->add_option("--curve-points", request->curve_points,
+                   "Largest number of points of such a curve in each direction")
+      ->check(whole_number(1, 1'000'000))
       ->capture_default_str()
       ->type_name("N");
   add_threads(*command, request->execution);

@@ -15,6 +15,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
+#include "rocking/studies/orbits/bifurcation_curve.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/stability.hpp"
@@ -396,6 +397,53 @@ TEST(SlenderOrbit, HasItsFoldAndItsLossOfSymmetryWhereTheClosedFormHasThem) {
       if (!point.orbit.stability.is_stable()) continue;
       EXPECT_GT(point.value, family.amplitude(family.x_fold()) - 1e-7);
       EXPECT_LT(point.value, family.amplitude(family.x_symmetry()) + 1e-7);
+    }
+  }
+}
+
+/// Curves of the bifurcations of the family's branch over the frequency ratio, between 0.9 and 1.1 of its own. The block
+/// and the rate ratio stay.
+std::vector<BifurcationCurve> curves_of(const Family& family, const BranchStudy& study, const ParameterRange& first) {
+  const Orbit start = with_multiplier(family, 0.85);
+  const CurveQuestion question{.conditions =
+                                   [start](double amplitude, double omega) {
+                                     Condition condition = slender(start, 1e5, {}, 0.0);
+                                     support::harmonic(condition.scene).amplitude = amplitude;
+                                     support::harmonic(condition.scene).frequency_ratio = omega;
+                                     return std::optional(condition);
+                                   },
+                               .ranges = {first, {.low = 0.9 * family.omega, .high = 1.1 * family.omega}},
+                               .second = family.omega,
+                               .most_points = 300};
+  return bifurcation_curves(question, study, {});
+}
+
+// The curves of the block differ from those of the limit as the bifurcations of a branch do.
+TEST(SlenderOrbit, HasItsCurvesOfFoldsAndLossesOfSymmetryWhereTheClosedFormHasThem) {
+  for (const Family& family : {Family{.r = 0.5, .omega = 5.0, .n = 1}, Family{.r = 0.7, .omega = 5.0, .n = 3},
+                               Family{.r = 0.9, .omega = 10.0, .n = 5}}) {
+    const ParameterRange range{.low = 0.5 * family.amplitude(family.x_fold()),
+                               .high = 2.0 * family.amplitude(family.x_symmetry())};
+    const std::vector<BifurcationCurve> curves = curves_of(family, branch_of(family), range);
+    ASSERT_EQ(curves.size(), 2U) << family.omega;
+    for (const BifurcationCurve& curve : curves) {
+      const bool is_fold = curve.kind == BifurcationKind::fold;
+      EXPECT_TRUE(is_fold || curve.kind == BifurcationKind::symmetry_breaking);
+      const std::string where = std::to_string(family.omega) + ' ' + std::string(to_string(curve.kind)) + " from " +
+                                std::to_string(curve.points.front().values[1]) + " to " +
+                                std::to_string(curve.points.back().values[1]);
+      EXPECT_EQ(to_string(curve.ends[0]), "range") << where;
+      EXPECT_EQ(to_string(curve.ends[1]), "range") << where;
+      EXPECT_NEAR(std::abs(curve.points.back().values[1] - curve.points.front().values[1]), 0.2 * family.omega, 1e-12);
+      double largest = 0.0;
+      for (const BifurcationPoint& point : curve.points) {
+        const Family here{.r = family.r, .omega = point.values[1], .n = family.n};
+        const double exact = here.amplitude(is_fold ? here.x_fold() : here.x_symmetry());
+        largest = std::max(largest, std::abs(point.values[0] - exact));
+        EXPECT_LE(point.orbit.residual, 1e-10);
+        EXPECT_LE(point.test, 1e-10);
+      }
+      EXPECT_LT(largest, 2e-8) << where;
     }
   }
 }

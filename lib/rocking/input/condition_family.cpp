@@ -5,6 +5,24 @@
 #include "rocking/text/json.hpp"
 
 namespace rocking {
+namespace {
+
+/// The experiment at the document; absent where a value of it is not allowed.
+std::optional<Condition> condition_of(const Json& document) {
+  try {
+    return read_experiment(document.dump()).conditions.front();
+  } catch (const base::InputError&) {
+    return std::nullopt;
+  }
+}
+
+Json document_without_sweep(const Experiment& experiment) {
+  Json document = Json::parse(experiment.canonical_text);
+  document.erase("sweep");
+  return document;
+}
+
+}  // namespace
 
 std::optional<SweptNumber> only_swept_number(const Experiment& experiment) {
   const auto& parameters = experiment.conditions.front().parameters;
@@ -20,16 +38,50 @@ std::optional<SweptNumber> only_swept_number(const Experiment& experiment) {
 
 std::function<std::optional<Condition>(double)> condition_family(const Experiment& experiment,
                                                                  const std::string& pointer) {
-  Json document = Json::parse(experiment.canonical_text);
-  document.erase("sweep");
-  return [document, place = Json::json_pointer(pointer)](double value) -> std::optional<Condition> {
+  return [document = document_without_sweep(experiment),
+          place = Json::json_pointer(pointer)](double value) -> std::optional<Condition> {
     Json one = document;
     one[place] = value;
-    try {
-      return read_experiment(one.dump()).conditions.front();
-    } catch (const base::InputError&) {
-      return std::nullopt;  // not an allowed value
+    return condition_of(one);
+  };
+}
+
+SecondParameter second_parameter(const Experiment& experiment, const std::vector<std::string>& pointers) {
+  const Json document = document_without_sweep(experiment);
+  const auto refuse = [](const std::string& pointer, const std::string& reason, const std::string& remedy) {
+    throw base::InputError(
+        base::Problem{.place = "--second-parameter", .value = pointer, .reason = reason, .remedy = remedy});
+  };
+  SecondParameter second{.pointers = pointers, .value = 0.0};
+  for (const std::string& pointer : pointers) {
+    const bool is_pointer = pointer.starts_with('/') && pointer.find('~') == std::string::npos;
+    const bool is_there = is_pointer && document.contains(Json::json_pointer(pointer));
+    if (!is_there || !document[Json::json_pointer(pointer)].is_number()) {
+      refuse(pointer, "is no number of the experiment", "give a JSON pointer such as /excitation/frequency_ratio");
     }
+    const auto& swept = experiment.conditions.front().parameters;
+    if (!swept.empty() && swept.front().pointer == pointer) refuse(pointer, "is swept", "give another number");
+  }
+  second.value = document[Json::json_pointer(pointers.front())].get<double>();
+  if (pointers.size() > 1 && second.value == 0.0) {
+    refuse(pointers.front(), "is 0, and the others cannot keep their ratio to it", "give another one first");
+  }
+  return second;
+}
+
+std::function<std::optional<Condition>(double, double)> condition_plane(const Experiment& experiment,
+                                                                        const std::string& pointer,
+                                                                        const SecondParameter& second) {
+  return [document = document_without_sweep(experiment), place = Json::json_pointer(pointer), second](
+             double at_first, double at_second) -> std::optional<Condition> {
+    Json one = document;
+    one[place] = at_first;
+    for (const std::string& text : second.pointers) {
+      Json& number = one[Json::json_pointer(text)];
+      // The first one is set exactly.
+      number = &text == &second.pointers.front() ? at_second : number.get<double>() * (at_second / second.value);
+    }
+    return condition_of(one);
   };
 }
 

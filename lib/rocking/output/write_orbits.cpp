@@ -114,6 +114,44 @@ std::string branches_text(const FoundBranches& found) {
   return text + "\n  ]";
 }
 
+Json curve_point_json(const BifurcationPoint& point, bool is_symmetric) {
+  Json json = Json::object();
+  json["value"] = point.values[0];
+  json["second_value"] = point.values[1];
+  add_orbit_json(point.orbit, json);
+  json["symmetric"] = is_symmetric;
+  json["test"] = point.test;
+  add_points_json(point.orbit, json);
+  return json;
+}
+
+std::string curve_text(const BifurcationCurve& curve) {
+  const Json head = {{"bifurcation", curve.bifurcation},
+                     {"kind", to_string(curve.kind)},
+                     {"period", curve.orbits.period},
+                     {"symmetric", curve.orbits.is_symmetric},
+                     {"ends", Json::array({to_string(curve.ends[0]), to_string(curve.ends[1])})}};
+  std::string text = "\n    { " + head.dump().substr(1);
+  text.pop_back();
+  text += ",\n      \"points\": [";
+  bool is_first = true;
+  for (const BifurcationPoint& point : curve.points) {
+    if (point.orbit.points.empty()) continue;
+    text += (is_first ? "\n        " : ",\n        ") + curve_point_json(point, curve.orbits.is_symmetric).dump();
+    is_first = false;
+  }
+  return text + "\n      ] }";
+}
+
+std::string curves_text(const FoundCurves& found) {
+  std::string text = ",\n  \"second_parameter\": " + Json(found.pointers).dump();
+  text += ",\n  \"second_value\": " + Json(found.value).dump();
+  text += ",\n  \"second_range\": " + Json::array({found.range.low, found.range.high}).dump();
+  text += ",\n  \"most_curve_points\": " + std::to_string(found.most_points) + ",\n  \"curves\": [";
+  for (std::size_t i = 0; i < found.curves.size(); ++i) text += (i == 0 ? "" : ",") + curve_text(found.curves[i]);
+  return text + "\n  ]";
+}
+
 /// Whether the run is (m,n), and whether a stable orbit with the same m and n, on which it ended, backs that.
 struct Label {
   bool is_periodic = false;
@@ -199,6 +237,28 @@ std::string branches_table(const FoundOrbits& found) {
   return text + '\n';
 }
 
+/// A row for each curve; empty without curves.
+std::string curves_table(const FoundOrbits& found) {
+  if (!found.curves) return "";
+  if (found.curves->curves.empty()) return "No fold, period doubling or loss of symmetry to follow.\n\n";
+  const std::string first = last_key(found.branches->pointer);
+  const std::string second = last_key(found.curves->pointers.front());
+  std::vector<TextRow> rows{
+      {"curve", "branch", "orbits", "points", first + " from", "to", second + " from", "to", "ends"}};
+  for (const BifurcationCurve& curve : found.curves->curves) {
+    const auto value = [](std::size_t k) { return [k](const BifurcationPoint& point) { return point.values[k]; }; };
+    const auto [low, high] = std::ranges::minmax(curve.points, {}, value(0));
+    const auto [lower, higher] = std::ranges::minmax(curve.points, {}, value(1));
+    rows.push_back({std::string(to_string(curve.kind)),
+                    std::to_string(found.branches->study.bifurcations[curve.bifurcation].branch),
+                    mode_of(curve.points.front().orbit), std::to_string(curve.points.size()),
+                    significant(low.values[0], 8), significant(high.values[0], 8), significant(lower.values[1], 8),
+                    significant(higher.values[1], 8),
+                    std::string(to_string(curve.ends[0])) + ", " + std::string(to_string(curve.ends[1]))});
+  }
+  return aligned(rows) + '\n';
+}
+
 /// How many response modes (m,n) are backed by an orbit, and the conditions of those that are not.
 std::string labels_note(const FoundOrbits& found) {
   const Json labels = labels_json(found.conditions);
@@ -234,6 +294,7 @@ std::string orbits_text(const FoundOrbits& found) {
   }
   text += "\n  ]";
   if (found.branches) text += branches_text(*found.branches);
+  if (found.curves) text += curves_text(*found.curves);
   return text + "\n}\n";
 }
 
@@ -264,7 +325,7 @@ std::string orbits_table(const FoundOrbits& found) {
       rows.push_back(std::move(row));
     }
   }
-  return aligned(rows) + branches_table(found) +
+  return aligned(rows) + branches_table(found) + curves_table(found) +
          "tilt, tilt_rate: where the argument of the excitation is 0; multiplier: modulus of the largest one; *: the "
          "run\nfrom the initial state ended on this orbit. Other orbits may exist: the search is from a finite "
          "grid.\n" +

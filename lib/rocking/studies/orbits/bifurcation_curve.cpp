@@ -1,0 +1,247 @@
+#include "rocking/studies/orbits/bifurcation_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "rocking/studies/orbits/passage.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr double first_curve_step = 0.004;
+constexpr double largest_curve_step = 0.02;
+constexpr double least_curve_step = 1e-7;
+constexpr double least_curve_cosine = 0.9;
+constexpr int few_curve_corrections = 5;
+
+/// Distances up to which a start on the curve is that of the bifurcation, and a bifurcation is on a curve.
+constexpr double same_share = 1e-5;
+constexpr double same_orbit = 1e-2;
+
+struct TracedCriticalCurve {
+  std::vector<CriticalPoint> points;  ///< without the start
+  BranchEnd end = BranchEnd::range;
+};
+
+/// Follows one curve in one direction.
+class CriticalTrace {
+ public:
+  CriticalTrace(const CriticalFamily& family, std::size_t most_points, base::StopRequest stop)
+      : family_(&family), most_points_(most_points), stop_(stop) {}
+
+  [[nodiscard]] TracedCriticalCurve from(const CriticalPoint& start) const {
+    TracedCriticalCurve curve;
+    CriticalPoint at = start;
+    double step = first_curve_step;
+    while (curve.points.size() < most_points_) {
+      auto next = step_from(at, step);
+      if (!next) {
+        step *= 0.5;
+        if (step >= least_curve_step) continue;
+        curve.end = why_lost(at);
+        return curve;
+      }
+      const bool closes = curve.points.size() > 3 && comes_back(start, at, next->point);
+      if (closes) {
+        curve.end = BranchEnd::closed;
+        return curve;
+      }
+      curve.points.push_back(next->point);
+      if (next->is_at_end) return curve;
+      if (next->point.steps <= few_curve_corrections) step = std::min(1.5 * step, largest_curve_step);
+      at = std::move(next->point);
+    }
+    curve.end = BranchEnd::points;
+    return curve;
+  }
+
+ private:
+  struct Next {
+    CriticalPoint point;
+    bool is_at_end = false;
+  };
+
+  /// Share of a step along the tangent after which a parameter leaves its range; 1 if it does not.
+  static double share_within(const CriticalPoint& at, double step, std::size_t unknown) {
+    const double sought = at.at[unknown] + step * at.tangent[unknown];
+    if (sought >= 0.0 && sought <= 1.0) return 1.0;
+    return ((sought < 0.0 ? 0.0 : 1.0) - at.at[unknown]) / (step * at.tangent[unknown]);
+  }
+
+  [[nodiscard]] std::optional<Next> step_from(const CriticalPoint& at, double step) const {
+    const std::size_t leaving = share_within(at, step, 4) < share_within(at, step, 3) ? 4 : 3;
+    const double share = share_within(at, step, leaving);
+    const bool is_beyond = share < 1.0;
+    PlaneUnknowns sought = plus(at.at, share * step, at.tangent);
+    PlaneUnknowns normal = at.tangent;
+    if (is_beyond) {
+      sought[leaving] = at.tangent[leaving] < 0.0 ? 0.0 : 1.0;
+      normal = {};
+      normal[leaving] = at.tangent[leaving] < 0.0 ? -1.0 : 1.0;
+    }
+    auto point = correct(*family_, at.border, {.normal = normal, .through = sought}, stop_);
+    if (!point) return std::nullopt;
+    if (is_beyond) point->at[leaving] = sought[leaving];
+    for (const std::size_t unknown : {std::size_t{3}, std::size_t{4}}) {
+      if (point->at[unknown] < 0.0 || point->at[unknown] > 1.0) return std::nullopt;
+    }
+    const double away = norm(plus(point->at, -1.0, sought));
+    const bool is_accepted = away < 0.5 * step && dot(at.tangent, point->tangent) > least_curve_cosine &&
+                             is_same_contact(family_->orbits, at.image, point->image);
+    if (!is_accepted) return std::nullopt;
+    return Next{std::move(*point), is_beyond};
+  }
+
+  [[nodiscard]] static bool comes_back(const CriticalPoint& start, const CriticalPoint& at, const CriticalPoint& next) {
+    const PlaneUnknowns along = plus(next.at, -1.0, at.at);
+    const double length = norm(along);
+    const double share = dot(plus(start.at, -1.0, at.at), along) / (length * length);
+    if (!(share >= 0.0 && share <= 1.0)) return false;
+    return norm(plus(plus(at.at, share, along), -1.0, start.at)) < 0.1 * length &&
+           dot(start.tangent, next.tangent) > least_curve_cosine;
+  }
+
+  /// A motion just beyond the last orbit shows by its changes of contact why there is no further one.
+  [[nodiscard]] BranchEnd why_lost(const CriticalPoint& at) const {
+    const auto beyond = image_of(*family_, plus(at.at, 100.0 * least_curve_step, at.tangent));
+    double rate = least_rate(at.image);
+    if (beyond) rate = std::min(rate, least_rate(*beyond));
+    if (rate < 10.0 * grazing_rate) return BranchEnd::grazing;
+    const bool changes = beyond && !is_same_contact(family_->orbits, at.image, *beyond);
+    return changes ? BranchEnd::contact_change : BranchEnd::lost;
+  }
+
+  const CriticalFamily* family_;
+  std::size_t most_points_;
+  base::StopRequest stop_;
+};
+
+class CurveSearch {
+ public:
+  CurveSearch(const CurveQuestion& question, const BranchStudy& study, base::StopRequest stop)
+      : question_(&question), study_(&study), stop_(stop) {}
+
+  [[nodiscard]] std::vector<BifurcationCurve> all() {
+    for (std::size_t i = 0; i < study_->bifurcations.size(); ++i) follow(i);
+    return std::move(curves_);
+  }
+
+ private:
+  /// The families of which the bifurcation may be one, with the multiplier. A doubling that was located from the doubled
+  /// orbits is one of orbits of half their period.
+  [[nodiscard]] std::vector<CriticalFamily> families(const Bifurcation& one) const {
+    const OrbitBranch& branch = study_->branches[one.branch];
+    const auto family = [this](int period, bool is_symmetric, CriticalMultiplier multiplier) {
+      return CriticalFamily{.conditions = &question_->conditions,
+                            .ranges = question_->ranges,
+                            .orbits = {.period = period, .is_symmetric = is_symmetric},
+                            .multiplier = multiplier};
+    };
+    switch (one.kind) {
+      case BifurcationKind::fold: return {family(branch.period, branch.is_symmetric, CriticalMultiplier::plus_one)};
+      case BifurcationKind::symmetry_breaking: return {family(branch.period, true, CriticalMultiplier::minus_one)};
+      case BifurcationKind::period_doubling: {
+        std::vector<CriticalFamily> found{family(branch.period, false, CriticalMultiplier::minus_one)};
+        if (branch.period % 2 == 0) found.push_back(family(branch.period / 2, false, CriticalMultiplier::minus_one));
+        return found;
+      }
+      case BifurcationKind::grazing:
+      case BifurcationKind::contact_change: break;
+    }
+    return {};
+  }
+
+  /// The bifurcation with the second parameter held.
+  [[nodiscard]] std::optional<CriticalPoint> start_of(const Bifurcation& one, const CriticalFamily& family) const {
+    if (one.orbit.points.empty()) return std::nullopt;
+    const section::StrobePoint& point = one.orbit.points.front().point;
+    const PlaneUnknowns at{point.tilt, point.tilt_rate, point.slip_rate, question_->ranges[0].share(one.value),
+                           question_->ranges[1].share(question_->second)};
+    const auto image = image_of(family, at);
+    if (!image) return std::nullopt;
+    auto start =
+        correct(family, border_of(family, *image), {.normal = {0.0, 0.0, 0.0, 0.0, 1.0}, .through = at}, stop_);
+    if (!start || std::abs(start->at[3] - at[3]) > same_share) return std::nullopt;
+    if (norm(plus(start->at, -1.0, at)) > same_orbit) return std::nullopt;
+    return start;
+  }
+
+  void follow(std::size_t place) {
+    const Bifurcation& one = study_->bifurcations[place];
+    for (const CriticalFamily& family : families(one)) {
+      const auto start = start_of(one, family);
+      if (!start) continue;
+      if (is_on_a_curve(one)) return;
+      const CriticalTrace trace(family, question_->most_points, stop_);
+      TracedCriticalCurve up = trace.from(*start);
+      TracedCriticalCurve down{.points = {}, .end = BranchEnd::closed};
+      if (up.end != BranchEnd::closed) {
+        CriticalPoint reversed = *start;
+        reversed.tangent = plus({}, -1.0, reversed.tangent);
+        down = trace.from(reversed);
+      }
+      BifurcationCurve curve{
+          .bifurcation = place, .kind = one.kind, .orbits = family.orbits, .ends = {down.end, up.end}};
+      std::ranges::reverse(down.points);
+      for (const CriticalPoint& point : down.points) curve.points.push_back(point_of(family, point));
+      curve.points.push_back(point_of(family, *start));
+      for (const CriticalPoint& point : up.points) curve.points.push_back(point_of(family, point));
+      curves_.push_back(std::move(curve));
+      return;
+    }
+  }
+
+  /// Whether a curve that was followed has crossed the second parameter's value at this bifurcation.
+  [[nodiscard]] bool is_on_a_curve(const Bifurcation& one) const {
+    const section::StrobePoint& at = one.orbit.points.front().point;
+    for (const BifurcationCurve& curve : curves_) {
+      if (curve.kind != one.kind) continue;
+      for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
+        const BifurcationPoint& a = curve.points[i];
+        const BifurcationPoint& b = curve.points[i + 1];
+        const double below = a.values[1] - question_->second;
+        const double above = b.values[1] - question_->second;
+        if (below * above > 0.0 || below == above) continue;
+        const double value = a.values[0] + below / (below - above) * (b.values[0] - a.values[0]);
+        if (std::abs(question_->ranges[0].share(value) - question_->ranges[0].share(one.value)) > same_orbit) continue;
+        if (is_near_the_cycle(a.orbit, at) || is_near_the_cycle(b.orbit, at)) return true;
+      }
+    }
+    return false;
+  }
+
+  static bool is_near_the_cycle(const Orbit& orbit, const section::StrobePoint& at) {
+    return std::ranges::any_of(orbit.points,
+                               [&](const SectionState& state) { return distance(state.point, at) < 3.0 * same_orbit; });
+  }
+
+  [[nodiscard]] BifurcationPoint point_of(const CriticalFamily& family, const CriticalPoint& point) const {
+    BifurcationPoint result{
+        .values = {question_->ranges[0].value(point.at[3]), question_->ranges[1].value(point.at[4])},
+        .orbit = {},
+        .test = point.test};
+    CriticalFamily whole = family;
+    whole.orbits.is_symmetric = false;
+    const auto image = family.orbits.is_symmetric ? image_of(whole, point.at) : std::optional(point.image);
+    const section::StrobePoint state{.tilt = point.at[0], .tilt_rate = point.at[1], .slip_rate = point.at[2]};
+    if (image) result.orbit = orbit_through(state, *image, point.residual, FoundBy::continuation);
+    return result;
+  }
+
+  const CurveQuestion* question_;
+  const BranchStudy* study_;
+  base::StopRequest stop_;
+  std::vector<BifurcationCurve> curves_;
+};
+
+}  // namespace
+
+std::vector<BifurcationCurve> bifurcation_curves(const CurveQuestion& question, const BranchStudy& study,
+                                                 base::StopRequest stop) {
+  return CurveSearch(question, study, stop).all();
+}
+
+}  // namespace rocking

@@ -1,0 +1,202 @@
+#include "rocking/studies/orbits/fold_and_flip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include <Eigen/Dense>
+
+#include "rocking/studies/orbits/fixed_point.hpp"
+
+namespace rocking {
+namespace {
+
+using Vector5 = Eigen::Matrix<double, 5, 1>;
+using Curve = Eigen::Matrix<double, 4, 5>;  ///< derivative of (H - z, g)
+
+constexpr int most_corrections_in_plane = 15;
+constexpr double enough_in_plane = 2e-15;
+
+/// M - sign I.
+Eigen::Matrix3d critical_matrix(const CriticalFamily& family, const PoincareImage& image) {
+  Eigen::Matrix3d matrix;
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      matrix(row, column) = image.derivative[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)];
+    }
+  }
+  return matrix - static_cast<double>(static_cast<int>(family.multiplier)) * Eigen::Matrix3d::Identity();
+}
+
+/// The last entry of the solution of the bordered system; 0 where M - sign I is singular.
+double test_of(const CriticalFamily& family, const CriticalBorder& border, const PoincareImage& image) {
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  matrix.topLeftCorner<3, 3>() = critical_matrix(family, image);
+  matrix.topRightCorner<3, 1>() = Eigen::Vector3d(border.left.data());
+  matrix.bottomLeftCorner<1, 3>() = Eigen::Vector3d(border.right.data()).transpose();
+  return matrix.partialPivLu().solve(Eigen::Vector4d(0.0, 0.0, 0.0, 1.0))[3];
+}
+
+double smallest_singular_value(const CriticalFamily& family, const PoincareImage& image) {
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(critical_matrix(family, image)).singularValues()[2];
+}
+
+double largest_entry(const SectionMatrix& matrix) {
+  double largest = 1.0;
+  for (const auto& row : matrix) {
+    for (const double entry : row) largest = std::max(largest, std::abs(entry));
+  }
+  return largest;
+}
+
+/// H - z and g.
+Eigen::Vector4d value_of(const PlaneUnknowns& at, const PoincareImage& image, double test) {
+  return {image.end().tilt - at[0], image.end().tilt_rate - at[1], image.end().slip_rate - at[2], test};
+}
+
+/// The coordinate is fixed by the contact state: the image has it exactly, whatever the state was.
+bool is_fixed(const PoincareImage& image, std::size_t coordinate) {
+  const std::array<double, 3> end{image.end().tilt, image.end().tilt_rate, image.end().slip_rate};
+  const auto& row = image.derivative[coordinate];
+  return end[coordinate] == 0.0 && row[0] == 0.0 && row[1] == 0.0 && row[2] == 0.0;
+}
+
+/// Difference of (H - z, g) along one unknown, between motions with the same changes of contact.
+std::optional<Eigen::Vector4d> slope(const CriticalFamily& family, const CriticalBorder& border,
+                                     const PlaneUnknowns& at, const PoincareImage& image, std::size_t unknown) {
+  const Eigen::Vector4d here = value_of(at, image, test_of(family, border, image));
+  const auto beside = [&](double step) -> std::optional<Eigen::Vector4d> {
+    PlaneUnknowns other = at;
+    other[unknown] += step;
+    const auto found = image_of(family, other);
+    if (!found || found->sequence != image.sequence) return std::nullopt;
+    return value_of(other, *found, test_of(family, border, *found));
+  };
+  for (const double step : {1e-5, 1e-7, 1e-9}) {
+    const auto above = beside(step);
+    const auto below = beside(-step);
+    if (above && below) return (*above - *below) / (2.0 * step);
+    if (above) return (*above - here) / step;
+    if (below) return (here - *below) / step;
+  }
+  return std::nullopt;
+}
+
+std::optional<Curve> derivative_of(const CriticalFamily& family, const CriticalBorder& border, const PlaneUnknowns& at,
+                                   const PoincareImage& image) {
+  Curve curve = Curve::Zero();
+  for (std::size_t i = 0; i < 5; ++i) {
+    const auto column = static_cast<int>(i);
+    if (i < 3 && is_fixed(image, i)) {
+      curve(column, column) = -1.0;
+      continue;
+    }
+    const auto found = slope(family, border, at, image, i);
+    if (!found) return std::nullopt;
+    curve.col(column) = *found;
+    if (i >= 3) continue;
+    for (std::size_t row = 0; row < 3; ++row) {  // exact, from the tangent flow
+      curve(static_cast<int>(row), column) = image.derivative[row][i] - (row == i ? 1.0 : 0.0);
+    }
+  }
+  return curve;
+}
+
+std::optional<PlaneUnknowns> next_of(const Curve& derivative, const PlaneSection& section, const PlaneUnknowns& at,
+                                     const Eigen::Vector4d& value) {
+  Eigen::Matrix<double, 5, 5> matrix;
+  matrix.topRows<4>() = derivative;
+  matrix.row(4) = Vector5(section.normal.data()).transpose();
+  Vector5 right;
+  right.head<4>() = -value;
+  right[4] = -dot(section.normal, plus(at, -1.0, section.through));
+  const Vector5 step = matrix.partialPivLu().solve(right);
+  if (!step.allFinite()) return std::nullopt;
+  PlaneUnknowns next = at;
+  for (std::size_t i = 0; i < 5; ++i) next[i] += step[static_cast<int>(i)];
+  return next;
+}
+
+/// The null vector of the derivative, of norm 1, with a positive product with the normal. Its entries along coordinates
+/// that the contact state fixes are 0: a slip rate of 1e-20 would be another contact state.
+PlaneUnknowns tangent_of(const Curve& derivative, const PlaneSection& section, const PoincareImage& image) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(derivative, Eigen::ComputeFullV);
+  const Eigen::VectorXd last = svd.matrixV().col(4);
+  PlaneUnknowns tangent{last[0], last[1], last[2], last[3], last[4]};
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (is_fixed(image, i)) tangent[i] = 0.0;
+  }
+  return dot(tangent, section.normal) < 0.0 ? plus({}, -1.0, tangent) : tangent;
+}
+
+}  // namespace
+
+double dot(const PlaneUnknowns& a, const PlaneUnknowns& b) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
+  return sum;
+}
+
+PlaneUnknowns plus(const PlaneUnknowns& a, double share, const PlaneUnknowns& b) {
+  PlaneUnknowns sum = a;
+  for (std::size_t i = 0; i < a.size(); ++i) sum[i] += share * b[i];
+  return sum;
+}
+
+double norm(const PlaneUnknowns& a) { return std::sqrt(dot(a, a)); }
+
+std::optional<PoincareImage> image_of(const CriticalFamily& family, const PlaneUnknowns& at) {
+  if (!std::isfinite(at[4])) return std::nullopt;
+  const ConditionFamily line = [&](double first) { return (*family.conditions)(first, family.ranges[1].value(at[4])); };
+  return MapFamily(line, family.ranges[0], family.orbits).image({at[0], at[1], at[2], at[3]});
+}
+
+CriticalBorder border_of(const CriticalFamily& family, const PoincareImage& image) {
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(critical_matrix(family, image),
+                                              Eigen::ComputeFullU | Eigen::ComputeFullV);
+  const Eigen::VectorXd left = svd.matrixU().col(2);
+  const Eigen::VectorXd right = svd.matrixV().col(2);
+  return {.left = {left[0], left[1], left[2]}, .right = {right[0], right[1], right[2]}};
+}
+
+std::optional<CriticalPoint> correct(const CriticalFamily& family, const CriticalBorder& border,
+                                     const PlaneSection& section, base::StopRequest stop) {
+  std::optional<CriticalPoint> best;
+  std::optional<Curve> derivative_at_best;
+  double size_of_best = 0.0;
+  PlaneUnknowns at = section.through;
+  for (int i = 0; i <= most_corrections_in_plane; ++i) {
+    stop.check();
+    auto image = image_of(family, at);
+    if (!image || image->not_differentiable.any()) break;
+    const Eigen::Vector4d value = value_of(at, *image, test_of(family, border, *image));
+    if (!value.allFinite()) break;
+    const double size = value.cwiseAbs().maxCoeff();
+    if (best && !(size < size_of_best) && (size_of_best < 1e-9 || size > 10.0 * size_of_best)) break;
+    const auto derivative = derivative_of(family, border, at, *image);
+    if (!derivative) break;
+    auto next = next_of(*derivative, section, at, value);
+    if (next) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (is_fixed(*image, k)) (*next)[k] = 0.0;
+      }
+    }
+    if (!best || size < size_of_best) {
+      best = CriticalPoint{
+          .at = at, .image = std::move(*image), .residual = value.head<3>().cwiseAbs().maxCoeff(), .steps = i};
+      derivative_at_best = derivative;
+      size_of_best = size;
+    }
+    if (!next || size < enough_in_plane) break;
+    at = *next;
+  }
+  if (!best || !(best->residual <= largest_residual * largest_entry(best->image.derivative))) return std::nullopt;
+  best->test = smallest_singular_value(family, best->image);
+  if (!(best->test <= largest_test * largest_entry(best->image.derivative))) return std::nullopt;
+  best->border = border_of(family, best->image);
+  best->tangent = tangent_of(*derivative_at_best, section, best->image);
+  return best;
+}
+
+}  // namespace rocking

@@ -8,6 +8,7 @@
 #include "analysis/branch_figure.hpp"
 #include "analysis/check_output.hpp"
 #include "analysis/cost_figures.hpp"
+#include "analysis/curve_figure.hpp"
 #include "analysis/fragility_figure.hpp"
 #include "analysis/histogram_figure.hpp"
 #include "analysis/incremental_figure.hpp"
@@ -38,7 +39,10 @@ void draw_bifurcations(Collection& found) {
       found.figures.push_back(std::move(figure));
     }
   }
-  for (const Json& branches : found.branches) found.figures.push_back(branch_figure(branches));
+  for (const Json& branches : found.branches) {
+    found.figures.push_back(branch_figure(branches));
+    if (has_curves(branches)) found.figures.push_back(curve_figure(branches));
+  }
 }
 
 void collect(const OutputFile& file, Collection& found) {

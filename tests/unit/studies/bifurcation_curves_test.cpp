@@ -23,13 +23,15 @@ Condition shaken_at(double amplitude, double ratio) {
 
 const ParameterRange amplitude_range{.low = 1.8, .high = 8.5};
 
-BranchStudy branches_at(double ratio, double amplitude) {
+/// From the orbits that are found at these amplitudes.
+BranchStudy branches_at(double ratio, const std::vector<double>& amplitudes) {
   const BranchQuestion question{.conditions = [ratio](double value) { return std::optional(shaken_at(value, ratio)); },
-                                .values = {amplitude},
+                                .values = amplitudes,
                                 .range = amplitude_range,
                                 .most_points = 1000,
-                                .most_branches = 20};
-  std::vector<OrbitsOfCondition> found{orbits_of(shaken_at(amplitude, ratio), 5)};
+                                .most_branches = 40};
+  std::vector<OrbitsOfCondition> found;
+  for (const double amplitude : amplitudes) found.push_back(orbits_of(shaken_at(amplitude, ratio), 5));
   return branches_of(question, found, {});
 }
 
@@ -43,9 +45,9 @@ CurveQuestion ratios(const ParameterRange& range, double ratio) {
 // The ends of the curves are bifurcations at the ends of the range of the frequency ratio, which a study of branches
 // there finds on its own.
 TEST(BifurcationCurves, AreCrossedByTheBranchesOfOtherFrequencies) {
-  const BranchStudy study = branches_at(10.0, 7.5);
+  const BranchStudy study = branches_at(10.0, {7.5});
   const auto curves = bifurcation_curves(ratios({.low = 10.0, .high = 10.3}, 10.0), study, {});
-  const BranchStudy other = branches_at(10.3, 3.6);  // there (3,3) is stable, so that the search finds it
+  const BranchStudy other = branches_at(10.3, {3.6, 7.5});  // the search finds (3,3) where it is stable
   int compared = 0;
   for (const BifurcationCurve& curve : curves) {
     for (const BifurcationPoint& point : curve.points) {
@@ -71,7 +73,7 @@ TEST(BifurcationCurves, AreCrossedByTheBranchesOfOtherFrequencies) {
 }
 
 TEST(BifurcationCurves, AreNotFollowedTwiceAndKeepTheKindOfTheirStart) {
-  const BranchStudy study = branches_at(10.0, 7.5);
+  const BranchStudy study = branches_at(10.0, {7.5});
   const auto curves = bifurcation_curves(ratios({.low = 9.9, .high = 10.1}, 10.0), study, {});
   ASSERT_FALSE(curves.empty());
   for (std::size_t i = 0; i < curves.size(); ++i) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "analysis/output_file.hpp"
+#include "analysis/sweep_view.hpp"
 #include "rocking/output/parameter_names.hpp"
 
 namespace rocking::analysis {

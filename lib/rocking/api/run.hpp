@@ -20,7 +20,7 @@ namespace rocking {
 
 class Store;
 
-/// What the owner of a run says when it is told of progress.
+/// What the caller of a run answers to a report of progress.
 enum class Decision : std::uint8_t { proceed, stop };
 
 /// How an experiment is run. No field changes a realisation.

@@ -156,13 +156,13 @@ std::optional<Refusal> rate_ratio_beyond_restitution(const Condition& condition)
 std::string no_value(const Condition&) { return ""; }
 
 struct Relation {
-  std::string_view place;                  ///< of the value that is told of
+  std::string_view place;                  ///< of the value that the problem names
   std::array<std::string_view, 4> values;  ///< that it is about, as places; the rest is empty
   std::optional<Refusal> (*refusal)(const Condition&);
   std::string (*value)(const Condition&);
 };
 
-/// In the order in which the problems of a file are told.
+/// In the order in which the problems of a file are reported.
 constexpr std::array<Relation, 19> all_relations{{
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},

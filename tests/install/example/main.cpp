@@ -49,7 +49,7 @@ void stops(const rocking::Experiment& experiment) {
   expect(!run.is_complete() && run.all == 10 && run.done < run.all, "a flag stops the run");
   const rocking::RunResult told =
       rocking::run(experiment, {.on_progress = [](std::uint64_t, std::uint64_t) { return rocking::Decision::stop; }});
-  expect(told.done <= told.all, "the function that is told of progress stops the run");
+  expect(told.done <= told.all, "the function that is called with the progress stops the run");
 }
 
 }  // namespace

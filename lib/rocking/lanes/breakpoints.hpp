@@ -15,8 +15,8 @@ class Breakpoints : public Rebounds<kind, Shaking, Real> {
   using Base = Rebounds<kind, Shaking, Real>;
 
  protected:
-  using Base::b_, Base::first_, Base::load, Base::m_, Base::mark, Base::occupied_, Base::period_length_, Base::presses_,
-      Base::store;
+  using Base::state_, Base::first_, Base::load, Base::m_, Base::mark, Base::occupied_, Base::period_length_,
+      Base::presses_, Base::store;
   using typename Base::Truth;
 
  public:
@@ -27,11 +27,11 @@ class Breakpoints : public Rebounds<kind, Shaking, Real> {
   /// it. The expressions are those of dynamics::ContactRules::friction_holds.
   [[nodiscard]] Truth may_slip_at_breakpoint() const {
     using base::magnitude;
-    const Real mu_s = load(b_.static_friction);
+    const Real mu_s = load(state_.static_friction);
     const Real most = mu_s * m_.normal[0];
     const Real friction = Real(4.0 / 3.0) * m_.base[0] - m_.rate_cosine[1];
     const Truth holds = presses_ && base::at_most(magnitude(friction), most);
-    return occupied_ && load(b_.fresh) == Real(1.0) && !holds;
+    return occupied_ && load(state_.fresh) == Real(1.0) && !holds;
   }
 
   /// Of the lanes that have `moved` on, those that `arrived` at a breakpoint continue with the piece that begins there.
@@ -41,7 +41,7 @@ class Breakpoints : public Rebounds<kind, Shaking, Real> {
       const std::size_t lane = first_ + i;
       if ((moved >> i & 1U) == 0) continue;
       const bool at_break = (arrived >> i & 1U) != 0;
-      b_.fresh[lane] = at_break ? 1.0 : 0.0;
+      state_.fresh[lane] = at_break ? 1.0 : 0.0;
       if (at_break) pass_knot(lane);
     }
   }
@@ -50,45 +50,46 @@ class Breakpoints : public Rebounds<kind, Shaking, Real> {
   /// or the motion must draw it if it is not known.
   void pass_interval(const Truth& no_event) {
     using base::select;
-    const Real known = load(b_.intervals.known);
-    mark(b_.at_breakpoint, bits_of(no_event && known == Real(0.0)));
-    store(b_.intervals.known, known - Real(1.0));
+    const Real known = load(state_.intervals.known);
+    mark(state_.at_breakpoint, bits_of(no_event && known == Real(0.0)));
+    store(state_.intervals.known, known - Real(1.0));
     static_assert(std::has_single_bit(static_cast<std::uint64_t>(dynamics::most_known_intervals)));
-    std::int64_t* present = &b_.intervals.present[first_];
+    std::int64_t* present = &state_.intervals.present[first_];
     for (int lane = 0; lane < Row<Real>::lanes; ++lane) {
       present[lane] = (present[lane] + 1) & (dynamics::most_known_intervals - 1);
     }
-    const Real per_period = load(b_.intervals.per_period);
-    const Real next = load(b_.intervals.next_boundary) + Real(1.0);
+    const Real per_period = load(state_.intervals.per_period);
+    const Real next = load(state_.intervals.next_boundary) + Real(1.0);
     const Truth wraps = next == per_period;
     const Real boundary = select(wraps, Real(0.0), next);
-    const Real period = load(b_.break_period);
-    store(b_.intervals.next_boundary, boundary);
+    const Real period = load(state_.break_period);
+    store(state_.intervals.next_boundary, boundary);
     // As dynamics::grid_boundary.
-    store(b_.break_time, select(no_event, load(b_.intervals.grid_start) + boundary * period_length_ / per_period,
-                                load(b_.break_time)));
-    store(b_.break_period, select(no_event && wraps, period + Real(1.0), period));
+    store(state_.break_time,
+          select(no_event, load(state_.intervals.grid_start) + boundary * period_length_ / per_period,
+                 load(state_.break_time)));
+    store(state_.break_period, select(no_event && wraps, period + Real(1.0), period));
   }
 
  private:
   void pass_knot(std::size_t lane) {
-    b_.breakpoints[lane] += 1.0;
-    const dynamics::Moment<double> now{.period = b_.period[lane],
-                                       .time = b_.time[lane],
-                                       .period_length = b_.period_length[lane],
-                                       .frequency = b_.frequency[lane]};
-    const dynamics::Knot* knot = Shaking::template follow<Real>(b_.knot[lane], now, b_.resolution[lane]);
-    b_.knot[lane] = knot;
-    const auto piece = Shaking::template piece_from<Real>(knot, b_.piece[Shaking::piece_numbers - 1][lane]);
-    for (std::size_t i = 0; i < Shaking::piece_numbers; ++i) b_.piece[i][lane] = piece[i];
-    const double other_period = b_.other_break_period[lane];
-    const double other_time = b_.other_break_time[lane];
+    state_.breakpoints[lane] += 1.0;
+    const dynamics::Moment<double> now{.period = state_.period[lane],
+                                       .time = state_.time[lane],
+                                       .period_length = state_.period_length[lane],
+                                       .frequency = state_.frequency[lane]};
+    const dynamics::Knot* knot = Shaking::template follow<Real>(state_.knot[lane], now, state_.resolution[lane]);
+    state_.knot[lane] = knot;
+    const auto piece = Shaking::template piece_from<Real>(knot, state_.piece[Shaking::piece_numbers - 1][lane]);
+    for (std::size_t i = 0; i < Shaking::piece_numbers; ++i) state_.piece[i][lane] = piece[i];
+    const double other_period = state_.other_break_period[lane];
+    const double other_time = state_.other_break_time[lane];
     const double until_other = now.until(other_period, other_time);
-    if (until_other <= b_.resolution[lane]) b_.at_breakpoint |= 1U << lane;
+    if (until_other <= state_.resolution[lane]) state_.at_breakpoint |= 1U << lane;
     const auto knot_period = static_cast<double>(knot[1].instant.period);
     const bool other_first = until_other < now.until(knot_period, knot[1].instant.time);
-    b_.break_period[lane] = other_first ? other_period : knot_period;
-    b_.break_time[lane] = other_first ? other_time : knot[1].instant.time;
+    state_.break_period[lane] = other_first ? other_period : knot_period;
+    state_.break_time[lane] = other_first ? other_time : knot[1].instant.time;
   }
 };
 

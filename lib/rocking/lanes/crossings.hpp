@@ -19,7 +19,7 @@ class Crossings : public StepPoints<kind, Shaking, Real> {
   using Base = StepPoints<kind, Shaking, Real>;
 
  protected:
-  using Base::b_, Base::guards, Base::length_, Base::load, Base::mark;
+  using Base::state_, Base::guards, Base::length_, Base::load, Base::mark;
   using typename Base::Point;
   using Truth = TruthOf<Real>;
 
@@ -31,7 +31,7 @@ class Crossings : public StepPoints<kind, Shaking, Real> {
 
   /// Evaluates the bound of each guard.
   [[gnu::noinline]] void look() {
-    occupied_ = load(b_.occupied) == Real(1.0);
+    occupied_ = load(state_.occupied) == Real(1.0);
     uncleared_guards_ = find_uncleared_guards();
     uncleared_ = uncleared_guards_[0];
     for (const Truth& guard : uncleared_guards_) uncleared_ = uncleared_ || guard;
@@ -72,7 +72,7 @@ class Crossings : public StepPoints<kind, Shaking, Real> {
     crossings_.fill(crosses_);
     const bool waits = search.size() == 0;
     waits_ = waits ? uncleared_ : crosses_;
-    mark(b_.held, bits_of(waits_));
+    mark(state_.held, bits_of(waits_));
     if (waits) {
       crosses_ = uncleared_;
     } else {
@@ -83,7 +83,7 @@ class Crossings : public StepPoints<kind, Shaking, Real> {
 
   /// Whether a guard's crossing is among the first, as in integrate::earliest.
   [[nodiscard]] Truth is_first(std::size_t guard) const {
-    return crossings_[guard] && !(duration_ + load(b_.resolution) < instants_[guard]);
+    return crossings_[guard] && !(duration_ + load(state_.resolution) < instants_[guard]);
   }
 
   Truth occupied_;

@@ -12,7 +12,7 @@
 
 namespace rocking::lanes {
 
-/// Which equations the lanes of one block need. `_briefly`: until a breakpoint that is so near that a lower order
+/// Which equations the lanes of one group need. `_briefly`: until a breakpoint that is so near that a lower order
 /// suffices.
 enum class Kind : std::uint8_t {
   rock,                ///< sliding is not possible
@@ -33,7 +33,7 @@ inline constexpr std::size_t kind_count = 6;
   return is_brief(kind) ? dynamics::brief_order : dynamics::full_order;
 }
 
-/// The coming step of every lane of a block; see LaneState for what is known after it.
+/// Computes the coming step of every lane; see LaneState for what is known after it.
 using Kernel = void (*)(LaneState&);
 
 /// The kernels of one width, compiled for one instruction set.

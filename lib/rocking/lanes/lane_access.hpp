@@ -21,7 +21,7 @@ using TruthOf = decltype(std::declval<Real>() < std::declval<Real>());
 template <Kind kind, class Shaking, class Real>
 class LaneAccess {
  public:
-  LaneAccess(LaneState& block, std::size_t first) : b_(block), first_(first) {}
+  LaneAccess(LaneState& state, std::size_t first) : state_(state), first_(first) {}
 
   static constexpr bool slips = lanes::slips(kind);
   static constexpr bool tests_friction = lanes::tests_friction(kind);
@@ -37,7 +37,7 @@ class LaneAccess {
   [[nodiscard]] Real load(const LaneRow& row) const { return Row<Real>::load(row.data() + first_); }
   [[nodiscard]] dynamics::EquationConstants<Real> constants() const {
     dynamics::EquationConstants<Real> loaded;
-    dynamics::for_each_constant(loaded, b_.constants, [this](Real& to, const LaneRow& row) { to = load(row); });
+    dynamics::for_each_constant(loaded, state_.constants, [this](Real& to, const LaneRow& row) { to = load(row); });
     return loaded;
   }
   void store(LaneRow& row, const Real& value) const { Row<Real>::store(value, row.data() + first_); }
@@ -49,13 +49,14 @@ class LaneAccess {
 
  protected:
   [[nodiscard]] Real kinetic_friction() const {
-    if constexpr (!on_grid) return load(b_.kinetic_friction);
+    if constexpr (!on_grid) return load(state_.kinetic_friction);
     using base::select, base::smaller;
-    const Real wanted = Row<Real>::load_each(&b_.intervals.kinetic_friction[first_], &b_.intervals.present[first_]);
-    return smaller(select(wanted < Real(0.0), Real(0.0), wanted), load(b_.static_friction));
+    const Real wanted =
+        Row<Real>::load_each(&state_.intervals.kinetic_friction[first_], &state_.intervals.present[first_]);
+    return smaller(select(wanted < Real(0.0), Real(0.0), wanted), load(state_.static_friction));
   }
 
-  LaneState& b_;
+  LaneState& state_;
   std::size_t first_;
 
  private:

@@ -46,7 +46,7 @@ template <class Motion>
 template <class Run>
 class LaneGroup {
  public:
-  [[nodiscard]] LaneState& block() { return *block_; }
+  [[nodiscard]] LaneState& state() { return *state_; }
   [[nodiscard]] std::uint32_t occupied() const { return occupied_; }
   [[nodiscard]] Run& run(std::size_t lane) const { return *runs_[lane]; }
 
@@ -59,28 +59,28 @@ class LaneGroup {
     waiting_.pop_back();
     occupied_ |= 1U << lane;
     const ComingStep step = adapt(run(lane).motion()).coming_step();
-    load(*block_, lane, step);
+    load(*state_, lane, step);
     load_known_intervals(lane, step);
   }
 
   /// The run continues in its lane after an event or a breakpoint.
   void stay(std::size_t lane) {
     const ComingStep step = adapt(run(lane).motion()).coming_step();
-    load_step(*block_, lane, step);
+    load_step(*state_, lane, step);
     load_known_intervals(lane, step);
   }
 
   void vacate(std::size_t lane) {
     occupied_ &= ~(1U << lane);
-    block_->occupied[lane] = 0.0;
+    state_->occupied[lane] = 0.0;
   }
 
-  void pass_strobe(std::size_t lane) { adapt(run(lane).motion()).pass_strobe(strobe_point(*block_, lane)); }
+  void pass_strobe(std::size_t lane) { adapt(run(lane).motion()).pass_strobe(strobe_point(*state_, lane)); }
 
   void pass_impact(std::size_t lane) {
-    const LaneProgress here = progress(*block_, lane);
+    const LaneProgress here = progress(*state_, lane);
     run(lane).counts().steps += here.steps;
-    block_->steps[lane] = 0.0;
+    state_->steps[lane] = 0.0;
     adapt(run(lane).motion()).pass_impact(here);
   }
 
@@ -88,11 +88,11 @@ class LaneGroup {
   /// `at_breakpoint`: the lane is at a breakpoint at which its motion must continue.
   void catch_up(std::size_t lane, const StepKind& kind, bool at_breakpoint) {
     auto& motion = run(lane).motion();
-    LaneProgress here = progress(*block_, lane);
+    LaneProgress here = progress(*state_, lane);
     run(lane).counts().steps += here.steps;
-    run(lane).counts().root_isolations += count(block_->root_isolations[lane]);
+    run(lane).counts().root_isolations += count(state_->root_isolations[lane]);
     if (motion.excitation().has_knots()) {
-      here.breakpoints = count(block_->breakpoints[lane]);
+      here.breakpoints = count(state_->breakpoints[lane]);
     } else if (kind.kind == Kind::rock_slide_briefly) {
       here.breakpoints = here.steps;
       here.intervals = here.steps - (at_breakpoint ? 1 : 0);
@@ -104,20 +104,20 @@ class LaneGroup {
   /// After catch_up: the run completes the step that its lane has computed, or does it alone.
   void finish_step(std::size_t lane) {
     auto& motion = run(lane).motion();
-    if ((block_->alone >> lane & 1U) != 0) return integrate::step(motion, run(lane).counts());
+    if ((state_->alone >> lane & 1U) != 0) return integrate::step(motion, run(lane).counts());
     ++run(lane).counts().steps;
-    if ((block_->at_last_strobe >> lane & 1U) != 0) return adapt(motion).finish_at_strobe(strobe_point(*block_, lane));
-    adapt(motion).finish_step(end_of_step(*block_, lane), fired(*block_, lane));
+    if ((state_->at_last_strobe >> lane & 1U) != 0) return adapt(motion).finish_at_strobe(strobe_point(*state_, lane));
+    adapt(motion).finish_step(end_of_step(*state_, lane), fired(*state_, lane));
   }
 
  private:
   void load_known_intervals(std::size_t lane, const ComingStep& step) {
     auto& motion = run(lane).motion();
     if (!motion.slips() || !motion.is_brief() || motion.excitation().has_knots()) return;
-    load_intervals(*block_, lane, adapt(motion).known_intervals(), step.clock->start());
+    load_intervals(*state_, lane, adapt(motion).known_intervals(), step.clock->start());
   }
 
-  std::unique_ptr<LaneState> block_ = std::make_unique<LaneState>();
+  std::unique_ptr<LaneState> state_ = std::make_unique<LaneState>();
   std::array<Run*, most_lanes> runs_{};
   std::uint32_t occupied_ = 0;
   std::vector<Run*> waiting_;

@@ -92,17 +92,17 @@ class LaneScheduler {
     for_each_bit(all_lanes() & ~group.occupied(), [&group](std::size_t lane) {
       if (group.has_waiting()) group.fill(lane);
     });
-    LaneState& block = group.block();
-    kernels_.advance[kind.excitation][static_cast<std::size_t>(kind.kind)](block);
-    for_each_bit(block.no_event & block.strobed & group.occupied(),
+    LaneState& state = group.state();
+    kernels_.advance[kind.excitation][static_cast<std::size_t>(kind.kind)](state);
+    for_each_bit(state.no_event & state.strobed & group.occupied(),
                  [&group](std::size_t lane) { group.pass_strobe(lane); });
-    for_each_bit(block.landed & group.occupied(), [&group](std::size_t lane) { group.pass_impact(lane); });
-    const std::uint32_t at_breakpoint = block.at_breakpoint & group.occupied();
+    for_each_bit(state.landed & group.occupied(), [&group](std::size_t lane) { group.pass_impact(lane); });
+    const std::uint32_t at_breakpoint = state.at_breakpoint & group.occupied();
     for_each_bit(at_breakpoint, [&](std::size_t lane) {
       group.catch_up(lane, kind, true);
       go_on(kind, lane);
     });
-    for_each_bit(~(block.no_event | block.held | at_breakpoint) & group.occupied(), [&](std::size_t lane) {
+    for_each_bit(~(state.no_event | state.held | at_breakpoint) & group.occupied(), [&](std::size_t lane) {
       group.catch_up(lane, kind, false);
       group.finish_step(lane);
       go_on(kind, lane);

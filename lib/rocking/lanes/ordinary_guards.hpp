@@ -20,9 +20,9 @@ class OrdinaryGuards {
   using Truth = TruthOf<Real>;
 
  public:
-  OrdinaryGuards(const LaneState& block, const Access& lanes, const dynamics::MotionSeries<Real>& motion,
+  OrdinaryGuards(const LaneState& state, const Access& lanes, const dynamics::MotionSeries<Real>& motion,
                  const dynamics::OutOfReach<Truth>& reach)
-      : b_(block), lanes_(lanes), m_(motion), out_of_reach_(reach) {}
+      : state_(state), lanes_(lanes), m_(motion), out_of_reach_(reach) {}
 
   static constexpr std::size_t count = Access::slips ? 4 : Access::tests_friction ? 5 : 3;
 
@@ -52,12 +52,12 @@ class OrdinaryGuards {
   Truth tilt_zeros() const { return m_.tilt[0] == Real(0.0); }
   Truth slip_zeros() const { return m_.slip_rate[0] == Real(0.0); }
   dynamics::EquationConstants<Real> constants() const { return lanes_.constants(); }
-  Real slip_sign() const { return lanes_.load(b_.slip_sign); }
-  Real static_friction() const { return lanes_.load(b_.static_friction); }
+  Real slip_sign() const { return lanes_.load(state_.slip_sign); }
+  Real static_friction() const { return lanes_.load(state_.static_friction); }
   static const Real& seen_from_ground(const Real& normal) { return normal; }
 
  private:
-  const LaneState& b_;
+  const LaneState& state_;
   const Access& lanes_;
   const dynamics::MotionSeries<Real>& m_;
   const dynamics::OutOfReach<Truth>& out_of_reach_;

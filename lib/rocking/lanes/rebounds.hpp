@@ -16,7 +16,7 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
   using Base = Crossings<kind, Shaking, Real>;
 
  protected:
-  using Base::b_, Base::crossings_, Base::duration_, Base::end_, Base::load, Base::m_, Base::time_;
+  using Base::state_, Base::crossings_, Base::duration_, Base::end_, Base::load, Base::m_, Base::time_;
   using typename Base::Truth;
   static constexpr bool may_land = !Base::slips && Shaking::bounds_acceleration && !Shaking::has_vertical;
 
@@ -28,7 +28,7 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
   Truth find_rebounds(const Truth& fits) {
     rebound_ = -dynamics::sticking_rate<Real>(landing_rates(), landing_edge());
     Truth lands = fits && this->is_first(0) && time_ < time_ + duration_ && end_.tilt_rate < Real(0.0) &&
-                  load(b_.least_rebound) < rebound_;
+                  load(state_.least_rebound) < rebound_;
     for (std::size_t i = 1; i < Base::guards; ++i) lands = lands && !this->is_first(i);
     if constexpr (Base::tests_friction) lands = lands && sticks();
     return lands;
@@ -42,8 +42,8 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
   }
   [[nodiscard]] dynamics::LandingEdge<Real> landing_edge() const {
     const auto constants = this->constants();
-    return {.restitution = load(b_.restitution),
-            .loss = load(b_.impact_loss),
+    return {.restitution = load(state_.restitution),
+            .loss = load(state_.impact_loss),
             .sine = constants.sine,
             .cosine = constants.cosine};
   }
@@ -52,7 +52,7 @@ class Rebounds : public Crossings<kind, Shaking, Real> {
   /// decides, so that the rounding of the expressions below has no influence on results.
   [[nodiscard]] Truth sticks() const {
     using base::fused, base::magnitude;
-    const Real closest = Real(0.99) * load(b_.static_friction);
+    const Real closest = Real(0.99) * load(state_.static_friction);
     const auto edge = landing_edge();
     const auto impulse = dynamics::sticking_impulse<Real>(landing_rates(), edge);
     Real base = m_.base[Base::order];

@@ -25,7 +25,7 @@ class Step : public LaneAccess<kind, Shaking, Real> {
   using Access = LaneAccess<kind, Shaking, Real>;
 
  protected:
-  using Access::b_, Access::load, Access::order, Access::slips;
+  using Access::state_, Access::load, Access::order, Access::slips;
   using Guards = OrdinaryGuards<kind, Shaking, Real>;
   static constexpr std::size_t guards = Guards::count;
 
@@ -34,14 +34,14 @@ class Step : public LaneAccess<kind, Shaking, Real> {
 
   /// The state of the base and the block at the start.
   [[gnu::noinline]] void begin() {
-    time_ = load(b_.time);
-    period_ = load(b_.period);
-    period_length_ = load(b_.period_length);
+    time_ = load(state_.time);
+    period_ = load(state_.period);
+    period_length_ = load(state_.period_length);
     dynamics::Piece<Shaking, Real> piece;
-    for (std::size_t i = 0; i < Shaking::piece_numbers; ++i) piece[i] = load(b_.piece[i]);
-    Shaking::template expand<order_of(kind)>(m_, piece, load(b_.amplitude), moment());
-    m_.tilt[0] = load(b_.tilt);
-    m_.tilt_rate[0] = load(b_.tilt_rate);
+    for (std::size_t i = 0; i < Shaking::piece_numbers; ++i) piece[i] = load(state_.piece[i]);
+    Shaking::template expand<order_of(kind)>(m_, piece, load(state_.amplitude), moment());
+    m_.tilt[0] = load(state_.tilt);
+    m_.tilt_rate[0] = load(state_.tilt_rate);
     dynamics::begin_angle(m_, this->constants());
   }
 
@@ -49,16 +49,17 @@ class Step : public LaneAccess<kind, Shaking, Real> {
   [[gnu::noinline, gnu::flatten]] void expand() {
     using base::smaller;
     if constexpr (slips) {
-      m_.slip_rate[0] = load(b_.slip_rate);
-      m_.slip[0] = load(b_.slip);
+      m_.slip_rate[0] = load(state_.slip_rate);
+      m_.slip[0] = load(state_.slip);
       dynamics::expand_rock_slide<order_of(kind), Shaking::has_vertical>(
-          m_, this->constants(), {.drag = load(b_.slip_sign) * this->kinetic_friction(), .first_rate_gate = Real(1.0)});
+          m_, this->constants(),
+          {.drag = load(state_.slip_sign) * this->kinetic_friction(), .first_rate_gate = Real(1.0)});
       length_ = smaller(length_of(m_.slip_rate), length_of(m_.tilt_rate));
     } else {
       dynamics::expand_rock<order_of(kind), Shaking::has_vertical>(m_, this->constants(), Real(1.0));
       length_ = length_of(m_.tilt_rate);
     }
-    reach_ = until(load(b_.break_period), load(b_.break_time));
+    reach_ = until(load(state_.break_period), load(state_.break_time));
     if constexpr (Access::is_brief) {
       fits_ = base::at_most(reach_, length_);
       if constexpr (!Access::on_grid) {
@@ -70,9 +71,11 @@ class Step : public LaneAccess<kind, Shaking, Real> {
       length_ = smaller(period_length_, smaller(reach_, length_));
     }
     if constexpr (Access::knows_reach) {
-      out_of_reach_ = dynamics::out_of_reach<Real>(
-          {.tilt = m_.tilt[0], .tilt_rate = m_.tilt_rate[0], .base_amplitude = load(b_.amplitude), .length = length_},
-          this->constants());
+      out_of_reach_ = dynamics::out_of_reach<Real>({.tilt = m_.tilt[0],
+                                                    .tilt_rate = m_.tilt_rate[0],
+                                                    .base_amplitude = load(state_.amplitude),
+                                                    .length = length_},
+                                                   this->constants());
       presses_ = out_of_reach_.normal;
       // Without a friction guard, the series of N is needed by its own guard only.
       if (!Access::tests_friction && bits_of(!presses_) == 0) return;
@@ -86,7 +89,7 @@ class Step : public LaneAccess<kind, Shaking, Real> {
 
   template <class Visitor>
   void for_each_guard(Visitor&& visit) const {
-    dynamics::for_each_rocking_guard(m_, Guards(b_, *this, m_, out_of_reach_), Count<order>{}, visit);
+    dynamics::for_each_rocking_guard(m_, Guards(state_, *this, m_, out_of_reach_), Count<order>{}, visit);
   }
 
   /// Lower bound of the guard's polynomial over the step, without its first coefficient where that is known to be 0;
@@ -124,11 +127,11 @@ class Step : public LaneAccess<kind, Shaking, Real> {
 
  private:
   [[nodiscard]] Real length_of(const typename MotionSeries<Real>::Row& row) const {
-    return integrate::step_length(row[order - 1], row[order], static_cast<int>(order), load(b_.largest));
+    return integrate::step_length(row[order - 1], row[order], static_cast<int>(order), load(state_.largest));
   }
 
   [[nodiscard]] dynamics::Moment<Real> moment() const {
-    return {.period = period_, .time = time_, .period_length = period_length_, .frequency = load(b_.frequency)};
+    return {.period = period_, .time = time_, .period_length = period_length_, .frequency = load(state_.frequency)};
   }
 };
 

@@ -13,7 +13,7 @@ class StepPoints : public Step<kind, Shaking, Real> {
   using Base = Step<kind, Shaking, Real>;
 
  protected:
-  using Base::b_, Base::load, Base::m_, Base::order, Base::slips, Base::store, Base::until;
+  using Base::state_, Base::load, Base::m_, Base::order, Base::slips, Base::store, Base::until;
 
  public:
   using Base::Base;
@@ -66,12 +66,12 @@ class StepPoints : public Step<kind, Shaking, Real> {
 
   /// In the step up to its time `end`.
   [[nodiscard]] Strobing strobing(const Real& end) const {
-    const Real strobe_period = load(b_.strobe_period);
-    const Real strobe_time = load(b_.strobe_time);
+    const Real strobe_period = load(state_.strobe_period);
+    const Real strobe_time = load(state_.strobe_time);
     const Real instant = until(strobe_period, strobe_time);
     const auto strobes = instant < end;
     if (bits_of(strobes) == 0) return {instant, strobes, strobes, !strobes};
-    const auto is_last = load(b_.strobes_left) < Real(1.5);
+    const auto is_last = load(state_.strobes_left) < Real(1.5);
     const auto is_only = is_last || !(until(strobe_period + Real(1.0), strobe_time) < end);
     return {instant, strobes, is_last, is_only || !strobes};
   }
@@ -85,11 +85,11 @@ class StepPoints : public Step<kind, Shaking, Real> {
   /// Stores the state at the strobe instant; true in the lanes where it is finite.
   TruthOf<Real> store_strobe(const Strobing& strobing, const Real& resolution) {
     const Point p = point(time_of(strobing, resolution));
-    store(b_.strobe_tilt, p.tilt);
-    store(b_.strobe_tilt_rate, p.tilt_rate);
+    store(state_.strobe_tilt, p.tilt);
+    store(state_.strobe_tilt_rate, p.tilt_rate);
     if constexpr (slips) {
-      store(b_.strobe_slip, p.slip);
-      store(b_.strobe_slip_rate, p.slip_rate);
+      store(state_.strobe_slip, p.slip);
+      store(state_.strobe_slip_rate, p.slip_rate);
     }
     return is_finite(p);
   }

@@ -295,7 +295,7 @@ TEST(Lanes, ComeInTheWidthsOfTheInstructionSets) {
   for (const lanes::Kernels& kernels : lanes::available_kernels()) widths.push_back(kernels.lanes);
   EXPECT_EQ(widths.front(), 1);
 #if defined(__AVX2__)
-  EXPECT_THAT(widths, testing::IsSupersetOf({1, 2, 4, 8}));
+  EXPECT_THAT(widths, testing::Contains(8));
 #endif
 }
 

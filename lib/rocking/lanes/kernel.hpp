@@ -19,8 +19,8 @@ constexpr int fewest_uncleared(int lanes) {
 }
 
 template <Kind kind, class Shaking, class Real>
-void advance_block(LaneState& block) {
-  Advance<kind, Shaking, Real> lanes(block, 0);
+void advance(LaneState& state) {
+  Advance<kind, Shaking, Real> lanes(state, 0);
   lanes.begin();
   lanes.expand();
   lanes.look();
@@ -35,9 +35,9 @@ void advance_block(LaneState& block) {
 /// The lanes of two registers in turns, so that the processor has independent operations to execute while others wait
 /// for operands.
 template <Kind kind, class Shaking, class Real>
-void advance_block_in_turns(LaneState& block) {
-  Advance<kind, Shaking, Real> first(block, 0);
-  Advance<kind, Shaking, Real> second(block, Row<Real>::lanes);
+void advance_in_turns(LaneState& state) {
+  Advance<kind, Shaking, Real> first(state, 0);
+  Advance<kind, Shaking, Real> second(state, Row<Real>::lanes);
   first.begin();
   second.begin();
   first.expand();
@@ -55,27 +55,32 @@ void advance_block_in_turns(LaneState& block) {
   second.finish(search);
 }
 
-template <class Shaking, class Real, std::size_t... kind>
-constexpr std::array<Kernel, kind_count> by_kind(std::index_sequence<kind...>, bool in_turns) {
-  return {(in_turns ? advance_block_in_turns<static_cast<Kind>(kind), Shaking, Real>
-                    : advance_block<static_cast<Kind>(kind), Shaking, Real>)...};
+template <int registers, Kind kind, class Shaking, class Real>
+constexpr Kernel kernel() {
+  static_assert(registers == 1 || registers == 2);
+  if constexpr (registers == 2) {
+    return advance_in_turns<kind, Shaking, Real>;
+  } else {
+    return advance<kind, Shaking, Real>;
+  }
 }
 
-template <class Real, class... Shaking>
-constexpr Kernels kernels_under(std::string_view name, int registers, std::variant<Shaking...>*) {
+template <int registers, class Shaking, class Real, std::size_t... kind>
+constexpr std::array<Kernel, kind_count> by_kind(std::index_sequence<kind...>) {
+  return {kernel<registers, static_cast<Kind>(kind), Shaking, Real>()...};
+}
+
+template <int registers, class Real, class... Shaking>
+constexpr Kernels kernels_under(std::string_view name, std::variant<Shaking...>*) {
   return {.name = name,
           .lanes = registers * Row<Real>::lanes,
-          .advance = {by_kind<Shaking, Real>(std::make_index_sequence<kind_count>{}, registers == 2)...}};
+          .advance = {by_kind<registers, Shaking, Real>(std::make_index_sequence<kind_count>{})...}};
 }
 
-template <class Real>
+/// The kernels of so many registers of Real side by side: one, or two in turns.
+template <int registers, class Real>
 constexpr Kernels kernels_of(std::string_view name) {
-  return kernels_under<Real>(name, 1, static_cast<dynamics::Excitation::Kinds*>(nullptr));
-}
-
-template <class Real>
-constexpr Kernels kernels_in_turns(std::string_view name) {
-  return kernels_under<Real>(name, 2, static_cast<dynamics::Excitation::Kinds*>(nullptr));
+  return kernels_under<registers, Real>(name, static_cast<dynamics::Excitation::Kinds*>(nullptr));
 }
 
 }  // namespace

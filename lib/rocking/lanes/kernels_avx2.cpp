@@ -7,8 +7,7 @@
 namespace rocking::lanes {
 
 std::span<const Kernels> avx2_kernels() {
-  static constexpr Kernels kernels[] = {kernels_of<Pack<2>>("AVX2, half registers"), kernels_of<Pack<4>>("AVX2"),
-                                        kernels_in_turns<Pack<4>>("AVX2, pairs")};
+  static constexpr Kernels kernels[] = {kernels_of<2, Pack<4>>("AVX2, pairs")};
   return kernels;
 }
 

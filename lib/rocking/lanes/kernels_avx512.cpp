@@ -7,7 +7,7 @@
 namespace rocking::lanes {
 
 std::span<const Kernels> avx512_kernels() {
-  static constexpr Kernels kernels[] = {kernels_of<Pack<8>>("AVX-512"), kernels_in_turns<Pack<8>>("AVX-512, pairs")};
+  static constexpr Kernels kernels[] = {kernels_of<2, Pack<8>>("AVX-512, pairs")};
   return kernels;
 }
 

@@ -7,7 +7,7 @@
 namespace rocking::lanes {
 
 std::span<const Kernels> neon_kernels() {
-  static constexpr Kernels kernels[] = {kernels_of<Pack<2>>("NEON"), kernels_in_turns<Pack<2>>("NEON, pairs")};
+  static constexpr Kernels kernels[] = {kernels_of<2, Pack<2>>("NEON, pairs")};
   return kernels;
 }
 

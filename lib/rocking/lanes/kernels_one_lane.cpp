@@ -4,7 +4,7 @@
 namespace rocking::lanes {
 
 std::span<const Kernels> one_lane_kernels() {
-  static constexpr Kernels kernels[] = {kernels_of<double>("one lane")};
+  static constexpr Kernels kernels[] = {kernels_of<1, double>("one lane")};
   return kernels;
 }
 

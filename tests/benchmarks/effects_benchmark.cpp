@@ -71,7 +71,7 @@ struct Scene {
 
 std::vector<Scene> scenes() {
   std::vector<Scene> all{{"no sliding", no_sliding()},
-                         {"sliding possible, absent", sliding(2.0, 4.5)},
+                         {"sliding possible, absent", sliding(1.35, 4.5)},
                          {"sliding", sliding(0.40, 7.0)},
                          {"fluctuating friction", sliding(0.40, 7.0)},
                          {"fluctuating restitution", no_sliding()},

@@ -31,8 +31,12 @@ NormalisedGroundMotion::NormalisedGroundMotion(const std::vector<GroundMotionSam
   knots_.push_back(at_rest(never));
 }
 
-const Knot* NormalisedGroundMotion::last_reached(const Clock& clock) const {
+const Knot* NormalisedGroundMotion::last_reached(const Clock& clock, const Knot* guess) const {
   const auto is_reached = [&clock](const Knot& knot) { return clock.until(knot.instant) <= clock.resolution(); };
+  if (guess != nullptr && is_reached(guess[0])) {
+    if (!is_reached(guess[1])) return guess;
+    if (!is_reached(guess[2])) return guess + 1;  // the last knot is never reached, so that this one is not the last
+  }
   return &*std::partition_point(knots_.begin() + 1, knots_.end() - 1, is_reached) - 1;
 }
 

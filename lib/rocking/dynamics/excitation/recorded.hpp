@@ -37,13 +37,16 @@ class NormalisedGroundMotion {
                          const Clock& clock);
 
   /// The last knot that is reached; the piece goes from it to the knot behind it, which never is the last of all.
-  [[nodiscard]] const Knot* last_reached(const Clock& clock) const;
+  /// `guess`: a knot of this motion or null. The search is short if the knot is that one or the one behind it.
+  [[nodiscard]] const Knot* last_reached(const Clock& clock, const Knot* guess) const;
 
  private:
   std::vector<Knot> knots_;  ///< with two of rest on each side; the last is never reached
 };
 
 /// alpha = scale times the record's horizontal acceleration over g; likewise alpha_v where `vertical`.
+///
+/// Each motion has a copy of its own: an object remembers where it looked last, so that two threads must not share it.
 template <bool vertical>
 class RecordedExcitation {
  public:
@@ -68,11 +71,11 @@ class RecordedExcitation {
     return vertical ? 1.0 + scale_ * acceleration(piece(clock), moment_of(clock)).upwards : 1.0;
   }
   [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const {
-    const Instant& next = motion_->last_reached(clock)[1].instant;
+    const Instant& next = knot(clock)[1].instant;
     return next.time < std::numeric_limits<double>::infinity() ? std::optional(next) : std::nullopt;
   }
 
-  [[nodiscard]] const Knot* knot(const Clock& clock) const { return motion_->last_reached(clock); }
+  [[nodiscard]] const Knot* knot(const Clock& clock) const { return last_ = motion_->last_reached(clock, last_); }
   [[nodiscard]] Piece<RecordedExcitation, double> piece(const Clock& clock) const {
     return piece_from<double>(knot(clock), scale_);
   }
@@ -139,6 +142,7 @@ class RecordedExcitation {
 
   std::shared_ptr<const NormalisedGroundMotion> motion_;
   double scale_;
+  mutable const Knot* last_ = nullptr;  ///< found last
 };
 
 }  // namespace rocking::dynamics

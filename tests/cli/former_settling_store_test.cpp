@@ -89,7 +89,7 @@ TEST_F(FormerSettlingStore, WithAChangedSettlingPeriodIsMended) {
       .execute("UPDATE realisations SET settling_period = 200 WHERE condition = 0 AND realisation = 11");
   const auto resumed = rocking("resume stopped -q --no-page");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
-  EXPECT_THAT(resumed.errors, HasSubstr("condition 0: realisations 10-11"));
+  EXPECT_THAT(resumed.errors, HasSubstr("the row of condition 0, realisation 11 differs"));
   run("run experiment.json -o anew");
   EXPECT_EQ(lasting_part("stopped"), lasting_part("anew"));
 }

@@ -60,7 +60,7 @@ std::string settling_columns(std::span<const SettlingRow> rows, std::size_t widt
   const std::vector<SettlingColumn> columns{
       {"unresolved " + at, [](const SettlingRow& row) { return share_text(row, row.unresolved_at_horizon); }},
       {"in the end", [](const SettlingRow& row) { return share_text(row, row.censored); }},
-      {"settled by (median)", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
+      {"half settled by", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
       {"99 % settled by",
        [](const SettlingRow& row) { return row.all_but_one_per_cent ? horizon_text(*row.all_but_one_per_cent) : "."; }},
       {"differ " + at, [](const SettlingRow& row) { return probability_cell(row.differ_at_horizon); }},

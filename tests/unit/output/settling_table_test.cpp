@@ -50,6 +50,20 @@ TEST(SettlingText, OmitsColumnsForWhichThereIsNoRoom) {
   EXPECT_THAT(settling_text(rows, 60), AllOf(HasSubstr("unresolved at 80"), Not(HasSubstr("differ in the end"))));
 }
 
+// The headline's table: friction and amplitude are swept, and 120 letters are the width of a pipe.
+TEST(SettlingText, HasBothDifferencesInTheUsualWidth) {
+  SettlingRow row = row_with(0);
+  row.parameters.insert(row.parameters.begin(),
+                        {.pointer = "/friction", .value = R"({"static": 0.40, "kinetic": 0.35})"});
+  row.realisations = 200;
+  row.unresolved_at_horizon = 119;
+  row.fixed_horizon = 560;
+  row.median = {.level = 0.5, .value = 920.0, .low = 740.0, .high = 1040.0};
+  row.all_but_one_per_cent =
+      stats::TimeToShare{.is_observed = true, .time = 4280, .low = 3680, .high = {}, .events = 0};
+  EXPECT_THAT(settling_text(std::vector{row}, 120), HasSubstr("differ at 560  differ in the end\n"));
+}
+
 TEST(SettlingText, BoundsWhatDidNotOccur) {
   const std::vector<SettlingRow> rows{row_with(0)};
   EXPECT_THAT(settling_text(rows, 200), HasSubstr("0 (< 3.6 %)"));
@@ -69,9 +83,9 @@ TEST(LongRunText, HasTheSharesBoundsThoseOfNoWindowAndCountsConditionsOfOneMode)
                                     {.mode = {}, .share = 0.1, .interval = {.low = 0.03, .high = 0.2}}});
   rows[2].long_runs = long_runs_of({{.mode = third, .share = 1.0, .interval = {.low = 0.93, .high = 1.0}}});
   const std::string text = long_run_text(rows, 200);
-  EXPECT_THAT(text, AllOf(HasSubstr("the last 8 windows"), HasSubstr("64.0 [52.1, 74.8]"), HasSubstr("36.0 [25.2, 47.9]"),
-                          HasSubstr("90.0 [80.0, 97.0]"), HasSubstr("< 7.1"), HasSubstr("label of a window"),
-                          HasSubstr("in 1 condition every window")));
+  EXPECT_THAT(text, AllOf(HasSubstr("the last 8 windows"), HasSubstr("64.0 [52.1, 74.8]"),
+                          HasSubstr("36.0 [25.2, 47.9]"), HasSubstr("90.0 [80.0, 97.0]"), HasSubstr("< 7.1"),
+                          HasSubstr("label of a window"), HasSubstr("in 1 condition every window")));
   EXPECT_THAT(long_run_text(rows, 60), AllOf(HasSubstr("others"), Not(HasSubstr("unresolved"))));
   EXPECT_THAT(settling_text(rows, 200), HasSubstr(text));
   rows.erase(rows.begin(), rows.begin() + 2);

@@ -288,9 +288,8 @@ inline bool HorizonRun::begin_next_window() {
     result_.operations.perturbed_pair_periods += run.periods;
     perturbed_pair_.reset();
     take(classification_.with_exponent(run.exponent));
-    const bool is_unresolved = newest_mode_.kind == section::ResponseKind::unresolved;
     const auto& until = condition_->horizon.until_classified;
-    if (until && is_unresolved) exponent_pause_ = until->exponent_pause;
+    if (until && run.stayed_unclear) exponent_pause_ = until->exponent_pause;
   }
   const Horizon& horizon = condition_->horizon;
   if (!horizon.until_classified) return false;

@@ -37,10 +37,12 @@ TEST(ExponentPause, SavesExponentsAndLeavesTheFixedHorizonAsItIs) {
     of_all += all.operations.perturbed_pair_periods;
     of_some += some.operations.perturbed_pair_periods;
   }
-  EXPECT_LT(2 * of_some, of_all + of_all / 10) << "windows come in threes: one of them has an exponent";
+  EXPECT_LT(3 * of_some, 2 * of_all) << "most exponents stay unclear, and two windows follow without one";
 }
 
-// An exponent that left a response unresolved is not computed again, nor is any other within the pause.
+constexpr std::uint64_t longest_run = 2 * 8 * 60;  ///< periods of both trajectories
+
+// An exponent that stayed unclear is not computed again within the pause.
 TEST(ExponentPause, OfManyWindowsLeavesTheExponentOfTheFixedHorizonOnly) {
   std::uint64_t with_exponent = 0;
   for (std::uint64_t realisation = 0; realisation < pause_realisations; ++realisation) {
@@ -48,13 +50,13 @@ TEST(ExponentPause, OfManyWindowsLeavesTheExponentOfTheFixedHorizonOnly) {
     fixed.horizon.until_classified.reset();
     const RealisationResult before = realise(fixed, pause_seed, realisation);
     const bool is_unresolved = before.classification.mode.kind == section::ResponseKind::unresolved;
-    if (!is_unresolved || before.operations.perturbed_pair_periods == 0) continue;
+    if (!is_unresolved || before.operations.perturbed_pair_periods < longest_run) continue;
     ++with_exponent;
     const RealisationResult after = realise(slipping(100), pause_seed, realisation);
     EXPECT_EQ(after.operations.perturbed_pair_periods, before.operations.perturbed_pair_periods) << realisation;
     EXPECT_GT(after.settling->observed_periods, 100) << realisation;
   }
-  EXPECT_GT(with_exponent, 2U);
+  EXPECT_GT(with_exponent, 1U);
 }
 
 }  // namespace

@@ -163,6 +163,24 @@ void add_horizon(std::int64_t horizon, const Span& span, Figure& figure) {
                                          .legend = "up to the fixed horizon"});
 }
 
+/// Of several swept parameters the values, `0.35/0.3, 6`: a panel is too narrow for their names, which the caption has.
+std::string title_of(const RunReport& report, const ConditionReport& condition) {
+  if (report.swept.size() < 2) return name_of_condition(report, condition);
+  std::string title;
+  for (std::size_t i = 0; i < report.swept.size(); ++i) {
+    title += (title.empty() ? "" : ", ") + short_value(report.swept[i], condition.parameters[i]);
+  }
+  return title;
+}
+
+std::string names_of_swept(const RunReport& report) {
+  std::string names;
+  for (const std::string& pointer : report.swept) {
+    names += (names.empty() ? "" : ", ") + label_of(axis_of_parameter(pointer));
+  }
+  return names;
+}
+
 void add_panel(const RunReport& report, std::size_t condition, const std::vector<ResponseMode>& modes, const Span& span,
                Figure& figure) {
   const IncidenceReport& incidence = *report.conditions[condition].incidence;
@@ -170,7 +188,7 @@ void add_panel(const RunReport& report, std::size_t condition, const std::vector
   const std::size_t table = figure.tables.size();
   figure.tables.push_back(
       table_of_incidence(report, incidence, modes, name.empty() ? "the only condition" : name, span));
-  Panel panel{.title = name,
+  Panel panel{.title = title_of(report, report.conditions[condition]),
               .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = span.low},
               .y = {.quantity = "probability", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},
               .layers = {}};
@@ -221,6 +239,7 @@ std::optional<Figure> incidence_figure(const RunReport& report) {
       " interval at each time (darker) and its band for all times at once (lighter, of each mode alone). Realisations "
       "that were not classified are censored.";
   if (report.occurring().size() > modes.size() + 1) figure.caption += " Rarer modes are not drawn.";
+  if (report.swept.size() > 1) figure.caption += " Titles of panels: " + names_of_swept(report) + '.';
   if (report.conditions.size() > shown.size()) {
     figure.caption += " Shown are the " + std::to_string(shown.size()) +
                       " conditions in which most realisations are unresolved at the fixed horizon.";

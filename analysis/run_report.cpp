@@ -80,6 +80,16 @@ IncidenceCurve curve_from(const Json& json) {
   return curve;
 }
 
+LongRunRow long_runs_from(const Json& json) {
+  LongRunRow runs{.realisations = json.at("realisations"), .windows = json.at("windows"), .shares = {}};
+  for (const auto& [name, found] : json.at("modes").items()) {
+    runs.shares.push_back({.mode = section::response_mode_named(name).value(),
+                           .share = found.at("share"),
+                           .interval = interval_from(found.at("interval"))});
+  }
+  return runs;
+}
+
 SettlingRow settling_from(const Json& json, std::uint64_t realisations) {
   SettlingRow row;
   row.realisations = realisations;
@@ -94,6 +104,7 @@ SettlingRow settling_from(const Json& json, std::uint64_t realisations) {
                            .watched_periods = found.at("watched_periods"),
                            .per_1000_periods = interval_from(interval)});
   }
+  if (json.contains("long_run_shares")) row.long_runs = long_runs_from(json.at("long_run_shares"));
   if (!json.contains("nearly_all")) return row;
   const Json& found = json.at("nearly_all");
   row.all_but_one_per_cent = {.is_observed = found.at("basis") == "observed",
@@ -263,6 +274,7 @@ std::optional<SettlingRow> settling_row(const RunReport& report, std::size_t num
   if (transient && sampled) row.fixed_horizon = *transient + *sampled;
   row.limit = of_horizon(report, condition, "/until_classified/at_most_periods");
   const std::int64_t held = of_horizon(report, condition, "/until_classified/held_windows").value_or(1);
+  row.held_windows = static_cast<int>(held);
   row.confirmation = (held - 1) * sampled.value_or(0);
   return row;
 }

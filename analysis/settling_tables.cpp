@@ -6,6 +6,7 @@
 #include "analysis/data_file.hpp"
 #include "analysis/sweep_view.hpp"
 #include "analysis/table_text.hpp"
+#include "rocking/output/long_run_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -39,6 +40,13 @@ std::string latex_count(std::uint64_t count, const SettlingRow& row) {
 
 std::string latex_probability(const std::optional<double>& probability) {
   return probability ? per_cent(*probability) : "--";
+}
+
+constexpr std::size_t most_long_run_columns = 5;
+
+std::string latex_long_run(std::string text) {
+  if (text.starts_with('<')) text.replace(0, 1, "$<$");
+  return text == "." ? "--" : text;
 }
 
 /// `$>$ 1000 [740, --]`
@@ -116,6 +124,7 @@ std::string leaving_csv(const RunReport& report) {
 std::string settling_latex(const RunReport& report) {
   if (!has_incidence(report)) return "";
   const std::vector<ParameterColumn> columns = parameter_columns(report);
+  const std::string proviso = end_proviso(settling_rows(report));
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text +=
       "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
@@ -123,7 +132,8 @@ std::string settling_latex(const RunReport& report) {
       "with its " +
       latex_text(report.level()) +
       " interval (--: open), and probability in per cent that two runs differ in response mode at the fixed horizon "
-      "and in the end; $<$: did not occur, upper end of the interval.}\n";
+      "and in the end; $<$: did not occur, upper end of the interval." +
+      (proviso.empty() ? "" : " In the end " + latex_text(proviso) + '.') + "}\n";
   text += "  \\begin{tabular}{" + std::string(columns.size() + 6, 'r') + "}\n    \\toprule\n    ";
   for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
   text += "$n$ & unresolved & in the end & settled by & differ & in the end \\\\\n    \\midrule\n";
@@ -135,6 +145,47 @@ std::string settling_latex(const RunReport& report) {
     text += std::to_string(row->realisations) + " & " + latex_count(row->unresolved_at_horizon, *row) + " & " +
             latex_count(row->censored, *row) + " & " + latex_period(period_text(row->median, row->limit)) + " & " +
             latex_probability(row->differ_at_horizon) + " & " + latex_probability(row->differ_in_the_end) + " \\\\\n";
+  }
+  return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
+}
+
+std::string long_run_csv(const RunReport& report) {
+  const CsvStart start(report);
+  std::string lines;
+  for (const ConditionReport& condition : report.conditions) {
+    if (!condition.incidence || !condition.incidence->settling.long_runs) continue;
+    const LongRunRow& runs = *condition.incidence->settling.long_runs;
+    for (const LongRunShare& found : runs.shares) {
+      lines += start.of(condition) + ',' + csv_field(to_string(found.mode)) + ',' + std::to_string(runs.realisations) +
+               ',' + std::to_string(runs.windows) + ',' + number_text(found.share) + csv_interval(found.interval) +
+               '\n';
+    }
+  }
+  return lines.empty() ? "" : start.head() + ",mode,long_runs,windows,share,low,high\n" + lines;
+}
+
+std::string long_run_latex(const RunReport& report) {
+  const auto modes = long_run_modes(settling_rows(report), most_long_run_columns);
+  if (modes.empty()) return "";
+  const std::vector<ParameterColumn> columns = parameter_columns(report);
+  std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
+  text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
+          "Long-run shares of time: windows of realisations with a long run by response mode, in per cent, with " +
+          latex_text(report.level()) + " intervals of each mode alone; $<$: no window, upper bound. " +
+          long_run_meaning + ".}\n";
+  text += "  \\begin{tabular}{" + std::string(columns.size() + modes.size() + 2, 'r') + "}\n    \\toprule\n    ";
+  for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
+  text += "long runs";
+  for (const section::ResponseMode& mode : modes) text += " & " + to_string(mode);
+  text += " & others \\\\\n    \\midrule\n";
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const auto row = settling_row(report, i);
+    if (!row || !row->long_runs) continue;
+    text += "    ";
+    for (const ParameterColumn& column : columns) text += latex_text(column.values[i]) + " & ";
+    text += std::to_string(row->long_runs->realisations);
+    for (const section::ResponseMode& mode : modes) text += " & " + latex_long_run(long_run_cell(*row, mode));
+    text += " & " + latex_long_run(other_long_run_shares(*row, modes)) + " \\\\\n";
   }
   return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
 }

@@ -22,6 +22,13 @@ namespace rocking::analysis {
 /// `watched_periods`, `per_1000_periods`, `low`, `high`.
 [[nodiscard]] std::string leaving_csv(const RunReport& report);
 
+/// CSV with a line for each condition and response mode of its long runs: the parameters, the shaking, `n`, `mode`,
+/// `long_runs`, `windows` of each, `share`, `low`, `high`. Empty without long runs.
+[[nodiscard]] std::string long_run_csv(const RunReport& report);
+
+/// A LaTeX table (booktabs) of the long-run shares of time, with a line for each condition. Empty without long runs.
+[[nodiscard]] std::string long_run_latex(const RunReport& report);
+
 /// A LaTeX table (booktabs) with a line for each condition: the realisations that are unresolved at the fixed horizon
 /// and in the end, the median settling period, and the probability that two runs differ at both.
 [[nodiscard]] std::string settling_latex(const RunReport& report);

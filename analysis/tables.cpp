@@ -133,13 +133,15 @@ std::string modes_latex(const RunReport& report) {
   const bool with_others = report.occurring().size() > modes.size();
   const std::vector<ParameterColumn> columns = parameter_columns(report);
   const std::string common = common_shaking(report.swept, shakings_of(report));
+  const std::string proviso = end_proviso(settling_rows(report));
   const std::size_t leading = columns.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
           (report.is_random() ? std::string("Response modes") + (settling_rows(report).empty() ? "" : " in the end") +
                                     " in per cent of $n$ realisations, with " + latex_text(report.level()) +
                                     " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
-                                    "end of the interval."
+                                    "end of the interval." +
+                                    (proviso.empty() ? "" : " In the end " + latex_text(proviso) + '.')
                               : "Response modes in per cent; nothing is random.") +
           (common.empty() ? "" : " Shaking: " + latex_shaking(common) + '.') + "}\n";
   text += "  \\begin{tabular}{" + std::string(leading + modes.size() + (with_others ? 1 : 0), 'r') +

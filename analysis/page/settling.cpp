@@ -10,11 +10,16 @@
 #include "analysis/page/tables.hpp"
 #include "analysis/page/words.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/output/long_run_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
+
+using section::ResponseMode;
+
+constexpr std::size_t most_long_run_modes = 5;
 
 Cell text_cell(std::string text) { return Cell(std::move(text)); }
 
@@ -135,6 +140,36 @@ std::string leaving_html(const RunReport& report) {
                                            " intervals of the rate");
 }
 
+Table long_run_table(const RunReport& report, const std::vector<ResponseMode>& modes) {
+  Table table;
+  add_parameters(report, table);
+  table.columns.push_back({"value", "realisations with a long run"});
+  table.columns.push_back({"value", "windows of each"});
+  for (const ResponseMode& mode : modes) table.columns.push_back({"value", to_string(mode) + " [%]"});
+  table.columns.push_back({"value", "others [%]"});
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const auto row = settling_row(report, i);
+    if (!row || !row->long_runs) continue;
+    std::vector<Cell> cells = parameter_cells(report, i);
+    cells.emplace_back(static_cast<double>(row->long_runs->realisations));
+    cells.emplace_back(static_cast<double>(row->long_runs->windows));
+    for (const ResponseMode& mode : modes) cells.push_back(text_cell(long_run_cell(*row, mode)));
+    cells.push_back(text_cell(other_long_run_shares(*row, modes)));
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::string long_run_html(const RunReport& report) {
+  const std::vector<SettlingRow> rows = settling_rows(report);
+  const std::vector<ResponseMode> modes = long_run_modes(rows, most_long_run_modes);
+  if (modes.empty()) return "";
+  return fmt::format("<p>{}.</p>\n", escaped(long_run_meaning)) +
+         data_table_html(long_run_table(report, modes),
+                         "Long-run shares of time: windows of long runs by response mode, in per cent [" +
+                             report.level() + " interval, each mode alone]; <: no window, an upper bound");
+}
+
 }  // namespace
 
 std::string settling_html(const RunReport& report) {
@@ -152,17 +187,19 @@ std::string settling_html(const RunReport& report) {
   const bool one_limit =
       first.limit && std::ranges::all_of(rows, [&](const SettlingRow& row) { return row.limit == first.limit; });
   const std::string limit = one_limit ? fmt::format("{} periods", *first.limit) : "its limit";
+  const std::string proviso = end_proviso(rows);
   return fmt::format(
              "<p>All shares on this page are those in the end. A realisation that is unresolved at the fixed horizon "
              "goes on until its response is classified, for up to {}. {} of {} were unresolved at the fixed horizon; "
-             "<strong>{}</strong> were not classified in the end.</p>\n",
-             limit, unresolved, counted(realisations, "realisation"), censored) +
+             "<strong>{}</strong> were not classified in the end.{}</p>\n",
+             limit, unresolved, counted(realisations, "realisation"), censored,
+             proviso.empty() ? "" : " In the end " + escaped(proviso) + '.') +
          remedies_html(report) +
          data_table_html(settling_table(report),
                          "When responses settled [" + report.level() +
                              " interval; -: open]; <: did not occur, the upper end of its interval; >: beyond the "
                              "observation") +
-         leaving_html(report) +
+         leaving_html(report) + long_run_html(report) +
          "<p class=\"small\">The charts show the interval at each time; the picture for printing and the files of "
          "<code>rocking report DIR</code> also have the band for all times at once.</p>\n";
 }

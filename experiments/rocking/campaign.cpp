@@ -78,8 +78,8 @@ std::string late_settling_of(const ExperimentResult& result) {
     least_held = std::min(least_held, condition.validity.least_held);
   }
   if (count == 0) return "";
-  return fmt::format("settled late: {}, classified by the last {:g} % of their sampled periods or more\n",
-                     counted(count, "realisation"), 100.0 * least_held);
+  return fmt::format("settled late: {}, classified by the last {} % of their sampled periods or more\n",
+                     counted(count, "realisation"), significant(100.0 * least_held, 3));
 }
 
 /// `95 %`; if the conditions have different confidences, words that say so.

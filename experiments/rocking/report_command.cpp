@@ -116,11 +116,13 @@ ExitCode report_again(const ReportRequest& request) {
       write("settling.csv", settling_csv(report));
       write("incidence.csv", incidence_csv(report));
       write("leaving.csv", leaving_csv(report));
+      if (const std::string shares = long_run_csv(report); !shares.empty()) write("long_run_shares.csv", shares);
     }
   }
   if (formats.contains("latex")) {
     write("modes.tex", modes_latex(report));
     if (!settling_rows(report).empty()) write("settling.tex", settling_latex(report));
+    if (const std::string shares = long_run_latex(report); !shares.empty()) write("long_run_shares.tex", shares);
   }
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})

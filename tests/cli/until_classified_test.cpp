@@ -1,5 +1,6 @@
 // horizon.until_classified: the bytes of a report do not depend on how its realisations were computed.
 
+#include <filesystem>
 #include <string>
 
 #include <gmock/gmock.h>
@@ -101,6 +102,45 @@ TEST_F(UntilClassified, TellsByWhenOnTheTerminalOnThePageAndInTables) {
   EXPECT_THAT(read("whole/tables/leaving.csv"), HasSubstr("per_1000_periods"));
   EXPECT_THAT(read("whole/tables/settling.tex"), HasSubstr("in the end"));
   EXPECT_THAT(read("whole/tables/modes.tex"), HasSubstr("Response modes in the end"));
+}
+
+TEST_F(UntilClassified, GivesLongRunSharesOnTheTerminalOnThePageAndInTables) {
+  const auto outcome = rocking("run until.json -o whole -q");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("long-run shares of time"), HasSubstr("A response mode in the end is the label of a "
+                                                                    "window")));
+  EXPECT_THAT(read("whole/report.html"), AllOf(HasSubstr("Long-run shares of time"), HasSubstr("label of a window")));
+  EXPECT_THAT(rocking("report whole --format text").output, HasSubstr("long-run shares of time"));
+  ASSERT_EQ(rocking("report whole --format csv,latex -q").exit_code, 0);
+  EXPECT_THAT(read("whole/tables/long_run_shares.tex"), HasSubstr("Long-run shares of time"));
+  const Json report = Json::parse(read("whole/report.json"));
+  const Json& found = report["result"]["conditions"][1]["incidence"]["long_run_shares"];
+  const Json& harmonic = found["modes"]["(1,1)"];
+  EXPECT_THAT(read("whole/tables/long_run_shares.csv"),
+              HasSubstr("\"(1,1)\",8,8," + harmonic["share"].dump() + ',' + harmonic["interval"][0].dump() + ',' +
+                        harmonic["interval"][1].dump() + '\n'));
+}
+
+TEST_F(UntilClassified, GivesNoLongRunSharesWithoutLongRuns) {
+  const auto outcome = rocking("run without.json -o without -q");
+  EXPECT_THAT(outcome.output, Not(HasSubstr("long-run shares")));
+  ASSERT_EQ(rocking("report without --format csv,latex -q").exit_code, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "without/tables/long_run_shares.csv"));
+  EXPECT_THAT(read("without/report.html"), Not(HasSubstr("Long-run shares of time")));
+}
+
+// A label of one window is not said to be that in the end without the proviso that it may be left.
+TEST_F(UntilClassified, QualifiesTheEndWhereAResponseWasHeldForOneWindow) {
+  EXPECT_THAT(rocking("run without.json -o two -q").output, Not(HasSubstr("held_windows 1")));
+  Json experiment = Json::parse(read("without.json"));
+  experiment["horizon"]["until_classified"].erase("held_windows");
+  write("one.json", experiment.dump());
+  EXPECT_THAT(rocking("run one.json -o one -q").output, HasSubstr("may be left again later"));
+  EXPECT_THAT(read("one/report.html"), HasSubstr("may be left again later"));
+  ASSERT_EQ(rocking("report one --format latex -q").exit_code, 0);
+  EXPECT_THAT(read("one/tables/modes.tex"), HasSubstr("may be left again later"));
+  EXPECT_THAT(read("one/tables/settling.tex"), HasSubstr("may be left again later"));
 }
 
 TEST_F(UntilClassified, ReadsAReportOfBeforeTheCurvesWereNamed) {

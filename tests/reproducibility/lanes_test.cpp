@@ -188,6 +188,7 @@ std::vector<Condition> settling_crowd() {
     condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.03;
     condition.horizon.until_classified =
         UntilClassified{.at_most_periods = 600, .held_windows = 2, .watch_windows = 1, .long_run_every = 3};
+    if (amplitude == 6.0) condition.horizon.until_classified->exponent_pause = 2;
   }
   return conditions;
 }

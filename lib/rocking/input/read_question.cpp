@@ -37,9 +37,12 @@ void read_until_classified(ObjectReader& in, const Scene& scene, Horizon& horizo
         static_cast<int>(keys.integer("held_windows", rules::held_windows.with_default(until.held_windows)));
     until.watch_windows =
         static_cast<int>(keys.integer("watch_windows", rules::watch_windows.with_default(until.watch_windows)));
-    if (keys.has("long_run_every")) {  // otherwise absent from the canonical text, too, as before there was this key
+    if (keys.has("long_run_every")) {  // otherwise absent from the canonical text, too, as before these keys
       until.long_run_every =
           static_cast<std::uint64_t>(keys.integer("long_run_every", rules::long_run_every.with_default(0)));
+    }
+    if (keys.has("exponent_pause")) {
+      until.exponent_pause = static_cast<int>(keys.integer("exponent_pause", rules::exponent_pause.with_default(0)));
     }
   });
   horizon.until_classified = until;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 
+#include "rocking/output/long_run_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -59,7 +60,7 @@ std::string settling_columns(std::span<const SettlingRow> rows, std::size_t widt
   const std::vector<SettlingColumn> columns{
       {"unresolved " + at, [](const SettlingRow& row) { return share_text(row, row.unresolved_at_horizon); }},
       {"in the end", [](const SettlingRow& row) { return share_text(row, row.censored); }},
-      {"settled by (median)", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
+      {"half settled by", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
       {"99 % settled by",
        [](const SettlingRow& row) { return row.all_but_one_per_cent ? horizon_text(*row.all_but_one_per_cent) : "."; }},
       {"differ " + at, [](const SettlingRow& row) { return probability_cell(row.differ_at_horizon); }},
@@ -117,7 +118,10 @@ SettlingRow row_of(const Condition& condition, const ConditionResult& result) {
   if (unresolved != settling.at_horizon.end()) row.unresolved_at_horizon = unresolved->second;
   row.censored = settling.censored;
   row.fixed_horizon = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
-  if (horizon.until_classified) row.limit = horizon.until_classified->at_most_periods;
+  if (horizon.until_classified) {
+    row.limit = horizon.until_classified->at_most_periods;
+    row.held_windows = horizon.until_classified->held_windows;
+  }
   row.confirmation = confirmation_periods(horizon);
   row.differ_at_horizon = settling.differ;
   if (result.non_recurrence) row.differ_in_the_end = result.non_recurrence->differ;
@@ -126,6 +130,13 @@ SettlingRow row_of(const Condition& condition, const ConditionResult& result) {
                            .left = leaving.left,
                            .watched_periods = leaving.watched_periods,
                            .per_1000_periods = leaving.per_1000_periods});
+  }
+  if (settling.long_runs) {
+    row.long_runs =
+        LongRunRow{.realisations = settling.long_runs->count, .windows = settling.long_runs->windows, .shares = {}};
+    for (const auto& [mode, found] : settling.long_runs->shares) {
+      row.long_runs->shares.push_back({.mode = mode, .share = found.share, .interval = found.interval});
+    }
   }
   if (!result.response_times) return row;
   const auto& quartiles = result.response_times->quartiles;
@@ -171,6 +182,12 @@ std::string leaving_text(const LeftMode& leaving) {
          significant(leaving.per_1000_periods.high, 2) + ']';
 }
 
+std::string end_proviso(std::span<const SettlingRow> conditions) {
+  const bool is_needed = std::ranges::any_of(conditions, [](const SettlingRow& row) { return row.held_windows < 2; });
+  return is_needed ? "a response is that of the first classified window (held_windows 1) and may be left again later"
+                   : "";
+}
+
 bool may_be_left(const LeftMode& leaving) { return leaving.left > 0 && leaving.per_1000_periods.high > 1.0; }
 
 std::string limit_remedy(const SettlingRow& condition, const std::string& name) {
@@ -207,14 +224,15 @@ std::string settling_text(std::span<const SettlingRow> conditions, std::size_t w
     censored += row.censored;
     if (std::string remedy = limit_remedy(row, name_of(row)); !remedy.empty()) remedies.push_back(std::move(remedy));
   }
+  const std::string proviso = end_proviso(conditions);
   std::string text =
       "shares are those in the end: an unresolved realisation goes on" +
       (limit.empty() ? std::string(" to its limit") : " for up to " + limit + " periods") + "; " +
-      std::to_string(censored) + " of " + counted(realisations, "realisation") + " were not classified by then\n\n" +
-      settling_columns(conditions, width) +
+      std::to_string(censored) + " of " + counted(realisations, "realisation") + " were not classified by then\n" +
+      (proviso.empty() ? "" : "in the end: " + proviso + '\n') + '\n' + settling_columns(conditions, width) +
       "\nsettled by: median and 99 % quantile of the settling period [interval; -: open]; differ: per cent of pairs of "
       "runs with different responses\n" +
-      leaving_line(conditions);
+      leaving_line(conditions) + long_run_text(conditions, width);
   for (std::size_t i = 0; i < std::min(remedies.size(), most_remedies); ++i) {
     text += "horizon too short: " + remedies[i] + '\n';
   }

@@ -27,6 +27,20 @@ struct LeftMode {
   stats::Interval per_1000_periods;
 };
 
+/// Windows of the long runs of a condition that have one response mode.
+struct LongRunShare {
+  section::ResponseMode mode;
+  double share = 0.0;
+  stats::Interval interval;  ///< for this mode alone
+};
+
+/// Long-run shares of time of a condition.
+struct LongRunRow {
+  std::uint64_t realisations = 0;    ///< with a long run
+  std::uint64_t windows = 0;         ///< counted in each of them
+  std::vector<LongRunShare> shares;  ///< of each mode that has any
+};
+
 /// A condition of a run with UntilClassified: a row of the table.
 struct SettlingRow {
   std::vector<Parameter> parameters;  ///< swept; the same pointers in every row
@@ -41,6 +55,8 @@ struct SettlingRow {
   std::optional<stats::TimeToShare> all_but_one_per_cent;  ///< absent in reports of earlier versions
   std::optional<double> differ_at_horizon, differ_in_the_end;
   std::vector<LeftMode> leaving;  ///< of each mode that was watched
+  int held_windows = 1;
+  std::optional<LongRunRow> long_runs;  ///< absent unless asked for
 };
 
 /// The rows of a run with UntilClassified; none of another run.
@@ -55,6 +71,9 @@ struct SettlingRow {
 
 /// `0.31 [0.01, 1.72]`, left per 1000 watched periods with its exact interval.
 [[nodiscard]] std::string leaving_text(const LeftMode& leaving);
+
+/// What qualifies "in the end" if a response was held for one window only; empty if all were held for more.
+[[nodiscard]] std::string end_proviso(std::span<const SettlingRow> conditions);
 
 /// Whether an interval of a rate of leaving exceeds one per 1000 periods. Then the label is that of a window.
 [[nodiscard]] bool may_be_left(const LeftMode& leaving);

@@ -94,7 +94,9 @@ void PerturbedPair::measure_growth() {
 }
 
 ExponentRun PerturbedPair::result() const {
-  return {.exponent = exponent_, .periods = 2 * static_cast<std::uint64_t>(done_)};
+  return {.exponent = exponent_,
+          .periods = 2 * static_cast<std::uint64_t>(done_),
+          .stayed_unclear = done_ >= longest_ && !is_sure(exponent_)};
 }
 
 void run_alone(PerturbedPair& pair, base::StopRequest stop) {

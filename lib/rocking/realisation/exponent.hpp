@@ -14,6 +14,7 @@ namespace rocking {
 struct ExponentRun {
   std::optional<section::ExponentEstimate> exponent;  ///< absent if the run ended too early
   std::uint64_t periods = 0;                          ///< excitation periods, of both trajectories together
+  bool stayed_unclear = false;  ///< it did not differ clearly from zero in the longest run that is made
 };
 
 /// Largest Lyapunov exponent per excitation period, from a reference trajectory and a perturbed one with common random

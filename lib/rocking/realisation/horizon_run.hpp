@@ -159,6 +159,7 @@ class HorizonRun {
   std::int64_t candidate_since_ = 0;              ///< end of the first of these windows
   int candidate_held_ = 0;                        ///< number of these windows
   int watched_ = 0;                               ///< windows since the response has settled
+  int exponent_pause_ = 0;                        ///< next windows in which the exponent counts as unclear
   section::ResponseMode newest_mode_;
   std::int64_t window_begin_ = 0;                     ///< of the newest window, if windows are counted
   std::optional<RealisationResult> observed_result_;  ///< when only the long run was left to observe
@@ -183,6 +184,12 @@ inline PerturbedPair* HorizonRun::classify() {
   keep_periods();
   perturbed_pair_.reset();
   const auto classification = classification_without_exponent();
+  const bool pauses = exponent_pause_ > 0;
+  if (pauses) --exponent_pause_;
+  if (!classification && pauses) {
+    take(classification_.with_exponent(std::nullopt));
+    return nullptr;
+  }
   if (!classification) {
     return &perturbed_pair_.emplace(*after_transient_, shape_angle_, condition_->horizon.sampled_periods);
   }
@@ -281,6 +288,8 @@ inline bool HorizonRun::begin_next_window() {
     result_.operations.perturbed_pair_periods += run.periods;
     perturbed_pair_.reset();
     take(classification_.with_exponent(run.exponent));
+    const auto& until = condition_->horizon.until_classified;
+    if (until && run.stayed_unclear) exponent_pause_ = until->exponent_pause;
   }
   const Horizon& horizon = condition_->horizon;
   if (!horizon.until_classified) return false;

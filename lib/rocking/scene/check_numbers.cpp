@@ -109,6 +109,7 @@ void check_numbers(const Condition& condition, SoundGroundMotions& sound, Proble
     check("/horizon/until_classified/held_windows", until->held_windows, rules::held_windows.with_default(1));
     check("/horizon/until_classified/watch_windows", until->watch_windows, rules::watch_windows.with_default(0));
     check("/horizon/until_classified/long_run_every", until->long_run_every, rules::long_run_every.with_default(0));
+    check("/horizon/until_classified/exponent_pause", until->exponent_pause, rules::exponent_pause.with_default(0));
   }
   check("/accuracy/tolerance", condition.tolerance, rules::tolerance);
   check("/accuracy/repeat_every", condition.rerun_every, rules::rerun_every.with_default(Condition{}.rerun_every));

@@ -56,6 +56,7 @@ struct UntilClassified {
   int held_windows = 1;                   ///< the response has settled if so many successive windows give one mode
   int watch_windows = 0;                  ///< windows that a settled response is observed for, until it is left
   std::uint64_t long_run_every = 0;       ///< every N-th realisation has a long run up to the limit; 0: none
+  int exponent_pause = 0;                 ///< windows without exponent after one whose exponent stayed unclear
 };
 
 struct Horizon {

@@ -75,6 +75,7 @@ inline constexpr IntegerRule at_most_periods{.low = 1, .high = 200'000'000};
 inline constexpr IntegerRule held_windows{.low = 1, .high = 1'000};
 inline constexpr IntegerRule watch_windows{.low = 0, .high = 1'000'000};
 inline constexpr IntegerRule long_run_every{.low = 0, .high = 1'000'000'000};
+inline constexpr IntegerRule exponent_pause{.low = 0, .high = 1'000'000};
 inline constexpr NumberRule tolerance{.allows = [](double x) { return 1e-16 <= x && x <= 1e-2; },
                                       .demand = "must be a number from 1e-16 to 1e-2",
                                       .example = "1e-13"};

@@ -2,6 +2,8 @@
 
 #include "rocking/output/settling_table.hpp"
 
+#include "rocking/output/long_run_table.hpp"
+
 #include <gmock/gmock.h>
 
 namespace rocking {
@@ -48,12 +50,58 @@ TEST(SettlingText, OmitsColumnsForWhichThereIsNoRoom) {
   EXPECT_THAT(settling_text(rows, 60), AllOf(HasSubstr("unresolved at 80"), Not(HasSubstr("differ in the end"))));
 }
 
+// The headline's table: friction and amplitude are swept, and 120 letters are the width of a pipe.
+TEST(SettlingText, HasBothDifferencesInTheUsualWidth) {
+  SettlingRow row = row_with(0);
+  row.parameters.insert(row.parameters.begin(),
+                        {.pointer = "/friction", .value = R"({"static": 0.40, "kinetic": 0.35})"});
+  row.realisations = 200;
+  row.unresolved_at_horizon = 119;
+  row.fixed_horizon = 560;
+  row.median = {.level = 0.5, .value = 920.0, .low = 740.0, .high = 1040.0};
+  row.all_but_one_per_cent =
+      stats::TimeToShare{.is_observed = true, .time = 4280, .low = 3680, .high = {}, .events = 0};
+  EXPECT_THAT(settling_text(std::vector{row}, 120), HasSubstr("differ at 560  differ in the end\n"));
+}
+
 TEST(SettlingText, BoundsWhatDidNotOccur) {
   const std::vector<SettlingRow> rows{row_with(0)};
   EXPECT_THAT(settling_text(rows, 200), HasSubstr("0 (< 3.6 %)"));
 }
 
 // The limit that is proposed holds the last response for all its windows: 7760 + 60, rounded up.
+LongRunRow long_runs_of(std::vector<LongRunShare> shares) {
+  return {.realisations = 50, .windows = 8, .shares = std::move(shares)};
+}
+
+TEST(LongRunText, HasTheSharesBoundsThoseOfNoWindowAndCountsConditionsOfOneMode) {
+  constexpr section::ResponseMode third{.kind = section::ResponseKind::periodic, .rocks = 1, .periods = 3};
+  std::vector<SettlingRow> rows{row_with(0), row_with(0), row_with(0)};
+  rows[0].long_runs = long_runs_of({{.mode = harmonic, .share = 0.64, .interval = {.low = 0.521, .high = 0.748}},
+                                    {.mode = third, .share = 0.36, .interval = {.low = 0.252, .high = 0.479}}});
+  rows[1].long_runs = long_runs_of({{.mode = harmonic, .share = 0.9, .interval = {.low = 0.8, .high = 0.97}},
+                                    {.mode = {}, .share = 0.1, .interval = {.low = 0.03, .high = 0.2}}});
+  rows[2].long_runs = long_runs_of({{.mode = third, .share = 1.0, .interval = {.low = 0.93, .high = 1.0}}});
+  const std::string text = long_run_text(rows, 200);
+  EXPECT_THAT(text, AllOf(HasSubstr("the last 8 windows"), HasSubstr("64.0 [52.1, 74.8]"),
+                          HasSubstr("36.0 [25.2, 47.9]"), HasSubstr("90.0 [80.0, 97.0]"), HasSubstr("< 7.1"),
+                          HasSubstr("label of a window"), HasSubstr("in 1 condition every window")));
+  EXPECT_THAT(long_run_text(rows, 60), AllOf(HasSubstr("others"), Not(HasSubstr("unresolved"))));
+  EXPECT_THAT(settling_text(rows, 200), HasSubstr(text));
+  rows.erase(rows.begin(), rows.begin() + 2);
+  EXPECT_THAT(long_run_text(rows, 200), Not(HasSubstr("shares of time")));
+  rows[0].long_runs.reset();
+  EXPECT_EQ(long_run_text(rows, 200), "");
+}
+
+TEST(EndProviso, IsNeededWhereOneWindowWasHeld) {
+  std::vector<SettlingRow> rows{row_with(0), row_with(0)};
+  rows[0].held_windows = 2;
+  EXPECT_THAT(end_proviso(rows), HasSubstr("may be left again later"));
+  rows[1].held_windows = 2;
+  EXPECT_EQ(end_proviso(rows), "");
+}
+
 TEST(LimitRemedy, ProposesTheLimitThatWouldDo) {
   EXPECT_THAT(limit_remedy(row_with(26), "amplitude 6"),
               AllOf(HasSubstr("amplitude 6: 26.0 %"), HasSubstr("about 4100 periods [2480, 7760]"),

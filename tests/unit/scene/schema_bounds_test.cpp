@@ -51,6 +51,7 @@ std::map<std::string, Rule> rules_by_place() {
                                   {"/horizon/until_classified/held_windows", rules::held_windows},
                                   {"/horizon/until_classified/watch_windows", rules::watch_windows},
                                   {"/horizon/until_classified/long_run_every", rules::long_run_every},
+                                  {"/horizon/until_classified/exponent_pause", rules::exponent_pause},
                                   {"/accuracy/tolerance", rules::tolerance},
                                   {"/accuracy/repeat_every", rules::rerun_every},
                                   {"/realisations", rules::realisations},
@@ -148,7 +149,8 @@ std::map<std::string, Json> defaults_by_place() {
           {"/confidence", condition.confidence},
           {"/horizon/until_classified/held_windows", until.held_windows},
           {"/horizon/until_classified/watch_windows", until.watch_windows},
-          {"/horizon/until_classified/long_run_every", until.long_run_every}};
+          {"/horizon/until_classified/long_run_every", until.long_run_every},
+          {"/horizon/until_classified/exponent_pause", until.exponent_pause}};
 }
 
 void collect_defaults(const Json& schema, const std::string& place, std::map<std::string, Json>& defaults) {

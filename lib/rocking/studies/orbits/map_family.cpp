@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "rocking/studies/orbits/fixed_point.hpp"
+
 namespace rocking {
 namespace {
 

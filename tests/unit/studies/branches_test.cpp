@@ -186,8 +186,8 @@ TEST(Branches, BranchOffWhereSymmetryBreaks) {
             section::periodic(1, 5));
 }
 
-// Two branches of (1,3) end at one grazing; one of them reaches the guard, the other does not. The orbit that does not
-// reach it is followed to its end by bisection, with Newton's method for the map over three periods alone.
+// A branch of (1,3) ends at a grazing. Its orbit is followed there by bisection, with Newton's method for the map over
+// three periods at fixed amplitudes alone.
 TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
   const std::vector<double> values{4.4};
   std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
@@ -196,7 +196,7 @@ TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
   for (const Bifurcation& one : study.bifurcations) {
     if (one.kind == BifurcationKind::grazing && std::abs(one.value - 4.4645268) < 1e-5) grazings.push_back(&one);
   }
-  ASSERT_GE(grazings.size(), 2U);
+  ASSERT_FALSE(grazings.empty());
   const section::StrobePoint start = grazings.front()->orbit.points.front().point;
   double below = grazings.front()->value - 1e-6;
   double above = grazings.front()->value + 1e-6;
@@ -219,9 +219,11 @@ TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
 
 // Near a grazing the map goes like a root. Differences over too long a step stopped this branch at 4.4145.
 TEST(Branches, ComeCloseToTheGrazingAtTheirEnd) {
-  const std::vector<double> values{4.4};
+  const std::vector<double> values{3.8};
   std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
-  const BranchStudy study = branches_of(amplitudes(values, {.low = 4.35, .high = 4.55}), found, {});
+  BranchQuestion question = amplitudes(values, {.low = 3.5, .high = 4.55});
+  question.most_branches = 5;  // without the orbits of six periods
+  const BranchStudy study = branches_of(question, found, {});
   const auto is_there = [](const Bifurcation& one) {
     return one.kind == BifurcationKind::grazing && std::abs(one.value - 4.4641497) < 1e-6;
   };

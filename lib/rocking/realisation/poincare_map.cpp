@@ -132,7 +132,8 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
                       .derivative = in_units_of_section(motion.at_strobe(), psi),
                       .not_differentiable = motion.not_differentiable(),
                       .sequence = observer.sequence(),
-                      .crossings = motion.crossings()};
+                      .crossings = motion.crossings(),
+                      .minima = motion.minima()};
   for (std::size_t k = 1; k < observer.periods().size(); ++k) {
     image.impacts += observer.periods()[k].impacts;
     image.moved = image.moved || observer.periods()[k].moved;

@@ -37,6 +37,7 @@ struct PoincareImage {
   NotDifferentiable not_differentiable;
   ContactSequence sequence;
   std::vector<GuardCrossing> crossings;  ///< rates at which guards were reached
+  std::vector<GuardMinimum> minima;      ///< of guards that were not reached
 
   [[nodiscard]] const section::StrobePoint& end() const { return states.back().point; }
 };

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -13,6 +14,7 @@
 #include "rocking/dynamics/saltation.hpp"
 #include "rocking/dynamics/step_series.hpp"
 #include "rocking/dynamics/step_variation.hpp"
+#include "rocking/realisation/guard_minimum.hpp"
 
 namespace rocking {
 
@@ -62,6 +64,9 @@ class TangentMotion : public Motion {
   /// In the order of time; without the impacts of a chatter that has ended.
   [[nodiscard]] const std::vector<GuardCrossing>& crossings() const { return crossings_; }
 
+  /// Passages of the guards of impact, slip and the friction limit that do not fire, in the order of time.
+  [[nodiscard]] const std::vector<GuardMinimum>& minima() const { return minima_; }
+
   [[nodiscard]] double expand(double reach) {
     const double length = Motion::expand(reach);
     is_expanded_ = false;
@@ -78,6 +83,7 @@ class TangentMotion : public Motion {
     time_went_on_ = x > 0.0;
     if (time_went_on_) {
       begin_step();
+      note_minima(x);
       tangents_ = tangents_until(x);
       length_ = x;
       at_event_ = tangents_;
@@ -109,6 +115,27 @@ class TangentMotion : public Motion {
   };
 
   static constexpr double least_rate = 4.0 / 3.0 * 0x1p-40;
+
+  /// Up to time x of the step.
+  void note_minima(double x) {
+    const dynamics::ArmedGuards armed = this->armed_guards();
+    const auto wanted = [](std::size_t guard) {
+      return guard == static_cast<std::size_t>(Guard::tilt) || guard == static_cast<std::size_t>(Guard::slip) ||
+             guard == static_cast<std::size_t>(Guard::friction_inward) ||
+             guard == static_cast<std::size_t>(Guard::friction_outward);
+    };
+    visit_guards(armed, this->series().rows(), wanted, [&](std::size_t number, std::span<const double> coefficients) {
+      const auto guard = static_cast<Guard>(number);
+      const std::size_t zeros = guard == Guard::tilt              ? armed.tilt_zeros()
+                                : guard == Guard::slip            ? armed.slip_zeros()
+                                : guard == Guard::friction_inward ? armed.inward_zeros()
+                                                                  : armed.outward_zeros();
+      const auto least = local_minimum(coefficients, zeros, x);
+      if (!least) return;
+      const double unit = guard == Guard::tilt ? this->setting().block.shape_angle : 1.0;
+      minima_.push_back({.guard = guard, .value = *least / unit});
+    });
+  }
 
   /// The guard to which Automaton::respond responds, if that changes the state or the contact state.
   template <class Fired>
@@ -286,6 +313,7 @@ class TangentMotion : public Motion {
   dynamics::MovingBase end_of_step_{};
   NotDifferentiable not_differentiable_;
   std::vector<GuardCrossing> crossings_;
+  std::vector<GuardMinimum> minima_;
   bool is_expanded_ = false;  ///< `variation_` is that of the present step
   bool time_went_on_ = false;
 };

@@ -14,6 +14,7 @@
 
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/orbits/bracket.hpp"
+#include "rocking/studies/orbits/fixed_point.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
@@ -183,6 +184,51 @@ TEST(Branches, BranchOffWhereSymmetryBreaks) {
   EXPECT_EQ(child->ends[0], BranchEnd::joins);
   EXPECT_EQ(mode_from(child->points.back().orbit.points.front().point, child->points.back().value),
             section::periodic(1, 5));
+}
+
+// A branch of (1,3) ends at a grazing. Its orbit is followed there by bisection, with Newton's method for the map over
+// three periods at fixed amplitudes alone.
+TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
+  const std::vector<double> values{4.4};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
+  const BranchStudy study = branches_of(amplitudes(values, {.low = 4.35, .high = 4.55}), found, {});
+  std::vector<const Bifurcation*> grazings;
+  for (const Bifurcation& one : study.bifurcations) {
+    if (one.kind == BifurcationKind::grazing && std::abs(one.value - 4.4645268) < 1e-5) grazings.push_back(&one);
+  }
+  ASSERT_FALSE(grazings.empty());
+  const section::StrobePoint start = grazings.front()->orbit.points.front().point;
+  double below = grazings.front()->value - 1e-6;
+  double above = grazings.front()->value + 1e-6;
+  const auto first = find_fixed_point(PoincareMap(shaken(below)), start, 3, {});
+  ASSERT_TRUE(first);
+  section::StrobePoint last = first->point;
+  for (int i = 0; i < 16; ++i) {
+    const double middle = 0.5 * (below + above);
+    const auto fixed = find_fixed_point(PoincareMap(shaken(middle)), last, 3, {});
+    const bool exists =
+        fixed && is_same_sequence(fixed->image.sequence, first->image.sequence) && distance(fixed->point, last) < 1e-3;
+    if (exists) last = fixed->point;
+    (exists ? below : above) = middle;
+  }
+  for (const Bifurcation* one : grazings) {
+    EXPECT_NEAR(one->value, below, 1e-9);
+    EXPECT_LE(one->error, 1e-8);
+  }
+}
+
+// Near a grazing the map goes like a root. Differences over too long a step stopped this branch at 4.4145.
+TEST(Branches, ComeCloseToTheGrazingAtTheirEnd) {
+  const std::vector<double> values{3.8};
+  std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
+  BranchQuestion question = amplitudes(values, {.low = 3.5, .high = 4.55});
+  question.most_branches = 5;  // without the orbits of six periods
+  const BranchStudy study = branches_of(question, found, {});
+  const auto is_there = [](const Bifurcation& one) {
+    return one.kind == BifurcationKind::grazing && std::abs(one.value - 4.4641497) < 1e-6;
+  };
+  EXPECT_TRUE(std::ranges::any_of(study.bifurcations, is_there));
+  for (const Bifurcation& one : study.bifurcations) EXPECT_LE(one.error, 1e-8) << to_string(one.kind);
 }
 
 TEST(Branches, AreNotTracedTwiceAndFindTheOrbitsOfOtherConditions) {

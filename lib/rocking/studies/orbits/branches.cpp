@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "rocking/section/period.hpp"
+#include "rocking/studies/orbits/grazing.hpp"
 #include "rocking/studies/orbits/trace.hpp"
 
 namespace rocking {
@@ -17,6 +18,12 @@ namespace {
 /// Two findings of one bifurcation, from the two families that meet there.
 constexpr double same_parameter = 1e-5;
 constexpr double same_state = 1e-2;
+
+/// Largest correction of a grazing, as a share of the range.
+constexpr double farthest_grazing = 1e-3;
+
+/// Distance up to which two grazing orbits of a branch at one value of the parameter are one.
+constexpr double grazing_state = 1e-6;
 
 /// Distances along the critical direction at which a branch that begins is sought.
 constexpr std::array switch_distances{0.01, 0.003, 0.03, 0.001};
@@ -159,13 +166,34 @@ class BranchSearch {
     return result;
   }
 
+  /// Locates a grazing exactly, from the side on which the guard is not reached.
+  void sharpen(const MapFamily& orbits, LocatedBifurcation& located) const {
+    const ConditionPlane plane = [this](double value, double) { return question_->conditions(value); };
+    const CriticalFamily family{
+        .conditions = &plane, .ranges = {question_->range, {}}, .orbits = orbits.orbits(), .multiplier = {}};
+    const Unknowns& near = located.point.at;
+    const auto start = start_beside(family, {near[0], near[1], near[2], near[3], 0.0});
+    if (!start) return;
+    const auto found =
+        graze({.orbits = family, .guard = start->guard}, {.normal = {0.0, 0.0, 0.0, 0.0, 1.0}}, start->at, stop_);
+    if (!found || std::abs(found->at[3] - near[3]) > farthest_grazing) return;
+    const Unknowns at{found->at[0], found->at[1], found->at[2], found->at[3]};
+    if (norm(plus(at, -1.0, near)) > same_state || !is_in_range(at[3])) return;
+    located.point.at = at;
+    located.point.image = found->image;
+    located.point.residual = found->residual;
+    located.error = std::max(found->error * (question_->range.high - question_->range.low), 1e-12);
+  }
+
   void add(const MapFamily& orbits, LocatedBifurcation located, std::size_t branch) {
+    if (located.kind == BifurcationKind::grazing) sharpen(orbits, located);
     BranchPoint at = branch_point(orbits, located.point);
     Bifurcation bifurcation{.kind = located.kind,
                             .value = at.value,
                             .error = located.error,
                             .branch = branch,
                             .orbit = std::move(at.orbit)};
+    if (located.kind == BifurcationKind::grazing && is_listed(bifurcation)) return;
     const bool branches_off =
         located.kind == BifurcationKind::period_doubling || located.kind == BifurcationKind::symmetry_breaking;
     const bool is_parent = orbits.orbits().is_symmetric || !is_own_joint(orbits, located);
@@ -184,6 +212,19 @@ class BranchSearch {
     if (child.period > section::longest_period) return;
     const auto direction = flip_direction(located.point.image.derivative);
     switches_.push_back({study_.bifurcations.size() - 1, child, std::move(located.point), direction});
+  }
+
+  /// Whether the branch has this grazing already: a step behind it, the branch may end at it again.
+  [[nodiscard]] bool is_listed(const Bifurcation& grazing) const {
+    return std::ranges::any_of(study_.bifurcations, [&](const Bifurcation& other) {
+      return other.kind == grazing.kind && other.branch == grazing.branch &&
+             std::abs(other.value - grazing.value) <= 2.0 * (other.error + grazing.error) &&
+             is_same_point(other.orbit, grazing.orbit);
+    });
+  }
+  static bool is_same_point(const Orbit& a, const Orbit& b) {
+    return !a.points.empty() && !b.points.empty() &&
+           distance(a.points.front().point, b.points.front().point) < grazing_state;
   }
 
   /// Whether the family ends there: its orbits become those of half the period, or symmetric.

@@ -1,7 +1,12 @@
 #include "rocking/studies/orbits/map_family.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+
+#include "rocking/studies/orbits/fixed_point.hpp"
 
 namespace rocking {
 namespace {
@@ -10,6 +15,21 @@ constexpr double largest_tilt = 3.0;  // no block has pi/2 below psi/2
 
 std::array<double, 3> difference(const section::StrobePoint& a, const section::StrobePoint& b, double over) {
   return {(a.tilt - b.tilt) / over, (a.tilt_rate - b.tilt_rate) / over, (a.slip_rate - b.slip_rate) / over};
+}
+
+constexpr std::array difference_steps{1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10};
+
+/// Second difference over the first one, up to which a central difference is taken: its relative error is about the
+/// square. Next to a grazing the map goes like a root of the distance, and a long step has a large error.
+constexpr double little_bend = 1e-3;
+
+double bend_of(const section::StrobePoint& above, const section::StrobePoint& here, const section::StrobePoint& below) {
+  const auto second = [](double a, double b, double c) { return std::abs(a - b + (c - b)); };
+  const double bend =
+      std::max({second(above.tilt, here.tilt, below.tilt), second(above.tilt_rate, here.tilt_rate, below.tilt_rate),
+                second(above.slip_rate, here.slip_rate, below.slip_rate)});
+  const double first = distance(above, below);
+  return first > 0.0 ? bend / first : 0.0;
 }
 
 }  // namespace
@@ -40,14 +60,21 @@ std::optional<std::array<double, 3>> MapFamily::by_parameter(const Unknowns& at,
     if (other && other->sequence != image.sequence) other.reset();
     return other;
   };
-  for (const double step : {1e-5, 1e-7, 1e-9}) {
+  std::optional<std::array<double, 3>> found;
+  double least_bend = std::numeric_limits<double>::infinity();
+  for (const double step : difference_steps) {
     const auto above = beside(step);
     const auto below = beside(-step);
-    if (above && below) return difference(above->end(), below->end(), 2.0 * step);
-    if (above) return difference(above->end(), image.end(), step);
-    if (below) return difference(image.end(), below->end(), step);
+    if (above && below) {
+      const double bend = bend_of(above->end(), image.end(), below->end());
+      if (bend < least_bend) found = difference(above->end(), below->end(), 2.0 * step), least_bend = bend;
+      if (bend <= little_bend) return found;
+    } else if (!found || least_bend == std::numeric_limits<double>::infinity()) {
+      if (above) found = difference(above->end(), image.end(), step);
+      if (below) found = difference(image.end(), below->end(), step);
+    }
   }
-  return std::nullopt;
+  return found;
 }
 
 std::optional<section::StrobePoint> MapFamily::asymmetry(const Unknowns& at, const PoincareImage& image) const {

@@ -31,6 +31,14 @@ class BlockMotion : public MotionProgress<Coefficients> {
     this->settle();
   }
 
+  /// Makes the coming steps in which a block at rest stays so for a simple reason: the base acceleration between two
+  /// samples of a ground motion is far below its threshold. Returns their number. They have the effects of other steps.
+  std::uint64_t rest_below_threshold() {
+    std::uint64_t steps = 0;
+    for (; stays_at_rest(); ++steps) this->rest_until_breakpoint();
+    return steps;
+  }
+
   /// The series of the coming step; returns its length.
   [[nodiscard]] double expand(double reach) {
     this->count_step();
@@ -120,6 +128,17 @@ class BlockMotion : public MotionProgress<Coefficients> {
   }
 
  private:
+  /// Whether the next breakpoint is near and a block at rest certainly stays so until then. The margin is far above the
+  /// rounding of the base acceleration between two samples.
+  [[nodiscard]] bool stays_at_rest() {
+    if (state_.contact != ContactState::rest || this->ended() || !this->breakpoint()) return false;
+    const double reach = this->time_to_breakpoint();
+    if (!(reach > clock_.resolution()) || !is_brief(reach)) return false;
+    constexpr double margin = 1e-6;
+    const double threshold = std::min(coefficients_.static_friction(), setting_.block.tangent);
+    return excitation_.largest_before_change(clock_, this->base_amplitude()) < (1.0 - margin) * threshold;
+  }
+
   /// The motion goes to the state `next` at time x of the step.
   void note_peaks(double x, const State& next) {
     if (!is_rocking(state_.contact)) return;

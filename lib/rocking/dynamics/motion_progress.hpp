@@ -80,6 +80,18 @@ class MotionProgress : public Automaton<Coefficients> {
     this->note_balance();
   }
 
+  /// A step in which a block at rest stays so up to the next breakpoint and there.
+  void rest_until_breakpoint() {
+    begin_step();
+    const double last_strobe = time_to_breakpoint() - clock_.resolution();
+    while (!this->ended() && time_to_strobe() < last_strobe) pass_strobe(state_);
+    if (this->ended()) return;
+    clock_.set(*breakpoint_);
+    known_ = {};
+    continuity_ = Continuity::after_a_step();
+    settle();
+  }
+
   /// The block passes a strobe instant in this state.
   void pass_strobe(const State& sample) {
     this->observer().strobe(sample);

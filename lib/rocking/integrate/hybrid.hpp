@@ -97,12 +97,17 @@ template <HybridSystem System>
   return earliest(crossings, length, system.time_resolution());
 }
 
-/// Advances the system by one step: its series, strobe points and events.
+/// Advances the system by one step: its series, strobe points and events. A system may have a function
+/// rest_below_threshold that makes steps without events more cheaply; such steps come first.
 ///
 /// A strobe point is the state after the events of its instant. Therefore a strobe instant within the time resolution
 /// of the end of a step belongs to the next step.
 template <HybridSystem System>
 void step(System& system, LoopCounts& counts) {
+  if constexpr (requires { system.rest_below_threshold(); }) {
+    counts.steps += system.rest_below_threshold();
+    if (system.ended()) return;
+  }
   const double reach = system.time_to_breakpoint();
   const double length = system.expand(reach);
   ++counts.steps;

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -58,6 +60,16 @@ class Excitation {
   }
   [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const {
     return visit([&](const auto& kind) { return kind.next_change(clock); });
+  }
+  /// Largest abs(alpha) from now to the next change; infinite for a kind that does not offer it.
+  [[nodiscard]] double largest_before_change(const Clock& clock, double amplitude) const {
+    return visit([&](const auto& kind) {
+      if constexpr (requires { kind.largest_before_change(clock); }) {
+        return std::abs(amplitude) * kind.largest_before_change(clock);
+      } else {
+        return std::numeric_limits<double>::infinity();
+      }
+    });
   }
 
  private:

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <memory>
@@ -73,6 +75,12 @@ class RecordedExcitation {
   [[nodiscard]] std::optional<Instant> next_change(const Clock& clock) const {
     const Instant& next = knot(clock)[1].instant;
     return next.time < std::numeric_limits<double>::infinity() ? std::optional(next) : std::nullopt;
+  }
+
+  /// Largest abs of the horizontal acceleration, for a scale of 1, from now to the next change.
+  [[nodiscard]] double largest_before_change(const Clock& clock) const requires(!vertical) {
+    const Knot* reached = knot(clock);
+    return std::max(std::abs(reached[0].horizontal), std::abs(reached[1].horizontal));
   }
 
   [[nodiscard]] const Knot* knot(const Clock& clock) const { return last_ = motion_->last_reached(clock, last_); }

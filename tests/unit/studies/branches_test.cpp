@@ -203,7 +203,7 @@ TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
   const auto first = find_fixed_point(PoincareMap(shaken(below)), start, 3, {});
   ASSERT_TRUE(first);
   section::StrobePoint last = first->point;
-  for (int i = 0; i < 16; ++i) {
+  for (int i = 0; i < 20; ++i) {
     const double middle = 0.5 * (below + above);
     const auto fixed = find_fixed_point(PoincareMap(shaken(middle)), last, 3, {});
     const bool exists =
@@ -212,7 +212,7 @@ TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
     (exists ? below : above) = middle;
   }
   for (const Bifurcation* one : grazings) {
-    EXPECT_NEAR(one->value, below, 1e-9);
+    EXPECT_NEAR(one->value, below, 2e-10);
     EXPECT_LE(one->error, 1e-8);
   }
 }

@@ -13,6 +13,7 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/run_table.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store.hpp"
@@ -112,6 +113,10 @@ StoredRun open_run(const std::filesystem::path& folder) {
 
 std::string report(const Experiment& experiment, const RunResult& run, const Occasion& occasion) {
   return report_text(with_text(experiment), complete(run), facts_of(occasion));
+}
+
+std::string table(const Experiment& experiment, const RunResult& run, std::size_t width) {
+  return run_table(experiment, complete(run), {.width = width});
 }
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete(run).digest); }

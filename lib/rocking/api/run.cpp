@@ -6,6 +6,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_folder.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/shard.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/build_info.hpp"
@@ -27,17 +28,6 @@ namespace fs = std::filesystem;
 std::string code_name() {
   const base::BuildInfo build = base::build_info();
   return std::string(build.version) + ' ' + std::string(build.revision);
-}
-
-void check_shard(const Experiment& experiment, const Shard& shard) {
-  if (shard.part < 1 || shard.part > shard.parts) {
-    refuse("shard", std::to_string(shard.part) + '/' + std::to_string(shard.parts),
-           "is not a part of a whole: the part is a number from 1 to that of the parts");
-  }
-  for (const Condition& condition : experiment.conditions) {
-    if (!condition.until) continue;
-    refuse("/realisations", "until", "needs all realisations at once, and a part does not know those of the others");
-  }
 }
 
 Store store_for(const Experiment& experiment, const Execution& execution) {
@@ -89,6 +79,17 @@ const ExperimentResult& complete(const RunResult& run) {
 }
 
 }  // namespace
+
+void check_shard(const Experiment& experiment, const Shard& shard) {
+  if (shard.part < 1 || shard.part > shard.parts) {
+    refuse("shard", std::to_string(shard.part) + '/' + std::to_string(shard.parts),
+           "is not a part of a whole: the part is a number from 1 to that of the parts");
+  }
+  for (const Condition& condition : experiment.conditions) {
+    if (!condition.until) continue;
+    refuse("/realisations", "until", "needs all realisations at once, and a part does not know those of the others");
+  }
+}
 
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);

@@ -18,11 +18,7 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/output/alarms.hpp"
-#include "rocking/output/mode_table.hpp"
-#include "rocking/output/settling_table.hpp"
-#include "rocking/output/text_table.hpp"
-#include "rocking/output/unreached_precision.hpp"
+#include "rocking/output/run_table.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
@@ -36,87 +32,6 @@ using Clock = std::chrono::steady_clock;
 
 /// Work that a kill may lose. A commit takes less than a thousandth of it (lib/docs/scale.md).
 constexpr std::chrono::milliseconds between_commits(100);
-
-std::uint64_t unresolved_realisations(const ExperimentResult& result) {
-  std::uint64_t count = 0;
-  for (const auto& condition : result.conditions) {
-    for (const auto& [mode, probability] : condition.modes) {
-      if (mode.kind == section::ResponseKind::unresolved) count += probability.counts.successes;
-    }
-  }
-  return count;
-}
-
-std::string_view spoken(NumericalError noise) {
-  switch (noise) {
-    case NumericalError::small: return "small compared with";
-    case NumericalError::not_small: return "NOT small compared with";
-    case NumericalError::undecided: return "too few reruns to compare with";
-  }
-  return "";
-}
-
-std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double tolerance) {
-  if (!floor) return "";
-  const std::string remedy =
-      floor->noise == NumericalError::not_small ? "warning: " + tolerance_remedy(tolerance) + '\n' : "";
-  return fmt::format(
-      "sensitivity to tolerance: {} of {} response modes change at a hundred times tighter tolerance [{:.1f}, {:.1f} "
-      "%]; {} the "
-      "narrowest "
-      "half-width, {:.1f} %\n{}",
-      floor->flips.successes, floor->flips.trials, 100.0 * floor->interval.low, 100.0 * floor->interval.high,
-      spoken(floor->noise), 100.0 * floor->half_width, remedy);
-}
-
-/// A line on the responses that settled within their sampled periods; empty if none did.
-std::string late_settling_of(const ExperimentResult& result) {
-  std::uint64_t count = 0;
-  double least_held = 1.0;
-  for (const auto& condition : result.conditions) {
-    count += condition.validity.settled_late.count;
-    least_held = std::min(least_held, condition.validity.least_held);
-  }
-  if (count == 0) return "";
-  return fmt::format("settled late: {}, classified by the last {} % of their sampled periods or more\n",
-                     counted(count, "realisation"), significant(100.0 * least_held, 3));
-}
-
-/// `95 %`; if the conditions have different confidences, words that say so.
-std::string level_of(const Experiment& experiment) {
-  const auto common = common_confidence(experiment);
-  return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
-}
-
-std::string summary_of(const Experiment& experiment, const ExperimentResult& result) {
-  std::uint64_t realisations = 0;
-  for (const auto& condition : result.conditions) realisations += condition.realisations;
-  std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  const std::vector<TableRow> rows = table_rows(experiment, result);
-  const std::string table = mode_table(rows, table_look());
-  text += table;
-  if (std::ranges::any_of(rows, &TableRow::is_random)) {
-    text += fmt::format(
-        "\nper cent of n realisations [simultaneous {} interval{}]; < x: did not occur, x is the upper "
-        "end of its interval\n",
-        level_of(experiment), experiment.conditions.front().until ? ", valid whenever the run stops" : "");
-  } else {
-    text += "\nnothing is random: one realisation is the response of its condition\n";
-  }
-  if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
-  text += fmt::format("{}, {}, of which {} unresolved\n", counted(result.conditions.size(), "condition"),
-                      counted(realisations, "realisation"), unresolved_realisations(result));
-  text += settling_text(settling_rows(experiment, result), table_look().width);
-  if (const std::string remedy = unresolved_remedy(experiment, result); !remedy.empty()) {
-    text += "horizon too short: " + remedy + '\n';
-  }
-  text += unreached_precision(experiment, result);
-  text += overturning_line(rows);
-  text += late_settling_of(result);
-  text += noise_line(result.tolerance_sensitivity, tightest_tolerance(experiment));
-  for (const std::string& alarm : alarms_of(result)) text += "warning: " + alarm + '\n';
-  return text;
-}
 
 /// How a run ended, and how long it took.
 struct Stretch {
@@ -268,7 +183,7 @@ ExitCode conclude(RunFolder& folder, const Experiment& experiment, const Experim
   } else {
     std::string where = fmt::format("report: {}\n", folder.report_path().string());
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
-    print_result(base::printable(summary_of(experiment, result) + where));
+    print_result(base::printable(run_table(experiment, result, table_look()) + where));
   }
   if (failure) std::rethrow_exception(failure);
   return failures.tell(no_page_picture, PictureRole::addition);

@@ -58,10 +58,4 @@ inline constexpr std::string_view standard_input = "-";
 /// `FILE: 2 problems` and a line for each.
 [[nodiscard]] std::string listed_problems(const base::InputError& error);
 
-/// `820 kB`, `2.4 GB`.
-[[nodiscard]] std::string spoken_size(std::uint64_t bytes);
-
-/// `12 s`, `3 min 20 s`, `2 h 05 min`.
-[[nodiscard]] std::string spoken_duration(double seconds);
-
 }  // namespace rocking::program

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include "output.hpp"
+#include "rocking/text/number_text.hpp"
 #include "terminal.hpp"
 
 namespace rocking::program {

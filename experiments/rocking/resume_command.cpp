@@ -8,13 +8,14 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "needs.hpp"
 #include "output.hpp"
-#include "plan.hpp"
 #include "realisation_list.hpp"
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/store/salvage.hpp"
+#include "rocking/studies/plan/plan.hpp"
 #include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 

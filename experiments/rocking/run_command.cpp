@@ -1,3 +1,4 @@
+#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,10 +10,10 @@
 #include "commands.hpp"
 #include "ground_motion_notes.hpp"
 #include "interrupt.hpp"
+#include "needs.hpp"
 #include "output.hpp"
-#include "plan.hpp"
+#include "rocking/output/plan_text.hpp"
 #include "run_folder.hpp"
-#include "time_estimate.hpp"
 
 namespace rocking::program {
 namespace {
@@ -53,12 +54,18 @@ Means means_of(const RunRequest& request) {
 ExitCode show_plan(const RunRequest& request, const Experiment& experiment) {
   const Means means = means_of(request);
   Plan plan = plan_of(experiment, means);
-  plan.time = estimate_time(experiment, means);
+  plan.time =
+      estimate_time(experiment, means,
+                    {.elapsed_seconds =
+                         [start = std::chrono::steady_clock::now()] {
+                           return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+                         },
+                     .stop = stop_on_signal()});
   if (why_stopped() == StopReason::signal) return ExitCode::interrupted;
   if (plan.time) plan.time->seconds /= request.execution.pool.processes;
   if (!plan.time)
     print_notice(fmt::format("the time is not known: no realisation was finished within {:g} s", longest_sample_s));
-  print_result(request.execution.loudness.json ? facts_text(facts_of(plan)) : base::printable(to_text(plan)));
+  print_result(request.execution.loudness.json ? facts_text(plan_facts(plan)) : base::printable(plan_text(plan)));
   return ExitCode::done;
 }
 
@@ -102,7 +109,7 @@ ExitCode run(const RunRequest& request) {
   folder.claim();
   folder.tidy_up();
   if (!request.overwrite) expect_no_run(folder);
-  if (request.execution.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, to_text(plan)));
+  if (request.execution.loudness.verbose) print_notice(fmt::format("{}: {}", request.file, plan_text(plan)));
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
   if (folder.has_store() || folder.has_report()) folder.begin_replacement();
   Store store = folder.create_store({.experiment = experiment.canonical_text,

@@ -19,6 +19,7 @@
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/store/salvage.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
 namespace {

@@ -10,6 +10,7 @@
 #include "rocking/output/progress_note.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {

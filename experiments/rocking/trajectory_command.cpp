@@ -31,15 +31,9 @@ struct TrajectoryRequest {
 };
 
 ExitCode write_animation_page(const TrajectoryRequest& request, const Experiment& experiment, std::int64_t periods) {
-  const auto samples = request.samples > 0 ? std::optional(request.samples) : std::nullopt;
-  auto motion = pages::animation_of(experiment, request.key,
-                                    {.periods = periods,
-                                     .shown_periods = periods,
-                                     .most_samples = analysis::most_samples_alone,
-                                     .samples_per_period = samples});
-  if (!motion) throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
-  motion->name = fmt::format("condition {}, {}", request.key.condition, motion->name);
-  write_atomically(request.page, analysis::animation_page_text(experiment.title, *motion));
+  const auto text = pages::animation_page_of(experiment, request.key, periods, request.samples);
+  if (!text) throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
+  write_atomically(request.page, *text);
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", std::vector{request.page}}})
                                      : base::printable(request.page + '\n'));
   return ExitCode::done;

@@ -6,7 +6,7 @@
 #include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "plan.hpp"
+#include "rocking/output/plan_text.hpp"
 #include "rocking/output/write_facts.hpp"
 
 namespace rocking::program {
@@ -26,7 +26,7 @@ ExitCode validate(const ValidateRequest& request) {
     } else if (!request.loudness.quiet) {
       tell_ground_motion_notes(experiment);
       const Plan plan = plan_of(experiment, {.threads = available_threads(), .shard = {}});
-      print_result(base::printable(fmt::format("{}: valid: {}\n", source.name, to_text(plan))));
+      print_result(base::printable(fmt::format("{}: valid: {}\n", source.name, plan_text(plan))));
     }
     return ExitCode::done;
   } catch (const base::InputError& error) {

@@ -11,10 +11,10 @@
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "progress.hpp"
-#include "rocking/base/digest.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_report.hpp"
 #include "rocking/output/report_differences.hpp"
+#include "rocking/output/report_rerun.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/store/results_version.hpp"
@@ -87,10 +87,8 @@ class Verifier {
 
  private:
   void check_input() {
-    const std::string digest = base::to_hex(base::sha256(claims_.experiment));
-    if (digest == claims_.sha256) return;
-    findings_.wrong.push_back(
-        "report.json: input.experiment does not have the digest of input.sha256: one of them was changed");
+    if (has_stated_digest(claims_)) return;
+    findings_.wrong.push_back("report.json: " + std::string(wrong_digest_of_experiment));
   }
 
   void check_with_store(const Store& store) {
@@ -132,10 +130,10 @@ class Verifier {
   void check_without_store() {
     const Experiment experiment =
         experiment_of({.experiment = claims_.experiment, .code = claims_.code, .files = request_->folder, .shard = {}});
-    const auto result = run(experiment, options());
-    if (!result) return;
-    for (const auto& condition : result->conditions) findings_.checked += condition.realisations;
-    compare_report(experiment, *result);
+    const ReportRerun again = rerun_report(report_, experiment, options());
+    if (again.was_stopped) return;
+    findings_.checked = again.checked;
+    for (const std::string& difference : again.differences) findings_.wrong.push_back("report.json: " + difference);
   }
 
   void compare_report(const Experiment& experiment, const ExperimentResult& result) {

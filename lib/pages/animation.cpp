@@ -157,6 +157,19 @@ std::optional<analysis::Animation> animation_of(const Experiment& experiment, co
   return motion;
 }
 
+std::optional<std::string> animation_page_of(const Experiment& experiment, const RealisationKey& key,
+                                             std::int64_t periods, int samples_per_period) {
+  const auto samples = samples_per_period > 0 ? std::optional(samples_per_period) : std::nullopt;
+  auto motion = animation_of(experiment, key,
+                             {.periods = periods,
+                              .shown_periods = periods,
+                              .most_samples = analysis::most_samples_alone,
+                              .samples_per_period = samples});
+  if (!motion) return std::nullopt;
+  motion->name = "condition " + std::to_string(key.condition) + ", " + motion->name;
+  return analysis::animation_page_text(experiment.title, *motion);
+}
+
 analysis::ShownAnimations no_animations(const std::string& reason) {
   return {.explanation = "No realisation is shown: " + reason + '.', .motions = {}};
 }

@@ -23,6 +23,11 @@ struct AnimationExtent {
 [[nodiscard]] std::optional<analysis::Animation> animation_of(const Experiment& experiment, const RealisationKey& key,
                                                               const AnimationExtent& extent);
 
+/// The page of a realisation alone, over `periods` of the excitation; `samples_per_period` 0: as many as the eye needs.
+/// Absent as animation_of.
+[[nodiscard]] std::optional<std::string> animation_page_of(const Experiment& experiment, const RealisationKey& key,
+                                                           std::int64_t periods, int samples_per_period);
+
 /// No motions, and why.
 [[nodiscard]] analysis::ShownAnimations no_animations(const std::string& reason);
 

@@ -1,6 +1,7 @@
 #include "rocking/pages.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "analysis/draw.hpp"
@@ -13,6 +14,7 @@
 #include "pages/animation.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/api/refuse.hpp"
+#include "rocking/api/trajectory_extent.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/files.hpp"
@@ -105,6 +107,17 @@ Written write_tables(const StoredRun& stored, const fs::path& folder) {
   write("quantiles.csv", analysis::quantiles_csv(report));
   write("modes.tex", analysis::modes_latex(report));
   return written;
+}
+
+void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request, const fs::path& file) {
+  check_request(experiment, request);
+  const auto text = pages::animation_page_of(experiment, {request.condition, request.realisation},
+                                             periods_of(experiment, request), request.samples_per_period);
+  if (!text) {
+    refuse("samples_per_period", std::to_string(request.samples_per_period),
+           "are too few: the block overturns before two samples were taken");
+  }
+  write_atomically(file, *text);
 }
 
 Written draw(const std::vector<StudyText>& texts, const fs::path& folder, Column column, const Execution& execution) {

@@ -7,6 +7,7 @@
 
 #include "rocking/api/export.hpp"
 #include "rocking/api/run.hpp"
+#include "rocking/api/studies.hpp"
 
 /// \file
 /// Pages, figures and tables of runs. A library that was built without fmt does not have them.
@@ -41,6 +42,13 @@ struct Written {
 /// Writes the tables of a complete run into a folder, which is created if necessary: modes.csv, non_recurrence.csv,
 /// quantiles.csv, modes.tex. Otherwise as write_page.
 [[nodiscard]] ROCKING_API Written write_tables(const StoredRun& stored, const std::filesystem::path& folder);
+
+/// Writes the page of a realisation: one HTML file without external resources, in which the block moves, as `rocking
+/// trajectory --html` does. `samples_per_period` of the request: 0 for as many as the eye needs. Throws base::InputError
+/// as trajectory(), and if the block overturns before two samples were taken; std::system_error with the path where the
+/// file cannot be written.
+ROCKING_API void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request,
+                                       const std::filesystem::path& file);
 
 /// A text that a study returned or the program printed, such as `rocking.fragility/1`, and its name in errors.
 struct StudyText {

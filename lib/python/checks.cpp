@@ -30,6 +30,17 @@ py::tuple verify_watched(const Experiment& experiment, const RunResult& run, std
   return py::make_tuple(std::move(told), watched.was_interrupted());
 }
 
+/// The same of a report without its store.
+py::tuple verify_report_watched(const std::string& report, const std::string& files, unsigned threads,
+                                py::object on_progress) {
+  Watched<RunCheck> watched(std::move(on_progress));
+  const auto found = watched.run({.threads = threads},
+                                 [&](const Execution& execution) { return verify_report(report, files, execution); });
+  py::object told = py::none();
+  if (found) told = py::make_tuple(found->checked, found->different, found->not_compared, found->findings);
+  return py::make_tuple(std::move(told), watched.was_interrupted());
+}
+
 /// (JSON text or None, whether Ctrl-C stopped it). The time is shared equally among the conditions.
 py::tuple rare_watched(const Experiment& experiment, double relative_error, std::optional<double> peak_tilt,
                        std::size_t particles, bool by_energy, std::optional<double> seconds, unsigned threads,
@@ -74,6 +85,7 @@ py::list arithmetic() {
 
 void add_checks(py::module_& module) {
   module.def("verify", &verify_watched);
+  module.def("verify_report", &verify_report_watched);
   module.def("rare", &rare_watched);
   module.def("report_faults", [](const std::string& report, const Experiment& experiment, const RunResult& run) {
     const py::gil_scoped_release release;

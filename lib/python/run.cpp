@@ -1,6 +1,7 @@
 #include <chrono>
 #include <cmath>
 #include <ctime>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -119,10 +120,12 @@ py::tuple run_watched(const Experiment& experiment, unsigned threads, const std:
 
 /// (JSON text or None, whether Ctrl-C stopped it). `range` of the branches; None: the branches are not followed.
 py::tuple orbits_watched(const Experiment& experiment, int longest,
-                         std::optional<std::pair<std::optional<double>, std::optional<double>>> range, unsigned threads,
-                         py::object on_progress) {
-  OrbitsRequest request{.longest = longest, .branches = range.has_value()};
+                         std::optional<std::pair<std::optional<double>, std::optional<double>>> range,
+                         std::vector<std::string> second, std::pair<std::optional<double>, std::optional<double>> span,
+                         unsigned threads, py::object on_progress) {
+  OrbitsRequest request{.longest = longest, .branches = range.has_value(), .second = std::move(second)};
   if (range) std::tie(request.from, request.to) = *range;
+  std::tie(request.second_from, request.second_to) = span;
   Watched<std::string> watched(std::move(on_progress));
   auto text = watched.run({.threads = threads},
                           [&](const Execution& execution) { return orbits(experiment, request, execution); });
@@ -146,6 +149,21 @@ double seconds_of_this_thread() {
   timespec time{};
   ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// ((words, JSON text) or None, whether Ctrl-C stopped it).
+py::tuple plan_watched(const Experiment& experiment, unsigned threads,
+                       std::optional<std::pair<std::uint64_t, std::uint64_t>> shard, bool timed) {
+  Watched<std::pair<std::string, std::string>> watched(py::none{});
+  Execution asked{.threads = threads};
+  if (shard) asked.shard = Shard{.part = shard->first, .parts = shard->second};
+  std::function<double()> clock;
+  if (timed) clock = [start = std::chrono::steady_clock::now()] { return seconds_since(start); };
+  const auto found = watched.run(std::move(asked), [&](const Execution& execution) {
+    const Plan planned = plan(experiment, clock, execution);
+    return std::pair(describe(planned), describe_as_json(planned));
+  });
+  return py::make_tuple(found, watched.was_interrupted());
 }
 
 /// (cost or None, whether Ctrl-C stopped it).
@@ -176,6 +194,8 @@ void add_runs(py::module_& module) {
       .def_property_readonly("estimates", &estimates_of)
       .def("rows", &rows_of)
       .def("digest", &digest_of)
+      .def("table", [](const RunResult& run, const Experiment& experiment,
+                       std::size_t width) { return table(experiment, run, width); })
       .def("report", [](const RunResult& run, const Experiment& experiment, std::string machine, std::string start,
                         double duration, unsigned threads) {
         const py::gil_scoped_release release;
@@ -184,6 +204,7 @@ void add_runs(py::module_& module) {
             {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
       });
   module.def("run", &run_watched);
+  module.def("plan", &plan_watched);
   module.def("orbits", &orbits_watched);
   module.def("bifurcation", &bifurcation_watched);
   py::class_<Cost>(module, "Cost")

@@ -26,17 +26,30 @@ from .experiments import Experiment, ExperimentLike, experiment, validate
 from .findings import Findings
 from .intervals import clopper_pearson, colour, wilson
 from .motions import GroundMotion, motion
-from .pages import Written, draw, write_figures, write_page, write_tables
+from .pages import Written, draw, write_figures, write_page, write_tables, write_trajectory_page
 from .rare_events import RareEstimate, rare
 from .results import Result
-from .running import merge, open_run, run
-from .studies import FragilityCurve, Orbit, OrbitsOfCondition, fragility, orbits
+from .running import Plan, merge, open_run, plan, run
+from .studies import (
+    Bifurcation,
+    BifurcationCurve,
+    Branch,
+    FragilityCurve,
+    Orbit,
+    Orbits,
+    OrbitsOfCondition,
+    fragility,
+    orbits,
+)
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
 __version__ = _core.version()
 
 __all__ = [
+    "Bifurcation",
+    "BifurcationCurve",
     "BifurcationDiagram",
+    "Branch",
     "CONTACTS",
     "Comparison",
     "ConditionComparison",
@@ -53,7 +66,9 @@ __all__ = [
     "Interrupted",
     "ModeComparison",
     "Orbit",
+    "Orbits",
     "OrbitsOfCondition",
+    "Plan",
     "Problem",
     "RareEstimate",
     "Result",
@@ -76,6 +91,7 @@ __all__ = [
     "motion",
     "open_run",
     "orbits",
+    "plan",
     "rare",
     "replay",
     "run",
@@ -87,6 +103,7 @@ __all__ = [
     "write_figures",
     "write_page",
     "write_tables",
+    "write_trajectory_page",
 ]
 
 

@@ -43,7 +43,7 @@ def verify(
     """Run realisations of a run again and compare them with the stored ones to the bit.
 
     source: a Result, or the folder of a run; if the folder has a ``report.json``, it must follow from the realisations.
-    sample: about this many realisations, evenly spaced; default: all. Raises OSError and StoreError as open_run().
+    If it has a report and no store, its experiment is run again, without ``sample``. sample: about this many realisations, evenly spaced; default: all. Raises OSError and StoreError as open_run().
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -53,6 +53,15 @@ def verify(
     >>> rocking.verify(rocking.run(slab))
     <rocking.RunCheck of 10 realisations: verified>
     """
+    if not isinstance(source, Result) and _has_only_a_report(source):
+        if sample is not None:
+            raise ValueError("sample: there are no stored realisations, only a report; omit it")
+        with open(os.path.join(os.fspath(source), "report.json"), encoding="utf-8") as file:
+            text = file.read()
+        found, interrupted = _core.verify_report(text, os.fspath(source), threads or processors(), progress)
+        if interrupted or found is None:
+            raise KeyboardInterrupt
+        return RunCheck(*found[:3], [f"report.json: {each}" for each in found[3]])
     result = source if isinstance(source, Result) else open_run(source)
     faults: List[str] = []
     report = None if isinstance(source, Result) else os.path.join(os.fspath(source), "report.json")
@@ -68,6 +77,13 @@ def verify(
         raise KeyboardInterrupt
     checked, different, not_compared, findings = found
     return RunCheck(checked, different, not_compared, faults + findings)
+
+
+def _has_only_a_report(folder: Union[str, "os.PathLike[str]"]) -> bool:
+    store = os.path.join(os.fspath(folder), "realisations.sqlite")
+    if os.path.exists(store) and os.path.getsize(store) > 0:
+        return False
+    return os.path.exists(os.path.join(os.fspath(folder), "report.json"))
 
 
 def replay(

@@ -5,14 +5,15 @@ from __future__ import annotations
 import json
 import os
 from pathlib import Path
-from typing import Any, List, Mapping, NamedTuple, Union
+from typing import Any, List, Mapping, NamedTuple, Optional, Union
 
 from . import _core
+from .experiments import ExperimentLike, experiment
 from .results import Result
 from .running import open_run
 from .trajectories import Trajectory
 
-__all__ = ["Written", "draw", "write_figures", "write_page", "write_tables"]
+__all__ = ["Written", "draw", "write_figures", "write_page", "write_tables", "write_trajectory_page"]
 
 _Path = Union[str, "os.PathLike[str]"]
 _COLUMNS = ("screen", "journal_single", "journal_double")
@@ -80,6 +81,40 @@ def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:
     """
     result = _complete(source)
     return _call("write_tables", result.experiment._core, result._core, os.fspath(folder))
+
+
+def write_trajectory_page(
+    source: ExperimentLike,
+    file: _Path,
+    *,
+    condition: int = 0,
+    realisation: int = 0,
+    periods: Optional[int] = None,
+    samples_per_period: Optional[int] = None,
+    seed: Union[int, str, None] = None,
+) -> Path:
+    """Write the page of one realisation, in which the block moves: as ``rocking trajectory --html``. Returns the file.
+
+    periods: excitation periods; default: all of the horizon. samples_per_period: default: as many as the eye needs.
+    Raises InputError as trajectory(), and if the block overturns before two samples; OSError where the file cannot be
+    written.
+
+    >>> import os, tempfile, rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0}, "restitution": 0.9}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     rocking.write_trajectory_page(slab, os.path.join(folder, "motion.html"), periods=5).stat().st_size > 1000
+    True
+    """
+    for name, number in (("periods", periods), ("samples_per_period", samples_per_period)):
+        if number is not None and number < 1:
+            raise ValueError(f"{name} = {number}: must be at least 1")
+    function = getattr(_core, "write_trajectory_page", None)
+    if function is None:
+        raise NotImplementedError("write_trajectory_page: this module was built without fmt (Debian: libfmt-dev)")
+    checked = experiment(source, seed=seed)
+    function(checked._core, condition, realisation, periods or 0, samples_per_period or 0, os.fspath(file))
+    return Path(file)
 
 
 def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:

@@ -135,6 +135,19 @@ class Result:
     def _rows(self) -> Tuple[List[str], np.ndarray]:
         return self._core.rows()
 
+    def table(self, width: int = 120) -> str:
+        """The result in words and columns, as ``rocking run`` prints it in lines of about ``width`` letters.
+
+        >>> import rocking
+        >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+        ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0}, "restitution": 0.9,
+        ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}}
+        >>> "nothing is random" in rocking.run(slab).table()
+        True
+        """
+        self._expect_complete()
+        return self._core.table(self.experiment._core, width)
+
     def to_pandas(self) -> "pandas.DataFrame":
         """A row for each condition and mode: swept parameters, mode, count, realisations, probability, low, high."""
         import pandas

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import datetime
+import json
 import os
 import platform
 import time
-from typing import Callable, Optional, Sequence, Tuple, Union
+from typing import Any, Callable, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _core
 from .errors import Interrupted
 from .experiments import Experiment, ExperimentLike, experiment
 from .results import Result
 
-__all__ = ["Progress", "merge", "open_run", "run"]
+__all__ = ["Plan", "Progress", "merge", "open_run", "plan", "run"]
 
 Progress = Callable[[int, int], object]
 
@@ -80,6 +81,57 @@ def run(
     if interrupted:
         raise KeyboardInterrupt
     return result
+
+
+class Plan:
+    """What a run would do, before it starts."""
+
+    def __init__(self, text: str, data: Mapping[str, Any]) -> None:
+        self.text = text  #: in words, as ``rocking run --dry-run`` prints it
+        self.data = data  #: as with ``--json``
+        self.conditions: int = data["conditions"]
+        self.realisations: int = data["realisations"]  #: of all conditions; with ``until`` the largest number
+        self.periods: int = data["periods"]  #: of all realisations together
+        self.disk_bytes: int = data["disk_bytes"]
+        self.memory_bytes: int = data["memory_bytes"]
+        self.effects: List[str] = list(data["effects"])  #: what is on beside rocking
+        self.seconds: Optional[float] = data.get("seconds")  #: estimate of the time; None where it was not measured
+
+    def __repr__(self) -> str:
+        return f"<rocking.Plan of {self.realisations} realisations of {self.conditions} condition(s)>"
+
+
+def plan(
+    source: ExperimentLike,
+    *,
+    seed: Union[int, str, None] = None,
+    realisations: Optional[int] = None,
+    threads: Optional[int] = None,
+    shard: Optional[Tuple[int, int]] = None,
+    timed: bool = True,
+) -> Plan:
+    """What run() would do with these arguments: sizes, disk space, memory, time. Writes nothing.
+
+    timed: estimate the time from a sample of the realisations, which takes at most two seconds. Raises InputError with all
+    problems of the experiment.
+
+    >>> import rocking
+    >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
+    ...     "excitation": {"kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 10.0,
+    ...                    "phase_rad": {"uniform": [0, 6.28]}}, "restitution": 0.9,
+    ...     "horizon": {"transient_periods": 20, "sampled_periods": 20}, "realisations": 10, "seed": "0x1"}
+    >>> rocking.plan(slab, timed=False).periods
+    400
+    """
+    checked = experiment(source, seed=seed, realisations=realisations)
+    if threads is None:
+        threads = processors()
+    if threads < 1:
+        raise ValueError(f"threads = {threads}: must be at least 1")
+    found, interrupted = _core.plan(checked._core, threads, shard, timed)
+    if interrupted or found is None:
+        raise KeyboardInterrupt
+    return Plan(found[0], json.loads(found[1]))
 
 
 def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:

@@ -14,7 +14,17 @@ from .findings import Findings
 from .results import Result
 from .running import Progress, open_run, processors, run
 
-__all__ = ["FragilityCurve", "Orbit", "OrbitsOfCondition", "fragility", "orbits"]
+__all__ = [
+    "Bifurcation",
+    "BifurcationCurve",
+    "Branch",
+    "FragilityCurve",
+    "Orbit",
+    "Orbits",
+    "OrbitsOfCondition",
+    "fragility",
+    "orbits",
+]
 
 _POINT = np.dtype([("tilt", float), ("tilt_rate", float), ("slip_rate", float)])
 
@@ -53,20 +63,99 @@ class OrbitsOfCondition:
         self.converged: int = data["converged"]  #: of these, to an orbit
 
 
+_BRANCH_POINT = np.dtype(
+    [("value", float), ("tilt", float), ("tilt_rate", float), ("slip_rate", float), ("multiplier", complex), ("stable", bool)]
+)
+_CURVE_POINT = np.dtype(
+    [("value", float), ("second_value", float), ("tilt", float), ("tilt_rate", float), ("slip_rate", float), ("test", float)]
+)
+
+
+def _state(point: Mapping[str, Any]) -> Tuple[float, float, float]:
+    return point["state"]["tilt"], point["state"]["tilt_rate"], point["state"]["slip_rate"]
+
+
+def _largest(point: Mapping[str, Any]) -> complex:
+    return complex(*point["multipliers"][0]) if point["multipliers"] else complex(np.nan)
+
+
+class Branch:
+    """Periodic orbits that are connected over the swept parameter."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.period: int = data["period"]  #: excitation periods until an orbit repeats
+        self.is_symmetric: bool = data["symmetric"]  #: else the mirror image is a branch too, which is not listed
+        self.origin: Optional[int] = data["from"]  #: place of the bifurcation at which it branches off, if followed
+        self.ends: Tuple[str, str] = tuple(data["ends"])  #: ``range``, ``grazing``, ``joins``, ...
+        #: by arclength: value of the parameter, state at the section, largest multiplier (NaN: none), stable
+        self.points: np.ndarray = np.array(
+            [(p["value"], *_state(p), _largest(p), bool(p["stable"])) for p in data["points"]], dtype=_BRANCH_POINT
+        )
+
+    def __repr__(self) -> str:
+        return f"<rocking.Branch of period {self.period}, {len(self.points)} points>"
+
+
+class Bifurcation:
+    """A bifurcation on a branch."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.kind: str = data["kind"]  #: ``fold``, ``period_doubling``, ``symmetry_breaking``, ``grazing``, ...
+        self.value: float = data["value"]  #: of the parameter
+        self.error: float = data["error"]  #: half the width of the bracket of the value, at least
+        self.branch: int = data["branch"]  #: place of the branch
+
+    def __repr__(self) -> str:
+        return f"<rocking.Bifurcation {self.kind} at {self.value}>"
+
+
+class BifurcationCurve:
+    """Bifurcations of one kind that are connected over two parameters."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        self.kind: str = data["kind"]
+        self.bifurcation: int = data["bifurcation"]  #: place of the one from which it was followed
+        self.period: int = data["period"]
+        self.is_symmetric: bool = data["symmetric"]
+        self.ends: Tuple[str, str] = tuple(data["ends"])
+        #: by arclength: values of both parameters, state at the section, smallest singular value of the condition
+        self.points: np.ndarray = np.array(
+            [(p["value"], p["second_value"], *_state(p), p["test"]) for p in data["points"]], dtype=_CURVE_POINT
+        )
+
+    def __repr__(self) -> str:
+        return f"<rocking.BifurcationCurve of {self.kind}, {len(self.points)} points>"
+
+
+class Orbits(Findings[OrbitsOfCondition]):
+    """The orbits of each condition, a list, with the branches and what was found on them."""
+
+    def __init__(self, data: Mapping[str, Any]) -> None:
+        super().__init__([OrbitsOfCondition(condition) for condition in data["conditions"]], data)
+        self.parameter: Optional[str] = data.get("parameter")  #: JSON pointer, of the branches
+        self.branches: List[Branch] = [Branch(branch) for branch in data.get("branches", [])]
+        self.bifurcations: List[Bifurcation] = [Bifurcation(one) for one in data.get("bifurcations", [])]
+        self.curves: List[BifurcationCurve] = [BifurcationCurve(curve) for curve in data.get("curves", [])]
+
+
 def orbits(
     source: ExperimentLike,
     *,
     longest: int = 5,
     branches: bool = False,
     branch_range: Tuple[Optional[float], Optional[float]] = (None, None),
+    second_parameter: Union[str, Sequence[str]] = (),
+    second_range: Tuple[Optional[float], Optional[float]] = (None, None),
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
-) -> Findings[OrbitsOfCondition]:
+) -> Orbits:
     """Find the periodic orbits of each condition, stable and unstable, with their multipliers.
 
     longest: largest period that is searched, in excitation periods, at most 12. branches: also follow the orbits over the
-    only swept parameter, in branch_range or the range of the sweep; they are in ``data["branches"]`` of the list, which
-    draw() draws. progress: called with (finished conditions, all). Raises InputError if a condition is random or its excitation is not harmonic.
+    only swept parameter, in branch_range or the range of the sweep: ``branches`` and ``bifurcations`` of the list, which
+    draw() draws. second_parameter: JSON pointer of a second number over which, in second_range, the folds, doublings and
+    losses of symmetry of the branches are followed too: ``curves``; of several pointers, the numbers at the others keep
+    their ratio to the first. progress: called with (finished conditions, all). Raises InputError if a condition is random or its excitation is not harmonic.
 
     >>> import rocking
     >>> found = rocking.orbits({"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -77,12 +166,17 @@ def orbits(
     """
     checked = experiment(source)
     text, interrupted = _core.orbits(
-        checked._core, longest, tuple(branch_range) if branches else None, threads or processors(), progress
+        checked._core,
+        longest,
+        tuple(branch_range) if branches else None,
+        [second_parameter] if isinstance(second_parameter, str) else list(second_parameter),
+        tuple(second_range),
+        threads or processors(),
+        progress,
     )
     if interrupted or text is None:
         raise KeyboardInterrupt
-    data = json.loads(text)
-    return Findings([OrbitsOfCondition(condition) for condition in data["conditions"]], data)
+    return Orbits(json.loads(text))
 
 
 class FragilityCurve:

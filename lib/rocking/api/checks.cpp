@@ -4,18 +4,20 @@
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
-#include "rocking/base/digest.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
+#include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_report.hpp"
 #include "rocking/output/report_differences.hpp"
+#include "rocking/output/report_rerun.hpp"
 #include "rocking/output/write_check_normal.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/verification.hpp"
+#include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
@@ -45,12 +47,20 @@ RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, co
 
 std::vector<std::string> report_faults(std::string_view text, const StoredRun& stored) {
   const ReportClaims claims = read_report(text);
-  if (base::to_hex(base::sha256(claims.experiment)) != claims.sha256) {
-    return {"input.experiment does not have the digest of input.sha256: one of them was changed"};
-  }
+  if (!has_stated_digest(claims)) return {std::string(wrong_digest_of_experiment)};
   std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
   if (!faults.empty()) return faults;  // other numbers follow from that
   return report_differences(text, report(stored.experiment, stored.run));
+}
+
+RunCheck verify_report(std::string_view text, const std::filesystem::path& files, const Execution& execution) {
+  const ReportClaims claims = read_report(text);
+  if (!has_stated_digest(claims)) return {.findings = {std::string(wrong_digest_of_experiment)}};
+  const Experiment experiment = read_experiment(claims.experiment, Overrides{}, {.files = files_seen_from(files)});
+  const AskedOptions asked(execution);
+  const ReportRerun again = rerun_report(text, experiment, asked.options());
+  if (again.was_stopped) throw base::Stopped();
+  return {.checked = again.checked, .findings = again.differences};
 }
 
 Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -38,6 +39,15 @@ struct RunCheck {
 /// What in the text of a report (`rocking.report/1`) does not follow from a complete run: the first ten differences.
 /// Throws base::InputError where the text is no report, and std::invalid_argument if the run is not complete.
 [[nodiscard]] ROCKING_API std::vector<std::string> report_faults(std::string_view report, const StoredRun& stored);
+
+/// Checks a report (`rocking.report/1`) without the store of its run: runs its experiment again and compares all that
+/// follows from it; `checked` counts the realisations. `files` is the folder of the ground motions that the experiment
+/// names. Where the report's experiment does not have the digest that the report states, nothing is run. Uses `threads`,
+/// `on_progress` and `stop` of the execution. Throws base::InputError where the text is no report,
+/// std::system_error with the path where a file that the experiment names cannot be read, and base::Stopped if it is
+/// asked to stop.
+[[nodiscard]] ROCKING_API RunCheck verify_report(std::string_view report, const std::filesystem::path& files = ".",
+                                                 const Execution& execution = {});
 
 /// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
 /// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().

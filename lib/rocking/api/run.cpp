@@ -6,6 +6,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_folder.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/shard.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/build_info.hpp"
@@ -13,6 +14,7 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/run_table.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store.hpp"
@@ -26,17 +28,6 @@ namespace fs = std::filesystem;
 std::string code_name() {
   const base::BuildInfo build = base::build_info();
   return std::string(build.version) + ' ' + std::string(build.revision);
-}
-
-void check_shard(const Experiment& experiment, const Shard& shard) {
-  if (shard.part < 1 || shard.part > shard.parts) {
-    refuse("shard", std::to_string(shard.part) + '/' + std::to_string(shard.parts),
-           "is not a part of a whole: the part is a number from 1 to that of the parts");
-  }
-  for (const Condition& condition : experiment.conditions) {
-    if (!condition.until) continue;
-    refuse("/realisations", "until", "needs all realisations at once, and a part does not know those of the others");
-  }
 }
 
 Store store_for(const Experiment& experiment, const Execution& execution) {
@@ -89,6 +80,17 @@ const ExperimentResult& complete(const RunResult& run) {
 
 }  // namespace
 
+void check_shard(const Experiment& experiment, const Shard& shard) {
+  if (shard.part < 1 || shard.part > shard.parts) {
+    refuse("shard", std::to_string(shard.part) + '/' + std::to_string(shard.parts),
+           "is not a part of a whole: the part is a number from 1 to that of the parts");
+  }
+  for (const Condition& condition : experiment.conditions) {
+    if (!condition.until) continue;
+    refuse("/realisations", "until", "needs all realisations at once, and a part does not know those of the others");
+  }
+}
+
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
@@ -112,6 +114,10 @@ StoredRun open_run(const std::filesystem::path& folder) {
 
 std::string report(const Experiment& experiment, const RunResult& run, const Occasion& occasion) {
   return report_text(with_text(experiment), complete(run), facts_of(occasion));
+}
+
+std::string table(const Experiment& experiment, const RunResult& run, std::size_t width) {
+  return run_table(experiment, complete(run), {.width = width});
 }
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete(run).digest); }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -88,6 +89,12 @@ struct Occasion {
 /// program; `input.experiment` of an experiment made in C++ is null. Throws std::invalid_argument if the run is not complete.
 [[nodiscard]] ROCKING_API std::string report(const Experiment& experiment, const RunResult& run,
                                              const Occasion& occasion = {});
+
+/// A complete run as text for a terminal, as the program prints it: a row for each condition, a column for each response
+/// mode that occurs with its estimate and interval in per cent, then a line on each that needs attention. Lines have at
+/// most `width` letters where a table can be that narrow. Throws std::invalid_argument if the run is not complete.
+[[nodiscard]] ROCKING_API std::string table(const Experiment& experiment, const RunResult& run,
+                                            std::size_t width = 120);
 
 /// SHA-256 of the results of all realisations of a complete run, 64 hexadecimal digits: `result.digest` of the report.
 /// Throws std::invalid_argument if the run is not complete.

@@ -6,6 +6,7 @@
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/trajectory_extent.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
@@ -20,6 +21,7 @@
 #include "rocking/store/store.hpp"
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/studies/comparison.hpp"
+#include "rocking/studies/orbits/bifurcation_curve.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/text/files.hpp"
@@ -40,15 +42,22 @@ constexpr int most_samples = 100'000;
 
 }  // namespace
 
-Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request) {
+void check_request(const Experiment& experiment, const TrajectoryRequest& request) {
   expect("condition", request.condition, std::uint64_t{0}, std::uint64_t{experiment.conditions.size() - 1});
   expect("realisation", request.realisation, std::uint64_t{0}, largest_realisation);
   expect("periods", request.periods, std::int64_t{0}, most_periods);
   expect("samples_per_period", request.samples_per_period, 0, most_samples);
-  const Condition& condition = experiment.conditions[request.condition];
-  const std::int64_t horizon = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
-  return trajectory_of(condition, experiment.seed, request.realisation,
-                       TrajectoryExtent(request.periods > 0 ? request.periods : horizon, request.samples_per_period));
+}
+
+std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& request) {
+  const Horizon& horizon = experiment.conditions[request.condition].horizon;
+  return request.periods > 0 ? request.periods : std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+}
+
+Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request) {
+  check_request(experiment, request);
+  return trajectory_of(experiment.conditions[request.condition], experiment.seed, request.realisation,
+                       TrajectoryExtent(periods_of(experiment, request), request.samples_per_period));
 }
 
 std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {
@@ -100,6 +109,48 @@ FoundBranches followed(const Experiment& experiment, const OrbitsRequest& reques
           .study = branches_of(question, conditions, stop)};
 }
 
+/// The second parameter and its range, without the curves. Throws where they cannot be followed.
+FoundCurves curve_request(const Experiment& experiment, const OrbitsRequest& request) {
+  if (experiment.canonical_text.empty()) refuse("second", request.second.front(), "needs an experiment with text");
+  if (!request.branches) refuse("second", request.second.front(), "needs branches, whose bifurcations are followed");
+  if (!request.second_from || !request.second_to || !(*request.second_from < *request.second_to)) {
+    refuse("second_from", "", "and second_to must be given, the first below the second: the range of the parameter");
+  }
+  for (const std::string& pointer : request.second) {
+    if (can_be_continued(pointer)) continue;
+    refuse("second", pointer,
+           "is no real number on which the motion depends continuously, such as /excitation/frequency_ratio or "
+           "/friction/static");
+  }
+  FoundCurves found{.pointers = request.second,
+                    .value = second_parameter(experiment, request.second).value,
+                    .range = {.low = *request.second_from, .high = *request.second_to},
+                    .most_points = request.most_curve_points,
+                    .curves = {}};
+  if (found.value >= found.range.low && found.value <= found.range.high) return found;
+  refuse("second_from", base::shortest(found.range.low),
+         "and second_to, " + base::shortest(found.range.high) + ", must enclose the value of the experiment, " +
+             base::shortest(found.value));
+}
+
+std::vector<BifurcationCurve> followed_curves(const Experiment& experiment, const FoundBranches& branches,
+                                              const FoundCurves& asked, base::StopRequest stop) {
+  const SecondParameter second{.pointers = asked.pointers, .value = asked.value};
+  const CurveQuestion question{.conditions = condition_plane(experiment, branches.pointer, second),
+                               .ranges = {branches.range, asked.range},
+                               .second = asked.value,
+                               .most_points = asked.most_points};
+  return bifurcation_curves(question, branches.study, stop);
+}
+
+FoundOrbits told(const Experiment& experiment, const OrbitStudy& study) {
+  return {.experiment = &experiment,
+          .longest = study.longest,
+          .conditions = study.conditions,
+          .branches = study.branches,
+          .curves = study.curves};
+}
+
 }  // namespace
 
 std::vector<std::vector<PeriodicOrbit>> periodic_orbits(const Experiment& experiment, int longest,
@@ -121,15 +172,32 @@ std::vector<std::vector<PeriodicOrbit>> periodic_orbits(const Experiment& experi
   return all;
 }
 
-std::string orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
+OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
   expect("most_points", request.most_points, std::uint64_t{2}, std::uint64_t{1'000'000});
   expect("most_branches", request.most_branches, std::uint64_t{1}, std::uint64_t{100'000});
+  expect("most_curve_points", request.most_curve_points, std::uint64_t{1}, std::uint64_t{1'000'000});
   const AskedOptions asked(execution);
-  const Experiment told = with_text(experiment);
-  FoundOrbits found{
-      .experiment = &told, .longest = request.longest, .conditions = found_orbits(experiment, request.longest, asked)};
-  if (request.branches) found.branches = followed(experiment, request, asked.stop(), found.conditions);
-  return orbits_text(found);
+  OrbitStudy study{.longest = request.longest, .conditions = {}};
+  if (!request.second.empty()) study.curves = curve_request(experiment, request);
+  study.conditions = found_orbits(experiment, request.longest, asked);
+  if (request.branches) study.branches = followed(experiment, request, asked.stop(), study.conditions);
+  if (study.curves) {
+    study.curves->curves = followed_curves(experiment, *study.branches, *study.curves, asked.stop());
+  }
+  return study;
+}
+
+std::string orbits_text(const Experiment& experiment, const OrbitStudy& study) {
+  const Experiment with = with_text(experiment);
+  return orbits_text(told(with, study));
+}
+
+std::string orbits_table(const Experiment& experiment, const OrbitStudy& study) {
+  return orbits_table(told(experiment, study));
+}
+
+std::string orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
+  return orbits_text(experiment, orbit_study(experiment, request, execution));
 }
 
 std::string orbits(const Experiment& experiment, int longest, const Execution& execution) {

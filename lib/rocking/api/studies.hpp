@@ -9,6 +9,7 @@
 
 #include "rocking/api/export.hpp"
 #include "rocking/api/run.hpp"
+#include "rocking/output/write_orbits.hpp"
 #include "rocking/output/write_trajectory.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -49,6 +50,12 @@ struct OrbitsRequest {
   std::optional<double> to = {};     ///< largest value
   std::uint64_t most_points = 1000;  ///< of a branch
   std::uint64_t most_branches = 50;
+  /// JSON pointers of a second parameter, over which the folds, period doublings and losses of symmetry of the branches
+  /// are followed too; the numbers at the others keep their ratio to the first. Empty: none.
+  std::vector<std::string> second = {};
+  std::optional<double> second_from = {};  ///< smallest value of it; needed with `second`, as the next one
+  std::optional<double> second_to = {};    ///< largest value
+  std::uint64_t most_curve_points = 400;   ///< of a curve in each direction
 };
 
 /// A periodic orbit, stable or not.
@@ -68,6 +75,25 @@ struct PeriodicOrbit {
 [[nodiscard]] ROCKING_API std::vector<std::vector<PeriodicOrbit>> periodic_orbits(const Experiment& experiment,
                                                                                   int longest = 5,
                                                                                   const Execution& execution = {});
+
+/// What a search for periodic orbits has found.
+struct OrbitStudy {
+  int longest = 0;                                       ///< largest period searched from the grid
+  std::vector<OrbitsOfCondition> conditions;             ///< of the experiment
+  std::optional<FoundBranches> branches = std::nullopt;  ///< and their bifurcations, if asked for
+  std::optional<FoundCurves> curves = std::nullopt;      ///< of bifurcations over two parameters, if asked for
+};
+
+/// Periodic orbits, their branches and the curves of their bifurcations as values. Throws as periodic_orbits, and
+/// base::InputError if branches or curves are asked for and nothing can be followed.
+[[nodiscard]] ROCKING_API OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& request = {},
+                                                 const Execution& execution = {});
+
+/// The study as JSON text (`rocking.orbits/1`), the same bytes as `orbits.json` of the program.
+[[nodiscard]] ROCKING_API std::string orbits_text(const Experiment& experiment, const OrbitStudy& study);
+
+/// The study as the program prints it: orbits, branches, bifurcations, curves, and which response modes an orbit backs.
+[[nodiscard]] ROCKING_API std::string orbits_table(const Experiment& experiment, const OrbitStudy& study);
 
 /// Periodic orbits, and their branches if asked for, as JSON text (`rocking.orbits/1`). Throws as periodic_orbits, and
 /// base::InputError if branches are asked for and nothing can be followed.

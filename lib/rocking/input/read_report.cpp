@@ -1,5 +1,6 @@
 #include "rocking/input/read_report.hpp"
 
+#include "rocking/base/digest.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/parse_json.hpp"
@@ -31,6 +32,10 @@ ReportClaims read_report(std::string_view text) {
   return {.experiment = report["input"]["experiment"].dump(),
           .sha256 = text_at(report, "/input/sha256"),
           .code = text_at(report, "/system/version") + ' ' + text_at(report, "/system/revision")};
+}
+
+bool has_stated_digest(const ReportClaims& claims) {
+  return base::to_hex(base::sha256(claims.experiment)) == claims.sha256;
 }
 
 }  // namespace rocking

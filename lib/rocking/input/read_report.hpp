@@ -15,4 +15,9 @@ struct ReportClaims {
 /// Throws InputError where the text is no report.
 [[nodiscard]] ReportClaims read_report(std::string_view text);
 
+/// Whether the experiment has the digest that the report states.
+[[nodiscard]] bool has_stated_digest(const ReportClaims& claims);
+inline constexpr std::string_view wrong_digest_of_experiment =
+    "input.experiment does not have the digest of input.sha256: one of them was changed";
+
 }  // namespace rocking

@@ -9,7 +9,7 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/bifurcation_curve.hpp"
 #include "rocking/studies/orbits/branches.hpp"
-#include "rocking/studies/orbits/orbits.hpp"
+#include "rocking/studies/orbits/orbits_of_condition.hpp"
 
 namespace rocking {
 

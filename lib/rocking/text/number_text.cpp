@@ -1,6 +1,8 @@
 #include "rocking/text/number_text.hpp"
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "rocking/base/error.hpp"
 
@@ -37,6 +39,21 @@ std::string level_text(double confidence) {
     if (text != "100") break;
   }
   return text;
+}
+
+std::string spoken_size(std::uint64_t bytes) {
+  const auto size = static_cast<double>(bytes);
+  if (size < 1e6) return significant(size / 1e3, 3) + " kB";
+  return size < 1e9 ? significant(size / 1e6, 3) + " MB" : significant(size / 1e9, 3) + " GB";
+}
+
+std::string spoken_duration(double seconds) {
+  if (seconds < 9.95) return fixed_point(seconds, 1) + " s";
+  const auto whole = static_cast<std::int64_t>(std::llround(std::min(seconds, 1e15)));
+  const auto two_digits = [](std::int64_t number) { return (number < 10 ? "0" : "") + std::to_string(number); };
+  if (whole < 60) return std::to_string(whole) + " s";
+  if (whole < 3600) return std::to_string(whole / 60) + " min " + two_digits(whole % 60) + " s";
+  return std::to_string(whole / 3600) + " h " + two_digits(whole % 3600 / 60) + " min";
 }
 
 }  // namespace rocking

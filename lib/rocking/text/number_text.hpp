@@ -30,4 +30,10 @@ using base::significant;
 /// A level of confidence in per cent, in as many digits as tell it from 0 and from 1: `95`, `99.9`, `99.9999999999`.
 [[nodiscard]] std::string level_text(double confidence);
 
+/// `820 kB`, `2.4 GB`.
+[[nodiscard]] std::string spoken_size(std::uint64_t bytes);
+
+/// `12 s`, `3 min 20 s`, `2 h 05 min`.
+[[nodiscard]] std::string spoken_duration(double seconds);
+
 }  // namespace rocking

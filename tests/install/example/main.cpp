@@ -64,6 +64,10 @@ int main(int, char** argv) {
   expect(rocking::digest_of(rocking::run(made)) == rocking::digest_of(run), "C++ and the file give the same bits");
   expect(rocking::trajectory(experiment, {.periods = 5}).strobe.size() == 5, "a trajectory has its strobe points");
   expect(rocking::report(made, rocking::run(made)).find("\"digest\"") != std::string::npos, "a report is written");
+  expect(rocking::plan(experiment).realisations == 10, "a plan has the realisations");
+  expect(rocking::table(experiment, run).find("10 realisations") != std::string::npos, "a table is written");
+  const rocking::RunCheck check = rocking::verify_report(rocking::report(experiment, run));
+  expect(check.checked == 10 && check.findings.empty(), "a report is verified without a store");
   refuses_a_bad_block();
   stops(experiment);
   std::cout << rocking::digest_of(run) << '\n';

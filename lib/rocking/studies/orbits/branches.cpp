@@ -11,6 +11,7 @@
 #include "rocking/section/period.hpp"
 #include "rocking/studies/orbits/grazing.hpp"
 #include "rocking/studies/orbits/trace.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 
 namespace rocking {
 namespace {

@@ -5,24 +5,13 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/dynamics/termination.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/section/response_mode.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
+#include "rocking/studies/orbits/orbits_of_condition.hpp"
 
 /// Periodic orbits of conditions with harmonic excitation in which nothing is random, stable and unstable ones.
 namespace rocking {
-
-/// The orbits of a condition, and the run from its initial state.
-struct OrbitsOfCondition {
-  dynamics::Termination termination = dynamics::Termination::reached_horizon;  ///< of the run
-  section::ResponseMode mode;                                                  ///< of the run
-  std::optional<std::size_t> run_on;  ///< the stable orbit on which the run ended
-  std::vector<Orbit> orbits;          ///< in the order in which they were found
-  std::uint64_t searches = 0;         ///< Newton iterations started
-  std::uint64_t converged = 0;        ///< of these, to an orbit, new or not
-};
 
 /// Largest period for which orbits are searched, unless the run has a longer one.
 inline constexpr int default_longest_orbit = 5;

@@ -1,4 +1,4 @@
-#include "time_estimate.hpp"
+#include "rocking/studies/plan/time_estimate.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -9,24 +9,19 @@
 #include <thread>
 #include <vector>
 
-#include "interrupt.hpp"
 #include "rocking/ensemble/pair_workers.hpp"
 #include "rocking/lanes/kernels.hpp"
 
-namespace rocking::program {
+namespace rocking {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
-
-/// A flag that is set at a time, or when a signal asks to stop.
+/// A flag that is set at a time of the caller's clock, or when the caller asks to stop.
 class Deadline {
  public:
-  explicit Deadline(Clock::time_point end)
-      : watch_([this, end, signal = stop_on_signal()](const std::stop_token& token) {
+  Deadline(const Sampling& sampling, double end)
+      : watch_([this, end, &sampling](const std::stop_token& token) {
           constexpr std::chrono::milliseconds between_looks(5);
-          while (!token.stop_requested() && Clock::now() < end && !signal.is_made()) {
+          while (!token.stop_requested() && sampling.elapsed_seconds() < end && !sampling.stop.is_made()) {
             std::this_thread::sleep_for(between_looks);
           }
           is_past_ = true;
@@ -95,7 +90,7 @@ struct Measured {
   std::uint64_t unresolved = 0;
 };
 
-Measured measure(const Experiment& sample, unsigned threads, double seconds) {
+Measured measure(const Experiment& sample, unsigned threads, double seconds, const Sampling& sampling) {
   PairsInTurn pairs(sample);
   const auto realisations_in = [&sample](const Pair& pair) {
     return std::min<std::uint64_t>(2, effective_realisations(sample.conditions[pair.condition]) - pair.first);
@@ -105,8 +100,8 @@ Measured measure(const Experiment& sample, unsigned threads, double seconds) {
   };
   Measured measured;
   double in_progress = 0.0;
-  const Clock::time_point start = Clock::now();
-  const Deadline deadline(start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds)));
+  const double start = sampling.elapsed_seconds();
+  const Deadline deadline(sampling, start + seconds);
   RunOptions options;
   options.threads = threads;
   options.stop_requested = deadline.flag();
@@ -126,7 +121,7 @@ Measured measure(const Experiment& sample, unsigned threads, double seconds) {
                      if (summary.mode.kind == section::ResponseKind::unresolved) ++measured.unresolved;
                    }
                  }});
-  measured.seconds = seconds_since(start);
+  measured.seconds = sampling.elapsed_seconds() - start;
   if (measured.realisations > 0) measured.periods += 0.5 * in_progress;
   return measured;
 }
@@ -147,10 +142,10 @@ double affordable_share(const Experiment& sample, const Measured& before, const 
 
 }  // namespace
 
-std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Means& means) {
+std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Means& means, const Sampling& sampling) {
   constexpr double first_s = 0.2;
   constexpr double fewest_periods = 16.0;
-  const Clock::time_point start = Clock::now();
+  const double start = sampling.elapsed_seconds();
   const Experiment full = spread_conditions(experiment);
   double longest = 0.0;
   double all_periods = 0.0;
@@ -162,13 +157,13 @@ std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Me
   const auto measure_with = [&](double horizon_share, double seconds) {
     Experiment sample = full;
     for (Condition& condition : sample.conditions) condition.horizon = shortened(condition.horizon, horizon_share);
-    return measure(sample, means.threads, seconds);
+    return measure(sample, means.threads, seconds, sampling);
   };
-  const auto time_left = [&] { return 0.95 * longest_sample_s - seconds_since(start); };
+  const auto time_left = [&] { return 0.95 * longest_sample_s - (sampling.elapsed_seconds() - start); };
   Measured measured = measure_with(share, first_s);
   if (measured.realisations > 0) share = std::clamp(affordable_share(full, measured, means, time_left()), share, 1.0);
   const Measured second = measure_with(share, time_left());
-  if (stop_on_signal().is_made() || second.realisations == 0) return std::nullopt;
+  if (sampling.stop.is_made() || second.realisations == 0) return std::nullopt;
   const double parts = means.shard ? static_cast<double>(means.shard->parts) : 1.0;
   // Shortened horizons are whole numbers, so the share that was run differs from the wanted one.
   return TimeEstimate{.seconds = second.seconds * all_periods / second.periods / parts,
@@ -177,4 +172,4 @@ std::optional<TimeEstimate> estimate_time(const Experiment& experiment, const Me
                       .unresolved = share < 1.0 ? std::nullopt : std::optional(second.unresolved)};
 }
 
-}  // namespace rocking::program
+}  // namespace rocking

@@ -1,0 +1,30 @@
+#include "rocking/api/plan.hpp"
+
+#include <algorithm>
+
+#include "rocking/api/run_options.hpp"
+#include "rocking/api/shard.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/output/plan_text.hpp"
+#include "rocking/output/write_facts.hpp"
+#include "rocking/scene/check_condition.hpp"
+
+namespace rocking {
+
+Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_seconds, const Execution& execution) {
+  check_experiment(experiment);
+  if (execution.shard) check_shard(experiment, *execution.shard);
+  const Means means{.threads = std::max(1U, execution.threads), .shard = execution.shard};
+  Plan found = plan_of(experiment, means);
+  if (!elapsed_seconds) return found;
+  const AskedOptions asked(execution);
+  found.time = estimate_time(experiment, means, {.elapsed_seconds = elapsed_seconds, .stop = asked.stop()});
+  asked.stop().check();
+  return found;
+}
+
+std::string describe(const Plan& plan) { return plan_text(plan); }
+
+std::string describe_as_json(const Plan& plan) { return facts_text(plan_facts(plan)); }
+
+}  // namespace rocking

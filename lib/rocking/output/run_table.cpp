@@ -1,0 +1,97 @@
+#include "rocking/output/run_table.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rocking/output/alarms.hpp"
+#include "rocking/output/settling_table.hpp"
+#include "rocking/output/unreached_precision.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+std::uint64_t unresolved_realisations(const ExperimentResult& result) {
+  std::uint64_t count = 0;
+  for (const auto& condition : result.conditions) {
+    for (const auto& [mode, probability] : condition.modes) {
+      if (mode.kind == section::ResponseKind::unresolved) count += probability.counts.successes;
+    }
+  }
+  return count;
+}
+
+std::string_view spoken(NumericalError noise) {
+  switch (noise) {
+    case NumericalError::small: return "small compared with";
+    case NumericalError::not_small: return "NOT small compared with";
+    case NumericalError::undecided: return "too few reruns to compare with";
+  }
+  return "";
+}
+
+std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double tolerance) {
+  if (!floor) return "";
+  const std::string remedy =
+      floor->noise == NumericalError::not_small ? "warning: " + tolerance_remedy(tolerance) + '\n' : "";
+  return "sensitivity to tolerance: " + std::to_string(floor->flips.successes) + " of " +
+         std::to_string(floor->flips.trials) + " response modes change at a hundred times tighter tolerance [" +
+         per_cent(floor->interval.low) + ", " + per_cent(floor->interval.high) + " %]; " +
+         std::string(spoken(floor->noise)) + " the narrowest half-width, " + per_cent(floor->half_width) + " %\n" +
+         remedy;
+}
+
+/// A line on the responses that settled within their sampled periods; empty if none did.
+std::string late_settling_of(const ExperimentResult& result) {
+  std::uint64_t count = 0;
+  double least_held = 1.0;
+  for (const auto& condition : result.conditions) {
+    count += condition.validity.settled_late.count;
+    least_held = std::min(least_held, condition.validity.least_held);
+  }
+  if (count == 0) return "";
+  return "settled late: " + counted(count, "realisation") + ", classified by the last " +
+         significant(100.0 * least_held, 3) + " % of their sampled periods or more\n";
+}
+
+/// `95 %`; if the conditions have different confidences, words that say so.
+std::string level_of(const Experiment& experiment) {
+  const auto common = common_confidence(experiment);
+  return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
+}
+
+}  // namespace
+
+std::string run_table(const Experiment& experiment, const ExperimentResult& result, const TableLook& look) {
+  std::uint64_t realisations = 0;
+  for (const auto& condition : result.conditions) realisations += condition.realisations;
+  std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
+  const std::vector<TableRow> rows = table_rows(experiment, result);
+  const std::string table = mode_table(rows, look);
+  text += table;
+  if (std::ranges::any_of(rows, &TableRow::is_random)) {
+    text += "\nper cent of n realisations [simultaneous " + level_of(experiment) + " interval" +
+            (experiment.conditions.front().until ? ", valid whenever the run stops" : "") +
+            "]; < x: did not occur, x is the upper end of its interval\n";
+  } else {
+    text += "\nnothing is random: one realisation is the response of its condition\n";
+  }
+  if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
+  text += counted(result.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
+          std::to_string(unresolved_realisations(result)) + " unresolved\n";
+  text += settling_text(settling_rows(experiment, result), look.width);
+  if (const std::string remedy = unresolved_remedy(experiment, result); !remedy.empty()) {
+    text += "horizon too short: " + remedy + '\n';
+  }
+  text += unreached_precision(experiment, result);
+  text += overturning_line(rows);
+  text += late_settling_of(result);
+  text += noise_line(result.tolerance_sensitivity, tightest_tolerance(experiment));
+  for (const std::string& alarm : alarms_of(result)) text += "warning: " + alarm + '\n';
+  return text;
+}
+
+}  // namespace rocking

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "rocking/dynamics/termination.hpp"
+#include "rocking/section/response_mode.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
+
+namespace rocking {
+
+/// The orbits of a condition, and the run from its initial state.
+struct OrbitsOfCondition {
+  dynamics::Termination termination = dynamics::Termination::reached_horizon;  ///< of the run
+  section::ResponseMode mode;                                                  ///< of the run
+  std::optional<std::size_t> run_on;  ///< the stable orbit on which the run ended
+  std::vector<Orbit> orbits;          ///< in the order in which they were found
+  std::uint64_t searches = 0;         ///< Newton iterations started
+  std::uint64_t converged = 0;        ///< of these, to an orbit, new or not
+};
+
+}  // namespace rocking

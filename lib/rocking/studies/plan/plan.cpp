@@ -1,0 +1,98 @@
+#include "rocking/studies/plan/plan.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "rocking/ensemble/work_list.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+namespace {
+
+/// Processor time of a period in a later window over that of a period of the fixed horizon, at most: there is an exponent
+/// in every window, and none in the transient periods.
+constexpr double most_cost_of_window = 2.0;
+
+struct Effect {
+  const char* name;
+  bool (*is_on)(const Scene&);
+};
+
+constexpr std::array<Effect, 6> effects{{
+    {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
+    {"static friction drawn at each stop",
+     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
+    {"kinetic friction drawn on a grid in time",
+     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
+    {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
+    {"amplitude drawn each period",
+     [](const Scene& s) {
+       return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) != AmplitudeDraws::once;
+     }},
+    {"amplitude drawn once",
+     [](const Scene& s) {
+       return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) == AmplitudeDraws::once;
+     }},
+}};
+
+/// Every quantity that some condition draws, each once.
+void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>& names) {
+  for (const Condition& condition : experiment.conditions) {
+    for_each_quantity(condition.scene, [&](const std::string& name, const Quantity& quantity) {
+      const std::string effect = name + " drawn once";
+      if (is_drawn(quantity) && std::ranges::find(names, effect) == names.end()) names.push_back(effect);
+    });
+  }
+}
+
+}  // namespace
+
+Plan plan_of(const Experiment& experiment, const Means& means) {
+  Plan plan;
+  plan.title = experiment.title;
+  plan.conditions = experiment.conditions.size();
+  for (const Condition& condition : experiment.conditions) {
+    const std::uint64_t realisations = effective_realisations(condition);
+    plan.realisations += realisations;
+    plan.at_most = plan.at_most || condition.until;
+    plan.has_record = plan.has_record || !is_periodic(condition.scene.excitation);
+    const auto transient = condition.horizon.transient_periods;
+    const auto sampled = condition.horizon.sampled_periods;
+    const auto fixed = static_cast<std::uint64_t>(transient) + static_cast<std::uint64_t>(sampled);
+    plan.periods += realisations * fixed;
+    const auto& until = condition.horizon.until_classified;
+    const auto limit = until ? std::max(fixed, static_cast<std::uint64_t>(until->at_most_periods)) : fixed;
+    const auto windows = until ? until->held_windows - 1 + until->watch_windows : 0;
+    const auto watched = fixed + static_cast<std::uint64_t>(windows) * static_cast<std::uint64_t>(sampled);
+    plan.most_periods += realisations * limit;
+    plan.least_periods += realisations * std::min(limit, watched);
+  }
+  plan.needs = needs_of(experiment, means);
+  for (const Condition& condition : experiment.conditions) {
+    for (const std::string_view name :
+         std::visit([](const auto& kind) { return kind.effects(); }, condition.scene.excitation)) {
+      if (std::ranges::find(plan.effects, name) == plan.effects.end()) plan.effects.emplace_back(name);
+    }
+  }
+  for (const Effect& effect : effects) {
+    for (const Condition& condition : experiment.conditions) {
+      if (!effect.is_on(condition.scene)) continue;
+      plan.effects.emplace_back(effect.name);
+      break;
+    }
+  }
+  add_drawn_quantities(experiment, plan.effects);
+  return plan;
+}
+
+double seconds_if_continued(const Plan& plan, double share) {
+  const auto fixed = static_cast<double>(plan.periods);
+  const double continued =
+      share * static_cast<double>(plan.most_periods) + (1.0 - share) * static_cast<double>(plan.least_periods);
+  return plan.time->seconds * (1.0 + most_cost_of_window * (continued - fixed) / fixed);
+}
+
+}  // namespace rocking

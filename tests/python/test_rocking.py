@@ -649,6 +649,14 @@ class Interrupting(unittest.TestCase):
         with self.assertRaises(ValueError):
             result.probabilities
 
+    def test_ctrl_c_stops_a_run_that_tells_of_no_progress(self):
+        # The main thread runs no Python meanwhile, so only the core can see the signal.
+        timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        with self.assertRaises(rocking.Interrupted) as caught:
+            rocking.run(LONG)
+        self.assertLess(caught.exception.result.done, caught.exception.result.all)
+
     def test_ctrl_c_stops_a_measurement_of_cost(self):
         def interrupt(done, all):
             os.kill(os.getpid(), signal.SIGINT)

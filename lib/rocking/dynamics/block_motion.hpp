@@ -128,12 +128,12 @@ class BlockMotion : public MotionProgress<Coefficients> {
   }
 
  private:
-  /// Whether the next breakpoint is near and a block at rest certainly stays so until then. The margin is far above the
+  /// Whether one step leads to the next breakpoint and a block at rest certainly stays so until then. The margin is far above the
   /// rounding of the base acceleration between two samples.
   [[nodiscard]] bool stays_at_rest() {
     if (state_.contact != ContactState::rest || this->ended() || !this->breakpoint()) return false;
     const double reach = this->time_to_breakpoint();
-    if (!(reach > clock_.resolution()) || !is_brief(reach)) return false;
+    if (!(reach > clock_.resolution()) || reach > clock_.period_length()) return false;
     constexpr double margin = 1e-6;
     const double threshold = std::min(coefficients_.static_friction(), setting_.block.tangent);
     return excitation_.largest_before_change(clock_, this->base_amplitude()) < (1.0 - margin) * threshold;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {

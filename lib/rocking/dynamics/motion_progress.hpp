@@ -80,7 +80,7 @@ class MotionProgress : public Automaton<Coefficients> {
     this->note_balance();
   }
 
-  /// A step in which a block at rest stays so up to the next breakpoint and there.
+  /// A step in which a block at rest stays so up to the next breakpoint.
   void rest_until_breakpoint() {
     begin_step();
     const double last_strobe = time_to_breakpoint() - clock_.resolution();
@@ -89,7 +89,7 @@ class MotionProgress : public Automaton<Coefficients> {
     clock_.set(*breakpoint_);
     known_ = {};
     continuity_ = Continuity::after_a_step();
-    settle();
+    pass_breakpoints(Contact::to_be_checked);  // the base acceleration may jump there
   }
 
   /// The block passes a strobe instant in this state.
@@ -123,7 +123,7 @@ class MotionProgress : public Automaton<Coefficients> {
     continuity_ = Continuity::after_a_step();
   }
 
-  /// After take_over: those steps have passed breakpoints.
+  /// After steps that have passed breakpoints.
   void pass_breakpoints(Contact contact) {
     if (contact == Contact::to_be_checked) this->check_contact();
     settle();

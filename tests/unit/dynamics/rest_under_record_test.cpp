@@ -42,6 +42,7 @@ struct RestCase {
   std::optional<double> static_friction;
   double phase = 0.0;
   int per_period = 150;  ///< samples
+  double jump = -0.5;    ///< ratio of the accelerations after and before
 };
 
 constexpr double tangent = 0.25;
@@ -68,7 +69,7 @@ class RestUnderRecord : public testing::TestWithParam<RestCase> {
     for (std::size_t i = 0; i < GetParam().accelerations.size(); ++i) {
       const double time = static_cast<double>(i) * scene.period_length() / GetParam().per_period;
       samples.push_back({time, GetParam().accelerations[i], 0.0});
-      if (i % 137 == 136) samples.push_back({time, -0.5 * GetParam().accelerations[i], 0.0});  // a jump
+      if (i % 137 == 136) samples.push_back({time, GetParam().jump * GetParam().accelerations[i], 0.0});  // a jump
     }
     const Clock clock(scene.frequency, scene.phase);
     return RecordedExcitation<false>(std::make_shared<const NormalisedGroundMotion>(samples, 1.0, clock), 1.0);
@@ -102,18 +103,19 @@ TEST_P(RestUnderRecord, IsAsByOrdinarySteps) {
   EXPECT_EQ(run.motion.termination(), ordinary.motion.termination());
 }
 
-INSTANTIATE_TEST_SUITE_P(Cases, RestUnderRecord,
-                         testing::Values(RestCase{"NeverLifts", burst(0.2, 0.24, 200), std::nullopt},
-                                         RestCase{"Lifts", burst(0.2, 0.4, 250), std::nullopt},
-                                         RestCase{"LiftsWithAPhase", burst(0.2, 0.4, 333), std::nullopt, 2.0},
-                                         RestCase{"LiftsByAHair", burst(0.1, tangent*(1.0 + 1e-4), 250), std::nullopt},
-                                         RestCase{"Slides", burst(0.1, 0.4, 250), 0.2},
-                                         RestCase{"SlidesByLittle", burst(0.15, 0.22, 250), 0.2},
-                                         RestCase{"MayRockAndSlip", burst(0.2, 0.45, 150), 0.3},
-                                         RestCase{"StartsAboveTheThreshold", burst(0.3, 0.3, 0), std::nullopt},
-                                         RestCase{"LiftsUnderAFewSamples", burst(0.2, 0.4, 250), std::nullopt, 0.0,
-                                                  100}),
-                         [](const auto& instance) { return instance.param.name; });
+INSTANTIATE_TEST_SUITE_P(
+    Cases, RestUnderRecord,
+    testing::Values(RestCase{"NeverLifts", burst(0.2, 0.24, 200), std::nullopt},
+                    RestCase{"Lifts", burst(0.2, 0.4, 250), std::nullopt},
+                    RestCase{"LiftsWithAPhase", burst(0.2, 0.4, 333), std::nullopt, 2.0},
+                    RestCase{"LiftsByAHair", burst(0.1, tangent*(1.0 + 1e-4), 250), std::nullopt},
+                    RestCase{"Slides", burst(0.1, 0.4, 250), 0.2},
+                    RestCase{"SlidesByLittle", burst(0.15, 0.22, 250), 0.2},
+                    RestCase{"MayRockAndSlip", burst(0.2, 0.45, 150), 0.3},
+                    RestCase{"StartsAboveTheThreshold", burst(0.3, 0.3, 0), std::nullopt},
+                    RestCase{"LiftsUnderAFewSamples", burst(0.2, 0.4, 250), std::nullopt, 0.0, 100},
+                    RestCase{"JumpsAboveTheThreshold", burst(0.2, 0.2, 0), std::nullopt, 0.0, 150, 3.0}),
+    [](const auto& instance) { return instance.param.name; });
 
 }  // namespace
 }  // namespace rocking::dynamics

@@ -14,6 +14,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "support/excitation.hpp"
+#include "support/ordinary_steps.hpp"
 
 namespace rocking {
 namespace {
@@ -239,24 +240,12 @@ TEST(VerticalAcceleration, IsNotComputedWhereNoneIsRecorded) {
 
 /// A motion that records the ends of its steps.
 template <class Motion>
-struct Noting {
-  Motion& motion;
+struct Noting : support::OrdinarySteps<Motion> {
   std::vector<double> ends{};
 
-  [[nodiscard]] bool ended() const { return motion.ended(); }
-  [[nodiscard]] double time_resolution() const { return motion.time_resolution(); }
-  [[nodiscard]] double time_to_breakpoint() const { return motion.time_to_breakpoint(); }
-  [[nodiscard]] double time_to_strobe() const { return motion.time_to_strobe(); }
-  [[nodiscard]] double expand(double reach) { return motion.expand(reach); }
-  template <class Visitor>
-  void for_each_guard(const integrate::FiredGuards& wanted, Visitor&& visit) const {
-    motion.for_each_guard(wanted, visit);
-  }
-  void strobe(double x) { motion.strobe(x); }
-  void move(double x) { motion.move(x); }
   void reset(const integrate::FiredGuards& fired, bool at_breakpoint) {
-    motion.reset(fired, at_breakpoint);
-    ends.push_back(motion.clock().tau());
+    this->motion.reset(fired, at_breakpoint);
+    ends.push_back(this->motion.clock().tau());
   }
 };
 
@@ -268,7 +257,7 @@ TEST(RecordedExcitation, EndsAStepAtEachOfItsSamples) {
   const random::Draws draws(0, 0);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::start, 20);
   Motion motion = motion_of(condition.scene, beginning, silent);
-  Noting<Motion> noting{motion};
+  Noting<Motion> noting{{motion}};
   static_cast<void>(integrate::advance(noting));
   for (std::size_t i = 1; i < knots.size(); ++i) {
     const bool met = std::any_of(noting.ends.begin(), noting.ends.end(),

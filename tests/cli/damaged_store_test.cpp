@@ -37,12 +37,6 @@ class DamagedRun : public rocking::support::ProgramTest {
     return shell("PATH=$PWD/nothing exec '" ROCKING_PROGRAM "' " + arguments);
   }
 
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
-
   std::string pages() const { return read("whole/realisations.sqlite"); }
 
   /// Writes a finished run with these bytes as its store.

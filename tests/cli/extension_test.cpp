@@ -23,12 +23,6 @@ class Extension : public rocking::support::ProgramTest {
     write("slow.json", slow.dump());
   }
 
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
-
   /// Runs an experiment from the start with this number, and compares `out` with it.
   void expect_bytes_of_one_run(const std::string& file, int realisations) const {
     const std::string number = std::to_string(realisations);

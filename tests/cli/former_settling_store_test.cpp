@@ -22,17 +22,6 @@ class FormerSettlingStore : public rocking::support::ProgramTest {
                           std::filesystem::copy_options::recursive);
   }
 
-  std::string lasting_part(const std::string& folder) const {
-    Json json = Json::parse(read(folder + "/report.json"));
-    json.erase("system");
-    return json.dump();
-  }
-
-  void run(const std::string& arguments) const {
-    const auto outcome = rocking(arguments + " -q --no-page");
-    ASSERT_EQ(outcome.exit_code, 0) << arguments << outcome.errors;
-  }
-
   std::int64_t layout_of_file(const std::string& folder) const {
     const sqlite::Database database(folder_ / folder / "realisations.sqlite", sqlite::Access::read);
     auto query = database.prepare("PRAGMA user_version");
@@ -54,34 +43,34 @@ TEST_F(FormerSettlingStore, IsOfLayoutFiveAndLookedAt) {
 
 // A row of layout 5 lacks only the column `long_run`, which the experiment did not ask for.
 TEST_F(FormerSettlingStore, IsResumedWithTheReportOfANewRun) {
-  run("resume stopped");
-  run("run experiment.json -o anew");
-  EXPECT_EQ(lasting_part("stopped"), lasting_part("anew"));
+  run_quietly("resume stopped");
+  run_quietly("run experiment.json -o anew");
+  EXPECT_EQ(lasting_part("stopped/report.json"), lasting_part("anew/report.json"));
   EXPECT_TRUE(is_of_current_layout("stopped"));
   EXPECT_FALSE(exists("stopped/damaged-1.sqlite"));
   EXPECT_THAT(rocking("verify stopped").output, HasSubstr("36 realisations run again, all with the same bits"));
 }
 
 TEST_F(FormerSettlingStore, ThatIsFinishedIsResumedAndExtended) {
-  run("resume whole");
-  run("run experiment.json -o anew");
-  EXPECT_EQ(lasting_part("whole"), lasting_part("anew"));
-  run("resume whole --realisations 16");
-  run("run experiment.json -o longer --realisations 16");
-  EXPECT_EQ(lasting_part("whole"), lasting_part("longer"));
+  run_quietly("resume whole");
+  run_quietly("run experiment.json -o anew");
+  EXPECT_EQ(lasting_part("whole/report.json"), lasting_part("anew/report.json"));
+  run_quietly("resume whole --realisations 16");
+  run_quietly("run experiment.json -o longer --realisations 16");
+  EXPECT_EQ(lasting_part("whole/report.json"), lasting_part("longer/report.json"));
 }
 
 TEST_F(FormerSettlingStore, ThatIsFinishedIsVerifiedAndReplayedWithTheReportOfThisProgram) {
-  run("resume whole");
+  run_quietly("resume whole");
   EXPECT_THAT(rocking("verify whole").output, HasSubstr("36 realisations run again, all with the same bits"));
   EXPECT_EQ(rocking("replay whole --condition 1 --realisation 8").exit_code, 0);
 }
 
 TEST_F(FormerSettlingStore, IsMergedWithAShardOfThisProgram) {
-  run("run experiment.json -o second --shard 2/2");
-  run("merge joined shard second");
-  run("run experiment.json -o anew");
-  EXPECT_EQ(lasting_part("joined"), lasting_part("anew"));
+  run_quietly("run experiment.json -o second --shard 2/2");
+  run_quietly("merge joined shard second");
+  run_quietly("run experiment.json -o anew");
+  EXPECT_EQ(lasting_part("joined/report.json"), lasting_part("anew/report.json"));
   EXPECT_TRUE(is_of_current_layout("joined"));
 }
 
@@ -91,8 +80,8 @@ TEST_F(FormerSettlingStore, WithAChangedSettlingPeriodIsMended) {
   const auto resumed = rocking("resume stopped -q --no-page");
   ASSERT_EQ(resumed.exit_code, 0) << resumed.errors;
   EXPECT_THAT(resumed.errors, HasSubstr("the row of condition 0, realisation 11 differs"));
-  run("run experiment.json -o anew");
-  EXPECT_EQ(lasting_part("stopped"), lasting_part("anew"));
+  run_quietly("run experiment.json -o anew");
+  EXPECT_EQ(lasting_part("stopped/report.json"), lasting_part("anew/report.json"));
 }
 
 }  // namespace

@@ -22,12 +22,6 @@ class FormerStore : public rocking::support::ProgramTest {
                           std::filesystem::copy_options::recursive);
   }
 
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
-
   /// Without what rows of former layouts do not tell.
   std::string part_without_peaks(const std::string& report) const {
     Json json = Json::parse(lasting_part(report));

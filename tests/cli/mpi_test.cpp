@@ -33,12 +33,6 @@ class Ranks : public rocking::support::ProgramTest {
     return "env ASAN_OPTIONS=detect_leaks=0 mpirun --allow-run-as-root --oversubscribe -n " + std::to_string(number) +
            " '" + ROCKING_PROGRAM "' " + arguments;
   }
-
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
 };
 
 TEST_F(Ranks, GiveTheSameBytesWhateverTheirNumber) {

@@ -41,13 +41,6 @@ class NothingIsLost : public rocking::support::ProgramTest {
 #endif
   }
 
-  /// The part of a report that must not depend on how it was made.
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
-
   void expect_the_whole_of(const std::string& folder) const {
     ASSERT_TRUE(exists(folder + "/report.json"));
     EXPECT_EQ(lasting_part(folder + "/report.json"), lasting_part("whole/report.json"));

@@ -20,12 +20,6 @@ using ::testing::StartsWith;
 class Planning : public rocking::support::ProgramTest {
  protected:
   Planning() { write("quick.json", quick_experiment().dump()); }
-
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
 };
 
 TEST_F(Planning, ADryRunMeasuresTheTime) {

@@ -33,6 +33,19 @@ class ProgramTest : public ::testing::Test {
   /// Runs `rocking` with these arguments, as interpreted by a shell.
   Outcome rocking(const std::string& arguments) const { return shell("exec '" ROCKING_PROGRAM "' " + arguments); }
 
+  /// Runs it so, without a page, and expects it to succeed.
+  void run_quietly(const std::string& arguments) const {
+    const Outcome outcome = rocking(arguments + " -q --no-page");
+    ASSERT_EQ(outcome.exit_code, 0) << arguments << outcome.errors;
+  }
+
+  /// The part of a report that must not depend on how it was made.
+  std::string lasting_part(const std::string& report) const {
+    Json json = Json::parse(read(report));
+    json.erase("system");
+    return json.dump();
+  }
+
   /// The Python for which the module `rocking` was built, with the module on its path; empty if it is not built.
   static std::string python_with_module() {
     const auto folder = std::filesystem::path(ROCKING_PROGRAM).parent_path() / "python";

@@ -27,13 +27,6 @@ class RunFolder : public rocking::support::ProgramTest {
     write("slow.json", slow.dump());
   }
 
-  /// The part of a report that must not depend on how it was made.
-  std::string lasting_part(const std::string& report) const {
-    Json json = Json::parse(read(report));
-    json.erase("system");
-    return json.dump();
-  }
-
   void change_store(const std::string& sql) const {
     rocking::sqlite::Database(folder_ / "out/realisations.sqlite", rocking::sqlite::Access::write).execute(sql);
   }

@@ -33,21 +33,10 @@ class UntilClassified : public rocking::support::ProgramTest {
     experiment["horizon"]["until_classified"].erase("long_run_every");
     write("without.json", experiment.dump());
   }
-
-  std::string lasting_part(const std::string& folder) const {
-    Json json = Json::parse(read(folder + "/report.json"));
-    json.erase("system");
-    return json.dump();
-  }
-
-  void run(const std::string& arguments) const {
-    const auto outcome = rocking(arguments + " -q --no-page");
-    ASSERT_EQ(outcome.exit_code, 0) << arguments << outcome.errors;
-  }
 };
 
 TEST_F(UntilClassified, ContinuesSomeRealisationsAndNotAll) {
-  run("run until.json -o whole");
+  run_quietly("run until.json -o whole");
   const Json report = Json::parse(read("whole/report.json"));
   std::uint64_t censored = 0;
   std::uint64_t left = 0;
@@ -66,27 +55,27 @@ TEST_F(UntilClassified, ContinuesSomeRealisationsAndNotAll) {
 }
 
 TEST_F(UntilClassified, HasTheSameBytesOnAnyNumberOfThreads) {
-  run("run until.json -o whole -j 1");
-  run("run until.json -o three -j 3");
-  EXPECT_EQ(lasting_part("three"), lasting_part("whole"));
+  run_quietly("run until.json -o whole -j 1");
+  run_quietly("run until.json -o three -j 3");
+  EXPECT_EQ(lasting_part("three/report.json"), lasting_part("whole/report.json"));
 }
 
 TEST_F(UntilClassified, HasTheSameBytesInShards) {
-  run("run until.json -o whole");
+  run_quietly("run until.json -o whole");
   for (const char* shard : {"1/3", "2/3", "3/3"})
-    run(std::string("run until.json --shard ") + shard + " -o part" + shard[0]);
-  run("merge joined part1 part2 part3");
-  EXPECT_EQ(lasting_part("joined"), lasting_part("whole"));
+    run_quietly(std::string("run until.json --shard ") + shard + " -o part" + shard[0]);
+  run_quietly("merge joined part1 part2 part3");
+  EXPECT_EQ(lasting_part("joined/report.json"), lasting_part("whole/report.json"));
 }
 
 TEST_F(UntilClassified, HasTheSameBytesWhenStoppedResumedOrExtended) {
-  run("run until.json -o whole");
+  run_quietly("run until.json -o whole");
   ASSERT_EQ(rocking("run until.json -o out -q --no-page -j 1 --max-time 0.001s").exit_code, 75);
-  run("resume out");
-  EXPECT_EQ(lasting_part("out"), lasting_part("whole"));
-  run("run until.json -o longer --realisations 9");
-  run("resume longer --realisations 24");
-  EXPECT_EQ(lasting_part("longer"), lasting_part("whole"));
+  run_quietly("resume out");
+  EXPECT_EQ(lasting_part("out/report.json"), lasting_part("whole/report.json"));
+  run_quietly("run until.json -o longer --realisations 9");
+  run_quietly("resume longer --realisations 24");
+  EXPECT_EQ(lasting_part("longer/report.json"), lasting_part("whole/report.json"));
 }
 
 TEST_F(UntilClassified, TellsByWhenOnTheTerminalOnThePageAndInTables) {
@@ -144,7 +133,7 @@ TEST_F(UntilClassified, QualifiesTheEndWhereAResponseWasHeldForOneWindow) {
 }
 
 TEST_F(UntilClassified, ReadsAReportOfBeforeTheCurvesWereNamed) {
-  run("run until.json -o whole");
+  run_quietly("run until.json -o whole");
   Json report = Json::parse(read("whole/report.json"));
   for (Json& condition : report["result"]["conditions"]) {
     Json& incidence = condition["incidence"];
@@ -181,7 +170,7 @@ TEST_F(UntilClassified, IsBoundedInAPlanAndMentionedWithCosts) {
 }
 
 TEST_F(UntilClassified, IsVerifiedAndReplayed) {
-  run("run until.json -o whole");
+  run_quietly("run until.json -o whole");
   EXPECT_EQ(rocking("verify whole -q").exit_code, 0);
   for (const char* number : {"0", "7", "23"}) {
     const auto outcome = rocking(std::string("replay whole --condition 1 --realisation ") + number);
@@ -190,8 +179,8 @@ TEST_F(UntilClassified, IsVerifiedAndReplayed) {
 }
 
 TEST_F(UntilClassified, HasTheSameResultsBesidesLongRuns) {
-  run("run until.json -o whole");
-  run("run without.json -o without");
+  run_quietly("run until.json -o whole");
+  run_quietly("run without.json -o without");
   const Json with = Json::parse(read("whole/report.json"))["result"]["conditions"];
   const Json without = Json::parse(read("without/report.json"))["result"]["conditions"];
   for (std::size_t i = 0; i < with.size(); ++i) {

@@ -11,6 +11,7 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_ground_motion.hpp"
 #include "rocking/realisation/start.hpp"
+#include "support/ordinary_steps.hpp"
 
 /// The fuzzed code, as functions of bytes. A fuzzer calls them with generated input, replay_test with the corpus.
 namespace rocking::fuzz {
@@ -96,25 +97,14 @@ inline void try_record(std::string_view text) {
 
 /// A motion that is stopped after some steps.
 template <class Motion>
-struct Limited {
-  Motion& motion;
+struct Limited : support::OrdinarySteps<Motion> {
   int steps_left;
 
-  [[nodiscard]] bool ended() const { return steps_left <= 0 || motion.ended(); }
-  [[nodiscard]] double time_resolution() const { return motion.time_resolution(); }
-  [[nodiscard]] double time_to_breakpoint() const { return motion.time_to_breakpoint(); }
-  [[nodiscard]] double time_to_strobe() const { return motion.time_to_strobe(); }
+  [[nodiscard]] bool ended() const { return steps_left <= 0 || this->motion.ended(); }
   [[nodiscard]] double expand(double reach) {
     --steps_left;
-    return motion.expand(reach);
+    return this->motion.expand(reach);
   }
-  template <class Visitor>
-  void for_each_guard(const integrate::FiredGuards& wanted, Visitor&& visit) const {
-    motion.for_each_guard(wanted, visit);
-  }
-  void strobe(double x) { motion.strobe(x); }
-  void move(double x) { motion.move(x); }
-  void reset(const integrate::FiredGuards& fired, bool at_breakpoint) { motion.reset(fired, at_breakpoint); }
 };
 
 /// Checks that states are valid.
@@ -145,7 +135,7 @@ inline void try_scene(std::string_view text) {
     Watch watch;
     const auto beginning = begin_realisation(condition, draws, start, Strobe::start, 2);
     Motion motion = motion_of(condition.scene, beginning, watch);
-    Limited<Motion> limited{motion, 2000};
+    Limited<Motion> limited{{motion}, 2000};
     static_cast<void>(integrate::advance(limited));
     watch.strobe(motion.state());
   } catch (const base::InputError&) {

@@ -11,30 +11,13 @@
 
 #include <gtest/gtest.h>
 
+#include "support/ordinary_steps.hpp"
 #include "support/simulation.hpp"
 
 namespace rocking::dynamics {
 namespace {
 
 using RecordedRun = support::Simulation<ConstantCoefficients>;
-
-/// A motion that offers ordinary steps only.
-struct OrdinarySteps {
-  RecordedRun::Motion& motion;
-
-  [[nodiscard]] bool ended() const { return motion.ended(); }
-  [[nodiscard]] double time_resolution() const { return motion.time_resolution(); }
-  [[nodiscard]] double time_to_breakpoint() const { return motion.time_to_breakpoint(); }
-  [[nodiscard]] double time_to_strobe() const { return motion.time_to_strobe(); }
-  [[nodiscard]] double expand(double reach) { return motion.expand(reach); }
-  template <class Visitor>
-  void for_each_guard(const integrate::FiredGuards& wanted, Visitor&& visit) const {
-    motion.for_each_guard(wanted, visit);
-  }
-  void strobe(double x) { motion.strobe(x); }
-  void move(double x) { motion.move(x); }
-  void reset(const integrate::FiredGuards& fired, bool at_breakpoint) { motion.reset(fired, at_breakpoint); }
-};
 
 struct RestCase {
   std::string name;
@@ -84,7 +67,7 @@ TEST_P(RestUnderRecord, IsAsByOrdinarySteps) {
   RecordedRun run(stage(), coefficients(), excitation());
   run.run();
   RecordedRun ordinary(stage(), coefficients(), excitation());
-  OrdinarySteps steps{ordinary.motion};
+  support::OrdinarySteps<RecordedRun::Motion> steps{ordinary.motion};
   const integrate::LoopCounts counts = integrate::advance(steps);
 
   EXPECT_EQ(run.log.story(), ordinary.log.story());

@@ -35,7 +35,16 @@ class BlockMotion : public MotionProgress<Coefficients> {
   /// samples of a ground motion is far below its threshold. Returns their number. They have the effects of other steps.
   std::uint64_t rest_below_threshold() {
     std::uint64_t steps = 0;
-    for (; stays_at_rest(); ++steps) this->rest_until_breakpoint();
+    while (stays_at_rest()) {
+      const SamplesPassed samples = excitation_.samples_below(threshold_at_rest(), this->base_amplitude(),
+                                                              this->next_interruption(), this->steps_left(), clock_);
+      if (samples.count > 0) {
+        this->rest_over(samples);
+      } else {
+        this->rest_until_breakpoint();
+      }
+      steps += std::max<std::size_t>(1, samples.count);
+    }
     return steps;
   }
 
@@ -128,15 +137,19 @@ class BlockMotion : public MotionProgress<Coefficients> {
   }
 
  private:
-  /// Whether one step leads to the next breakpoint and a block at rest certainly stays so until then. The margin is far above the
-  /// rounding of the base acceleration between two samples.
+  /// Whether one step leads to the next breakpoint and a block at rest certainly stays so until then.
   [[nodiscard]] bool stays_at_rest() {
     if (state_.contact != ContactState::rest || this->ended() || !this->breakpoint()) return false;
     const double reach = this->time_to_breakpoint();
     if (!(reach > clock_.resolution()) || reach > clock_.period_length()) return false;
+    return excitation_.largest_before_change(clock_, this->base_amplitude()) < threshold_at_rest();
+  }
+
+  /// A base acceleration, over g, below which a block at rest certainly stays so. The margin is far above the rounding of
+  /// the base acceleration between two samples.
+  [[nodiscard]] double threshold_at_rest() const {
     constexpr double margin = 1e-6;
-    const double threshold = std::min(coefficients_.static_friction(), setting_.block.tangent);
-    return excitation_.largest_before_change(clock_, this->base_amplitude()) < (1.0 - margin) * threshold;
+    return (1.0 - margin) * std::min(coefficients_.static_friction(), setting_.block.tangent);
   }
 
   /// The motion goes to the state `next` at time x of the step.

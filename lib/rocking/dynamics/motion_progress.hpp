@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -86,10 +87,15 @@ class MotionProgress : public Automaton<Coefficients> {
     const double last_strobe = time_to_breakpoint() - clock_.resolution();
     while (!this->ended() && time_to_strobe() < last_strobe) pass_strobe(state_);
     if (this->ended()) return;
-    clock_.set(*breakpoint_);
-    known_ = {};
-    continuity_ = Continuity::after_a_step();
-    pass_breakpoints(Contact::to_be_checked);  // the base acceleration may jump there
+    arrive_at_rest(*breakpoint_, Contact::to_be_checked);  // the base acceleration may jump there
+  }
+
+  /// As many such steps as there are samples, none of which the block leaves full contact at or passes a strobe instant
+  /// before.
+  void rest_over(const SamplesPassed& samples) {
+    strobes_.set_steps_since_last(strobes_.steps_since_last() + static_cast<std::int64_t>(samples.count));
+    count_segments(samples.count);
+    arrive_at_rest(samples.last, Contact::stays);
   }
 
   /// The block passes a strobe instant in this state.
@@ -166,8 +172,25 @@ class MotionProgress : public Automaton<Coefficients> {
 
   Continuity continuity_;
 
+  /// Steps that the block may make before the next strobe point.
+  [[nodiscard]] std::size_t steps_left() const {
+    return static_cast<std::size_t>(std::max<std::int64_t>(0, step_budget - strobes_.steps_since_last()));
+  }
+
+  /// The next strobe instant or change of a coefficient.
+  [[nodiscard]] Instant next_interruption() const {
+    return *earlier(coefficients_.next_change(clock_, this->slips()), strobes_.next());
+  }
+
  private:
   static constexpr std::int64_t most_events_at_once = 1'000;
+
+  void arrive_at_rest(const Instant& instant, Contact contact) {
+    clock_.set(instant);
+    known_ = {};
+    continuity_ = Continuity::after_a_step();
+    pass_breakpoints(contact);
+  }
 
   [[nodiscard]] std::optional<Instant> earlier(const std::optional<Instant>& a, const std::optional<Instant>& b) const {
     if (!a || !b) return a ? a : b;

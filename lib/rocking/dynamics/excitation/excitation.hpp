@@ -71,6 +71,18 @@ class Excitation {
       }
     });
   }
+  /// The coming samples of a ground motion up to which abs(alpha) stays below `bound`, at most `most` and clearly before
+  /// `limit`; none for a kind that does not offer them. Some may be left out.
+  [[nodiscard]] SamplesPassed samples_below(double bound, double amplitude, const Instant& limit, std::size_t most,
+                                            const Clock& clock) const {
+    return visit([&](const auto& kind) -> SamplesPassed {
+      if constexpr (requires { kind.samples_below(bound, limit, most, clock); }) {
+        return kind.samples_below(bound / std::abs(amplitude), limit, most, clock);
+      } else {
+        return {};
+      }
+    });
+  }
 
  private:
   Kinds kind_;

@@ -40,4 +40,21 @@ const Knot* NormalisedGroundMotion::last_reached(const Clock& clock, const Knot*
   return &*std::partition_point(knots_.begin() + 1, knots_.end() - 1, is_reached) - 1;
 }
 
+const Knot* NormalisedGroundMotion::last_below(const Knot* reached, double bound, const Instant& limit,
+                                               std::size_t most, const Clock& clock) {
+  const double apart = 4.0 * clock.resolution();
+  const auto is_step_away = [&](const Knot& from, const Knot& to) {
+    const double gap = clock.between(from.instant, to.instant);
+    return gap > apart && gap < 0.5 * clock.period_length();
+  };
+  const auto is_passed = [&](const Knot* knot) {  // the last knot of all is infinitely far away
+    return is_step_away(knot[-1], knot[0]) && is_step_away(knot[0], knot[1]) && std::abs(knot->horizontal) < bound &&
+           clock.between(knot->instant, limit) > apart;
+  };
+  if (!(std::abs(reached->horizontal) < bound)) return reached;
+  const Knot* last = reached;
+  for (; most > 0 && is_passed(last + 1); --most) ++last;
+  return last;
+}
+
 }  // namespace rocking::dynamics

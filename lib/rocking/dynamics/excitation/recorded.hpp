@@ -30,6 +30,12 @@ struct Knot {
   double vertical;
 };
 
+/// Successive samples that are reached one after another.
+struct SamplesPassed {
+  std::size_t count = 0;
+  Instant last;  ///< when the last of them is reached; meaningless if there is none
+};
+
 /// A recorded base motion on a run's clock: linear between samples, at rest before the first and after the last.
 /// Samples need not be evenly spaced. Every sample is a breakpoint, so that a step never crosses a kink.
 class NormalisedGroundMotion {
@@ -41,6 +47,12 @@ class NormalisedGroundMotion {
   /// The last knot that is reached; the piece goes from it to the knot behind it, which never is the last of all.
   /// `guess`: a knot of this motion or null. The search is short if the knot is that one or the one behind it.
   [[nodiscard]] const Knot* last_reached(const Clock& clock, const Knot* guess) const;
+
+  /// The last of at most `most` knots behind `reached` that comes before `limit` and up to which the horizontal
+  /// acceleration stays below `bound`. It stops before a jump and before a gap of half a period, and clearly before
+  /// `limit`, so that rounding does not decide whether a knot belongs to it.
+  [[nodiscard]] static const Knot* last_below(const Knot* reached, double bound, const Instant& limit, std::size_t most,
+                                              const Clock& clock);
 
  private:
   std::vector<Knot> knots_;  ///< with two of rest on each side; the last is never reached
@@ -81,6 +93,15 @@ class RecordedExcitation {
   [[nodiscard]] double largest_before_change(const Clock& clock) const requires(!vertical) {
     const Knot* reached = knot(clock);
     return std::max(std::abs(reached[0].horizontal), std::abs(reached[1].horizontal));
+  }
+
+  /// The coming samples up to which abs of the horizontal acceleration, for a scale of 1, stays below `bound`; see
+  /// NormalisedGroundMotion::last_below.
+  [[nodiscard]] SamplesPassed samples_below(double bound, const Instant& limit, std::size_t most,
+                                            const Clock& clock) const requires(!vertical) {
+    const Knot* reached = knot(clock);
+    last_ = NormalisedGroundMotion::last_below(reached, bound, limit, most, clock);
+    return {.count = static_cast<std::size_t>(last_ - reached), .last = last_->instant};
   }
 
   [[nodiscard]] const Knot* knot(const Clock& clock) const { return last_ = motion_->last_reached(clock, last_); }

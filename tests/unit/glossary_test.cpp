@@ -79,10 +79,10 @@ Names dead_names(std::string_view glossary, const std::vector<std::string>& head
       std::string type = last == std::string::npos ? "" : name.substr(0, last);
       type.erase(0, type.rfind(':') + 1);
       const bool has_type = !type.empty() && std::isupper(static_cast<unsigned char>(type.front())) != 0;
-      const bool is_there = has_type ? exists(headers, type, member)
-                                     : std::ranges::any_of(headers, [&member](const std::string& header) {
-                                         return find_word(header, member) != std::string_view::npos;
-                                       });
+      const bool is_there =
+          has_type ? exists(headers, type, member) : std::ranges::any_of(headers, [&member](const std::string& header) {
+            return find_word(header, member) != std::string_view::npos;
+          });
       if (!is_there) dead.push_back(name);
     }
   }

@@ -321,7 +321,7 @@ RunReport run_report_of(Json json) {
 }
 
 RunReport read_run_report(std::string_view text) {
-  static_cast<void>(read_report(text));  // checks the schema
+  static_cast<void>(read_report(text));  // refuses what is no report; its keys are checked below
   std::vector<base::Problem> problems;
   Json json = parse_json(text, problems);
   if (problems.empty()) problems = problems_of_report(json);

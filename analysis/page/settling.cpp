@@ -124,13 +124,14 @@ std::string leaving_html(const RunReport& report) {
   }
   std::uint64_t left = 0;
   bool often = false;
-  for (const SettlingRow& row : settling_rows(report)) {
+  const std::vector<SettlingRow> rows = settling_rows(report);
+  for (const SettlingRow& row : rows) {
     for (const LeftMode& found : row.leaving) {
       left += found.left;
       often = often || may_be_left(found);
     }
   }
-  std::string text = left == 0 ? "<p>No settled response was left while it was watched.</p>\n"
+  std::string text = left == 0 ? "<p>No settled response was left in " + none_left_text(rows) + ".</p>\n"
                                : fmt::format("<p>Settled responses were left {} while they were watched.{}</p>\n",
                                              counted(left, "time"),
                                              often ? " Where the rate is not small, the label of a response is that of "

@@ -14,6 +14,7 @@
 #include "pages/animation.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/api/refuse.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/api/trajectory_extent.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/store/store.hpp"
@@ -32,9 +33,9 @@ analysis::RunReport report_of(const StoredRun& stored, const Occasion& occasion 
 }
 
 std::vector<analysis::Figure> figures_of(const StoredRun& stored, const analysis::RunReport& report) {
-  std::vector<analysis::Figure> figures = analysis::run_figures(report, stored.run.store.get());
+  std::vector<analysis::Figure> figures = analysis::run_figures(report, &store_of(stored.run));
   if (!pages::is_suite(report.swept)) return figures;
-  for (analysis::Figure& figure : pages::suite_figures(stored.experiment, *stored.run.store)) {
+  for (analysis::Figure& figure : pages::suite_figures(stored.experiment, store_of(stored.run))) {
     figures.push_back(std::move(figure));
   }
   return figures;
@@ -85,7 +86,7 @@ Written write_page(const StoredRun& stored, const fs::path& file, const Occasion
     drawn.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }
   write_atomically(
-      file, analysis::page_text(report, drawn, pages::animations_of(stored.experiment, *stored.run.store, report)));
+      file, analysis::page_text(report, drawn, pages::animations_of(stored.experiment, store_of(stored.run), report)));
   written.files.push_back(file);
   return written;
 }

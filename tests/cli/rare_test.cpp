@@ -39,8 +39,9 @@ class Rare : public rocking::support::ProgramTest {
 TEST_F(Rare, IsWrittenAndPrinted) {
   const auto outcome = rocking(std::string("rare quick.json -o out") + quickly);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("probability"),
-                                    HasSubstr("exceeds 0.5"), HasSubstr("out/rare.json")));
+  EXPECT_THAT(outcome.output,
+              AllOf(HasSubstr("quick"), HasSubstr("amplitude"), HasSubstr("probability"), HasSubstr("exceeds 0.5"),
+                    HasSubstr("out/rare.json"), HasSubstr("plain sampling"), HasSubstr("It is no processor\ntime")));
   const std::string text = read("out/rare.json");
   EXPECT_EQ(objections("rare", text), "");
   const Json json = Json::parse(text);

@@ -41,5 +41,15 @@ suites <- list(
   fitted("12 records, 4 levels, 200 trials", made_up(4, 12, c(1, 2, 3, 4), 200, 2.5, 0.6, 0.5)),
   fitted("15 records, 5 levels, 20 trials, hardly any scatter between them",
          made_up(5, 15, c(0.6, 0.8, 1.0, 1.3, 1.7), 20, 1.0, 0.05, 0.4)))
-cat(jsonlite::toJSON(list(program = paste("lme4", packageVersion("lme4"), "of", R.version.string), suites = suites),
+# Scatter within a record far below that between them: the likelihood of a record is then nearly flat between two levels
+# and falls steeply beyond, which nodes scaled by the curvature at the mode follow badly. Below about 0.03 glmer often
+# fails.
+fine <- c(0.6, 0.8, 1.0, 1.3, 1.7)
+steep <- list(
+  fitted("20 records, 7 levels, 100 trials, 0.05 within", made_up(11, 20, seq(0.4, 1.6, 0.2), 100, 1.0, 0.4, 0.05)),
+  fitted("12 records, 9 levels, 200 trials, 0.04 within", made_up(12, 12, seq(0.3, 1.1, 0.1), 200, 0.6, 0.3, 0.04)),
+  fitted("40 records, 5 levels, 10 trials, 0.04 within", made_up(13, 40, fine, 10, 1.0, 0.5, 0.04)),
+  fitted("40 records, 5 levels, 10 trials, 0.03 within", made_up(12, 40, fine, 10, 1.0, 0.5, 0.03)))
+cat(jsonlite::toJSON(list(program = paste("lme4", packageVersion("lme4"), "of", R.version.string), suites = suites,
+                          steep = steep),
                      digits = NA, auto_unbox = TRUE, pretty = FALSE), "\n")

@@ -30,5 +30,32 @@ sets <- list(
   estimated("60, three events, half censored early", made_up(2, 60, c(0.01, 0.02, 0.005), 80, 0.5), 3),
   estimated("12, two events, heavy censoring", made_up(3, 12, c(0.01, 0.01), 40, 0.8), 2),
   estimated("500, one event", made_up(4, 500, 0.02, 100, 0.3), 1))
+
+# Realisations that are observed window by window: the label of the fixed horizon or of a later window settles them, those
+# without one are observed to the limit of their group (a run that was extended with another limit), and a share is
+# stopped anywhere before. What appears in the last windows of an observation cannot be held: at risk only before them.
+windowed <- function(seed, n, shares, horizon, window, limits, stopped, held) {
+  set.seed(seed)
+  mode <- sample(seq_along(shares), n, replace = TRUE, prob = shares)
+  settling <- horizon + window * rgeom(n, c(0.3, 0.1, 0.15)[mode])
+  observed <- rep_len(limits, n)
+  early <- runif(n) < stopped
+  observed[early] <- horizon + ceiling(runif(sum(early), 0, observed[early] - horizon))
+  confirmation <- (held - 1) * window
+  settled <- settling + confirmation <= observed
+  event <- ifelse(settled, mode, 0)
+  list(time = ifelse(settled, settling, observed - confirmation), event = event,
+       settling = ifelse(settled, settling, -1), observed = observed)
+}
+
+of_windows <- function(name, held, data, events) {
+  c(estimated(name, data, events),
+    list(settling = data$settling, observed = data$observed, window = 50, held = held))
+}
+
+windowed_sets <- list(
+  of_windows("300, limits of 300, 500 and 900", 2, windowed(5, 300, c(0.5, 0.3, 0.2), 100, 50, c(300, 500, 900), 0, 2), 3),
+  of_windows("240, a fifth stopped, three windows held", 3, windowed(6, 240, c(0.6, 0.4), 100, 50, 700, 0.2, 3), 2),
+  of_windows("40, half stopped, limits of 200 and 1000", 1, windowed(7, 40, c(0.2, 0.8), 100, 50, c(200, 1000), 0.5, 1), 2))
 program <- paste("survival", packageVersion("survival"), "of", R.version.string)
-cat(jsonlite::toJSON(list(program = program, sets = sets), auto_unbox = TRUE, digits = NA), "\n")
+cat(jsonlite::toJSON(list(program = program, sets = sets, windowed = windowed_sets), auto_unbox = TRUE, digits = NA), "\n")

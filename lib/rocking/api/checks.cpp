@@ -4,6 +4,7 @@
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
@@ -37,7 +38,7 @@ std::string text_of(const Difference& difference) {
 RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, const Execution& execution) {
   if (sample == 0) refuse("sample", "0", "must be at least 1");
   const AskedOptions asked(execution);
-  const Verification found = verify(stored.experiment, *stored.run.store, sample, asked.options());
+  const Verification found = verify(stored.experiment, store_of(stored.run), sample, asked.options());
   asked.stop().check();
   RunCheck check{
       .checked = found.checked, .different = found.different, .not_compared = found.not_compared, .findings = {}};
@@ -67,12 +68,12 @@ Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request) {
   const Experiment& experiment = stored.experiment;
   const RealisationKey key{.condition = request.condition, .realisation = request.realisation};
   const auto row =
-      key.condition < experiment.conditions.size() ? stored.run.store->find(key) : std::optional<Summary>{};
+      key.condition < experiment.conditions.size() ? store_of(stored.run).find(key) : std::optional<Summary>{};
   if (!row) refuse("realisation", std::to_string(key.realisation), "is not in the run: it has no " + text_of(key));
   const RealisationResult again = realise(experiment.conditions[key.condition], experiment.seed, key.realisation);
   if (digest_of(again, key.realisation) != row->digest) {
     throw DifferentBits(text_of(key) + ": this version gives a result different from the stored one, which rocking " +
-                        stored.run.store->identity().code + " computed");
+                        store_of(stored.run).identity().code + " computed");
   }
   return trajectory(experiment, request);
 }

@@ -78,6 +78,13 @@ const ExperimentResult& complete(const RunResult& run) {
   return *run.result;
 }
 
+/// The result of a run of this experiment.
+const ExperimentResult& complete(const Experiment& experiment, const RunResult& run) {
+  const ExperimentResult& result = complete(run);
+  if (result.conditions.size() == experiment.conditions.size()) return result;
+  throw std::invalid_argument("the run is of another experiment: it has another number of conditions");
+}
+
 }  // namespace
 
 void check_shard(const Experiment& experiment, const Shard& shard) {
@@ -113,11 +120,11 @@ StoredRun open_run(const std::filesystem::path& folder) {
 }
 
 std::string report(const Experiment& experiment, const RunResult& run, const Occasion& occasion) {
-  return report_text(with_text(experiment), complete(run), facts_of(occasion));
+  return report_text(with_text(experiment), complete(experiment, run), facts_of(occasion));
 }
 
 std::string table(const Experiment& experiment, const RunResult& run, std::size_t width) {
-  return run_table(experiment, complete(run), {.width = width});
+  return run_table(experiment, complete(experiment, run), {.width = width});
 }
 
 std::string digest_of(const RunResult& run) { return base::to_hex(complete(run).digest); }

@@ -6,6 +6,7 @@
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/api/trajectory_extent.hpp"
 #include "rocking/api/written_experiment.hpp"
 #include "rocking/base/error.hpp"
@@ -17,6 +18,7 @@
 #include "rocking/output/write_comparison.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/output/write_orbits.hpp"
+#include "rocking/scene/check_condition.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/bifurcation.hpp"
@@ -43,6 +45,7 @@ constexpr int most_samples = 100'000;
 }  // namespace
 
 void check_request(const Experiment& experiment, const TrajectoryRequest& request) {
+  check_has_conditions(experiment);
   expect("condition", request.condition, std::uint64_t{0}, std::uint64_t{experiment.conditions.size() - 1});
   expect("realisation", request.realisation, std::uint64_t{0}, largest_realisation);
   expect("periods", request.periods, std::int64_t{0}, most_periods);
@@ -72,6 +75,7 @@ namespace {
 
 std::vector<OrbitsOfCondition> found_orbits(const Experiment& experiment, int longest, const AskedOptions& asked) {
   expect("longest", longest, 1, static_cast<int>(section::longest_period));
+  check_has_conditions(experiment);
   check_orbits(experiment);
   auto conditions = orbits(experiment, longest, asked.options());
   if (!conditions) throw base::Stopped();
@@ -144,6 +148,7 @@ std::vector<BifurcationCurve> followed_curves(const Experiment& experiment, cons
 }
 
 FoundOrbits told(const Experiment& experiment, const OrbitStudy& study) {
+  check_has_conditions(experiment);
   return {.experiment = &experiment,
           .longest = study.longest,
           .conditions = study.conditions,
@@ -218,7 +223,7 @@ std::vector<ConditionComparison> compare(const StoredRun& first, const StoredRun
   }
   std::vector<double> confidences;
   for (const Condition& condition : experiment.conditions) confidences.push_back(condition.confidence);
-  return compare(*first.run.store, *second.run.store, confidences);
+  return compare(store_of(first.run), store_of(second.run), confidences);
 }
 
 std::string comparison(const StoredRun& first, const StoredRun& second) {
@@ -230,6 +235,7 @@ std::string comparison(const StoredRun& first, const StoredRun& second) {
 
 std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
   expect("realisation", realisation, std::uint64_t{0}, largest_realisation);
+  check_has_conditions(experiment);
   auto found = bifurcation(experiment, realisation, AskedOptions(execution).options());
   if (!found) throw base::Stopped();
   return std::move(*found);
@@ -242,6 +248,7 @@ std::string bifurcation(const Experiment& experiment, std::uint64_t realisation,
 }
 
 RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
+  check_has_conditions(experiment);
   if (intensity_of(experiment).empty()) {
     refuse("/sweep", "",
            "sweeps no intensity of the excitation: /excitation/amplitude (or amplitude_g, amplitude_m_s2) or "
@@ -253,7 +260,7 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
   for (const double tilt : question.peak_tilts) {
     if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
-  return run_fragility(experiment, stripes_of(experiment, *run.store, needs_peak_tilts(question)), question);
+  return run_fragility(experiment, stripes_of(experiment, store_of(run), needs_peak_tilts(question)), question);
 }
 
 std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {

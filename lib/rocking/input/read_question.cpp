@@ -28,7 +28,7 @@ void read_format(ObjectReader& in) {
   in.write("format", experiment_format);
 }
 
-void read_until_classified(ObjectReader& in, const Scene& scene, Horizon& horizon) {
+void read_until_classified(ObjectReader& in, Horizon& horizon) {
   if (!in.has("until_classified")) return;
   UntilClassified until;
   in.object("until_classified", [&until](ObjectReader& keys) {
@@ -46,11 +46,6 @@ void read_until_classified(ObjectReader& in, const Scene& scene, Horizon& horizo
     }
   });
   horizon.until_classified = until;
-  Condition condition;
-  condition.scene.excitation = scene.excitation;
-  condition.horizon = horizon;
-  auto refusal = relations::until_classified_without_period(condition);
-  if (refusal) in.reject("until_classified", std::move(refusal->reason), std::move(refusal->remedy));
 }
 
 Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spelling) {
@@ -67,7 +62,7 @@ Horizon read_horizon(ObjectReader& in, const Scene& scene, DefaultSpelling spell
     }
     horizon.sampled_periods = static_cast<int>(
         keys.derived_integer("sampled_periods", rules::sampled_periods, standard.sampled_periods, spelling));
-    read_until_classified(keys, scene, horizon);
+    read_until_classified(keys, horizon);
   });
   return horizon;
 }
@@ -129,10 +124,6 @@ void read_label_check(ObjectReader& in, Condition& condition) {
         static_cast<std::uint64_t>(keys.integer("times_longer", rules::times_longer.with_default(check.times_longer)));
   });
   condition.label_check = check;
-  for (const auto relation : {relations::label_check_of_open_number, relations::label_check_too_long}) {
-    auto refusal = relation(condition);
-    if (refusal) in.reject("check_labels", std::move(refusal->reason), std::move(refusal->remedy));
-  }
 }
 
 std::optional<std::uint64_t> seed_in(const Json& value) {

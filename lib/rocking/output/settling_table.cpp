@@ -6,6 +6,7 @@
 
 #include "rocking/output/long_run_table.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/stats/incidence.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -81,7 +82,7 @@ std::string settling_columns(std::span<const SettlingRow> rows, std::size_t widt
   return aligned(table);
 }
 
-/// The mode and the condition whose rate of leaving has the highest upper bound.
+/// How often settled responses were left, and of which mode and condition the rate has the highest lower bound.
 std::string leaving_line(std::span<const SettlingRow> rows) {
   std::uint64_t left = 0;
   std::uint64_t periods = 0;
@@ -91,16 +92,13 @@ std::string leaving_line(std::span<const SettlingRow> rows) {
     for (const LeftMode& leaving : row.leaving) {
       left += leaving.left;
       periods += leaving.watched_periods;
-      if (most != nullptr && leaving.per_1000_periods.low <= most->per_1000_periods.low &&
-          (leaving.left == 0 || most->left > 0)) {
-        continue;
-      }
+      if (most != nullptr && leaving.per_1000_periods.low <= most->per_1000_periods.low) continue;
       most = &leaving;
       where = &row;
     }
   }
   if (most == nullptr) return "";
-  if (left == 0) return "no settled response was left in " + counted(periods, "watched period") + '\n';
+  if (left == 0) return "no settled response was left in " + none_left_text(rows) + '\n';
   const std::string name = name_of(*where);
   return "settled responses were left " + counted(left, "time") + " in " + counted(periods, "watched period") +
          "; most often " + to_string(most->mode) + (name.empty() ? "" : " at " + name) + ": " + leaving_text(*most) +
@@ -180,6 +178,20 @@ std::string leaving_text(const LeftMode& leaving) {
   const double rate = 1000.0 * static_cast<double>(leaving.left) / static_cast<double>(leaving.watched_periods);
   return significant(rate, 2) + " [" + significant(leaving.per_1000_periods.low, 2) + ", " +
          significant(leaving.per_1000_periods.high, 2) + ']';
+}
+
+std::string none_left_text(std::span<const SettlingRow> conditions) {
+  std::uint64_t periods = 0;
+  double confidence = 0.0;
+  for (const SettlingRow& row : conditions) {
+    confidence = std::max(confidence, row.confidence);
+    for (const LeftMode& leaving : row.leaving) periods += leaving.watched_periods;
+  }
+  const double most = stats::poisson_rate_interval(0, static_cast<double>(periods) / 1000.0, confidence).high;
+  return counted(periods, "watched period") + ": on average fewer than " + significant(most, 2) +
+         " in 1000 periods. A response that is left after the watched windows keeps its label, so that shares of "
+         "labels "
+         "may differ from long-run shares (long_run_every measures them)";
 }
 
 std::string end_proviso(std::span<const SettlingRow> conditions) {

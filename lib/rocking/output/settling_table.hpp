@@ -72,6 +72,10 @@ struct SettlingRow {
 /// `0.31 [0.01, 1.72]`, left per 1000 watched periods with its exact interval.
 [[nodiscard]] std::string leaving_text(const LeftMode& leaving);
 
+/// Where no settled response was left: the watched periods of all conditions together, of which there is at least one,
+/// the upper bound of the rate over them, and what the watch does not see.
+[[nodiscard]] std::string none_left_text(std::span<const SettlingRow> conditions);
+
 /// What qualifies "in the end" if a response was held for one window only; empty if all were held for more.
 [[nodiscard]] std::string end_proviso(std::span<const SettlingRow> conditions);
 

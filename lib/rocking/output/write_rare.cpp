@@ -127,7 +127,7 @@ std::string rare_table(const FoundRare& found) {
   const auto& conditions = found.experiment->conditions;
   TextRow heading;
   for (const Parameter& parameter : conditions.front().parameters) heading.push_back(last_key(parameter.pointer));
-  for (const char* name : {"probability", "from", "to", "error", "levels", "repetitions", "work", "plain work"}) {
+  for (const char* name : {"probability", "from", "to", "error", "levels", "repetitions", "work", "plain sampling"}) {
     heading.emplace_back(name);
   }
   std::vector<TextRow> rows{heading};
@@ -149,8 +149,9 @@ std::string rare_table(const FoundRare& found) {
   }
   return "Probability that " + event_words(found.question) + ".\n\n" + aligned(rows) + "from, to: interval with " +
          level_text(highest_confidence(*found.experiment)) +
-         " % confidence; error: standard error over the probability; work, plain work: realisations\nto the horizon by "
-         "this method, and by plain sampling for the same error.\n" +
+         " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
+         "realisations to the horizon, by this method and by plain sampling for the same error. It is no processor\n"
+         "time: `rocking run` simulates several realisations at once in SIMD lanes, this method one.\n" +
          notes;
 }
 

@@ -7,7 +7,8 @@
 namespace rocking::random {
 namespace {
 
-std::size_t place_of(Source source) { return static_cast<std::size_t>(source) - 1; }
+/// The index from which on the branch has draws of its own; `source` is drawn along the way.
+std::uint64_t start_of(const Branch& branch, Source source) { return branch.from[static_cast<std::size_t>(source)]; }
 
 double blended(double number, double other, double size) {
   return size == 1.0 ? other : std::sqrt(1.0 - size * size) * number + size * other;
@@ -25,10 +26,10 @@ double BranchedDraws::standard_normal(Source source, std::uint64_t index) const 
   if (const double* number = given(source, index)) return *number;
   const std::size_t first = origin(source, index);
   double number = after(first).standard_normal(source, index);
-  if (place_of(source) >= sources_along_the_way) return number;
+  if (!is_drawn_along_the_way(source)) return number;
   for (std::size_t i = first; i < history_->branches.size(); ++i) {
     const Branch& branch = history_->branches[i];
-    if (branch.from[place_of(source)] > index) continue;
+    if (start_of(branch, source) > index) continue;
     number = blended(number, draws_.of(branch.number).standard_normal(source, index), branch.size);
   }
   return number;
@@ -38,10 +39,11 @@ void BranchedDraws::standard_normals(Source source, std::uint64_t first_index, s
   if (history_ == nullptr) return draws_.standard_normals(source, first_index, numbers);
   const std::size_t first = origin(source, first_index);
   after(first).standard_normals(source, first_index, numbers);
+  if (!is_drawn_along_the_way(source)) return;
   std::vector<double> others(numbers.size());
   for (std::size_t i = first; i < history_->branches.size(); ++i) {
     const Branch& branch = history_->branches[i];
-    const std::uint64_t from = std::max(branch.from[place_of(source)], first_index);
+    const std::uint64_t from = std::max(start_of(branch, source), first_index);
     if (from - first_index >= numbers.size()) continue;
     const std::span<double> changed = numbers.subspan(static_cast<std::size_t>(from - first_index));
     draws_.of(branch.number).standard_normals(source, from, std::span(others).first(changed.size()));
@@ -57,9 +59,9 @@ const double* BranchedDraws::given(Source source, std::uint64_t index) const {
 }
 
 std::size_t BranchedDraws::origin(Source source, std::uint64_t index) const {
-  if (place_of(source) >= sources_along_the_way) return 0;
+  if (!is_drawn_along_the_way(source)) return 0;
   std::size_t count = history_->branches.size();
-  const auto draws_anew = [&](const Branch& b) { return b.size == 1.0 && b.from[place_of(source)] <= index; };
+  const auto draws_anew = [&](const Branch& b) { return b.size == 1.0 && start_of(b, source) <= index; };
   while (count > 0 && !draws_anew(history_->branches[count - 1])) --count;
   return count;
 }

@@ -10,11 +10,17 @@
 
 namespace rocking::random {
 
-/// Sources that are drawn along the way: the first four.
-inline constexpr std::size_t sources_along_the_way = 4;
+/// The largest number of a source that is drawn along the way.
+inline constexpr std::size_t last_source_along_the_way = [] {
+  std::size_t last = 0;
+  for (std::size_t number = 1; number <= 255; ++number) {
+    if (is_drawn_along_the_way(static_cast<Source>(number))) last = number;
+  }
+  return last;
+}();
 
-/// For each of them, at the place of its number minus 1, the index from which on no draw has been made.
-using FirstUnused = std::array<std::uint64_t, sources_along_the_way>;
+/// For each of these sources, at its number, the index from which on no draw has been made.
+using FirstUnused = std::array<std::uint64_t, last_source_along_the_way + 1>;
 
 /// From these indices on, the normal draws z along the way become sqrt(1 - size^2) z + size z', with z' of another
 /// realisation number, the branch number. This leaves their law as it is; size 1 draws them anew.

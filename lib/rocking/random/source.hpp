@@ -43,4 +43,24 @@ enum class Source : std::uint8_t {
   return {};
 }
 
+/// Whether draws for this purpose are made again and again along a motion, rather than once at its start or apart from it.
+[[nodiscard]] constexpr bool is_drawn_along_the_way(Source source) {
+  switch (source) {
+    case Source::static_friction:
+    case Source::kinetic_friction:
+    case Source::restitution:
+    case Source::amplitude: return true;
+    case Source::phase:
+    case Source::tilt:
+    case Source::tilt_rate:
+    case Source::slip_rate:
+    case Source::check_normal:
+    case Source::block_width:
+    case Source::block_height:
+    case Source::fragility_bootstrap:
+    case Source::rare_choice: break;
+  }
+  return false;
+}
+
 }  // namespace rocking::random

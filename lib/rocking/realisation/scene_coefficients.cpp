@@ -82,12 +82,27 @@ SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) cons
 
 random::FirstUnused SceneCoefficients::first_unused() const {
   random::FirstUnused first{};
-  const auto at = [&first](Source source) -> std::uint64_t& { return first[static_cast<std::size_t>(source) - 1]; };
-  at(Source::static_friction) = random::paired_index(static_count_.chatters, static_count_.since) + 1;
-  at(Source::kinetic_friction) = static_cast<std::uint64_t>(interval_ + 1);
-  at(Source::restitution) = random::paired_index(impacts_.chatters, impacts_.since);
-  at(Source::amplitude) = static_cast<std::uint64_t>(amplitude_period_ + 1);
+  for (std::size_t number = 1; number < first.size(); ++number) first[number] = first_unused(static_cast<Source>(number));
   return first;
+}
+
+std::uint64_t SceneCoefficients::first_unused(Source source) const {
+  switch (source) {
+    case Source::static_friction: return random::paired_index(static_count_.chatters, static_count_.since) + 1;
+    case Source::kinetic_friction: return static_cast<std::uint64_t>(interval_ + 1);
+    case Source::restitution: return random::paired_index(impacts_.chatters, impacts_.since);
+    case Source::amplitude: return static_cast<std::uint64_t>(amplitude_period_ + 1);
+    case Source::phase:
+    case Source::tilt:
+    case Source::tilt_rate:
+    case Source::slip_rate:
+    case Source::check_normal:
+    case Source::block_width:
+    case Source::block_height:
+    case Source::fragility_bootstrap:
+    case Source::rare_choice: break;
+  }
+  return 0;  // not along the way: a branch does not change it
 }
 
 void SceneCoefficients::continue_with(const random::BranchedDraws& draws) {

@@ -73,6 +73,7 @@ class SceneCoefficients {
   void draw_static_friction();
   void look_up_static_friction();
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
+  [[nodiscard]] std::uint64_t first_unused(random::Source source) const;
 
   std::optional<Friction> friction_;
   Fluctuation fluctuation_;  ///< of A_h (or the scale) and of e, whatever the units in which they are given

@@ -27,7 +27,14 @@ void check_condition(const Condition& condition) {
   if (!problems.empty()) throw base::InputError(std::move(problems));
 }
 
+void check_has_conditions(const Experiment& experiment) {
+  if (!experiment.conditions.empty()) return;
+  throw base::InputError(
+      {.place = "the experiment", .value = "", .reason = "has no conditions", .remedy = "add at least one"});
+}
+
 void check_experiment(const Experiment& experiment) {
+  check_has_conditions(experiment);
   SoundGroundMotions sound;
   Problems problems;
   for (std::size_t i = 0; i < experiment.conditions.size() && problems.size() < most_problems; ++i) {

@@ -13,8 +13,11 @@ namespace rocking {
 /// samples of a ground motion.
 void check_condition(const Condition& condition);
 
-/// The same of every condition. Reasons end with the number of the condition where there are several, at most twenty
-/// problems are told, and a ground motion that conditions share is looked through once.
+/// Throws base::InputError if an experiment, which can only be one made in C++, has no conditions.
+void check_has_conditions(const Experiment& experiment);
+
+/// check_has_conditions, then check_condition of every condition. Reasons end with the number of the condition where
+/// there are several, at most twenty problems are told, and a ground motion that conditions share is looked through once.
 void check_experiment(const Experiment& experiment);
 
 }  // namespace rocking

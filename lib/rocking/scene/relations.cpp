@@ -153,6 +153,33 @@ std::optional<Refusal> rate_ratio_beyond_restitution(const Condition& condition)
                  "give at least 1 - 3 sin^2(psi) = " + shown(least_ratio) + " and less than 1"};
 }
 
+std::optional<Refusal> until_classified_without_period(const Condition& condition) {
+  if (!condition.horizon.until_classified || is_periodic(condition.scene.excitation)) return std::nullopt;
+  return Refusal{"continues the windows of a periodic excitation, and this one has an end", "remove it"};
+}
+
+std::optional<Refusal> until_classified_too_short(const Condition& condition) {
+  const Horizon& horizon = condition.horizon;
+  const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  if (!horizon.until_classified || horizon.until_classified->at_most_periods >= fixed) return std::nullopt;
+  return Refusal{"is less than the transient and sampled periods, " + std::to_string(fixed),
+                 "give at least " + std::to_string(fixed + horizon.sampled_periods) + ", one window more"};
+}
+
+std::optional<Refusal> label_check_of_open_number(const Condition& condition) {
+  if (!condition.label_check || !condition.until) return std::nullopt;
+  return Refusal{"has no valid correction if the data determine the number of realisations",
+                 "give a number of realisations"};
+}
+
+std::optional<Refusal> label_check_too_long(const Condition& condition) {
+  if (!condition.label_check) return std::nullopt;
+  const std::int64_t longer =
+      std::int64_t{condition.horizon.sampled_periods} * static_cast<std::int64_t>(condition.label_check->times_longer);
+  if (longer <= rules::sampled_periods.high) return std::nullopt;
+  return Refusal{"would sample " + std::to_string(longer) + " periods", "lower \"times_longer\""};
+}
+
 std::string no_value(const Condition&) { return ""; }
 
 struct Relation {
@@ -178,15 +205,12 @@ constexpr std::array<Relation, 19> all_relations{{
      no_value},
     {"/realisations/until", {"/realisations"}, relations::one_half_width, no_value},
     {"/realisations/until/mode", {"/realisations"}, relations::relative_half_width_of_every_mode, no_value},
-    {"/check_labels", {}, relations::label_check_of_open_number, no_value},
-    {"/check_labels",
-     {"/horizon/sampled_periods", "/check_labels/times_longer"},
-     relations::label_check_too_long,
-     no_value},
-    {"/horizon/until_classified", {"/excitation"}, relations::until_classified_without_period, no_value},
+    {"/check_labels", {}, label_check_of_open_number, no_value},
+    {"/check_labels", {"/horizon/sampled_periods", "/check_labels/times_longer"}, label_check_too_long, no_value},
+    {"/horizon/until_classified", {"/excitation"}, until_classified_without_period, no_value},
     {"/horizon/until_classified/at_most_periods",
      {"/horizon"},
-     relations::until_classified_too_short,
+     until_classified_too_short,
      [](const Condition& c) { return std::to_string(c.horizon.until_classified->at_most_periods); }},
     {"/friction/static",
      {"/friction"},
@@ -243,19 +267,12 @@ bool is_open(const Relation& relation, const Problems& problems) {
                       [&](std::string_view place) { return !place.empty() && is_told(problems, place); });
 }
 
-/// A reader of files may have told it already, at the key where it met it.
-bool holds(const Problems& problems, std::string_view place, const Refusal& refusal) {
-  return std::any_of(problems.begin(), problems.end(), [&](const base::Problem& problem) {
-    return problem.place == place && problem.reason == refusal.reason;
-  });
-}
-
 }  // namespace
 
 void check_relations(const Condition& condition, Problems& problems) {
   for (const Relation& relation : all_relations) {
     auto refusal = is_open(relation, problems) ? relation.refusal(condition) : std::nullopt;
-    if (!refusal || holds(problems, relation.place, *refusal)) continue;
+    if (!refusal) continue;
     problems.push_back({std::string(relation.place), relation.value(condition), std::move(refusal->reason),
                         std::move(refusal->remedy)});
   }
@@ -268,25 +285,6 @@ Refusal relations::no_friction_to_fluctuate() {
 Refusal relations::no_period_to_fluctuate() {
   return {"is redrawn at each period of the excitation, and a ground motion has no periods",
           "sweep \"/excitation/scale\" to vary the size of the motion"};
-}
-
-std::optional<Refusal> relations::until_classified_without_period(const Condition& condition) {
-  if (!condition.horizon.until_classified || is_periodic(condition.scene.excitation)) return std::nullopt;
-  return Refusal{"continues the windows of a periodic excitation, and this one has an end", "remove it"};
-}
-
-std::optional<Refusal> relations::until_classified_too_short(const Condition& condition) {
-  const Horizon& horizon = condition.horizon;
-  const std::int64_t fixed = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
-  if (!horizon.until_classified || horizon.until_classified->at_most_periods >= fixed) return std::nullopt;
-  return Refusal{"is less than the transient and sampled periods, " + std::to_string(fixed),
-                 "give at least " + std::to_string(fixed + horizon.sampled_periods) + ", one window more"};
-}
-
-std::optional<Refusal> relations::label_check_of_open_number(const Condition& condition) {
-  if (!condition.label_check || !condition.until) return std::nullopt;
-  return Refusal{"has no valid correction if the data determine the number of realisations",
-                 "give a number of realisations"};
 }
 
 std::optional<Refusal> relations::one_half_width(const Condition& condition) {
@@ -302,14 +300,6 @@ std::optional<Refusal> relations::relative_half_width_of_every_mode(const Condit
   if (!condition.until || !condition.until->relative_half_width || condition.until->mode) return std::nullopt;
   return Refusal{"is missing: no half-width is narrow relative to the probability of a mode that does not occur",
                  "add \"mode\": \"overturned\", or another response mode"};
-}
-
-std::optional<Refusal> relations::label_check_too_long(const Condition& condition) {
-  if (!condition.label_check) return std::nullopt;
-  const std::int64_t longer =
-      std::int64_t{condition.horizon.sampled_periods} * static_cast<std::int64_t>(condition.label_check->times_longer);
-  if (longer <= rules::sampled_periods.high) return std::nullopt;
-  return Refusal{"would sample " + std::to_string(longer) + " periods", "lower \"times_longer\""};
 }
 
 }  // namespace rocking

@@ -23,10 +23,6 @@ void check_relations(const Condition& condition, Problems& problems);
 namespace relations {
 [[nodiscard]] Refusal no_friction_to_fluctuate();
 [[nodiscard]] Refusal no_period_to_fluctuate();
-[[nodiscard]] std::optional<Refusal> label_check_of_open_number(const Condition& condition);
-[[nodiscard]] std::optional<Refusal> label_check_too_long(const Condition& condition);
-[[nodiscard]] std::optional<Refusal> until_classified_without_period(const Condition& condition);
-[[nodiscard]] std::optional<Refusal> until_classified_too_short(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> one_half_width(const Condition& condition);
 [[nodiscard]] std::optional<Refusal> relative_half_width_of_every_mode(const Condition& condition);
 }  // namespace relations

@@ -26,7 +26,7 @@ struct CentredSuite {
   std::vector<RecordCounts> records;
 };
 
-CentredSuite centred(const SuiteLevels& suite, const std::vector<double>& weights) {
+CentredSuite centred(const SuiteLevels& suite) {
   CentredSuite found;
   double levels = 0.0;
   for (const auto& record : suite) {
@@ -37,9 +37,9 @@ CentredSuite centred(const SuiteLevels& suite, const std::vector<double>& weight
     }
   }
   found.centre /= std::max(1.0, levels);
-  for (std::size_t r = 0; r < suite.size(); ++r) {
-    RecordCounts counts{.counts = {}, .weight = weights.empty() ? 1.0 : weights[r]};
-    for (const RecordLevel& level : suite[r]) {
+  for (const auto& record : suite) {
+    RecordCounts counts;
+    for (const RecordLevel& level : record) {
       counts.counts.push_back({.u = std::log(level.intensity) - found.centre,
                                .happened = static_cast<double>(level.happened.successes),
                                .did_not = static_cast<double>(level.happened.trials - level.happened.successes)});
@@ -288,13 +288,11 @@ double value_of(SuiteQuantity quantity, const SuiteLaw& law) {
   return law.within_record;
 }
 
-SuiteFit fit_suite(const SuiteLevels& suite, const std::vector<double>& weights) {
-  return fit_centred(centred(suite, weights));
-}
+SuiteFit fit_suite(const SuiteLevels& suite) { return fit_centred(centred(suite)); }
 
 // Dispersions are searched by their logarithm, the median by ln x. A dispersion between records may be 0.
 Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQuantity quantity, double confidence) {
-  const CentredSuite data = centred(suite, {});
+  const CentredSuite data = centred(suite);
   ROCKING_EXPECT(data.records.size() > 1);
   const double reach = two_sided_t_quantile(confidence, static_cast<double>(data.records.size() - 1));
   const double least = law.log_likelihood - 0.5 * reach * reach;
@@ -319,12 +317,10 @@ Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQu
   return interval;
 }
 
-std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite, const std::vector<double>& weights) {
-  return pooled_law(centred(suite, weights));
-}
+std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite) { return pooled_law(centred(suite)); }
 
 RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples, const RecordDraws& draws) {
-  CentredSuite data = centred(suite, {});
+  CentredSuite data = centred(suite);
   const SuiteFit whole = fit_centred(data);
   const std::size_t records = data.records.size();
   RecordBootstrap found{.samples = samples, .laws = {}, .pooled = {}};

@@ -45,13 +45,13 @@ struct SuiteFit {
   std::optional<SuiteLaw> law;  ///< present if and only if the outcome is `fitted`
 };
 
-/// The law of maximum likelihood. `weights`: how many times each record counts; empty: once. Outcomes: `too_little` with
-/// fewer than two records or two intensities; `separated` also where one capacity of all records is possible.
+/// The law of maximum likelihood. Outcomes: `too_little` with fewer than two records or two intensities; `separated` also
+/// where one capacity of all records is possible.
 ///
 /// Trials of a record are counted as independent given the record, at all levels. Method: mixed_probit.hpp, and
 /// step_capacities.hpp where the outcomes of every record are a step, since the likelihood then increases towards
 /// within_record = 0.
-[[nodiscard]] SuiteFit fit_suite(const SuiteLevels& suite, const std::vector<double>& weights = {});
+[[nodiscard]] SuiteFit fit_suite(const SuiteLevels& suite);
 
 /// Those values of a quantity at which the largest likelihood, over the other parameters, is at least exp(-q^2/2) times
 /// that of the law, with the quantile q of Student's distribution with (number of records - 1) degrees of freedom.
@@ -71,7 +71,7 @@ struct PooledLaw {
   double deviance = 0.0;  ///< from a probability of its own at each intensity
 };
 /// Absent where the likelihood has no maximum or does not rise.
-[[nodiscard]] std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite, const std::vector<double>& weights = {});
+[[nodiscard]] std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite);
 
 /// A uniform number in [0, 1) for draw `number` of bootstrap sample `sample`; a pure function of both.
 using RecordDraws = std::function<double(std::uint64_t sample, std::uint64_t number)>;

@@ -9,15 +9,15 @@
 namespace rocking {
 namespace {
 
-/// The keys of a JSON pointer, their escapes resolved (RFC 6901).
+/// The keys of a JSON pointer, their escapes resolved (RFC 6901). What stands before the first slash is no key.
 std::vector<std::string> keys_of(std::string_view pointer) {
   std::vector<std::string> keys;
-  for (std::size_t i = 0; i < pointer.size(); ++i) {
+  for (std::size_t i = std::min(pointer.find('/'), pointer.size()); i < pointer.size(); ++i) {
     if (pointer[i] == '/') {
       keys.emplace_back();
     } else if (pointer[i] == '~' && i + 1 < pointer.size()) {
       keys.back() += pointer[++i] == '1' ? '/' : '~';
-    } else if (!keys.empty()) {
+    } else {
       keys.back() += pointer[i];
     }
   }

@@ -5,8 +5,11 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -17,6 +20,7 @@
 
 #include "rocking/pages.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/text/files.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace rocking {
@@ -96,6 +100,45 @@ TEST_F(Interface, ComparesRunsInMemory) {
   EXPECT_EQ(compared[0].changed.successes, 0U);
 }
 
+TEST_F(Interface, RefusesAnExperimentWithoutConditions) {
+  const Experiment none;
+  const RunResult some = run(small_experiment());
+  const std::vector<std::function<void()>> calls{
+      [&] { static_cast<void>(run(none)); },
+      [&] { static_cast<void>(plan(none)); },
+      [&] { static_cast<void>(trajectory(none, {})); },
+      [&] { write_trajectory_page(none, {}, in("page.html")); },
+      [&] { static_cast<void>(periodic_orbits(none, 1)); },
+      [&] { static_cast<void>(orbits(none, 1)); },
+      [&] { static_cast<void>(orbits_table(none, {})); },
+      [&] { static_cast<void>(diagrams(none, 0)); },
+      [&] { static_cast<void>(bifurcation(none, 0)); },
+      [&] { static_cast<void>(rare_probabilities(none, {})); },
+      [&] { static_cast<void>(fragility_curves(none, some)); },
+      [&] { static_cast<void>(fragility(none, some)); },
+      [&] { static_cast<void>(verify(StoredRun{.experiment = none, .run = some})); }};
+  for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_THAT(refusal(calls[i]), HasSubstr("has no conditions")) << i;
+  EXPECT_THROW(static_cast<void>(report(none, some)), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(table(none, some)), std::invalid_argument);
+}
+
+TEST_F(Interface, RefusesARunThatNoCallHasReturned) {
+  const Experiment swept = small_experiment(R"(, "sweep": [{"parameter": "/excitation/amplitude", "values": [3, 4]}])");
+  const StoredRun none{.experiment = swept, .run = {}};
+  const std::vector<std::function<void()>> calls{[&] { static_cast<void>(verify(none)); },
+                                                 [&] { static_cast<void>(replay(none)); },
+                                                 [&] { static_cast<void>(compare(none, none)); },
+                                                 [&] { static_cast<void>(comparison(none, none)); },
+                                                 [&] { static_cast<void>(fragility_curves(swept, none.run)); },
+                                                 [&] { static_cast<void>(fragility(swept, none.run)); },
+                                                 [&] { static_cast<void>(report(swept, none.run)); },
+                                                 [&] { static_cast<void>(table(swept, none.run)); },
+                                                 [&] { static_cast<void>(digest_of(none.run)); },
+                                                 [&] { static_cast<void>(report_faults("", none)); },
+                                                 [&] { static_cast<void>(write_page(none, in("page.html"))); }};
+  for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_THROW(calls[i](), std::exception) << i;
+}
+
 TEST_F(Interface, FollowsTheStepsOfADiagram) {
   const Experiment swept = small_experiment(R"(, "sweep": [{"parameter": "/excitation/amplitude", "values": [3, 1]}])");
   const auto found = diagrams(swept, 2);
@@ -166,6 +209,22 @@ TEST_F(Interface, ExaminesRandomNumbersAndTheMachine) {
   EXPECT_EQ(check_arithmetic().size(), 5U);
 }
 
+/// What a file of a run with the responses of small_experiment() must have, by the end of its name.
+void expect_content(const fs::path& file) {
+  const std::map<std::string, std::vector<std::string>> parts{{".html", {"<svg", "(1,1)", "</html>"}},
+                                                              {".svg", {"<svg", "<path", "</svg>"}},
+                                                              {".gp", {"plot"}},
+                                                              {".tsv", {"\t", "\n"}},
+                                                              {".png", {"PNG", "IDAT", "IEND"}},
+                                                              {".pdf", {"%PDF", "%%EOF"}},
+                                                              {".csv", {",", "\n"}},
+                                                              {".tex", {R"(\begin{tabular})"}}};
+  const auto found = parts.find(file.extension().string());
+  ASSERT_NE(found, parts.end()) << file << ": say what it must have";
+  for (const std::string& part : found->second)
+    EXPECT_THAT(read_file(file, std::size_t{1} << 24U), HasSubstr(part)) << file;
+}
+
 TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
   const Experiment experiment = small_experiment();
   const StoredRun stored{.experiment = experiment, .run = run(experiment)};
@@ -176,7 +235,7 @@ TEST_F(Interface, WritesTrajectoriesPagesAndFigures) {
   for (const auto& written : {write_page(stored, in("page.html")), write_figures(stored, in("figures")),
                               write_tables(stored, in("tables")), drawn}) {
     EXPECT_FALSE(written.files.empty());
-    for (const fs::path& file : written.files) EXPECT_GT(fs::file_size(file), 0U) << file;
+    for (const fs::path& file : written.files) expect_content(file);
   }
   EXPECT_THAT(refusal([&] { static_cast<void>(draw({{.name = "none", .text = "{}"}}, in("drawn"))); }),
               HasSubstr("none"));

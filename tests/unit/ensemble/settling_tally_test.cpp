@@ -2,9 +2,15 @@
 
 #include "rocking/ensemble/settling_tally.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace rocking {
 namespace {
@@ -75,6 +81,50 @@ TEST(SettlingTally, CensorsBeforeTheWindowsThatCannotBeHeld) {
   EXPECT_DOUBLE_EQ(result_of(tally, 3).incidence.at(one_three).back().estimate, 1.0);
   EXPECT_NEAR(result_of(tally, 1).incidence.at(one_three).back().estimate, 2.0 / 3.0, 1e-15);
   EXPECT_EQ(result_of(tally, 3).censored, 1U);
+}
+
+/// The realisations of a set of tests/oracles/survival_incidence.R: settled in one of its events, or censored midway.
+SettlingTally tally_from(const nlohmann::json& known) {
+  SettlingTally tally;
+  for (std::size_t i = 0; i < known["event"].size(); ++i) {
+    const auto observed = known["observed"][i].get<std::int64_t>();
+    const auto event = known["event"][i].get<std::int32_t>();
+    tally.add(event > 0 ? settled({.kind = ResponseKind::periodic, .rocks = event, .periods = 1},
+                                  known["settling"][i].get<std::int64_t>(), observed)
+                        : censored(observed));
+  }
+  return tally;
+}
+
+// Observations with different limits, and some stopped anywhere before.
+TEST(SettlingTally, AgreesWithSurvfitWhereObservationsEndMidway) {
+  const auto oracle = nlohmann::json::parse(std::ifstream(ROCKING_SOURCE_DIR "/tests/oracles/survival_incidence.json"));
+  ASSERT_EQ(oracle["windowed"].size(), 3U);
+  for (const auto& known : oracle["windowed"]) {
+    SCOPED_TRACE(known["name"].get<std::string>());
+    ASSERT_EQ(known["window"], sampled);
+    const SettlingResult result = result_of(tally_from(known), known["held"]);
+    ASSERT_EQ(result.incidence.size(), known["events"]);
+    const auto ends = known["event"].get<std::vector<int>>();
+    EXPECT_EQ(result.censored, static_cast<std::uint64_t>(std::ranges::count(ends, 0)));
+    for (std::int32_t event = 1; event <= known["events"]; ++event) {
+      const auto& theirs = known["curves"][static_cast<std::size_t>(event - 1)];
+      const auto& curve = result.incidence.at({.kind = ResponseKind::periodic, .rocks = event, .periods = 1});
+      std::size_t next = 0;
+      double last = 0.0;
+      for (std::size_t at = 0; at < theirs["times"].size(); ++at) {
+        const double estimate = theirs["estimate"][at];
+        if (estimate == last) continue;  // theirs also has the times of the other events and of censoring
+        ASSERT_LT(next, curve.size());
+        EXPECT_EQ(curve[next].time, theirs["times"][at]);
+        EXPECT_NEAR(curve[next].estimate, estimate, 1e-10) << "at " << curve[next].time;
+        EXPECT_NEAR(std::sqrt(curve[next].variance), theirs["standard_error"][at].get<double>(), 1e-10);
+        last = estimate;
+        ++next;
+      }
+      EXPECT_EQ(next, curve.size());
+    }
+  }
 }
 
 }  // namespace

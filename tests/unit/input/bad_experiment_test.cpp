@@ -1,5 +1,9 @@
 // Bad experiment files: each fault is reported with its place, value and remedy, and all faults of a file at once.
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -190,6 +194,26 @@ TEST(BadExperiment, IsToldInAllItsFaultsAtOnce) {
   document = with(document, "/confidence", "95");
   document = with(document, "/tilt", "0");
   EXPECT_EQ(problems_of(document).size(), 5U);
+}
+
+// Demands of values of each other are told once, whatever else is wrong with the keys.
+TEST(BadExperiment, IsToldOfEachRelationOnce) {
+  Json document = without(example_experiment(), "sweep");
+  document["realisations"] = Json::parse(R"({"until": {"half_width": 0.1, "at_most": 9}})");
+  document["check_labels"] = Json::parse(R"({"every": 2, "times_longer": 1000})");
+  document["horizon"] =
+      Json::parse(R"({"transient_periods": 10, "sampled_periods": 1001, "until_classified": {"at_most_periods": 50}})");
+  document["excitation"] = Json::parse(R"({"kind": "pulse", "shape": "sine", "amplitude": 3, "frequency_ratio": 3})");
+  const auto problems = problems_of(document);
+  const auto told = [&problems](const std::string& place, const std::string& reason) {
+    return std::ranges::count_if(problems, [&](const base::Problem& problem) {
+      return problem.place == place && problem.reason.find(reason) != std::string::npos;
+    });
+  };
+  EXPECT_EQ(told("/check_labels", "has no valid correction"), 1);
+  EXPECT_EQ(told("/check_labels", "would sample 1001000 periods"), 1);
+  EXPECT_EQ(told("/horizon/until_classified", "of a periodic excitation"), 1);
+  EXPECT_EQ(problems.size(), 3U);
 }
 
 TEST(BadExperiment, MissesWhatMustBeSaid) {

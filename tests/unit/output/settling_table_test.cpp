@@ -45,6 +45,25 @@ TEST(SettlingText, TellsTheEndTheMedianAndBothDifferences) {
   EXPECT_EQ(settling_text({}, 200), "");
 }
 
+// Nothing left in 24000 periods: at most -ln(0.025)/24 in 1000. A watch of two windows does not see what happens later.
+TEST(SettlingText, BoundsTheRateWhereNoResponseWasLeftAndSaysWhatItDoesNotSee) {
+  std::vector<SettlingRow> rows{row_with(0), row_with(0)};
+  for (SettlingRow& row : rows) {
+    row.leaving = {{.mode = harmonic, .left = 0, .watched_periods = 12000, .per_1000_periods = {.high = 0.31}}};
+  }
+  EXPECT_THAT(settling_text(rows, 200),
+              AllOf(HasSubstr("no settled response was left in 24000 watched periods: on average fewer than 0.15 in "
+                              "1000 periods"),
+                    HasSubstr("keeps its label"), HasSubstr("may differ from long-run shares")));
+}
+
+TEST(SettlingText, NamesTheModeThatIsLeftMostOften) {
+  std::vector<SettlingRow> rows{row_with(0), row_with(0)};
+  rows[0].leaving = {{.mode = harmonic, .left = 0, .watched_periods = 100, .per_1000_periods = {.high = 37.0}}};
+  rows[1].parameters[0].value = "7.0";
+  EXPECT_THAT(settling_text(rows, 200), HasSubstr("most often (1,1) at amplitude 7: 0.25 [0.0063, 1.4]"));
+}
+
 TEST(SettlingText, OmitsColumnsForWhichThereIsNoRoom) {
   const std::vector<SettlingRow> rows{row_with(26)};
   EXPECT_THAT(settling_text(rows, 60), AllOf(HasSubstr("unresolved at 80"), Not(HasSubstr("differ in the end"))));

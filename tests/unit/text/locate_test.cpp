@@ -46,6 +46,14 @@ TEST(Lines, OfWhatIsNotThereAreThoseOfTheInnermostValueOnTheWay) {
   EXPECT_THAT(lines_of(lines_text, "/a/b/0/z"), ElementsAre(3U));
 }
 
+// `~` before the first slash belongs to no key.
+TEST(Lines, OfWhatIsNoPointerAreThoseOfTheDocument) {
+  for (const char* pointer : {"", "~", "~1", "a~0b", "~1~0"}) {
+    EXPECT_THAT(lines_of(lines_text, pointer), ElementsAre(2U)) << pointer;
+  }
+  EXPECT_THAT(lines_of(lines_text, "~0x/a"), ElementsAre(3U, 8U));
+}
+
 TEST(Lines, AreFoundInTextThatIsNoJson) {
   for (const char* torn :
        {"", "{", "{\"a\"", "{\"a\":", "{\"a\": \"", "[", "[1,", "\"", "{\"a\\", "}}]]", "{,,}", "{{{{"}) {

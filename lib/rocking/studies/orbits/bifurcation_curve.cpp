@@ -11,13 +11,16 @@
 namespace rocking {
 namespace {
 
+// Steps as in trace.cpp, with the shares of both ranges. The tangent is known to about 1e-11/1e-9 where differences need
+// the shortest step (fold_and_flip.cpp), so that steps below 1e-7 tell nothing of its direction.
 constexpr double first_curve_step = 0.004;
 constexpr double largest_curve_step = 0.02;
 constexpr double least_curve_step = 1e-7;
 constexpr double least_curve_cosine = 0.9;
 constexpr int few_curve_corrections = 5;
 
-/// Distances up to which a start on the curve is that of the bifurcation, and a bifurcation is on a curve.
+/// Distances up to which a start on the curve is that of the bifurcation, and a bifurcation is on a curve: as those of
+/// one bifurcation in branches.cpp.
 constexpr double same_share = 1e-5;
 constexpr double same_orbit = 1e-2;
 

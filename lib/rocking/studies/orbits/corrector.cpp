@@ -10,8 +10,12 @@
 namespace rocking {
 namespace {
 
+// From an error of 1e-2 four corrections reach rounding where the convergence is quadratic. Next to a point at which the
+// derivative is singular each correction halves the error: twelve leave 1/4096 of it, or the step is refused.
 constexpr int most_corrections = 12;
 constexpr double enough = 2e-15;  // a few units in the last place of Theta
+/// Rounding of an image is 2^-53 times the largest entry of M, which is below 1e7: a residual below this may stay.
+constexpr double may_be_rounding = 1e-9;
 
 /// Largest entry of the matrix, at least 1: rounding of the image is about 2^-53 times it.
 double amplification(const SectionMatrix& matrix) {
@@ -64,7 +68,7 @@ std::optional<CurvePoint> correct(const MapFamily& family, const Hyperplane& pla
     if (!image) break;
     const double residual = distance(image->end(), state_of(at));
     if (best && !(residual < best->residual)) {
-      if (best->residual < 1e-9 || residual > 10.0 * best->residual) break;
+      if (best->residual < may_be_rounding || residual > 10.0 * best->residual) break;
     }
     const auto step = step_to_curve(family, plane, at, *image);
     const Unknowns next = step ? with_fixed_coordinates(plus(at, 1.0, *step), *image) : at;

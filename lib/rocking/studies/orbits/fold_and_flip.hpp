@@ -44,7 +44,8 @@ struct CriticalPoint {
   int steps = 0;            ///< of Newton's method
 };
 
-/// Largest singular value left at a point of a curve.
+/// Largest singular value left at a point of a curve: the entries of M are known to about 1e-13 times the largest one,
+/// which is taken as 100 at most.
 inline constexpr double largest_test = 1e-11;
 
 /// A hyperplane: normal . (u - through) = 0.

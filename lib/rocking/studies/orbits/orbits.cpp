@@ -14,7 +14,8 @@
 namespace rocking {
 namespace {
 
-/// A run has come to its orbit when its last point is so close; later it comes closer.
+/// A run has come to its orbit when its last point is so close; later it comes closer. Orbits are known far more closely
+/// (orbit.cpp), and different ones are farther apart, but for those next to a bifurcation where they meet.
 constexpr double on_orbit = 1e-6;
 
 /// Collects the orbits of one condition.
@@ -47,6 +48,8 @@ class OrbitSearch {
   }
 
   void search_from_grid() {
+    // 9 x 9 starts. Theta' = 1 lifts a slender block from Theta = 0 to its balance, Theta = 1: motions that do not
+    // overturn stay within about these limits.
     constexpr int steps = 4;
     constexpr double tilt_limit = 0.8;
     constexpr double rate_limit = 1.2;

@@ -9,16 +9,28 @@
 namespace rocking {
 namespace {
 
+// Steps are lengths in (Theta, Theta', V, share of the range), in which a curve of orbits has a curvature of order 1. From
+// a step h Newton's method starts with an error of h^2/2: 2e-4 for the largest step, which it squares to rounding in
+// three or four corrections. Five or fewer let the step grow. The first step is a fifth of the largest one, so that a
+// curve may be bent more sharply where it starts.
 constexpr double first_step = 0.004;
 constexpr double largest_step = 0.02;
-constexpr double least_step = 1e-10;
-constexpr double least_cosine = 0.9;
-constexpr double kink_step = 1e-5;  ///< below it the tangent may jump at a change of contact
 constexpr int few_newton_steps = 5;
-constexpr double least_asymmetry = 1e-7;  ///< below it an orbit is one of the family from which its own branches off
-constexpr double crawling_step = 1e-5;
-constexpr int most_crawls = 40;          ///< successive steps below it
-constexpr double cause_distance = 1e-7;  ///< of the motion that shows why a curve ends
+/// A thousand times the residual that is left: a shorter step does not leave the orbit from which it starts.
+constexpr double least_step = 1e-10;
+/// The tangents before and after a step make an angle of at most 26 degrees: 0.45/h is then the largest curvature, and
+/// another curve, reached by mistake, rarely has such a direction.
+constexpr double least_cosine = 0.9;
+/// Below it the tangent may jump at a change of contact: a smooth curve with such an angle would have a curvature of
+/// 4.5e4. Forty successive steps below it, 4e-4 in all, lead nowhere.
+constexpr double kink_step = 1e-5;
+constexpr double crawling_step = kink_step;
+constexpr int most_crawls = 40;
+/// Below it an orbit is one of the family from which its own branches off: two orbits that differ by rounding, 1e-13, over
+/// a distance of the multipliers from 1 of 1e-6.
+constexpr double least_asymmetry = 1e-7;
+/// Of the motion that shows why a curve ends: beyond the last step, and within what the tangent describes to 1e-14.
+constexpr double cause_distance = 1e-7;
 
 class CurveTrace {
  public:

@@ -74,10 +74,11 @@ struct RareEstimate {
   std::vector<double> reached;  ///< mean shares of the particles at each level, and the event last
   std::vector<rare::Repetition> repetitions;
   double pilot_work = 0.0;
-  double work = 0.0;                 ///< simulated time with the pilot run, in realisations to the horizon
-  std::optional<double> crude_work;  ///< realisations for the same relative error by plain sampling
-  std::size_t least_ancestors = 0;   ///< of a repetition that has seen the event
-  double median_ancestors = 0.0;     ///< likewise
+  double work = 0.0;  ///< simulated time with the pilot run, in realisations to the horizon
+  /// Realisations for the same relative error by plain sampling, which are cheaper than those of `work`: they have lanes.
+  std::optional<double> crude_work;
+  std::size_t least_ancestors = 0;  ///< of a repetition that has seen the event
+  double median_ancestors = 0.0;    ///< likewise
   RareEnd end = RareEnd::precise;
   RareDiagnosis diagnosis = RareDiagnosis::none;
 };

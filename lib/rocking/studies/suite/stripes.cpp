@@ -24,14 +24,10 @@ double number_in(const std::string& json) {
   return number;
 }
 
-/// The text of a JSON string, without its escapes: a file name has none but perhaps of quotes and backslashes.
-std::string text_in(const std::string& json) {
-  std::string text;
-  for (std::size_t i = 1; i + 1 < json.size(); ++i) {
-    if (json[i] == '\\' && i + 2 < json.size()) ++i;
-    text += json[i];
-  }
-  return text;
+/// The name of the ground motion of a condition that a sweep of records gave.
+std::string record_of(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded != nullptr && recorded->ground_motion ? recorded->ground_motion->name : "";
 }
 
 /// The stripe and the group to which a condition belongs.
@@ -47,7 +43,7 @@ Place place_of(const Condition& condition, std::string_view intensity) {
     if (parameter.pointer == intensity) {
       place.intensity = number_in(parameter.value);
     } else if (parameter.pointer == record_pointer) {
-      place.record = text_in(parameter.value);
+      place.record = record_of(condition.scene);
     } else {
       place.others.push_back(parameter);
     }

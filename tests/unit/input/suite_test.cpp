@@ -163,7 +163,7 @@ TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
   EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/pga_g = 0.4: excludes \"scale\""));
   json["excitation"].erase("pga_g");
   json["excitation"]["units"] = "cm/s2";
-  EXPECT_THAT(refusal_of(json), HasSubstr("v.at2, line 4 = \"g\": is the unit of the file"));
+  EXPECT_THAT(refusal_of(json), HasSubstr("v.at2, line 3 = \"g\": is the unit of the file"));
   json["excitation"].erase("units");
   json["excitation"]["format"] = "columns";
   EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/units: is missing"));

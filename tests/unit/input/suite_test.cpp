@@ -156,6 +156,19 @@ TEST_F(Suite, ThatCannotBeReadIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal_of(within), HasSubstr("/excitation/suite = [\"v.at2\"]: cannot stand in a value of the sweep"));
 }
 
+TEST_F(Suite, HasEachRecordOnceWhateverItsName) {
+  files_["./records/a.at2"] = files_["records/../records/a.at2"] = files_["copy.at2"] = files_["records/a.at2"];
+  for (const char* other : {"./records/a.at2", "records/../records/a.at2", "copy.at2"}) {
+    const std::string both = "[\"records/*.at2\", \"" + std::string(other) + "\"]";
+    EXPECT_THAT(refusal_of(experiment(both)), HasSubstr("/excitation/suite/1 = \"" + std::string(other) +
+                                                        "\": has the same content as \"records/a.at2\""));
+  }
+  EXPECT_THAT(refusal_of(experiment(R"(["copy.at2", {"file": "records/a.at2", "vertical_file": "v.at2"}])")),
+              HasSubstr("/excitation/suite/1 = \"records/a.at2\": has the same content as \"copy.at2\""));
+  files_["copy.at2"] += '\n';
+  EXPECT_EQ(refusal_of(experiment(R"(["records/a.at2", "copy.at2"])")), "accepted");
+}
+
 TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
   Json json = experiment(R"(["v.at2"])");
   json["excitation"]["scale"] = 1.0;

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "rocking/base/utf8.hpp"
+
 namespace rocking {
 namespace {
 
@@ -68,7 +70,14 @@ class SuiteReader {
     }
     if (found.size() > most_records)
       return reject(place, text, "fits more than 10000 files", "give a narrower pattern");
-    for (const std::string& file : found) add_record({{"file", file}}, place);
+    for (const std::string& file : found) {
+      if (base::is_utf8(file)) {
+        add_record({{"file", file}}, place);
+      } else {
+        reject(place, file, "is fitted by " + brief(text) + ", but is no UTF-8",
+               "rename the file, or narrow the pattern");
+      }
+    }
   }
 
   void add_record(const Json& record, const std::string& place) {

@@ -169,6 +169,18 @@ TEST_F(Suite, HasEachRecordOnceWhateverItsName) {
   EXPECT_EQ(refusal_of(experiment(R"(["records/a.at2", "copy.at2"])")), "accepted");
 }
 
+TEST_F(Suite, RefusesANameThatIsNoUtf8AndFitsAPattern) {
+  Surroundings with_such_a_name = surroundings();
+  with_such_a_name.matches = [](const std::string&) { return std::vector<std::string>{"records/\xff.at2"}; };
+  try {
+    static_cast<void>(read_experiment(experiment(R"("records/*.at2")").dump(), {}, with_such_a_name));
+    ADD_FAILURE() << "accepted";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/excitation/suite = \"records/\\ufffd.at2\""));
+    EXPECT_THAT(error.what(), HasSubstr("no UTF-8"));
+  }
+}
+
 TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
   Json json = experiment(R"(["v.at2"])");
   json["excitation"]["scale"] = 1.0;

@@ -5,6 +5,7 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/base/error.hpp"
 #include "rocking/output/shaking_text.hpp"
 
 namespace rocking::analysis {
@@ -39,9 +40,11 @@ std::string CsvStart::of(const ConditionReport& condition) const {
   return text + std::to_string(condition.realisations);
 }
 
-std::string latex_text(const std::string& text) {
+std::string latex_text(std::string text) {
+  std::ranges::replace_if(
+      text, [](char c) { return static_cast<unsigned char>(c) < ' '; }, ' ');
   std::string result;
-  for (const char c : text) {
+  for (const char c : base::printable(text)) {
     switch (c) {
       case '\\': result += "\\textbackslash{}"; break;
       case '~': result += "\\textasciitilde{}"; break;
@@ -53,7 +56,7 @@ std::string latex_text(const std::string& text) {
       case '_':
       case '{':
       case '}': result += std::string("\\") + c; break;
-      default: result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
+      default: result += c;
     }
   }
   return result;

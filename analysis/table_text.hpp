@@ -31,7 +31,7 @@ class CsvStart {
 };
 
 /// Text for LaTeX.
-[[nodiscard]] std::string latex_text(const std::string& text);
+[[nodiscard]] std::string latex_text(std::string text);
 
 /// The symbol of a parameter in mathematics mode, or its name.
 [[nodiscard]] std::string latex_symbol(const std::string& pointer);

@@ -19,6 +19,8 @@
 #include "rocking/input/excitation_words.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/rate_ratios.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -51,6 +53,25 @@ Spread of_blocks(const RunReport& report, double (Shape::*number)() const) {
     numbers.push_back((shape_of(value_at(report, condition, "/block")).*number)());
   }
   return spread_of(numbers);
+}
+
+Restitution restitution_in(const Json& written) {
+  if (written.is_object()) return RateRatio{written.at("rate_ratio").get<double>()};
+  if (written.is_number()) return written.get<double>();
+  return Jy25Restitution{};
+}
+
+/// What impacts leave of the tilt rate.
+std::string impacts_in_brief(const RunReport& report) {
+  RateRatios ratios;
+  for (const ConditionReport& condition : report.conditions) {
+    const Shape shape = shape_of(value_at(report, condition, "/block"));
+    const dynamics::Geometry block = dynamics::geometry_of({shape.width, shape.height, shape.gravity});
+    Scene scene;
+    scene.restitution = restitution_in(value_at(report, condition, "/restitution"));
+    ratios.add(block, restitution_of(scene, block));
+  }
+  return escaped(ratios.text());
 }
 
 bool is_swept(const RunReport& report, const std::string& pointer) {
@@ -283,11 +304,13 @@ std::string question_in_brief(const RunReport& report) {
   std::string text = fmt::format(
       "<p>A block {} and {} stands {}. {}</p>\n", side_in_brief(report, "/block/width_m", "wide"),
       side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report), friction_in_brief(report));
+  text += fmt::format("<p>{}.</p>\n", impacts_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
   if (report.experiment.at("excitation").contains("suite")) {
     text +=
-        "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the differences "
+        "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the "
+        "differences "
         "between ground motions show what differs between earthquakes.</p>\n";
   }
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),

@@ -11,6 +11,7 @@
 #include "drawing.hpp"
 #include "output.hpp"
 #include "rocking/api/ground_motions.hpp"
+#include "rocking/input/record_unit.hpp"
 #include "rocking/output/write_motion.hpp"
 #include "rocking/scene/rules.hpp"
 #include "usage.hpp"
@@ -40,7 +41,8 @@ GroundMotionRequest asked(const MotionRequest& request) {
 
 void check_usage(const GroundMotionRequest& request) {
   if (request.format == "columns" && request.units.empty()) {
-    throw UsageError("--format columns: does not state the unit of the accelerations; add --units m/s2, g or cm/s2");
+    throw UsageError("--format columns: does not state the unit of the accelerations; add --units " +
+                     record_units_in_words());
   }
   if (!request.vertical.empty() && request.files.size() > 1) {
     throw UsageError("--vertical: belongs to one file; give one FILE");
@@ -55,14 +57,10 @@ std::vector<MeasuredMotion> measure_all(const GroundMotionRequest& request) {
   }
 }
 
-void tell_notes(const std::vector<MeasuredMotion>& motions, const GroundMotionRequest& request) {
+void tell_warnings(const std::vector<MeasuredMotion>& motions) {
   for (const MeasuredMotion& found : motions) {
     for (const std::string& warning : found.motion->warnings) {
       print_notice(fmt::format("{}: {}", found.motion->name, warning));
-    }
-    if (found.motion->format == "columns" && request.units.empty()) {
-      print_notice(
-          fmt::format("{}: does not state its unit; m/s2 is assumed (--units g for another)", found.motion->name));
     }
   }
 }
@@ -73,7 +71,7 @@ ExitCode motion(const MotionRequest& request) {
   const GroundMotionRequest wanted = asked(request);
   const MotionQuestion& question = wanted.question;
   const std::vector<MeasuredMotion> motions = measure_all(wanted);
-  if (!request.loudness.quiet) tell_notes(motions, wanted);
+  if (!request.loudness.quiet) tell_warnings(motions);
   WrittenFigures written;
   if (!request.figures.empty()) {
     const Json output = Json::parse(motion_text(motions, question, MotionDetail::series));
@@ -99,7 +97,7 @@ void add_reading_options(CLI::App& command, GroundMotionRequest& request) {
       ->capture_default_str()
       ->type_name("NAME");
   command.add_option("--units", request.units, "Unit of the accelerations; default: that of the file, or m/s2")
-      ->check(one_of({"g", "m/s2", "cm/s2"}))
+      ->check(one_of({record_unit_names.begin(), record_unit_names.end()}))
       ->type_name("UNIT");
   command.add_option("--time-step", request.time_step, "Of columns without times [s]")
       ->check(number(1e-9, 1e6))

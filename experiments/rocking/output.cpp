@@ -8,12 +8,13 @@
 #include <fmt/format.h>
 
 #include "exit_code.hpp"
+#include "rocking/base/utf8.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
 namespace {
 
-// DEL and the control characters of Unicode from U+0080 to U+009F, some of which terminals obey. Other text than JSON
+// DEL, controls of writing direction, and the control characters of Unicode from U+0080 to U+009F. Other text than JSON
 // has been made printable before; in JSON they stand in strings only, and escaped they mean the same.
 std::string with_escaped_controls(std::string_view text) {
   std::string escaped;
@@ -25,6 +26,9 @@ std::string with_escaped_controls(std::string_view text) {
     } else if (text[i] == '\xc2' && next >= 0x80 && next < 0xa0) {
       escaped += fmt::format("\\u{:04x}", next);
       ++i;
+    } else if (const std::string direction = base::direction_control_at(text, i); !direction.empty()) {
+      escaped += direction;
+      i += text[i] == '\xd8' ? 1 : 2;
     } else {
       escaped += text[i];
     }

@@ -99,6 +99,11 @@ TEST_F(MotionCommand, WarnsOfOneSampleMoreOrFewerThanDeclared) {
   EXPECT_EQ(motion["warnings"].size(), 1U);
 }
 
+TEST_F(MotionCommand, MayHaveAFileWhoseNameIsNoUtf8) {
+  write("\xff.AT2", read("a.AT2"));
+  EXPECT_EQ(measured("'\xff.AT2'")["motions"][0]["file"], "\uFFFD.AT2");
+}
+
 TEST_F(MotionCommand, RefusesWithTheSuitableExitCode) {
   EXPECT_EQ(rocking("motion nowhere.AT2").exit_code, 66);
   write("bad.AT2", "a\nNPTS= 2, DT= .01\n1 x\n");

@@ -55,6 +55,26 @@ TEST_F(SuiteRun, HasOneReportWithARowForEachRecordAndLevel) {
   EXPECT_THAT(read("out/tables/modes.csv"), HasSubstr("records/shake.at2"));
 }
 
+TEST_F(SuiteRun, TakesAPatternWithoutAFolderWhereverTheExperimentIs) {
+  Json here = experiment();
+  here["excitation"]["suite"] = "*.at2";
+  write("records/here.json", here.dump());
+  for (const char* place : {"cd records; exec '" ROCKING_PROGRAM "' validate here.json",
+                            "exec '" ROCKING_PROGRAM "' validate records/here.json"}) {
+    const auto found = shell(place);
+    EXPECT_EQ(found.exit_code, 0) << found.errors;
+    EXPECT_THAT(found.output, HasSubstr("9 conditions"));
+  }
+}
+
+TEST_F(SuiteRun, RefusesOneRecordUnderTwoNames) {
+  std::filesystem::create_symlink("push.at2", folder_ / "records/soft.at2");
+  const auto found = rocking("validate e.json");
+  EXPECT_EQ(found.exit_code, 65);
+  EXPECT_THAT(found.errors,
+              AllOf(HasSubstr("records/soft.at2"), HasSubstr("records/push.at2"), HasSubstr("same content")));
+}
+
 TEST_F(SuiteRun, TellsBeforeItStartsWhichRecordLiftsTheBlockAtNoScale) {
   const auto planned = rocking("run e.json --dry-run");
   EXPECT_EQ(planned.exit_code, 0);

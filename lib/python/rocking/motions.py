@@ -61,8 +61,8 @@ def motion(
     """Read ground motions; a GroundMotion for each file.
 
     vertical: file with the vertical component of a single file. format: ``auto``, ``columns``, ``peer_at2``,
-    ``esm_asc``. units: ``g``, ``m/s2``, ``cm/s2``; by default those of the file, or m/s2. time_step: of columns without
-    times [s]. gravity: what 1 g is [m/s^2]. damping, periods [s]: of the response spectrum. block: width and height [m]
+    ``esm_asc``. units: ``g``, ``m/s2``, ``cm/s2``, ``mm/s2``, ``mg``, ``%g``, ``ft/s2``, ``in/s2``; by default those of
+    the file, or m/s2. time_step: of columns without times [s]. gravity: what 1 g is [m/s^2]. damping, periods [s]: of the response spectrum. block: width and height [m]
     of a block whose least scale of uplift is wanted. series: also the motions sample by sample, in ``data`` of the list,
     which draw() needs. Raises InputError with file, line and value of each fault.
 

@@ -28,7 +28,8 @@ std::optional<Enumeration> named(std::string_view place, const std::array<std::s
 
 void check(const GroundMotionRequest& request) {
   if (request.format == "columns" && request.units.empty()) {
-    refuse("units", "", "is missing: columns do not state the unit of the accelerations; give g, m/s2 or cm/s2");
+    refuse("units", "",
+           "is missing: columns do not state the unit of the accelerations; give " + record_units_in_words());
   }
   if (!request.vertical.empty() && request.files.size() > 1) {
     refuse("vertical", request.vertical, "belongs to one file, of which there are more");

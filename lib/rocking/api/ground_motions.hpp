@@ -13,7 +13,7 @@ struct GroundMotionRequest {
   std::vector<std::string> files;
   std::string vertical = {};     ///< file with the vertical component of a single file; empty: none
   std::string format = "auto";   ///< `auto`, `columns`, `peer_at2`, `esm_asc`
-  std::string units = {};        ///< `g`, `m/s2`, `cm/s2`; empty: that of the file, or m/s^2
+  std::string units = {};        ///< as `excitation.units`; empty: that of the file, or m/s^2
   double time_step = 0.0;        ///< of columns without times [s]; 0: not given
   bool series = false;           ///< the JSON text also has the motions sample by sample, which draw() needs
   MotionQuestion question = {};  ///< 1 g, damping, periods of the response spectrum, block

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "rocking/base/utf8.hpp"
+
 namespace rocking::base {
 namespace {
 
@@ -13,27 +15,6 @@ std::string message_of(const std::vector<Problem>& problems) {
     message += to_string(problem);
   }
   return message;
-}
-
-/// Length in bytes of the UTF-8 character (RFC 3629) that begins at `start`; 0 if no valid character begins there.
-std::size_t letter_at(std::string_view text, std::size_t start) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(start);
-  const std::size_t length = first < 0x80   ? 1
-                             : first < 0xc2 ? 0
-                             : first < 0xe0 ? 2
-                             : first < 0xf0 ? 3
-                             : first < 0xf5 ? 4
-                                            : 0;
-  if (length == 0 || start + length > text.size()) return 0;
-  for (std::size_t i = start + 1; i < start + length; ++i) {
-    if ((byte(i) & 0xc0U) != 0x80U) return 0;
-  }
-  if (length < 3) return length;
-  const unsigned char second = byte(start + 1);
-  const bool overlong = (first == 0xe0 && second < 0xa0) || (first == 0xf0 && second < 0x90);
-  const bool no_letter = (first == 0xed && second >= 0xa0) || (first == 0xf4 && second >= 0x90);
-  return overlong || no_letter ? 0 : length;
 }
 
 std::string escape_of(unsigned char byte) {
@@ -58,11 +39,13 @@ std::string printable(std::string_view text) {
   std::string shown;
   shown.reserve(text.size());
   for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = letter_at(text, i);
+    const std::size_t length = utf8_length_at(text, i);
     const auto first = static_cast<unsigned char>(text[i]);
     const bool is_control = (first < 0x20 && first != '\n') || first == 0x7f;
     const bool is_high_control = length == 2 && first == 0xc2 && static_cast<unsigned char>(text[i + 1]) < 0xa0;
-    if (length == 0 || is_control) {
+    if (const std::string direction = direction_control_at(text, i); !direction.empty()) {
+      shown += direction;
+    } else if (length == 0 || is_control) {
       shown += escape_of(first);
     } else if (is_high_control) {
       shown += escape_of(static_cast<unsigned char>(text[i + 1]));

@@ -21,7 +21,7 @@ struct Problem {
 [[nodiscard]] std::string to_string(const Problem& problem);
 
 /// Text that is safe for a terminal or a message. Control characters (also DEL and those of Unicode up to U+009F) are
-/// shown as `\x1b`, bytes that are not UTF-8 as `\xff`. A new line is kept.
+/// shown as `\x1b`, those of writing direction as `\u202e`, other bytes than UTF-8 as `\xff`. A new line is kept.
 [[nodiscard]] std::string printable(std::string_view text);
 
 /// At most `most` bytes of a UTF-8 text. The end of a longer text is replaced by `...`; no character is cut in two.

@@ -16,13 +16,21 @@ std::string samples_in_words(std::size_t count) {
   return std::to_string(count) + (count == 1 ? " sample" : " samples");
 }
 
+/// Fortran writes an exponent after d, too.
+std::string with_exponent_e(std::string_view field) {
+  std::string spelled(field);
+  std::ranges::replace_if(
+      spelled, [](char c) { return c == 'd' || c == 'D'; }, 'e');
+  return spelled;
+}
+
 class EvenSamplesReader {
  public:
   EvenSamplesReader(const EvenHeader& header, double gravity, LineProblems& problems)
       : header_(header), gravity_(gravity), problems_(problems) {}
 
   std::optional<GroundMotion> read(std::string_view text) {
-    while (!text.empty() && !problems_.enough() && motion_.samples.size() <= rules::most_samples) {
+    while (!text.empty() && !is_ended_ && !problems_.enough() && motion_.samples.size() <= rules::most_samples) {
       read_line(problems_.next_line(text));
     }
     if (!problems_.any()) check_whole();
@@ -37,16 +45,25 @@ class EvenSamplesReader {
   void read_line(std::string_view line) {
     split_fields(line, fields_);
     for (const std::string_view field : fields_) {
+      if (ends_data(field)) {
+        motion_.warnings.push_back("contains text after its samples: " + brief(Json(std::string(field))) + " in line " +
+                                   std::to_string(problems_.line()) + "; nothing is read from there on");
+        is_ended_ = true;
+        return;
+      }
       if (!add(field)) return;
     }
   }
 
-  // Fortran writes an exponent after d, too.
+  /// Whether a field is text behind the declared number of samples.
+  [[nodiscard]] bool ends_data(std::string_view field) const {
+    const bool is_complete = header_.declared && motion_.samples.size() >= *header_.declared;
+    return is_complete && !field.empty() && !is_number_field(field) && !is_number_field(with_exponent_e(field));
+  }
+
   [[nodiscard]] std::optional<double> number(std::string_view field) {
-    const auto is_exponent = [](char c) { return c == 'd' || c == 'D'; };
-    if (std::ranges::none_of(field, is_exponent)) return problems_.number(field);
-    std::string spelled(field);
-    std::ranges::replace_if(spelled, is_exponent, 'e');
+    if (field.find_first_of("dD") == std::string_view::npos) return problems_.number(field);
+    const std::string spelled = with_exponent_e(field);
     return problems_.number(is_number_field(spelled) ? std::string_view(spelled) : field);
   }
 
@@ -89,6 +106,7 @@ class EvenSamplesReader {
   LineProblems& problems_;
   GroundMotion motion_;
   std::vector<std::string_view> fields_;
+  bool is_ended_ = false;  ///< by text
 };
 
 }  // namespace
@@ -98,19 +116,18 @@ std::optional<GroundMotion> read_even_samples(std::string_view text, const EvenH
   return EvenSamplesReader(header, gravity, problems).read(text);
 }
 
-RecordUnit agreed_unit(std::optional<RecordUnit> stated, std::optional<RecordUnit> asked, RecordUnit standard,
-                       LineProblems& problems) {
-  if (stated && asked && *stated != *asked) {
-    problems.reject_line(name_of(*stated),
-                         "is the unit of the file, but \"units\" is \"" + std::string(name_of(*asked)) + '"',
-                         "omit \"units\", or correct the file");
-  }
-  return stated.value_or(asked.value_or(standard));
+void expect_asked_unit(RecordUnit stated, std::optional<RecordUnit> asked, LineProblems& problems) {
+  if (!asked || *asked == stated) return;
+  problems.reject_line(name_of(stated),
+                       "is the unit of the file, but \"units\" is \"" + std::string(name_of(*asked)) + '"',
+                       "omit \"units\", or correct the file");
 }
 
-std::optional<double> checked_time_step(std::string_view field, std::optional<double> asked, LineProblems& problems) {
-  const auto step = problems.number(field);
+std::optional<double> checked_time_step(std::string_view field, double units_per_second, std::optional<double> asked,
+                                        LineProblems& problems) {
+  auto step = problems.number(field);
   if (!step) return std::nullopt;
+  *step /= units_per_second;
   if (!rules::time_step.allows(*step)) {
     problems.reject_line(field, std::string(rules::time_step.demand), "correct the time step of the header");
     return std::nullopt;

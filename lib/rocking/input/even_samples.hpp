@@ -18,19 +18,18 @@ struct EvenHeader {
 };
 
 /// Reads evenly spaced horizontal accelerations, any number of them in a line. One sample more or fewer than declared
-/// is a warning, a larger difference a problem. Absent where anything is wrong.
+/// is a warning, a larger difference a problem. Text that is no number ends the data, with a warning, if the declared
+/// number of samples stands before it; otherwise it is a problem. Absent where anything is wrong.
 [[nodiscard]] std::optional<GroundMotion> read_even_samples(std::string_view text, const EvenHeader& header,
                                                             double gravity, LineProblems& problems);
 
-/// The unit of a file whose header states `stated`, or none, for a request of `asked`, or none; `standard`: of the
-/// format. A contradiction is a problem of the present line.
-[[nodiscard]] RecordUnit agreed_unit(std::optional<RecordUnit> stated, std::optional<RecordUnit> asked,
-                                     RecordUnit standard, LineProblems& problems);
+/// Reports, at the present line, a unit of the file that is not the one that was asked for.
+void expect_asked_unit(RecordUnit stated, std::optional<RecordUnit> asked, LineProblems& problems);
 
-/// Checks the time step of a header, given as `field`, alone and against one that was asked for. Absent, and reported,
-/// if it is none.
-[[nodiscard]] std::optional<double> checked_time_step(std::string_view field, std::optional<double> asked,
-                                                      LineProblems& problems);
+/// The time step [s] of a header, given as `field` in a unit of which a second holds `units_per_second`. Checks it alone
+/// and against one that was asked for. Absent, and reported, if it is none.
+[[nodiscard]] std::optional<double> checked_time_step(std::string_view field, double units_per_second,
+                                                      std::optional<double> asked, LineProblems& problems);
 
 /// The number of samples that a header declares as `field`. Absent, and reported, if it is none.
 [[nodiscard]] std::optional<std::size_t> checked_count(std::string_view field, LineProblems& problems);

@@ -27,6 +27,10 @@ std::optional<std::size_t> word_place(std::string_view line, std::string_view wo
   return std::nullopt;
 }
 
+bool begins_with_word(std::string_view line, std::string_view word) {
+  return line.size() >= word.size() && stands_at(line, 0, word);
+}
+
 std::optional<std::string_view> number_after(std::string_view line, std::string_view word) {
   const auto place = word_place(line, word);
   if (!place) return std::nullopt;

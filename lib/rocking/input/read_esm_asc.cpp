@@ -1,6 +1,8 @@
 #include "rocking/input/read_esm_asc.hpp"
 
 #include <algorithm>
+#include <cctype>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,8 +27,10 @@ class EsmReader {
     std::string_view rest = text;
     while (!rest.empty() && !problems_.enough() && !begins_with_number(rest)) read_line(problems_.next_line(rest));
     if (problems_.any()) return std::nullopt;
-    if (!has_step_) problems_.reject_file("has no line SAMPLING_INTERVAL_S: in its header", "give the original file");
-    if (!unit_seen_) problems_.reject_file("has no line UNITS: in its header", "give the original file");
+    for (const char* key : {"SAMPLING_INTERVAL_S", "UNITS"}) {
+      if (keys_.contains(key)) continue;
+      problems_.reject_file("has no line " + std::string(key) + ": in its header", "give the original file");
+    }
     if (problems_.any()) return std::nullopt;
     return read_even_samples(rest, header_, how_.gravity, problems_);
   }
@@ -44,9 +48,13 @@ class EsmReader {
       problems_.reject_line(line, "is neither a line KEY: value nor a number", "give the original file");
       return;
     }
-    const std::string_view key = without_blanks_around(line.substr(0, colon));
+    std::string key(without_blanks_around(line.substr(0, colon)));
+    std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
     const std::string_view value = without_blanks_around(line.substr(colon + 1));
-    if (key == "SAMPLING_INTERVAL_S") {
+    if (!keys_.insert(key).second) {
+      problems_.reject_line(line, "gives " + key + " a second time",
+                            "give the original file, where each key stands once");
+    } else if (key == "SAMPLING_INTERVAL_S") {
       read_step(value);
     } else if (key == "NDATA" && !value.empty()) {
       header_.declared = checked_count(value, problems_);
@@ -58,27 +66,26 @@ class EsmReader {
   }
 
   void read_step(std::string_view value) {
-    const auto step = checked_time_step(value, how_.time_step, problems_);
-    has_step_ = true;
+    const auto step = checked_time_step(value, 1.0, how_.time_step, problems_);
     if (step) header_.time_step = *step;
   }
 
   void read_unit(std::string_view value) {
-    unit_seen_ = true;
-    const auto stated = record_unit_written(value);
-    if (!stated) {
-      problems_.reject_line(value, "is not a known unit of acceleration", "the file must be in cm/s^2, m/s^2 or g");
+    const WrittenUnit stated = unit_written(value);
+    if (stated.kind != UnitKind::acceleration) {
+      problems_.reject_line(value, "is not a known unit of acceleration",
+                            "give a file of accelerations in " + record_units_in_words());
       return;
     }
-    header_.unit = agreed_unit(stated, how_.unit, RecordUnit::cm_s2, problems_);
+    header_.unit = stated.acceleration;
+    expect_asked_unit(header_.unit, how_.unit, problems_);
   }
 
   const GroundMotionReading& how_;
   LineProblems problems_;
   EvenHeader header_;
   std::vector<std::string_view> fields_;
-  bool has_step_ = false;
-  bool unit_seen_ = false;
+  std::set<std::string> keys_;  ///< that were read
 };
 
 }  // namespace

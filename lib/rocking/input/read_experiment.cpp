@@ -63,7 +63,7 @@ class ExperimentBuilder {
     apply(overrides, document_);
     Problems found;
     take_strength_from_sweep(document_);
-    suite_ = take_suite(document_, matches_, found);
+    suite_ = take_suite(document_, matches_, files_, found);
     const bool is_bad_suite = !found.empty();
     Question base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), files_, found);
     // Merging and sweeping compare keys with each other, which takes hours where there are 10^5 of them.

@@ -30,6 +30,7 @@ std::optional<GroundMotion> read_ground_motion(std::string_view text, const Grou
   motion->name = how.name;
   motion->format = name_of(format);
   if (format == RecordFormat::columns) motion->unit = name_of(how.unit.value_or(RecordUnit::m_s2));
+  if (format == RecordFormat::columns && !how.unit) motion->warnings.push_back(unit_assumed(RecordUnit::m_s2));
   return motion;
 }
 

@@ -7,6 +7,7 @@
 
 #include "rocking/input/object_reader.hpp"
 #include "rocking/input/record_format.hpp"
+#include "rocking/input/record_unit.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {

@@ -1,76 +1,138 @@
 #include "rocking/input/read_peer_at2.hpp"
 
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "rocking/input/even_samples.hpp"
+#include "rocking/input/header_units.hpp"
 #include "rocking/input/header_words.hpp"
+#include "rocking/input/peer_counts.hpp"
 
 namespace rocking {
 namespace {
 
 constexpr std::size_t most_lines_of_a_peer_header = 100;
+constexpr const char* file_of_accelerations = "give the file of accelerations, whose name ends in .AT2";
 
-/// The unit that `UNITS OF G` or `units are (g)` states; absent if the line states none.
-std::optional<RecordUnit> unit_in_title(std::string_view line) {
-  const auto place = word_place(line, "units");
-  if (!place) return std::nullopt;
-  std::vector<std::string_view> words;
-  split_fields(line.substr(*place), words);
-  if (words.size() < 3) return std::nullopt;
-  return record_unit_written(words[2]);
+bool speaks_of_acceleration(std::string_view line) {
+  return word_place(line, "acceleration") || word_place(line, "accelerations") || word_place(line, "accel");
 }
 
-/// Reports a file of velocities or displacements, which have the same header.
-void expect_acceleration(std::string_view line, LineProblems& problems) {
-  if (word_place(line, "acceleration") || !(word_place(line, "time") || word_place(line, "units"))) return;
+/// What a line says that the file contains instead of accelerations; empty: nothing.
+std::string_view other_motion_in(std::string_view line) {
+  if (speaks_of_acceleration(line)) return {};
+  const bool speaks_of_data = word_place(line, "time") || word_place(line, "units") || !units_among_words(line).empty();
   for (const std::string_view other : {"velocity", "displacement"}) {
-    if (!word_place(line, other)) continue;
-    problems.reject_line(line, "says that the file contains a " + std::string(other),
-                         "give the file of accelerations, whose name ends in .AT2");
+    if (speaks_of_data && word_place(line, other)) return other;
   }
+  return {};
 }
 
-/// Both forms of the last line: `NPTS=  4000, DT=   .0100 SEC` and `4000  0.0050  NPTS, DT`.
-std::optional<EvenHeader> counts_in(std::string_view line, const GroundMotionReading& how, LineProblems& problems) {
-  auto count = number_after(line, "npts");
-  auto step = number_after(line, "dt");
-  std::vector<std::string_view> fields;
-  split_fields(line, fields);
-  const bool counts_first = fields.size() >= 2 && is_number_field(fields[0]) && is_number_field(fields[1]);
-  if (!count && !step && counts_first) {
-    count = fields[0];
-    step = fields[1];
-  }
-  if (!count || !step) {
-    problems.reject_line(line, "does not give a number after NPTS and after DT", "write it as NPTS= 4000, DT= .01 SEC");
+std::string in_words(UnitKind kind) { return kind == UnitKind::velocity ? "velocity" : "displacement"; }
+
+/// The reader of the lines above the data.
+class PeerHeader {
+ public:
+  PeerHeader(const GroundMotionReading& how, LineProblems& problems) : how_(how), problems_(problems) {}
+
+  /// Takes the header off `text`. Absent where anything is wrong with it.
+  std::optional<EvenHeader> read(std::string_view& text) {
+    while (!text.empty() && problems_.line() < most_lines_of_a_peer_header && !problems_.enough()) {
+      const std::string_view line = problems_.next_line(text);
+      read_title(line);
+      if (word_place(line, "npts") && word_place(line, "dt")) return whole(line);
+      has_counts_ = has_counts_ || number_after(line, "npts") || number_after(line, "dt");
+    }
+    problems_.reject_file("has no line with NPTS and DT among its first 100",
+                          "give a file in PEER's .AT2 format, or another \"format\"");
     return std::nullopt;
   }
-  const auto declared = checked_count(*count, problems);
-  const auto time_step = checked_time_step(*step, how.time_step, problems);
-  if (!declared || !time_step) return std::nullopt;
-  return EvenHeader{.time_step = *time_step, .declared = declared};
-}
+
+  [[nodiscard]] bool states_unit() const { return stated_.has_value(); }
+
+ private:
+  void read_title(std::string_view line) {
+    if (const auto other = other_motion_in(line); !other.empty()) {
+      problems_.reject_line(line, "says that the file contains a " + std::string(other), file_of_accelerations);
+      return;
+    }
+    const std::vector<StatedUnit> stated = units_stated(line);
+    for (const StatedUnit& found : stated) take(found, stated_);
+    if (!stated.empty() || !speaks_of_acceleration(line)) return;
+    for (const StatedUnit& found : units_among_words(line)) take(found, mentioned_);
+  }
+
+  void take(const StatedUnit& found, std::optional<RecordUnit>& known) {
+    switch (found.unit.kind) {
+      case UnitKind::time: return;
+      case UnitKind::unknown:
+        return problems_.reject_line(found.text, "is not a known unit of acceleration",
+                                     "correct the header; known: " + record_units_in_words());
+      case UnitKind::velocity:
+      case UnitKind::displacement:
+        return problems_.reject_line(found.text, "is the unit of a " + in_words(found.unit.kind),
+                                     file_of_accelerations);
+      case UnitKind::acceleration: break;
+    }
+    const RecordUnit unit = found.unit.acceleration;
+    if (known && *known != unit) {
+      problems_.reject_line(found.text, "contradicts a line above it, which states " + std::string(name_of(*known)),
+                            "correct the header: all accelerations of a file have one unit");
+    }
+    known = unit;
+    expect_asked_unit(unit, how_.unit, problems_);
+  }
+
+  /// The header as a whole, whose last line is `line`.
+  std::optional<EvenHeader> whole(std::string_view line) {
+    if (!stated_) stated_ = mentioned_;
+    if (!stated_) expect_name_of_accelerations();
+    if (has_counts_) {
+      problems_.reject_line(line, "gives NPTS or DT a second time", "correct the header: each stands there once");
+    }
+    const auto counts = peer_counts(line, problems_);
+    if (!counts) return std::nullopt;
+    const auto declared = checked_count(counts->count, problems_);
+    const auto time_step = checked_time_step(counts->step, counts->units_per_second, how_.time_step, problems_);
+    if (!declared || !time_step || problems_.any()) return std::nullopt;
+    return EvenHeader{
+        .time_step = *time_step, .declared = declared, .unit = stated_.value_or(how_.unit.value_or(RecordUnit::g))};
+  }
+
+  /// Velocities and displacements have the same header; where it states no unit, the name of the file tells.
+  void expect_name_of_accelerations() {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 4> endings{
+        {{".vt2", "velocity"}, {".VT2", "velocity"}, {".dt2", "displacement"}, {".DT2", "displacement"}}};
+    for (const auto& [ending, kind] : endings) {
+      if (!how_.name.ends_with(ending)) continue;
+      problems_.reject_file("is the file of a " + std::string(kind) + " by its name, and states no unit",
+                            file_of_accelerations);
+    }
+  }
+
+  const GroundMotionReading& how_;
+  LineProblems& problems_;
+  std::optional<RecordUnit> stated_;     ///< after the word "units"
+  std::optional<RecordUnit> mentioned_;  ///< in a line that speaks of accelerations
+  bool has_counts_ = false;              ///< NPTS or DT stands in a line above
+};
 
 }  // namespace
 
 std::optional<GroundMotion> read_peer_at2(std::string_view text, const GroundMotionReading& how, Problems& found) {
   LineProblems problems(how.name, found);
   text = without_byte_order_mark(text);
-  std::optional<RecordUnit> stated;
-  while (!text.empty() && problems.line() < most_lines_of_a_peer_header) {
-    const std::string_view line = problems.next_line(text);
-    expect_acceleration(line, problems);
-    if (const auto unit = unit_in_title(line)) stated = unit;
-    if (!word_place(line, "npts") || !word_place(line, "dt")) continue;
-    auto header = counts_in(line, how, problems);
-    const RecordUnit unit = agreed_unit(stated, how.unit, RecordUnit::g, problems);
-    if (!header || problems.any()) return std::nullopt;
-    header->unit = unit;
-    return read_even_samples(text, *header, how.gravity, problems);
+  PeerHeader reader(how, problems);
+  const auto header = reader.read(text);
+  if (!header) return std::nullopt;
+  auto motion = read_even_samples(text, *header, how.gravity, problems);
+  if (motion && !reader.states_unit() && !how.unit) {
+    motion->warnings.push_back(unit_assumed(RecordUnit::g));
   }
-  problems.reject_file("has no line with NPTS and DT among its first 100",
-                       "give a file in PEER's .AT2 format, or another \"format\"");
-  return std::nullopt;
+  return motion;
 }
 
 }  // namespace rocking

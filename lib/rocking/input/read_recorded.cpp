@@ -76,7 +76,7 @@ void read_format_and_unit(ObjectReader& keys, GroundMotionReading& how) {
     if (const auto chosen = read_word(keys, "units", record_unit_names)) how.unit = static_cast<RecordUnit>(*chosen);
   } else if (how.format == RecordFormat::columns) {
     keys.reject("units", "is missing; \"format\": \"columns\" does not state the unit of the accelerations",
-                "add \"units\": \"m/s2\", \"g\" or \"cm/s2\"");
+                "add \"units\": \"m/s2\"; known: " + record_units_in_words());
   }
 }
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
+#include <map>
 #include <string>
 #include <utility>
+
+#include "rocking/base/utf8.hpp"
 
 namespace rocking {
 namespace {
@@ -16,7 +18,8 @@ bool is_pattern(const std::string& name) { return name.find_first_of("*?") != st
 
 class SuiteReader {
  public:
-  SuiteReader(const FileMatches& matches, Problems& problems) : matches_(matches), problems_(problems) {}
+  SuiteReader(const FileMatches& matches, GroundMotionFiles& files, Problems& problems)
+      : matches_(matches), files_(files), problems_(problems) {}
 
   std::vector<Json> read(const Json& suite) {
     const std::string place = "/excitation/suite";
@@ -67,19 +70,41 @@ class SuiteReader {
     }
     if (found.size() > most_records)
       return reject(place, text, "fits more than 10000 files", "give a narrower pattern");
-    for (const std::string& file : found) add_record({{"file", file}}, place);
+    for (const std::string& file : found) {
+      if (base::is_utf8(file)) {
+        add_record({{"file", file}}, place);
+      } else {
+        reject(place, file, "is fitted by " + brief(text) + ", but is no UTF-8",
+               "rename the file, or narrow the pattern");
+      }
+    }
   }
 
   void add_record(const Json& record, const std::string& place) {
-    if (!names_.insert(record["file"].get<std::string>()).second) {
-      return reject(place, record["file"], "is in the suite twice", "name each record once");
-    }
+    const auto& name = record["file"].get_ref<const std::string&>();
+    const bool is_name =
+        !name.empty() && name.find('\0') == std::string::npos;  // others are refused with the excitation
+    if (is_name && !is_new(name, record, place)) return;
     records_.push_back(record);
   }
 
+  /// Whether no record before it has the bytes of this file: under two names it would count twice.
+  [[nodiscard]] bool is_new(const std::string& name, const Json& record, const std::string& place) {
+    const auto [known, added] = names_.emplace(files_.digest(name), name);
+    if (added) return true;
+    const bool is_same_name = known->second == name;
+    reject(place, record["file"],
+           is_same_name ? "is in the suite twice"
+                        : "has the same content as " + brief(known->second) + ", which is in the suite (SHA-256 " +
+                              known->first.substr(0, 8) + "...)",
+           "name each record once");
+    return false;
+  }
+
   const FileMatches& matches_;
+  GroundMotionFiles& files_;
   Problems& problems_;
-  std::set<std::string> names_;
+  std::map<std::string, std::string> names_;  ///< by digest
   std::vector<Json> records_;
 };
 
@@ -93,7 +118,7 @@ bool is_recorded(const Json& excitation) { return excitation.contains("kind") &&
 
 }  // namespace
 
-std::vector<Json> take_suite(Json& document, const FileMatches& matches, Problems& problems) {
+std::vector<Json> take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& files, Problems& problems) {
   Json* excitation = excitation_in(document);
   if (excitation == nullptr || !is_recorded(*excitation) || !excitation->contains("suite")) return {};
   for (const std::string_view key : keys_of_a_record) {
@@ -102,7 +127,7 @@ std::vector<Json> take_suite(Json& document, const FileMatches& matches, Problem
                         "keep one of them; a record of a suite may be an object with these keys"});
   }
   if (!problems.empty()) return {};
-  std::vector<Json> records = SuiteReader(matches, problems).read((*excitation)["suite"]);
+  std::vector<Json> records = SuiteReader(matches, files, problems).read((*excitation)["suite"]);
   if (!problems.empty()) return {};
   excitation->erase("suite");
   put_record(document, records.front());
@@ -129,7 +154,8 @@ std::optional<SweepAxis> suite_axis(const Json& canonical) {
   const Json::json_pointer place("/excitation/suite");
   if (!canonical.contains(place) || !canonical.at(place).is_array()) return std::nullopt;
   SweepAxis axis{.pointer = std::string(suite_place), .values = {}};
-  for (const Json& record : canonical.at(place)) axis.values.push_back(record.contains("file") ? record.at("file") : record);
+  for (const Json& record : canonical.at(place))
+    axis.values.push_back(record.contains("file") ? record.at("file") : record);
   return axis;
 }
 

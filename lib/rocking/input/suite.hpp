@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/input/ground_motion_files.hpp"
 #include "rocking/input/object_reader.hpp"
 #include "rocking/input/sweep.hpp"
 #include "rocking/text/files.hpp"
@@ -18,8 +19,10 @@ namespace rocking {
 inline constexpr std::string_view suite_place = "/excitation/file";
 
 /// Takes `excitation.suite` out of an experiment and puts its first record there. Returns the records, each an object
-/// with `file` and perhaps `sha256`, `vertical_file`, `vertical_sha256`; none where there is no suite or a bad one.
-[[nodiscard]] std::vector<Json> take_suite(Json& document, const FileMatches& matches, Problems& problems);
+/// with `file` and perhaps `sha256`, `vertical_file`, `vertical_sha256`; none where there is no suite or a bad one. A
+/// record whose file has the bytes of another one's is refused. Throws std::system_error where a file cannot be read.
+[[nodiscard]] std::vector<Json> take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& files,
+                                           Problems& problems);
 
 /// Puts a record into `excitation`, in place of the one before.
 void put_record(Json& document, const Json& record);

@@ -44,7 +44,7 @@ std::string plan_text(const Plan& plan) {
   }
   text += at_most(plan) + ' ' + spoken_size(plan.needs.disk_bytes) + " of disk space, " +
           spoken_size(plan.needs.memory_bytes) + " of memory\n";
-  text += time_text(plan);
+  text += time_text(plan) + plan.impacts + '\n';
   if (plan.effects.empty()) return text + "rocking only: no sliding, and nothing is random\n";
   text += "in addition to rocking:\n";
   for (const std::string& effect : plan.effects) text += "  " + effect + '\n';

@@ -8,7 +8,8 @@
 
 namespace rocking {
 
-/// The plan of a run in words: sizes, disk space and memory, time, and what is on beside rocking.
+/// The plan of a run in words: sizes, disk space and memory, time, what impacts leave of the tilt rate,
+/// and what is on beside rocking.
 [[nodiscard]] std::string plan_text(const Plan& plan);
 
 /// The same as facts, for JSON.

@@ -142,7 +142,7 @@ std::string motion_text(const std::vector<MeasuredMotion>& motions, const Motion
   if (question.block) json["block"] = {{"width_m", question.block->width}, {"height_m", question.block->height}};
   json["motions"] = Json::array();
   for (const MeasuredMotion& found : motions) json["motions"].push_back(measured_motion_json(found, question, detail));
-  return json.dump(2) + '\n';
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';  // a file name may be no UTF-8
 }
 
 std::string motion_table(const std::vector<MeasuredMotion>& motions, const MotionQuestion& question) {

@@ -23,7 +23,7 @@ struct GroundMotion {
   bool has_vertical = false;
   std::string name = {};                               ///< of its file; empty: not from a file
   std::string format = {};                             ///< of its file: `columns`, `peer_at2`, `esm_asc`
-  std::string unit = {};                               ///< of the accelerations in its file: `g`, `m/s2`, `cm/s2`
+  std::string unit = {};                               ///< of the accelerations in its file: `g`, `m/s2`, `cm/s2`, ...
   std::optional<double> time_step = std::nullopt;      ///< [s]; absent: the file gives each time
   std::optional<std::size_t> declared = std::nullopt;  ///< samples that the file says it has
   std::vector<std::string> warnings = {};              ///< about the file, which was read nonetheless

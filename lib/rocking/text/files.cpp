@@ -114,7 +114,8 @@ FileMatches matches_seen_from(const std::filesystem::path& folder) {
     const std::string wanted = std::filesystem::path(pattern).filename().string();
     std::vector<std::string> names;
     std::error_code unreadable;
-    for (const auto& entry : std::filesystem::directory_iterator(folder / within, unreadable)) {
+    const std::filesystem::path place = folder / within;
+    for (const auto& entry : std::filesystem::directory_iterator(place.empty() ? "." : place, unreadable)) {
       const std::string name = entry.path().filename().string();
       std::error_code gone;
       if (::fnmatch(wanted.c_str(), name.c_str(), FNM_PERIOD | FNM_NOESCAPE) != 0 || !entry.is_regular_file(gone)) {

@@ -89,7 +89,7 @@ TEST(PeerFile, StatesItsUnit) {
   EXPECT_EQ(read_record(peer_at2(three_values, ".01"), how).samples[0].horizontal, 0.1);
   how.unit = RecordUnit::cm_s2;
   const auto problem = problem_of(peer_at2(three_values, ".01"), how);
-  EXPECT_EQ(problem.place, "r.at2, line 4");
+  EXPECT_EQ(problem.place, "r.at2, line 3");
   EXPECT_THAT(problem.reason, HasSubstr("\"units\" is \"cm/s2\""));
   EXPECT_EQ(problem.value, "\"g\"");
 
@@ -99,7 +99,174 @@ TEST(PeerFile, StatesItsUnit) {
   how.unit = RecordUnit::m_s2;
   const std::string silent = "a\nb\nNPTS= 2, DT= .01\n9.81 4.905\n";
   EXPECT_EQ(read_record(silent, how).samples[1].horizontal, 0.5);
+  EXPECT_THAT(read_record(silent, how).warnings, IsEmpty());
   EXPECT_EQ(read_record(silent).unit, "g");
+  EXPECT_THAT(read_record(silent).warnings, ElementsAre(HasSubstr("g is assumed")));
+}
+
+/// What a file with the lines of text `title` above its counts states.
+std::string file_with_title(const std::string& title) { return "a\n" + title + "\nNPTS= 2, DT= .01 SEC\n1 -0.5\n"; }
+
+struct TitleUnit {
+  const char* title;
+  const char* unit;
+  double one;  ///< an acceleration of 1 over 9.81 m/s^2
+};
+
+void PrintTo(const TitleUnit& title, std::ostream* out) { *out << title.title; }
+
+class PeerUnit : public ::testing::TestWithParam<TitleUnit> {};
+
+TEST_P(PeerUnit, IsReadInEachSpelling) {
+  const GroundMotion motion = read_record(file_with_title(GetParam().title));
+  EXPECT_EQ(motion.unit, GetParam().unit);
+  ASSERT_EQ(motion.samples.size(), 2U);
+  EXPECT_DOUBLE_EQ(motion.samples[0].horizontal, GetParam().one);
+  EXPECT_THAT(motion.warnings, IsEmpty());
+}
+
+constexpr double foot = 0.3048;
+INSTANTIATE_TEST_SUITE_P(
+    Spellings, PeerUnit,
+    ::testing::Values(
+        TitleUnit{"ACCELERATION TIME SERIES IN UNITS OF G", "g", 1.0}, TitleUnit{"The units are (g)", "g", 1.0},
+        TitleUnit{"UNITS: G. FILTER POINTS: HP=0.1 Hz", "g", 1.0},
+        TitleUnit{"Unit = g's; step in units of sec", "g", 1.0}, TitleUnit{"ACCELERATION IN UNITS OF MG", "mg", 1e-3},
+        TitleUnit{"UNITS OF %G", "%g", 0.01}, TitleUnit{"UNITS ARE % G, CORRECTED", "%g", 0.01},
+        TitleUnit{"UNITS OF GAL", "cm/s2", 0.01 / 9.81}, TitleUnit{"UNITS OF GALS.", "cm/s2", 0.01 / 9.81},
+        TitleUnit{"UNITS OF CM/S2", "cm/s2", 0.01 / 9.81}, TitleUnit{"UNITS OF CM / SEC / SEC", "cm/s2", 0.01 / 9.81},
+        TitleUnit{"UNITS: [cm/s^2]", "cm/s2", 0.01 / 9.81},
+        TitleUnit{"ACCELERATION UNITS OF CM/SEC**2", "cm/s2", 0.01 / 9.81},
+        TitleUnit{"UNITS OF ACCELERATION: M/S/S", "m/s2", 1.0 / 9.81}, TitleUnit{"UNITS OF M/SEC2", "m/s2", 1.0 / 9.81},
+        TitleUnit{"UNITS ARE IN m s-2", "m/s2", 1.0 / 9.81}, TitleUnit{"UNITS OF MM/S/S", "mm/s2", 1e-3 / 9.81},
+        TitleUnit{"UNITS OF MM/SEC^2", "mm/s2", 1e-3 / 9.81}, TitleUnit{"UNITS OF FT/SEC/SEC", "ft/s2", foot / 9.81},
+        TitleUnit{"UNITS OF FT/S2", "ft/s2", foot / 9.81},
+        TitleUnit{"UNITS OF IN/SEC/SEC", "in/s2", foot / 12.0 / 9.81},
+        TitleUnit{"UNITS IN IN / SEC / SEC", "in/s2", foot / 12.0 / 9.81},
+        TitleUnit{"ACCELERATION IN GALS", "cm/s2", 0.01 / 9.81},
+        TitleUnit{"Acceleration (cm/s/s)", "cm/s2", 0.01 / 9.81},
+        TitleUnit{"UNITS OF G\nPEAK ACCELERATION 300 CM/S/S", "g", 1.0}));
+
+struct BadTitle {
+  const char* title;
+  const char* value;
+  const char* reason;
+};
+
+void PrintTo(const BadTitle& title, std::ostream* out) { *out << title.title; }
+
+class PeerTitle : public ::testing::TestWithParam<BadTitle> {};
+
+TEST_P(PeerTitle, IsRefusedWithItsLineWhateverUnitIsAskedFor) {
+  for (const auto unit :
+       {std::optional<RecordUnit>(), std::optional(RecordUnit::g), std::optional(RecordUnit::cm_s2)}) {
+    auto how = reading();
+    how.unit = unit;
+    Problems problems;
+    ASSERT_FALSE(read_ground_motion(file_with_title(GetParam().title), how, problems));
+    const base::Problem& problem = problems.back();
+    EXPECT_EQ(problem.place, "r.at2, line 2");
+    EXPECT_EQ(problem.value, GetParam().value);
+    EXPECT_THAT(problem.reason, HasSubstr(GetParam().reason));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Unknown, PeerTitle,
+    ::testing::Values(BadTitle{"UNITS OF PARSEC/S/S", "\"PARSEC/S/S\"", "not a known unit"},
+                      BadTitle{"UNITS OF 0.01 G", "\"0.01\"", "not a known unit"},
+                      BadTitle{"UNITS OF G X 100", "\"G\"", "not a known unit"},
+                      BadTitle{"UNITS OF G*1000", "\"G*1000\"", "not a known unit"},
+                      BadTitle{"UNITS OF G / 1000", "\"G\"", "not a known unit"},
+                      BadTitle{"UNITS OF COUNTS", "\"COUNTS\"", "not a known unit"},
+                      BadTitle{"UNITS OF KG", "\"KG\"", "not a known unit"},
+                      BadTitle{"UNITS OF", "\"OF\"", "not a known"},
+                      BadTitle{"TIME SERIES IN UNITS OF CM/SEC", "\"CM/SEC\"", "unit of a velocity"},
+                      BadTitle{"UNITS OF CM/S.", "\"CM/S.\"", "unit of a velocity"},
+                      BadTitle{"UNITS OF m", "\"m\"", "unit of a displacement"},
+                      BadTitle{"UNITS OF CM. FILTER", "\"CM.\"", "unit of a displacement"},
+                      BadTitle{"UNITS OF IN", "\"IN\"", "unit of a displacement"},
+                      BadTitle{"VELOCITY (CM/SEC)", "\"VELOCITY (CM/SEC)\"", "contains a velocity"},
+                      BadTitle{"DISPLACEMENT TIME HISTORY IN UNITS OF CM",
+                               "\"DISPLACEMENT TIME HISTORY IN UNITS OF CM\"", "contains a displacement"}));
+
+TEST(PeerFile, OfTwoUnitsIsRefused) {
+  for (const char* title :
+       {"UNITS OF G\nUNITS OF CM/S2", "UNITS OF GAL\nTHE UNITS ARE MG", "ACCELERATION IN GAL\nACCELERATION IN M/S/S"}) {
+    const auto problem = problem_of(file_with_title(title));
+    EXPECT_EQ(problem.place, "r.at2, line 3") << title;
+    EXPECT_THAT(problem.reason, HasSubstr("contradicts a line above it")) << title;
+  }
+  EXPECT_EQ(read_record(file_with_title("UNITS OF GAL\nUNITS OF CM/S/S")).unit, "cm/s2");
+}
+
+TEST(PeerFile, WhoseUnitContradictsTheOneAskedForIsRefused) {
+  for (const auto& [title, asked] : {std::pair{"UNITS OF GALS", RecordUnit::g},
+                                     {"UNITS OF MG", RecordUnit::g},
+                                     {"UNITS OF G", RecordUnit::percent_g},
+                                     {"ACCELERATION IN MM/S2", RecordUnit::m_s2}}) {
+    auto how = reading();
+    how.unit = asked;
+    EXPECT_THAT(problem_of(file_with_title(title), how).reason, HasSubstr("is the unit of the file")) << title;
+  }
+}
+
+TEST(PeerFile, OfVelocitiesOrDisplacementsIsKnownByItsNameWhereItStatesNoUnit) {
+  for (const auto& [name, kind] :
+       {std::pair{"A/B.VT2", "velocity"}, {"b.vt2", "velocity"}, {"B.DT2", "displacement"}}) {
+    auto how = reading();
+    how.name = name;
+    const auto problem = problem_of(file_with_title("b"), how);
+    EXPECT_EQ(problem.place, name);
+    EXPECT_THAT(problem.reason, HasSubstr(kind));
+    EXPECT_EQ(read_record(file_with_title("UNITS OF G"), how).unit, "g");
+  }
+}
+
+TEST(PeerFile, HasATimeStepInSecondsOrMilliseconds) {
+  const auto counts = [](const std::string& line) { return peer_at2(line, three_values); };
+  for (const char* line :
+       {"NPTS= 3, DT= 10 MSEC", "NPTS= 3, DT= 10. ms", "NPTS= 3 DT= 10, (msec)", "DT= 10 MS, NPTS= 3",
+        "3 10 NPTS, DT (MSEC)", "NPTS= 3, DT= 0.01 SECONDS", "NPTS= 3, DT= 0.01 s.", "NPTS= 3, DT= .01 SEC HP= 0.1 HZ",
+        "DT= .01 NPTS= 3", "NPTS= 3, DT= .01 HP = 0.1"}) {
+    EXPECT_EQ(read_record(counts(line)).time_step, 0.01) << line;
+  }
+  for (const auto& [line, value] : {std::pair{"NPTS= 3, DT= 10 HZ", "\"HZ\""},
+                                    {"NPTS= 3, DT= 1 MIN", "\"MIN\""},
+                                    {"NPTS= 3, DT= 10 usec", "\"usec\""},
+                                    {"3 10 NPTS, DT [us]", "\"us\""},
+                                    {"NPTS= 3, DT= 10 *MS", "\"*MS\""}}) {
+    const auto problem = problem_of(counts(line));
+    EXPECT_EQ(problem.place, "r.at2, line 4") << line;
+    EXPECT_EQ(problem.value, value) << line;
+    EXPECT_THAT(problem.reason, HasSubstr("not a known unit of time")) << line;
+  }
+}
+
+TEST(PeerFile, GivesEachCountOnce) {
+  for (const char* line : {"NPTS= 3, DT= .01, DT= .02", "NPTS= 3, NPTS= 4, DT= .01", "DT= .02\nNPTS= 3, DT= .01",
+                           "NPTS= 3\nNPTS= 3, DT= .01"}) {
+    EXPECT_THAT(problem_of(peer_at2(line, three_values)).reason, HasSubstr("a second time")) << line;
+  }
+}
+
+TEST(PeerFile, MayEndWithTextBehindTheDeclaredSamples) {
+  const std::string text = peer_at2(three_values, ".01") + "\n*** End Data ***\n0.7 0.8\n";
+  const GroundMotion motion = read_record(text);
+  EXPECT_EQ(motion.samples.size(), 3U);
+  EXPECT_THAT(motion.warnings, ElementsAre(::testing::AllOf(HasSubstr("text"), HasSubstr("line 7"), HasSubstr("***"))));
+  const GroundMotion same_line = read_record("a UNITS OF G\nNPTS= 2, DT= .01\n1D-1 2D-1 END\n");
+  EXPECT_EQ(same_line.samples.size(), 2U);
+  EXPECT_EQ(same_line.warnings.size(), 1U);
+  const GroundMotion one_more = read_record("a UNITS OF G\nNPTS= 2, DT= .01\n1 2 3D-1\nEND\n");
+  EXPECT_EQ(one_more.samples.size(), 3U);
+  EXPECT_EQ(one_more.warnings.size(), 2U);
+  for (const char* early : {"NPTS= 4, DT= .01", "NPTS= 5, DT= .01"}) {
+    const auto problem = problem_of(peer_at2(early, three_values) + "End\n");
+    EXPECT_EQ(problem.place, "r.at2, line 6") << early;
+    EXPECT_EQ(problem.value, "\"End\"") << early;
+  }
+  EXPECT_THAT(problem_of("a UNITS OF G\nNPTS= 1, DT= .01\n1 2 3\nEnd\n").reason, HasSubstr("contains 3 samples"));
 }
 
 TEST(PeerFile, MustAgreeWithATimeStepThatIsGiven) {
@@ -140,7 +307,7 @@ TEST_P(RecordFault, IsToldWithFileLineAndValue) {
 
 INSTANTIATE_TEST_SUITE_P(
     Peer, RecordFault,
-    ::testing::Values(BadRecord{"a\nNPTS= 2, DT= .01\n1 2\n3 x\n", "r.at2, line 4", "\"x\"", "not a number"},
+    ::testing::Values(BadRecord{"a\nNPTS= 4, DT= .01\n1 2\n3 x\n", "r.at2, line 4", "\"x\"", "not a number"},
                       BadRecord{"a\nNPTS= 2, DT= .01\n1 NaN\n", "r.at2, line 3", "\"NaN\"", "not finite"},
                       BadRecord{"a\nNPTS= 2, DT= .01\n1 1e999\n", "r.at2, line 3", "\"1e999\"", "range of doubles"},
                       BadRecord{"a\nNPTS= 2, DT= .01\n1 2e6\n", "r.at2, line 3", "\"2e6\"", "exceeds 1e6 m/s^2"},
@@ -157,16 +324,25 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Esm, RecordFault,
-    ::testing::Values(BadRecord{esm_asc("0.01", "cm/s", "2", "1\n2\n"), "r.at2, line 9", "\"cm/s\"", "known unit"},
-                      BadRecord{esm_asc("", "cm/s^2", "2", "1\n2\n"), "r.at2, line 5", "\"\"", "empty field"},
-                      BadRecord{esm_asc("0.01", "cm/s^2", "5", "1\n2\n"), "r.at2", "",
-                                "contains 2 samples, but its header declares 5"},
-                      BadRecord{esm_asc("0.01", "cm/s^2", "2", "1\n2m\n"), "r.at2, line 15", "\"2m\"", "not a number"},
-                      BadRecord{"SAMPLING_INTERVAL_S: 0.01\nwhat is this\n1\n2\n", "r.at2, line 2", "\"what is this\"",
-                                "KEY: value"},
-                      BadRecord{"SAMPLING_INTERVAL_S: 0.01\n1\n2\n", "r.at2", "", "UNITS"},
-                      BadRecord{"SAMPLING_INTERVAL_S: 0.01\nUNITS: cm/s^2\nDATA_TYPE: VELOCITY\n1\n2\n",
-                                "r.at2, line 3", "\"VELOCITY\"", "kind of the data"}));
+    ::testing::Values(
+        BadRecord{esm_asc("0.01", "cm/s", "2", "1\n2\n"), "r.at2, line 9", "\"cm/s\"", "known unit"},
+        BadRecord{esm_asc("", "cm/s^2", "2", "1\n2\n"), "r.at2, line 5", "\"\"", "empty field"},
+        BadRecord{esm_asc("0.01", "cm/s^2", "5", "1\n2\n"), "r.at2", "",
+                  "contains 2 samples, but its header declares 5"},
+        BadRecord{esm_asc("0.01", "cm/s^2", "2", "1\n2m\n"), "r.at2, line 15", "\"2m\"", "not a number"},
+        BadRecord{"SAMPLING_INTERVAL_S: 0.01\nwhat is this\n1\n2\n", "r.at2, line 2", "\"what is this\"", "KEY: value"},
+        BadRecord{"SAMPLING_INTERVAL_S: 0.01\n1\n2\n", "r.at2", "", "UNITS"},
+        BadRecord{esm_asc("0.01\nSAMPLING_INTERVAL_S: 0.01", "g", "2", "1\n2\n"), "r.at2, line 6",
+                  "\"SAMPLING_INTERVAL_S: 0.01\"", "a second time"},
+        BadRecord{esm_asc("0.01", "g\nUNITS: cm/s^2", "2", "1\n2\n"), "r.at2, line 10", "\"UNITS: cm/s^2\"",
+                  "a second time"},
+        BadRecord{esm_asc("0.01", "g\nunits: cm/s^2", "2", "1\n2\n"), "r.at2, line 10", "\"units: cm/s^2\"",
+                  "a second time"},
+        BadRecord{esm_asc("0.01", "g", "2\nNDATA: 3", "1\n2\n"), "r.at2, line 7", "\"NDATA: 3\"", "a second time"},
+        BadRecord{esm_asc("10 MSEC", "g", "2", "1\n2\n"), "r.at2, line 5", "\"10 MSEC\"", "not a number"},
+        BadRecord{esm_asc("0.01", "cm", "2", "1\n2\n"), "r.at2, line 9", "\"cm\"", "known unit"},
+        BadRecord{"SAMPLING_INTERVAL_S: 0.01\nUNITS: cm/s^2\nDATA_TYPE: VELOCITY\n1\n2\n", "r.at2, line 3",
+                  "\"VELOCITY\"", "kind of the data"}));
 
 TEST(EsmFile, StatesItsTimeStepAndItsUnit) {
   const GroundMotion motion = read_record(esm_asc("0.005000", "cm/s^2", "3", "98.1\n-196.2\n0.5\n"));
@@ -177,6 +353,8 @@ TEST(EsmFile, StatesItsTimeStepAndItsUnit) {
   EXPECT_EQ(motion.unit, "cm/s2");
   EXPECT_EQ(read_record(esm_asc("0.01", "g", "2", "0.1\n0.2\n")).samples[1].horizontal, 0.2);
   EXPECT_EQ(read_record(esm_asc("0.01", "m/s^2", "", "9.81\n0\n")).samples[0].horizontal, 1.0);
+  EXPECT_EQ(read_record(esm_asc("0.01", "mm/s^2", "", "9810\n0\n")).samples[0].horizontal, 1.0);
+  EXPECT_EQ(read_record(esm_asc("0.01", "g", "2", "1\n2\nend of data\n")).warnings.size(), 1U);
 }
 
 TEST(ColumnsFile, HasTheUnitThatIsGiven) {
@@ -189,6 +367,12 @@ TEST(ColumnsFile, HasTheUnitThatIsGiven) {
   EXPECT_EQ(value(RecordUnit::g), 0.5);
   EXPECT_EQ(value(RecordUnit::m_s2), 0.5 / gravity_of_test);
   EXPECT_EQ(value(RecordUnit::cm_s2), 0.5 / 100.0 / gravity_of_test);
+  EXPECT_EQ(value(RecordUnit::percent_g), 0.005);
+  EXPECT_THAT(read_record("0 0.3\n1 0.5\n", how).warnings, IsEmpty());
+}
+
+TEST(ColumnsFile, WithoutAUnitSaysThatOneIsAssumed) {
+  EXPECT_THAT(read_record("0 0.3\n1 0.5\n").warnings, ElementsAre(HasSubstr("m/s2 is assumed")));
 }
 
 TEST(VerticalComponent, ComesFromAFileOfItsOwn) {

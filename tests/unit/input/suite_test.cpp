@@ -156,6 +156,31 @@ TEST_F(Suite, ThatCannotBeReadIsRefusedWithItsPlace) {
   EXPECT_THAT(refusal_of(within), HasSubstr("/excitation/suite = [\"v.at2\"]: cannot stand in a value of the sweep"));
 }
 
+TEST_F(Suite, HasEachRecordOnceWhateverItsName) {
+  files_["./records/a.at2"] = files_["records/../records/a.at2"] = files_["copy.at2"] = files_["records/a.at2"];
+  for (const char* other : {"./records/a.at2", "records/../records/a.at2", "copy.at2"}) {
+    const std::string both = "[\"records/*.at2\", \"" + std::string(other) + "\"]";
+    EXPECT_THAT(refusal_of(experiment(both)), HasSubstr("/excitation/suite/1 = \"" + std::string(other) +
+                                                        "\": has the same content as \"records/a.at2\""));
+  }
+  EXPECT_THAT(refusal_of(experiment(R"(["copy.at2", {"file": "records/a.at2", "vertical_file": "v.at2"}])")),
+              HasSubstr("/excitation/suite/1 = \"records/a.at2\": has the same content as \"copy.at2\""));
+  files_["copy.at2"] += '\n';
+  EXPECT_EQ(refusal_of(experiment(R"(["records/a.at2", "copy.at2"])")), "accepted");
+}
+
+TEST_F(Suite, RefusesANameThatIsNoUtf8AndFitsAPattern) {
+  Surroundings with_such_a_name = surroundings();
+  with_such_a_name.matches = [](const std::string&) { return std::vector<std::string>{"records/\xff.at2"}; };
+  try {
+    static_cast<void>(read_experiment(experiment(R"("records/*.at2")").dump(), {}, with_such_a_name));
+    ADD_FAILURE() << "accepted";
+  } catch (const base::InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("/excitation/suite = \"records/\\ufffd.at2\""));
+    EXPECT_THAT(error.what(), HasSubstr("no UTF-8"));
+  }
+}
+
 TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
   Json json = experiment(R"(["v.at2"])");
   json["excitation"]["scale"] = 1.0;
@@ -163,7 +188,7 @@ TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
   EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/pga_g = 0.4: excludes \"scale\""));
   json["excitation"].erase("pga_g");
   json["excitation"]["units"] = "cm/s2";
-  EXPECT_THAT(refusal_of(json), HasSubstr("v.at2, line 4 = \"g\": is the unit of the file"));
+  EXPECT_THAT(refusal_of(json), HasSubstr("v.at2, line 3 = \"g\": is the unit of the file"));
   json["excitation"].erase("units");
   json["excitation"]["format"] = "columns";
   EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/units: is missing"));

@@ -46,6 +46,15 @@ TEST_F(Files, AreSeenFromAFolder) {
   EXPECT_EQ(files_seen_from("/nowhere")((folder_ / "x").string(), 100), "content") << "unless the place is absolute";
 }
 
+TEST_F(Files, FitAPatternWithoutAFolder) {
+  write_atomically(folder_ / "x.at2", "content");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  const std::vector<std::string> found = matches_seen_from("")("*.at2");
+  fs::current_path(before);
+  EXPECT_EQ(found, std::vector<std::string>{"x.at2"});
+}
+
 TEST_F(Files, LeaveNothingBesideThem) {
   write_atomically(folder_ / "x", "content");
   ensure_writable(folder_);

@@ -71,6 +71,14 @@ TEST(Printable, ShowsControlCharactersAndBytesThatAreNotUtf8) {
   EXPECT_EQ(printable("\xe2\x96"), "\\xe2\\x96");
 }
 
+TEST(Printable, ShowsControlsOfWritingDirection) {
+  EXPECT_EQ(printable("a\u202e2ta.exe"), "a\\u202e2ta.exe");
+  EXPECT_EQ(printable("\u061c\u200e\u200f\u202a\u202b\u202c\u202d\u2066\u2067\u2068\u2069"),
+            "\\u061c\\u200e\\u200f\\u202a\\u202b\\u202c\\u202d\\u2066\\u2067\\u2068\\u2069");
+  EXPECT_EQ(printable("\u061b\u061d\u200d\u2010\u2029\u202f\u2065\u206a"),
+            "\u061b\u061d\u200d\u2010\u2029\u202f\u2065\u206a");
+}
+
 TEST(Printable, IsEveryMessageAboutInput) {
   const std::string message =
       to_string(rocking::base::Problem{.place = "/\x1b[2J", .value = "v\x07", .reason = "r", .remedy = "\r"});

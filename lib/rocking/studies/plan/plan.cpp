@@ -8,6 +8,7 @@
 
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/rate_ratios.hpp"
 
 namespace rocking {
 namespace {
@@ -85,6 +86,12 @@ Plan plan_of(const Experiment& experiment, const Means& means) {
     }
   }
   add_drawn_quantities(experiment, plan.effects);
+  RateRatios ratios;
+  for (const Condition& condition : experiment.conditions) {
+    const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
+    ratios.add(block, restitution_of(condition.scene, block));
+  }
+  plan.impacts = ratios.text();
   return plan;
 }
 

@@ -24,6 +24,7 @@ struct Plan {
   Needs needs;
   std::optional<TimeEstimate> time;  ///< absent: not measured, or not to be had
   std::vector<std::string> effects;  ///< that are on in at least one condition
+  std::string impacts;               ///< what they leave of the tilt rate, in a sentence
 };
 
 /// The plan of a run without its time.

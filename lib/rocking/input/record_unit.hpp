@@ -1,0 +1,73 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace rocking {
+
+/// Unit of the accelerations in a file. `g` is the gravity of the experiment, as in `amplitude_g`; `mg` and `percent_g`
+/// are a thousandth and a hundredth of it.
+enum class RecordUnit : std::uint8_t { g, m_s2, cm_s2, mm_s2, mg, percent_g, ft_s2, in_s2 };
+
+/// Their names in experiments, in the order of RecordUnit.
+inline constexpr std::array<std::string_view, 8> record_unit_names{"g",  "m/s2", "cm/s2", "mm/s2",
+                                                                   "mg", "%g",   "ft/s2", "in/s2"};
+
+/// The names as a list in words, for messages.
+[[nodiscard]] std::string record_units_in_words();
+
+[[nodiscard]] constexpr std::string_view name_of(RecordUnit unit) {
+  return record_unit_names[static_cast<std::size_t>(unit)];
+}
+
+/// The warning of a file that does not state the unit of its accelerations.
+[[nodiscard]] std::string unit_assumed(RecordUnit unit);
+
+/// An acceleration of a file over `gravity` [m/s^2]. Of m/s^2 it is one division, of g the number itself.
+[[nodiscard]] constexpr double over_gravity(double value, RecordUnit unit, double gravity) {
+  switch (unit) {
+    case RecordUnit::g: return value;
+    case RecordUnit::m_s2: return value / gravity;
+    case RecordUnit::cm_s2: return value / 100.0 / gravity;
+    case RecordUnit::mm_s2: return value / 1000.0 / gravity;
+    case RecordUnit::mg: return value / 1000.0;
+    case RecordUnit::percent_g: return value / 100.0;
+    case RecordUnit::ft_s2: return value * 0.3048 / gravity;
+    case RecordUnit::in_s2: break;
+  }
+  return value * 0.0254 / gravity;
+}
+
+/// What an acceleration of 1 is in m/s^2.
+[[nodiscard]] constexpr double in_m_s2(RecordUnit unit, double gravity) {
+  switch (unit) {
+    case RecordUnit::g: return gravity;
+    case RecordUnit::m_s2: return 1.0;
+    case RecordUnit::cm_s2: return 0.01;
+    case RecordUnit::mm_s2: return 0.001;
+    case RecordUnit::mg: return 0.001 * gravity;
+    case RecordUnit::percent_g: return 0.01 * gravity;
+    case RecordUnit::ft_s2: return 0.3048;
+    case RecordUnit::in_s2: break;
+  }
+  return 0.0254;
+}
+
+/// What a unit in a header measures.
+enum class UnitKind : std::uint8_t { acceleration, velocity, displacement, time, unknown };
+
+struct WrittenUnit {
+  UnitKind kind = UnitKind::unknown;
+  RecordUnit acceleration = RecordUnit::g;  ///< of kind `acceleration`
+};
+
+/// Most characters of a unit in a header.
+inline constexpr std::size_t longest_unit = 60;
+
+/// A unit as headers write it: `cm/s^2`, `CM/SEC/SEC`, `GALS`, `(g)`, `in/sec**2`, `% g`, `cm/s`. Unknown if longer than longest_unit.
+[[nodiscard]] WrittenUnit unit_written(std::string_view text);
+
+}  // namespace rocking

@@ -1,0 +1,52 @@
+// What impacts leave of the tilt rate, in words.
+
+#include <string>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/output/plan_text.hpp"
+#include "rocking/studies/plan/plan.hpp"
+
+namespace {
+
+using namespace rocking;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+std::string plan_of_block(const std::string& restitution, const std::string& width = "0.35",
+                          const std::string& sweep = "[]") {
+  const std::string text = R"({ "format": "rocking.experiment/1", "block": { "width_m": )" + width +
+                           R"(, "height_m": 1.6 }, "restitution": )" + restitution +
+                           R"(, "excitation": { "kind": "harmonic", "amplitude": 2.0, "frequency_ratio": 5.0 })" +
+                           (sweep == "[]" ? "" : R"(, "sweep": )" + sweep) + " }";
+  return plan_text(plan_of(read_experiment(text), {.threads = 1, .shard = {}}));
+}
+
+// sin^2(psi) = 0.1225/2.6825, so that 1 - 1.5 sin^2(psi) = 0.93150 and 1 - 1.5 (1 + e) sin^2(psi) = 0.868 for e = 0.93.
+TEST(RateRatios, AreThoseThatFollowFromTheRestitution) {
+  EXPECT_THAT(plan_of_block("0.93"), AllOf(HasSubstr("e = 0.93: 0.868 of the tilt rate survives"),
+                                           HasSubstr("(Housner's ratio: 0.932)"), Not(HasSubstr("0.85"))));
+  EXPECT_THAT(plan_of_block("0.0"), HasSubstr("e = 0: 0.932 of the tilt rate survives"));
+  EXPECT_THAT(plan_of_block(R"({ "rate_ratio": 0.9 })"), HasSubstr(": 0.9 of the tilt rate survives"));
+  EXPECT_THAT(plan_of_block("\"jy25\""), HasSubstr("e = 0.932: 0.868 of the tilt rate survives"));
+}
+
+// B/H = 1/2: sin^2(psi) = 0.2, Housner's ratio is 0.7.
+TEST(RateRatios, FarBelowHousnersAreNoted) {
+  EXPECT_THAT(plan_of_block("0.93", "0.8"),
+              AllOf(HasSubstr("e = 0.93: 0.421 of the tilt rate"), HasSubstr("less than 0.85 of Housner's ratio"),
+                    HasSubstr("\"rate_ratio\"")));
+  EXPECT_THAT(plan_of_block("0.34", "0.8"), Not(HasSubstr("less than 0.85")));  // 0.598/0.7 = 0.854
+  EXPECT_THAT(plan_of_block("0.36", "0.8"), HasSubstr("less than 0.85"));       // 0.592/0.7 = 0.846
+}
+
+TEST(RateRatios, OfASweepAreARange) {
+  const std::string text =
+      plan_of_block("0.0", "0.8", R"([{ "parameter": "/restitution", "values": [0.0, 0.5, 0.2] }])");
+  EXPECT_THAT(text, AllOf(HasSubstr("e = 0 to 0.5: 0.55 to 0.7 of the tilt rate"), HasSubstr("less than 0.85")));
+}
+
+}  // namespace

@@ -100,10 +100,25 @@ std::string conversion_text(std::string_view key, Shakings shakings) {
 void place_by_name(const RunReport& report, std::size_t shown, SweepView& view) {
   std::map<std::string, double> places;
   for (const ConditionReport& condition : report.conditions) {
-    const std::string name = short_value(report.swept[shown], condition.parameters[shown]);
-    const auto [found, is_new] = places.try_emplace(name, static_cast<double>(places.size()));
-    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = name});
+    const Json& value = condition.parameters[shown];
+    const auto [found, is_new] = places.try_emplace(value.dump(), static_cast<double>(places.size()));
+    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = short_value(report.swept[shown], value)});
     view.x.push_back(found->second);
+  }
+}
+
+/// The values of all parameters but the shown one, in full: short names may be equal where values differ.
+std::string others_in_full(const ConditionReport& condition, std::size_t shown) {
+  Json values = condition.parameters;
+  values.erase(shown);
+  return values.dump();
+}
+
+/// Numbers the slices whose short names are equal.
+void tell_apart(std::vector<Slice>& slices) {
+  std::map<std::string, std::size_t> seen;
+  for (Slice& slice : slices) {
+    if (const std::size_t number = ++seen[slice.name]; number > 1) slice.name += " (" + std::to_string(number) + ')';
   }
 }
 
@@ -168,7 +183,8 @@ Axis axis_of_parameter(const std::string& pointer) {
   }
   std::string words = key;
   std::replace(words.begin(), words.end(), '_', ' ');
-  return {.quantity = words, .symbol = "", .unit = ""};
+  const bool is_source = pointer == "/fluctuation/" + key;
+  return {.quantity = (is_source ? "fluctuation of " : "") + words, .symbol = "", .unit = ""};
 }
 
 Axis axis_of_parameter(const std::string& pointer, Shakings shakings) {
@@ -276,9 +292,8 @@ SweepView view_of(const RunReport& report) {
   }
   std::map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const std::string name = name_of_others(report, report.conditions[i], shown, false);
-    const auto [found, is_new] = known.try_emplace(name, view.slices.size());
-    if (is_new) view.slices.push_back({.name = name, .conditions = {}});
+    const auto [found, is_new] = known.try_emplace(others_in_full(report.conditions[i], shown), view.slices.size());
+    if (is_new) view.slices.push_back({.name = {}, .conditions = {}});
     view.slices[found->second].conditions.push_back(i);
   }
   if (view.slices.size() > most_slices) view.slices.resize(most_slices);
@@ -291,4 +306,6 @@ SweepView view_of(const RunReport& report) {
   return view;
 }
 
+  view.entry = shown;
 }  // namespace rocking::analysis
+  tell_apart(view.slices);

@@ -24,6 +24,7 @@ inline constexpr std::size_t most_slices = 48;
 
 struct SweepView {
   Axis axis;                  ///< of the shown parameter
+  std::size_t entry = 0;      ///< the shown entry of the sweep; 0 without a sweep
   Column column;              ///< the same as a column of a table
   std::vector<double> x;      ///< of each condition
   std::vector<Slice> slices;  ///< in the order of the report, at most most_slices

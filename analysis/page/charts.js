@@ -9,7 +9,7 @@ var charts = (function () {
     this.boxes = panel.layers.filter(function (layer) { return layer.kind === 'boxes' || layer.kind === 'spans'; });
     this.home = { dateWindow: series.xRange(panel), valueRange: series.yRange(panel) };
     var holder = shapes.make('div', { class: 'panel' }, parent);
-    if (panel.title) shapes.make('h4', { text: panel.title }, holder);
+    if (panel.title) shapes.make('h4', {}, holder).innerHTML = shapes.withSymbols(panel.title);
     this.frame = shapes.make('div', { class: 'frame', tabindex: '0', role: 'group', 'aria-roledescription': 'chart',
       'aria-label': (panel.title ? panel.title + ': ' : '') + panel.y.quantity + ' against ' + panel.x.quantity +
         '. Arrow keys move along it and read its values; plus and minus zoom, 0 shows all. The table below has the numbers.'

@@ -111,7 +111,7 @@ std::string remedies_html(const RunReport& report) {
     const auto row = settling_row(report, i);
     if (!row) continue;
     const std::string remedy = limit_remedy(*row, name_of_condition(report, report.conditions[i]));
-    if (!remedy.empty()) entries += "<li>" + escaped(remedy) + ".</li>\n";
+    if (!remedy.empty()) entries += "<li>" + with_symbols(remedy) + ".</li>\n";
   }
   return entries.empty() ? "" : "<p>The limit is too short:</p>\n<ul>\n" + entries + "</ul>\n";
 }

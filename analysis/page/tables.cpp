@@ -82,7 +82,7 @@ std::string response_of(const ConditionReport& condition) {
 
 std::string column_name(const Axis& axis) {
   return escaped(axis.quantity) + (axis.symbol.empty() ? "" : ' ' + symbol_html(axis.symbol)) +
-         (axis.unit.empty() ? "" : " [" + escaped(axis.unit) + ']');
+         (axis.unit.empty() ? "" : " [" + with_symbols(axis.unit) + ']');
 }
 
 std::string cell_html(const Cell& cell) {
@@ -158,7 +158,7 @@ Table side_by_side(const std::vector<Table>& tables) {
 std::string data_table_html(const Table& table, const std::string& title) {
   PageTable shown;
   shown.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
-  shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
+  shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + with_symbols(table.name) + ')');
   for (const Column& column : table.columns) {
     shown.head.push_back(column.is_verbatim ? escaped(column.meaning) : lowered(column.meaning));
   }

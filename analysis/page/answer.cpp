@@ -79,12 +79,17 @@ std::string level_of(const ConditionReport& condition) { return level_text(condi
 std::string bound_at(const ConditionReport& condition) {
   const AnyShare share = share_of(condition, overturned);
   if (!share.interval) return "";
-  return fmt::format(" (at most {} % there, {})", upper_bound_text(share.interval->high), level_of(condition));
+  return fmt::format(" (at most {} % there, {})", per_cent(share.interval->high), level_of(condition));
 }
 
 std::string probability_at(const ConditionReport& condition, const ResponseMode& mode) {
   const AnyShare share = share_of(condition, mode);
   return share.interval ? probability_text(share.estimate, *share.interval) : per_cent(share.estimate) + " %";
+}
+
+/// `, 48 of 300000 realisations`.
+std::string count_at(const ConditionReport& condition, const ResponseMode& mode) {
+  return fmt::format(", {} of {}", share_of(condition, mode).count, counted(condition.realisations, "realisation"));
 }
 
 std::string list_of(const std::vector<std::string>& parts) {
@@ -134,8 +139,8 @@ std::string overturning_along(const Along& along) {
   std::string text;
   if (first > 0) text = "No overturning seen up to " + along.name(first - 1) + bound_at(along.at(first - 1)) + "; ";
   text += (first > 0 ? "seen " : "Overturning seen ") + where_it_overturns(along);
-  return text + fmt::format("; most likely at {}: <strong>{}</strong>", along.name(most),
-                            probability_at(along.at(most), overturned));
+  return text + fmt::format("; most likely at {}: <strong>{}</strong>{}", along.name(most),
+                            probability_at(along.at(most), overturned), count_at(along.at(most), overturned));
 }
 
 /// `; the least base amplitude is at friction 0.4/0.35, base amplitude 6`: the first condition along the sweep that
@@ -163,20 +168,20 @@ std::string overturning_anywhere(const RunReport& report) {
     std::string text = fmt::format("None in {}", counted(realisations_of(report), "realisation"));
     if (report.conditions.size() > 1) text += fmt::format(" of {} conditions", report.conditions.size());
     if (!share.interval) return text;
-    return text + fmt::format(": at most {} %{} ({} confidence)", upper_bound_text(share.interval->high),
+    return text + fmt::format(": at most {} %{} ({} confidence)", per_cent(share.interval->high),
                               report.conditions.size() > 1 ? " in each condition" : "", level_of(condition));
   }
   const std::string place = with_symbols(condition_name(report, worst.condition));
   if (report.conditions.size() == 1) {
     if (!condition.is_random) return "The block overturns";
-    return fmt::format("Probability <strong>{}</strong>: {} of {}", probability_at(condition, overturned),
-                       worst.share.count, counted(condition.realisations, "realisation"));
+    return fmt::format("Probability <strong>{}</strong>{}", probability_at(condition, overturned),
+                       count_at(condition, overturned));
   }
   const std::string where =
       fmt::format("in {} of {} conditions{}", number, report.conditions.size(), least_place(report));
   if (!condition.is_random) return "The block overturns " + where;
-  return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>", where, place,
-                     probability_at(condition, overturned));
+  return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>{}", where, place,
+                     probability_at(condition, overturned), count_at(condition, overturned));
 }
 
 /// A sentence for each slice, after its name.

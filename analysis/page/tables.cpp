@@ -63,12 +63,12 @@ PageCell mode_cell(const ConditionReport& condition, const section::ResponseMode
   const AnyShare share = share_of(condition, mode);
   if (share.count == 0) {
     if (!share.interval) return {.html = "0", .value = {}};
-    return {.html = "<span class=\"none\">&lt; " + upper_bound_text(share.interval->high) + "</span>", .value = 0.0};
+    return {.html = "<span class=\"none\">&lt; " + per_cent(share.interval->high) + "</span>", .value = 0.0};
   }
   const std::string estimate = per_cent(share.estimate);
   if (!share.interval) return {.html = estimate, .value = {}};
-  return {.html = fmt::format("{} <span class=\"interval\">[{}, {}]</span>", estimate, per_cent(share.interval->low),
-                              per_cent(share.interval->high)),
+  return {.html = fmt::format("{} <span class=\"interval\">{}</span>{}", estimate, per_cent(*share.interval),
+                              count_if_open(share.count, condition.realisations)),
           .value = {}};
 }
 
@@ -102,8 +102,9 @@ std::string mode_table_html(const RunReport& report) {
     table.caption = fmt::format(
         "Response modes{} in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; "
         "&lt; "
-        "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval",
-        settling_rows(report).empty() ? "" : " in the end", escaped(report.level()));
+        "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval{}",
+        settling_rows(report).empty() ? "" : " in the end", escaped(report.level()),
+        count_legend(report.most_realisations()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
   const std::vector<ParameterColumn> columns = parameter_columns(report);

@@ -147,9 +147,9 @@ Check arithmetic(const RunReport& report) {
   }
   const std::string noise = floor.at("arithmetic_noise");
   const Json& interval = floor.at("interval");
-  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance [{}, {} %], ",
+  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance {} %, ",
                               floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>(),
-                              per_cent(interval.at(0).get<double>()), per_cent(interval.at(1).get<double>()));
+                              per_cent({.low = interval.at(0), .high = interval.at(1)}));
   const std::string half_width = per_cent(floor.at("half_width").get<double>()) + " %.";
   if (noise == "small") {
     check.rating = Rating::fine;

@@ -276,10 +276,38 @@ std::vector<Stretch> stretches_of(const std::vector<double>& places) {
   return stretches;
 }
 
+void set_range(const SweepView& view, Panel& panel) {
+  const auto [least, most] = std::ranges::minmax_element(view.x);
+  const double room = view.is_line ? 0.03 * (*most - *least) : 0.5;
+  panel.x.low = *least - room;
+  panel.x.high = *most + room;
+}
+
+void add_bars(const SweepView& view, const Table& table, const CategoryBars& bars, Figure& figure) {
+  constexpr double widest = 0.6;  // of the distance between categories
+  const double place = (static_cast<double>(bars.slice) + 0.5) / static_cast<double>(view.slices.size());
+  const double shift = widest * (place - 0.5);
+  const auto& [value, low, high] = bars.columns;
+  Table drawn{.name = "bars of " + table.columns[value].name + ": " + table.name,
+              .columns = {table.columns[0], table.columns[value], table.columns[low], table.columns[high]},
+              .rows = {},
+              .only_drawn = true};
+  for (const auto& row : table.rows) {
+    drawn.rows.push_back({std::get<double>(row[0]) + shift, row[value], row[low], row[high]});
+  }
+  const std::size_t number = figure.tables.size();
+  figure.tables.push_back(std::move(drawn));
+  std::vector<Layer>& layers = figure.panels.back().layers;
+  layers.push_back({.kind = LayerKind::error_bars, .table = number, .columns = {0, 1, 2, 3}, .style = bars.style});
+  layers.push_back(
+      {.kind = LayerKind::points, .table = number, .columns = {0, 1}, .style = bars.style, .legend = bars.legend});
+}
+
 SweepView view_of(const RunReport& report) {
   if (report.swept.empty()) return view_without_sweep(report);
   SweepView view;
   const std::size_t shown = shown_entry(report);
+  view.entry = shown;
   view.axis = axis_of_parameter(report.swept[shown], shakings_of(report));
   view.column = {last_key(report.swept[shown]), label_of(view.axis)};
   view.is_line = numbers_taken(report, shown) > 1;
@@ -303,9 +331,8 @@ SweepView view_of(const RunReport& report) {
     std::stable_sort(slice.conditions.begin(), slice.conditions.end(),
                      [&view](std::size_t a, std::size_t b) { return view.x[a] < view.x[b]; });
   }
+  tell_apart(view.slices);
   return view;
 }
 
-  view.entry = shown;
 }  // namespace rocking::analysis
-  tell_apart(view.slices);

@@ -2,6 +2,28 @@
 var charts = (function () {
   'use strict';
 
+  // A series with its intervals as bars with caps, for dygraphs.
+  function plotBars(event) {
+    var context = event.drawingContext, area = event.plotArea, cap = 4;
+    context.save();
+    context.strokeStyle = event.color;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    event.points.forEach(function (point) {
+      var ends = [point.y_bottom, point.y_top].map(function (share) { return area.y + area.h * share; });
+      if (!isFinite(ends[0]) || !isFinite(ends[1]) || ends[0] === ends[1]) return;
+      context.moveTo(point.canvasx, ends[0]);
+      context.lineTo(point.canvasx, ends[1]);
+      ends.forEach(function (end) {
+        context.moveTo(point.canvasx - cap, end);
+        context.lineTo(point.canvasx + cap, end);
+      });
+    });
+    context.stroke();
+    context.restore();
+    Dygraph.Plotters.linePlotter(event);
+  }
+
   function Chart(panel, figure, parent) {
     this.panel = panel;
     this.hidden = {};
@@ -35,6 +57,7 @@ var charts = (function () {
         drawPointCallback: function (g, label, context, x, y, colour, size) {
           shapes.mark(context, x, y, colour, size, curve.marker);
         } };
+      if (chart.series.barred[i]) looks[name].plotter = plotBars;
     });
     if (names.length === 1) names.push('nothing');
     function axis(description) {

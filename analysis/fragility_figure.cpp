@@ -1,6 +1,7 @@
 #include "analysis/fragility_figure.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -12,6 +13,8 @@
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/stats/fragility.hpp"
+#include "rocking/stats/normal_law.hpp"
+#include "rocking/stats/suite_law.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -38,14 +41,26 @@ std::string name_of(const Json& curve) {
   return name;
 }
 
+/// `overturned`, or `peak tilt > 0.5`.
+std::string event_of(const Json& curve) {
+  if (!curve.contains("event") || curve.at("event").is_string()) return "overturned";
+  return "peak tilt > " + significant(curve.at("event").at("peak_tilt").get<double>(), 4);
+}
+
+/// Of what a probability is: `overturning`, or `peak tilt > 0.5`.
+std::string subject_of(const Json& curve) {
+  const std::string event = event_of(curve);
+  return event == "overturned" ? "overturning" : event;
+}
+
 /// Columns: intensity, n, overturned, estimate, low, high.
 Table level_table(const Json& curve, const std::string& name) {
   const std::string level = level_text(curve.at("confidence")) + " % interval";
   Table table{.name = name,
               .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
-                          {"overturned", "number of them that overturned"},
-                          {"estimate", "estimated probability of overturning"},
+                          {"overturned", "number of them: " + event_of(curve)},
+                          {"estimate", "estimated probability of " + subject_of(curve)},
                           {"low", "lower end of its exact " + level},
                           {"high", "upper end of its exact " + level}},
               .rows = {}};
@@ -115,6 +130,14 @@ void add_isotonic(const Json& curve, const std::string& name, const Style& style
   layers.push_back({.kind = LayerKind::steps, .table = table, .columns = {0, 2}, .style = style});
 }
 
+/// The values of the other parameters, and the event unless it is an overturning; empty if there is neither.
+std::string legend_of(const Json& curve) {
+  const std::string name = name_of(curve);
+  const std::string event = event_of(curve);
+  if (event == "overturned") return name;
+  return name.empty() ? event : name + ", " + event;
+}
+
 void add_curve(const Json& curve, std::size_t number, Figure& figure) {
   Panel& panel = figure.panels.back();
   const std::string name = name_of(curve).empty() ? curve.at("title").get<std::string>() : name_of(curve);
@@ -136,16 +159,10 @@ void add_curve(const Json& curve, std::size_t number, Figure& figure) {
                           .table = figure.tables.size() - 1,
                           .columns = {0, 3, 4, 5},
                           .style = style,
-                          .legend = name_of(curve)});
+                          .legend = legend_of(curve)});
 }
 
 bool is_suite(const Json& curve) { return curve.contains("pooled"); }
-
-/// `overturned`, or `peak tilt > 0.5`.
-std::string event_of(const Json& curve) {
-  if (!curve.contains("event") || curve.at("event").is_string()) return "overturned";
-  return "peak tilt > " + significant(curve.at("event").at("peak_tilt").get<double>(), 4);
-}
 
 /// Columns: intensity, records, n, how many, estimate; with a law `fitted` and its band.
 Table suite_table(const Json& curve) {
@@ -190,7 +207,55 @@ Table record_shares(const Json& curve) {
   return table;
 }
 
-/// A thin line through the shares of each record of a suite, and the law of the suite with its band.
+stats::SuiteLaw suite_law_from(const Json& pooled) {
+  const auto value = [&pooled](const char* key) { return pooled.at(key).at("value").get<double>(); };
+  return {
+      .median = value("median"), .between_records = value("between_records"), .within_record = value("within_record")};
+}
+
+/// A probability between two levels at which it is known: its probit is interpolated in the logarithm of the intensity,
+/// where a lognormal law is a line.
+double between_levels(const Json& rows, std::size_t end, double intensity) {
+  constexpr double least = 1e-9;  // of a probability, so that its probit exists; invisible in a figure
+  const auto probit = [&](const Json& level) {
+    const double p = std::clamp(level.at("band").at(end).get<double>(), least, 1.0 - least);
+    return stats::normal_quantile(p);
+  };
+  std::size_t next = 1;
+  while (next + 1 < rows.size() && rows.at(next).at("intensity").get<double>() < intensity) ++next;
+  const double low = std::log(rows.at(next - 1).at("intensity").get<double>());
+  const double high = std::log(rows.at(next).at("intensity").get<double>());
+  const double part = (std::log(intensity) - low) / (high - low);
+  return stats::normal_cdf((1.0 - part) * probit(rows.at(next - 1)) + part * probit(rows.at(next)));
+}
+
+/// Columns: intensity, probability, low, high; without a band the last two are empty.
+Table suite_law_table(const Json& curve) {
+  Table table{.name = "law of " + event_of(curve) + ", all records",
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"law", "probability by the law of the suite"},
+                          {"law_low", "lower edge of its bootstrap interval, interpolated between the levels"},
+                          {"law_high", "upper edge of it"}},
+              .rows = {}};
+  const Json& rows = curve.at("levels");
+  const bool has_band = rows.size() > 1 && std::none_of(rows.begin(), rows.end(),
+                                                        [](const Json& level) { return level.at("band").is_null(); });
+  const stats::SuiteLaw law = suite_law_from(curve.at("pooled"));
+  const double first = rows.front().at("intensity");
+  const double last = rows.back().at("intensity");
+  for (int i = 0; i <= points_of_a_law; ++i) {
+    const double intensity = first + (last - first) * i / points_of_a_law;
+    std::vector<Cell> row{intensity, law.probability(intensity), Cell(), Cell()};
+    for (const std::size_t end : {0U, 1U}) {
+      if (has_band) row[2 + end] = between_levels(rows, end, intensity);
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// A thin line through the shares of each record of a suite, the means of these shares as markers, and the law of the
+/// suite with its band.
 void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
   thin.colour = "#999999";
@@ -201,7 +266,7 @@ void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   ribbon.hatch = 0;
   ribbon.opacity = 0.2;
   line.width = 3.0;
-  line.size = 0.0;
+  line.marker = 0;
   const std::size_t all = figure.tables.size();
   figure.tables.push_back(suite_table(curve));
   figure.tables.push_back(record_shares(curve));
@@ -213,22 +278,27 @@ void add_suite(const Json& curve, std::size_t number, Figure& figure) {
                       .style = thin,
                       .legend = i == 1 && number == 0 ? "share of a record" : ""});
   }
-  if (curve.at("pooled").is_null()) return;
-  const Json& rows = curve.at("levels");
-  if (std::none_of(rows.begin(), rows.end(), [](const Json& level) { return level.at("band").is_null(); })) {
-    layers.push_back({.kind = LayerKind::ribbon, .table = all, .columns = {0, 6, 7}, .style = ribbon});
+  const std::string name = event_of(curve) + ", all records";
+  const bool has_law = !curve.at("pooled").is_null();
+  if (has_law) {
+    const std::size_t law = figure.tables.size();
+    figure.tables.push_back(suite_law_table(curve));
+    if (!std::holds_alternative<std::monostate>(figure.tables.back().rows.front()[2])) {
+      layers.push_back({.kind = LayerKind::ribbon, .table = law, .columns = {0, 2, 3}, .style = ribbon});
+    }
+    layers.push_back({.kind = LayerKind::line, .table = law, .columns = {0, 1}, .style = line, .legend = name});
   }
-  layers.push_back({.kind = LayerKind::line,
+  layers.push_back({.kind = LayerKind::points,
                     .table = all,
-                    .columns = {0, 5},
-                    .style = line,
-                    .legend = event_of(curve) + ", all records"});
+                    .columns = {0, 4},
+                    .style = style_of_curve(number),
+                    .legend = has_law ? "" : name});
 }
 
 Panel panel_for(const Json& curve) {
   return {.title = curve.at("title"),
           .x = axis_of_parameter(curve.at("parameter"), shakings_in(curve.at("levels"))),
-          .y = {.quantity = "probability of overturning", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
+          .y = {.quantity = "probability of " + subject_of(curve), .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
           .layers = {}};
 }
 
@@ -253,11 +323,20 @@ std::string description_of(const Json& curve) {
     return begin + "median " + value_and_interval(curve.at("pooled").at("median")) + ", dispersion " +
            value_and_interval(curve.at("pooled").at("dispersion")) + '.';
   }
-  std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve));
+  std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve)) +
+                     ", " + subject_of(curve);
   if (is_isotonic(curve)) return text + ": the lognormal function is rejected; isotonic estimate.";
   if (curve.at("law").is_null()) return text + ": no function fitted (" + curve.at("outcome").get<std::string>() + ").";
   return text + ": median " + median_of(curve) + ", dispersion " +
          value_and_interval(curve.at("law").at("dispersion")) + '.';
+}
+
+/// A text that all curves have in common; otherwise empty.
+std::string common_text(const Json& curves, std::string (*text_of)(const Json&)) {
+  if (curves.empty()) return "";
+  const std::string text = text_of(curves.front());
+  const auto is_same = [&](const Json& curve) { return text_of(curve) == text; };
+  return std::all_of(curves.begin(), curves.end(), is_same) ? text : "";
 }
 
 /// How to read the lines, as far as the figure has them.
@@ -270,13 +349,19 @@ std::string caption_of(const Json& curves) {
   std::string caption;
   if (std::any_of(curves.begin(), curves.end(), is_suite)) {
     caption =
-        "Thin grey lines: shares of the realisations of each record. Thick lines and ribbons: the law of the suite, "
-        "with "
-        "scatter between and within records, and its bootstrap interval over records.";
+        "Thin grey lines: shares of the realisations of each record. Markers: their means over the records. Thick "
+        "lines "
+        "and ribbons: the law of the suite, with scatter between and within records, and its bootstrap interval over "
+        "records at the levels, interpolated between them.";
   }
   if (!has([](const Json&) { return true; })) return caption;
   if (!caption.empty()) caption += ' ';
-  caption += "Markers: share of the realisations that overturned, with its exact interval.";
+  const std::string event = common_text(curves, event_of);
+  caption += "Markers: share of the realisations " +
+             (event == "overturned" ? std::string("that overturned")
+              : event.empty()       ? std::string("with the event of each curve")
+                                    : "with " + event) +
+             ", with its exact interval.";
   if (has([](const Json& curve) { return !curve.at("law").is_null(); })) {
     caption += " Lines and ribbons: the lognormal function of maximum likelihood, with its confidence band.";
   }
@@ -290,7 +375,8 @@ std::string caption_of(const Json& curves) {
 Figure drawn(const Json& output) {
   Figure figure;
   figure.name = "fragility";
-  figure.title = "Probability of overturning as a function of intensity";
+  const std::string subject = common_text(output.at("curves"), subject_of);
+  figure.title = "Probability" + (subject.empty() ? "" : " of " + subject) + " as a function of intensity";
   figure.caption = caption_of(output.at("curves"));
   std::string run;
   std::size_t number = 0;
@@ -300,6 +386,8 @@ Figure drawn(const Json& output) {
       figure.panels.push_back(panel_for(curve));
       run = curve.at("sha256");
       number = 0;
+    } else if (figure.panels.back().y.quantity != "probability of " + subject_of(curve)) {
+      figure.panels.back().y.quantity = "probability";
     }
     if (is_suite(curve)) {
       add_suite(curve, number++, figure);

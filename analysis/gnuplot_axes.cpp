@@ -23,9 +23,9 @@ std::string range_of(const Axis& axis) {
 }
 
 /// Ticks with their words, or without any where the axis shares those of a panel below. Only those of a logarithmic
-/// axis have marks of setting, as in `10^{3}`.
+/// axis have marks of setting, as in `10^{3}`. Numbers have as many digits as tell the ticks of a short axis apart.
 std::string ticks_of(const Axis& axis, bool labelled) {
-  if (axis.ticks.empty()) return labelled ? "autofreq format '%g'" : "autofreq format ''";
+  if (axis.ticks.empty()) return labelled ? "autofreq format '%.10g'" : "autofreq format ''";
   std::string text;
   for (const Tick& tick : axis.ticks) {
     const std::string words = labelled ? cut(printable(tick.text), most_letters_of_a_tick) : "";

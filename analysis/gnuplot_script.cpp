@@ -96,6 +96,13 @@ std::string sample(const Layout& layout, const FigureLook& look, const LegendEnt
   return "";
 }
 
+/// One string of gnuplot with a line for each text.
+std::string quoted_lines(const std::vector<std::string>& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += (text.empty() ? "" : ".\"\\n\".") + quoted(line);
+  return text;
+}
+
 std::string heading(const Figure& figure, const Layout& layout, const FigureLook& look) {
   std::string text;
   if (look.style == FigureStyle::screen) {
@@ -108,7 +115,7 @@ std::string heading(const Figure& figure, const Layout& layout, const FigureLook
   }
   for (const LegendEntry& entry : layout.legend) {
     text += sample(layout, look, entry);
-    text += "  set label " + quoted(entry.text) + " at " +
+    text += "  set label " + quoted_lines(entry.lines) + " at " +
             at(layout, entry.left + look.sample_width + 7.0, entry.middle) + " noenhanced front\n";
   }
   return text;
@@ -149,7 +156,7 @@ std::string panel_text(const Figure& figure, const Layout& layout, const FigureL
   }
   const bool with_x = figure.arrangement == Arrangement::grid || number + 1 == figure.panels.size();
   std::string text = margins(layout, place) + axes_text(panel, with_x) + "  set title " +
-                     quoted(cut(printable(panel.title), letters.title)) + " noenhanced offset 0,-0.6\n";
+                     quoted_lines(title_lines(panel, place, look)) + " noenhanced offset 0,-0.6\n";
   if (shows_nothing(figure, panel)) {
     text += "  set label 'nothing to show' at graph 0.5, graph 0.5 center noenhanced textcolor rgb '#404040' front\n";
   }

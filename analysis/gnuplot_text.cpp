@@ -1,5 +1,6 @@
 #include "analysis/gnuplot_text.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "rocking/output/text_table.hpp"
@@ -99,6 +100,19 @@ std::string cut(const std::string& text, std::size_t most) {
   std::size_t end = 0;
   for (std::size_t count = 1; count < most; ++count) end += character_at(text, end).length;
   return text.substr(0, end).append(ellipsis);
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
+  std::vector<std::string> lines(1);
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', start), text.size());
+    const std::string word = cut(text.substr(start, end - start), most);
+    const bool fits = letters_in(lines.back()) + 1 + letters_in(word) <= most;
+    if (!lines.back().empty() && !fits) lines.emplace_back();
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+    start = end + 1;
+  }
+  return lines;
 }
 
 std::string quoted(std::string_view text) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 /// Preparation of external text for a gnuplot script, a data file and a picture.
 namespace rocking::analysis {
@@ -13,6 +14,9 @@ namespace rocking::analysis {
 
 /// The first `most` characters of a UTF-8 text. If some are omitted, the last one is an ellipsis.
 [[nodiscard]] std::string cut(const std::string& text, std::size_t most);
+
+/// The text in lines of at most `most` characters, broken at spaces; a longer word is cut as above.
+[[nodiscard]] std::vector<std::string> wrapped(const std::string& text, std::size_t most);
 
 /// A double-quoted gnuplot string that shows exactly this text. Every ASCII character with a meaning in gnuplot is
 /// given by its octal number, so that nothing in it can end the string, open a block or start a command. For places

@@ -49,21 +49,24 @@ struct Span {
   double high = 2.0;
 };
 
-/// From a little before the first change to the end of the longest observation.
+/// From a little before the first change, or before the first fixed horizon if nothing changes, to the end of the
+/// longest observation.
 Span span_of(const RunReport& report, const std::vector<std::size_t>& shown) {
   double first = HUGE_VAL;
+  double horizon = HUGE_VAL;
   double last = 0.0;
   for (const std::size_t i : shown) {
     const IncidenceReport& incidence = *report.conditions[i].incidence;
+    const SettlingRow row = settling_row(report, i).value();
+    if (row.fixed_horizon) horizon = std::min(horizon, static_cast<double>(*row.fixed_horizon));
     for (const auto& [mode, curve] : incidence.modes) {
       if (curve.periods.empty()) continue;
       first = std::min(first, curve.periods.front());
       last = std::max(last, curve.periods.back());
     }
-    const auto limit = settling_row(report, i)->limit;
-    if (incidence.settling.censored > 0 && limit) last = std::max(last, static_cast<double>(*limit));
+    if (row.censored > 0 && row.limit) last = std::max(last, static_cast<double>(*row.limit));
   }
-  if (last == 0.0) return {};
+  if (!std::isfinite(first)) first = std::isfinite(horizon) ? horizon : 1.0;
   const double low = std::max(1.0, std::floor(0.8 * first));
   return {.low = low, .high = std::max(last, low + 1.0)};
 }
@@ -238,6 +241,7 @@ std::optional<Figure> incidence_figure(const RunReport& report) {
       report.level() +
       " interval at each time (darker) and its band for all times at once (lighter, of each mode alone). Realisations "
       "that were not classified are censored.";
+  if (modes.empty()) figure.caption += " No realisation settled before the end of its observation.";
   if (report.occurring().size() > modes.size() + 1) figure.caption += " Rarer modes are not drawn.";
   if (report.swept.size() > 1) figure.caption += " Titles of panels: " + names_of_swept(report) + '.';
   if (report.conditions.size() > shown.size()) {

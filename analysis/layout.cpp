@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "analysis/gnuplot_text.hpp"
 #include "rocking/output/text_table.hpp"
@@ -10,8 +12,19 @@ namespace rocking::analysis {
 namespace {
 
 constexpr std::size_t letters_of_a_legend = 80;
-constexpr double gap_of_a_sample = 12.0;  // between the sample of a legend entry and its text
+constexpr double height_of_a_further_line = 0.85;  // of a title or a legend entry, in the height of a line
+constexpr double gap_of_a_sample = 12.0;           // between the sample of a legend entry and its text
 constexpr double gap_of_an_entry = 18.0;
+
+std::size_t longest_of(const std::vector<std::string>& lines) {
+  std::size_t most = 0;
+  for (const std::string& line : lines) most = std::max(most, letters_in(line));
+  return most;
+}
+
+double height_of(std::size_t lines, const FigureLook& look) {
+  return look.line_height * (1.0 + height_of_a_further_line * static_cast<double>(lines - 1));
+}
 
 /// Each legend entry once, in the order of the panels.
 std::vector<LegendEntry> entries_of(const Figure& figure, const FigureLook& look) {
@@ -20,10 +33,10 @@ std::vector<LegendEntry> entries_of(const Figure& figure, const FigureLook& look
   std::vector<LegendEntry> entries;
   for (const Panel& panel : figure.panels) {
     for (const Layer& layer : panel.layers) {
-      const std::string text = cut(printable(layer.legend), letters);
-      const auto same = [&text](const LegendEntry& entry) { return entry.text == text; };
+      const std::vector<std::string> lines = wrapped(printable(layer.legend), letters);
+      const auto same = [&lines](const LegendEntry& entry) { return entry.lines == lines; };
       if (layer.legend.empty() || std::any_of(entries.begin(), entries.end(), same)) continue;
-      entries.push_back({.kind = layer.kind, .style = layer.style, .text = text, .left = 0.0, .middle = 0.0});
+      entries.push_back({.kind = layer.kind, .style = layer.style, .lines = lines, .left = 0.0, .middle = 0.0});
     }
   }
   return entries;
@@ -34,13 +47,16 @@ std::vector<LegendEntry> entries_of(const Figure& figure, const FigureLook& look
 double set_in_rows(std::vector<LegendEntry>& entries, double top, const FigureLook& look) {
   const double widest = look.width - (look.style == FigureStyle::screen ? 30.0 : 0.0);
   const double begin = top;
-  for (std::size_t first = 0; first < entries.size(); top += look.line_height) {
+  std::size_t lines = 1;
+  for (std::size_t first = 0; first < entries.size(); top += height_of(lines, look)) {
     double width = 0.0;
+    lines = 1;
     std::size_t last = first;
     for (; last < entries.size(); ++last) {
       const double wanted = look.sample_width + gap_of_a_sample +
-                            look.letter_width * static_cast<double>(letters_in(entries[last].text)) + gap_of_an_entry;
+                            look.letter_width * static_cast<double>(longest_of(entries[last].lines)) + gap_of_an_entry;
       if (last > first && width + wanted > widest) break;
+      lines = std::max(lines, entries[last].lines.size());
       entries[last].left = width;
       entries[last].middle = top + 0.5 * look.line_height;
       width += wanted;
@@ -65,6 +81,17 @@ double height_of_axes(const Figure& figure, int columns, const FigureLook& look)
   return look.axes_heights.at(static_cast<std::size_t>(columns - 1));
 }
 
+/// Height above the axes of the panels of a row; `place` has the width of one.
+double above_panels(std::span<const Panel> row, const Place& place, const FigureLook& look) {
+  double height = 8.0;
+  for (const Panel& panel : row) {
+    if (panel.title.empty()) continue;
+    const double further = height_of(title_lines(panel, place, look).size(), look) - height_of(1, look);
+    height = std::max(height, look.above_axes + further);
+  }
+  return height;
+}
+
 /// Arranges panels in rows below `top`. Returns the end of the last row; both are measured from the top of the figure.
 double place_panels(const Figure& figure, double top, const FigureLook& look, std::vector<Place>& places) {
   const double columns = columns_for(figure, look);
@@ -73,13 +100,20 @@ double place_panels(const Figure& figure, double top, const FigureLook& look, st
   const double axes_height = height_of_axes(figure, columns_for(figure, look), look);
   const bool joined = figure.arrangement == Arrangement::stacked;
   double left = before_axes;
+  double above = 0.0;
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
-    const Panel& panel = figure.panels[i];
     const bool last = i + 1 == figure.panels.size();
     const bool row_ends = last || std::fmod(static_cast<double>(i) + 1.0, columns) == 0.0;
-    const double begin = top + (panel.title.empty() ? 8.0 : look.above_axes);
-    const double end = begin + axes_height * panel.height;
-    places.push_back({.left = left, .right = left + axes_width, .bottom = end, .top = begin});
+    Place place{.left = left, .right = left + axes_width, .bottom = 0.0, .top = 0.0};
+    if (left == before_axes) {
+      const auto first = figure.panels.begin() + static_cast<std::ptrdiff_t>(i);
+      const auto in_row = std::min(static_cast<std::size_t>(columns), figure.panels.size() - i);
+      above = above_panels({first, first + static_cast<std::ptrdiff_t>(in_row)}, place, look);
+    }
+    place.top = top + above;
+    const double end = place.top + axes_height * figure.panels[i].height;
+    place.bottom = end;
+    places.push_back(place);
     left += axes_width + before_axes + look.right_margin;
     if (!row_ends) continue;
     left = before_axes;
@@ -94,9 +128,12 @@ LettersOfPanel letters_of(const Place& panel, const FigureLook& look) {
   const double width = panel.right - panel.left;
   const auto letters = [&look](double length) { return static_cast<std::size_t>(length / look.letter_width); };
   // Labels are centred on their axis and may be longer than it.
-  return {.title = letters(width + look.left_margin + look.right_margin),
-          .x = letters(width + 2.0 * look.right_margin),
-          .y = letters(panel.top - panel.bottom + look.below_axes)};
+  return {.x = letters(width + 2.0 * look.right_margin), .y = letters(panel.top - panel.bottom + look.below_axes)};
+}
+
+std::vector<std::string> title_lines(const Panel& panel, const Place& place, const FigureLook& look) {
+  const double width = place.right - place.left + look.left_margin + look.right_margin;
+  return wrapped(printable(panel.title), static_cast<std::size_t>(width / look.letter_width));
 }
 
 Layout layout_of(const Figure& figure, const FigureLook& look) {

@@ -18,9 +18,9 @@ struct Place {
 struct LegendEntry {
   LayerKind kind;
   Style style;
-  std::string text;
+  std::vector<std::string> lines;
   double left;    ///< of the sample
-  double middle;  ///< height of the centre of its line
+  double middle;  ///< height of the centre of its first line
 };
 
 struct Layout {
@@ -33,12 +33,15 @@ struct Layout {
 /// Number of characters that fit into a line across the figure.
 inline constexpr std::size_t letters_across = 97;
 
-/// Number of characters that fit into the title of a panel, and along its axes.
+/// Number of characters that fit along the axes of a panel.
 struct LettersOfPanel {
-  std::size_t title, x, y;
+  std::size_t x, y;
 };
 
 [[nodiscard]] LettersOfPanel letters_of(const Place& panel, const FigureLook& look);
+
+/// The title of a panel in lines that fit above it.
+[[nodiscard]] std::vector<std::string> title_lines(const Panel& panel, const Place& place, const FigureLook& look);
 
 [[nodiscard]] Layout layout_of(const Figure& figure, const FigureLook& look);
 

@@ -1,6 +1,7 @@
 #include "analysis/non_recurrence_figures.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "analysis/data_file.hpp"
 #include "analysis/mode_figures.hpp"
@@ -15,14 +16,6 @@ Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) :
 bool has_differences(const RunReport& report) {
   return std::any_of(report.conditions.begin(), report.conditions.end(),
                      [](const ConditionReport& condition) { return condition.difference.has_value(); });
-}
-
-/// Sets the range of the axis to that of the shown parameter, with a margin.
-void set_range(const SweepView& view, Panel& panel) {
-  const auto [least, most] = std::minmax_element(view.x.begin(), view.x.end());
-  const double room = *least < *most ? 0.03 * (*most - *least) : 0.5;
-  panel.x.low = *least - room;
-  panel.x.high = *most + room;
 }
 
 std::string name_of(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
@@ -73,8 +66,13 @@ Table divergence_table(const RunReport& report, const SweepView& view, const Sli
   return table;
 }
 
-/// Adds a ribbon and its curve for the table that was added last.
-void add_curve(const Slice& slice, std::size_t number, const std::vector<std::size_t>& columns, Figure& figure) {
+/// Adds a ribbon and its curve, or bars of categories, for the table that was added last.
+void add_curve(const SweepView& view, std::size_t number, const std::array<std::size_t, 3>& columns, Figure& figure) {
+  const Slice& slice = view.slices[number];
+  if (!view.is_line) {
+    const Table whole = figure.tables.back();
+    return add_bars(view, whole, {number, columns, style_of_curve(number), name_of(slice)}, figure);
+  }
   Panel& panel = figure.panels.front();
   const std::size_t table = figure.tables.size() - 1;
   Style ribbon = style_of_curve(number);
@@ -110,7 +108,7 @@ std::optional<Figure> non_recurrence(const RunReport& report) {
       .quantity = "probability that two runs differ", .symbol = "", .unit = "", .low = 0.0, .high = 1.0};
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(difference_table(report, view, view.slices[i]));
-    add_curve(view.slices[i], i, {2, 3, 4}, figure);
+    add_curve(view, i, {2, 3, 4}, figure);
   }
   figure.caption =
       "Probability that two runs of one condition, with independent random numbers, differ in response mode, with "
@@ -133,16 +131,16 @@ std::optional<Figure> divergence_quartiles(const RunReport& report) {
     const auto& rows = figure.tables.back().rows;
     any = any ||
           std::any_of(rows.begin(), rows.end(), [](const auto& row) { return std::holds_alternative<double>(row[4]); });
-    add_curve(view.slices[i], i, {3, 4, 6}, figure);
+    add_curve(view, i, {3, 4, 6}, figure);
   }
   if (!any) return std::nullopt;
   figure.caption =
       "Periods until two runs of one condition, with independent random numbers, are more than 0.01 apart in (Θ, Θ′): "
       "median "
-      "(markers) and quartiles over pairs (ribbon, cut at the horizon). Where no marker or no ribbon is shown, more "
-      "than half, or "
-      "three "
-      "quarters, of the pairs had not diverged by the horizon.";
+      "(markers) and quartiles over pairs (" +
+      std::string(view.is_line ? "ribbon" : "bars") + ", cut at the horizon). Where no marker or no " +
+      (view.is_line ? "ribbon is" : "bars are") +
+      " shown, more than half, or three quarters, of the pairs had not diverged by the horizon.";
   return figure;
 }
 

@@ -94,8 +94,23 @@ Table ribbon_table(const Table& whole) {
   return table;
 }
 
+/// Adds the median and the outer quantiles of categories, with their intervals.
+void add_quantile_bars(const SweepView& view, std::size_t number, const Drawn& drawn, Figure& figure) {
+  const std::string name = view.slices[number].name.empty() ? "" : view.slices[number].name + ", ";
+  const Table whole = figure.tables.back();
+  const Style style = style_of_curve(number);
+  Style outer = style;
+  outer.marker = 6;  // a circle: not filled
+  add_bars(view, whole, {number, {3, 4, 5}, style, name + "median"}, figure);
+  if (drawn.is_signed) add_bars(view, whole, {number, {6, 7, 8}, outer, ""}, figure);
+  const std::string legend = drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile";
+  add_bars(view, whole, {number, {9, 10, 11}, outer, name + legend}, figure);
+}
+
 /// Adds the curves of the table that was added last, and the table of their ribbon.
-void add_quantile_curves(const Slice& slice, std::size_t number, const Drawn& drawn, Figure& figure) {
+void add_quantile_curves(const SweepView& view, std::size_t number, const Drawn& drawn, Figure& figure) {
+  if (!view.is_line) return add_quantile_bars(view, number, drawn, figure);
+  const Slice& slice = view.slices[number];
   Panel& panel = figure.panels.front();
   const std::size_t table = figure.tables.size() - 1;
   figure.tables.push_back(ribbon_table(figure.tables.back()));
@@ -143,19 +158,17 @@ Figure quantile_figure(const RunReport& report, const Drawn& drawn) {
               .x = view.axis,
               .y = {.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit},
               .layers = {}};
-  const auto [least, most] = std::ranges::minmax_element(view.x);
-  const double room = *least < *most ? 0.03 * (*most - *least) : 0.5;
-  panel.x.low = *least - room;
-  panel.x.high = *most + room;
+  set_range(view, panel);
   if (!drawn.is_signed) panel.y.low = 0.0;
   figure.panels.push_back(std::move(panel));
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(quantile_table(report, view, view.slices[i], drawn));
-    add_quantile_curves(view.slices[i], i, drawn, figure);
+    add_quantile_curves(view, i, drawn, figure);
   }
-  figure.caption = std::string(drawn.meaning) + ": median with its " + report.level() + " interval (ribbon), and the " +
-                   (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile") + " (dashed); " +
-                   spoken_realisations(report) + ". ";
+  figure.caption = std::string(drawn.meaning) + ": median with its " + report.level() + " interval (" +
+                   (view.is_line ? "ribbon" : "bars") + "), and the " +
+                   (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile") +
+                   (view.is_line ? " (dashed); " : " (circles) with theirs; ") + spoken_realisations(report) + ". ";
   figure.caption += drawn.is_signed ? "Only realisations that reached the horizon are counted."
                                     : "A realisation that overturned counts as above every value; where too many did, "
                                       "a quantile or the end of an interval is not drawn.";

@@ -214,6 +214,10 @@ std::map<section::ResponseMode, std::uint64_t> RunReport::occurring() const {
   return found;
 }
 
+std::uint64_t RunReport::most_realisations() const {
+  return std::ranges::max(conditions, {}, &ConditionReport::realisations).realisations;
+}
+
 std::set<section::ResponseMode> RunReport::listed() const {
   std::set<section::ResponseMode> modes;
   for (const ConditionReport& condition : conditions) {

@@ -102,6 +102,8 @@ struct RunReport {
   [[nodiscard]] std::string level() const;
   /// Response modes that occur in any condition, with their counts.
   [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
+  /// Largest number of realisations of a condition.
+  [[nodiscard]] std::uint64_t most_realisations() const;
   /// Response modes that any condition lists; some of them may not occur.
   [[nodiscard]] std::set<section::ResponseMode> listed() const;
   /// Whether any condition is random.

@@ -34,8 +34,8 @@ std::string curve_lines(const std::string& start, const IncidenceCurve& curve) {
 }
 
 std::string latex_count(std::uint64_t count, const SettlingRow& row) {
-  if (count > 0) return per_cent(static_cast<double>(count) / static_cast<double>(row.realisations));
-  return "$<$ " + upper_bound_text(bound_of_none(row.realisations, row.confidence));
+  if (count > 0) return per_cent_of(count, row.realisations) + count_if_open(count, row.realisations);
+  return "$<$ " + per_cent(bound_of_none(row.realisations, row.confidence));
 }
 
 std::string latex_probability(const std::optional<double>& probability) {
@@ -132,7 +132,8 @@ std::string settling_latex(const RunReport& report) {
       "with its " +
       latex_text(report.level()) +
       " interval (--: open), and probability in per cent that two runs differ in response mode at the fixed horizon "
-      "and in the end; $<$: did not occur, upper end of the interval." +
+      "and in the end; $<$: did not occur, upper end of the interval" +
+      count_legend(report.most_realisations()) + '.' +
       (proviso.empty() ? "" : " In the end " + latex_text(proviso) + '.') + "}\n";
   text += "  \\begin{tabular}{" + std::string(columns.size() + 6, 'r') + "}\n    \\toprule\n    ";
   for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";

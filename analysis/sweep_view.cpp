@@ -100,10 +100,25 @@ std::string conversion_text(std::string_view key, Shakings shakings) {
 void place_by_name(const RunReport& report, std::size_t shown, SweepView& view) {
   std::map<std::string, double> places;
   for (const ConditionReport& condition : report.conditions) {
-    const std::string name = short_value(report.swept[shown], condition.parameters[shown]);
-    const auto [found, is_new] = places.try_emplace(name, static_cast<double>(places.size()));
-    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = name});
+    const Json& value = condition.parameters[shown];
+    const auto [found, is_new] = places.try_emplace(value.dump(), static_cast<double>(places.size()));
+    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = short_value(report.swept[shown], value)});
     view.x.push_back(found->second);
+  }
+}
+
+/// The values of all parameters but the shown one, in full: short names may be equal where values differ.
+std::string others_in_full(const ConditionReport& condition, std::size_t shown) {
+  Json values = condition.parameters;
+  values.erase(shown);
+  return values.dump();
+}
+
+/// Numbers the slices whose short names are equal.
+void tell_apart(std::vector<Slice>& slices) {
+  std::map<std::string, std::size_t> seen;
+  for (Slice& slice : slices) {
+    if (const std::size_t number = ++seen[slice.name]; number > 1) slice.name += " (" + std::to_string(number) + ')';
   }
 }
 
@@ -168,7 +183,8 @@ Axis axis_of_parameter(const std::string& pointer) {
   }
   std::string words = key;
   std::replace(words.begin(), words.end(), '_', ' ');
-  return {.quantity = words, .symbol = "", .unit = ""};
+  const bool is_source = pointer == "/fluctuation/" + key;
+  return {.quantity = (is_source ? "fluctuation of " : "") + words, .symbol = "", .unit = ""};
 }
 
 Axis axis_of_parameter(const std::string& pointer, Shakings shakings) {
@@ -260,10 +276,38 @@ std::vector<Stretch> stretches_of(const std::vector<double>& places) {
   return stretches;
 }
 
+void set_range(const SweepView& view, Panel& panel) {
+  const auto [least, most] = std::ranges::minmax_element(view.x);
+  const double room = view.is_line ? 0.03 * (*most - *least) : 0.5;
+  panel.x.low = *least - room;
+  panel.x.high = *most + room;
+}
+
+void add_bars(const SweepView& view, const Table& table, const CategoryBars& bars, Figure& figure) {
+  constexpr double widest = 0.6;  // of the distance between categories
+  const double place = (static_cast<double>(bars.slice) + 0.5) / static_cast<double>(view.slices.size());
+  const double shift = widest * (place - 0.5);
+  const auto& [value, low, high] = bars.columns;
+  Table drawn{.name = "bars of " + table.columns[value].name + ": " + table.name,
+              .columns = {table.columns[0], table.columns[value], table.columns[low], table.columns[high]},
+              .rows = {},
+              .only_drawn = true};
+  for (const auto& row : table.rows) {
+    drawn.rows.push_back({std::get<double>(row[0]) + shift, row[value], row[low], row[high]});
+  }
+  const std::size_t number = figure.tables.size();
+  figure.tables.push_back(std::move(drawn));
+  std::vector<Layer>& layers = figure.panels.back().layers;
+  layers.push_back({.kind = LayerKind::error_bars, .table = number, .columns = {0, 1, 2, 3}, .style = bars.style});
+  layers.push_back(
+      {.kind = LayerKind::points, .table = number, .columns = {0, 1}, .style = bars.style, .legend = bars.legend});
+}
+
 SweepView view_of(const RunReport& report) {
   if (report.swept.empty()) return view_without_sweep(report);
   SweepView view;
   const std::size_t shown = shown_entry(report);
+  view.entry = shown;
   view.axis = axis_of_parameter(report.swept[shown], shakings_of(report));
   view.column = {last_key(report.swept[shown]), label_of(view.axis)};
   view.is_line = numbers_taken(report, shown) > 1;
@@ -276,9 +320,8 @@ SweepView view_of(const RunReport& report) {
   }
   std::map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const std::string name = name_of_others(report, report.conditions[i], shown, false);
-    const auto [found, is_new] = known.try_emplace(name, view.slices.size());
-    if (is_new) view.slices.push_back({.name = name, .conditions = {}});
+    const auto [found, is_new] = known.try_emplace(others_in_full(report.conditions[i], shown), view.slices.size());
+    if (is_new) view.slices.push_back({.name = {}, .conditions = {}});
     view.slices[found->second].conditions.push_back(i);
   }
   if (view.slices.size() > most_slices) view.slices.resize(most_slices);
@@ -288,6 +331,7 @@ SweepView view_of(const RunReport& report) {
     std::stable_sort(slice.conditions.begin(), slice.conditions.end(),
                      [&view](std::size_t a, std::size_t b) { return view.x[a] < view.x[b]; });
   }
+  tell_apart(view.slices);
   return view;
 }
 

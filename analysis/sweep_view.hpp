@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -23,6 +24,7 @@ struct Slice {
 inline constexpr std::size_t most_slices = 48;
 
 struct SweepView {
+  std::size_t entry = 0;      ///< the shown entry of the sweep; 0 without a sweep
   Axis axis;                  ///< of the shown parameter
   Column column;              ///< the same as a column of a table
   std::vector<double> x;      ///< of each condition
@@ -33,6 +35,20 @@ struct SweepView {
 /// Shows the entry of the sweep with the most numeric values; among equals the last one. If no entry has numbers, the
 /// last one is shown with positions.
 [[nodiscard]] SweepView view_of(const RunReport& report);
+
+/// Sets the range of the axis of a panel to that of the shown parameter, with a margin.
+void set_range(const SweepView& view, Panel& panel);
+
+/// Values with their intervals at the places of categories, between which no line means anything.
+struct CategoryBars {
+  std::size_t slice;                   ///< of the view; the bars of the slices stand side by side
+  std::array<std::size_t, 3> columns;  ///< of the value, its lower and its upper end in the table of the slice
+  Style style;
+  std::string legend;
+};
+
+/// Adds the values of `table` as markers with bars to the last panel of the figure.
+void add_bars(const SweepView& view, const Table& table, const CategoryBars& bars, Figure& figure);
 
 /// Name of a swept parameter: `base amplitude`, `A_h`.
 [[nodiscard]] Axis axis_of_parameter(const std::string& pointer);

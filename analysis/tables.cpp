@@ -40,9 +40,10 @@ std::string quantile_lines(const std::string& start, const QuantileReport& quant
   return text;
 }
 
-std::string latex_share(const AnyShare& share) {
-  if (share.count == 0) return share.interval ? "$<$ " + upper_bound_text(share.interval->high) : "--";
-  return per_cent(share.estimate) + (share.interval ? ' ' + per_cent(*share.interval) : "");
+std::string latex_share(const AnyShare& share, std::uint64_t realisations) {
+  if (share.count == 0) return share.interval ? "$<$ " + per_cent(share.interval->high) : "--";
+  return per_cent(share.estimate) + (share.interval ? ' ' + per_cent(*share.interval) : "") +
+         count_if_open(share.count, realisations);
 }
 
 /// `A_h 4.5 = 1.1 g, Omega_h 10 = 3.01 Hz`, with the symbols in mathematics mode.
@@ -66,11 +67,11 @@ std::string latex_row(const ConditionReport& condition, const std::vector<Respon
   for (const ResponseMode& mode : modes) {
     const AnyShare share = share_of(condition, mode);
     rest -= share.count;
-    text += " & " + latex_share(share);
+    text += " & " + latex_share(share, condition.realisations);
   }
   if (with_others) {
-    const double share = static_cast<double>(rest) / static_cast<double>(condition.realisations);
-    text += " & " + (rest == 0 ? "--" : per_cent(share));
+    const std::uint64_t all = condition.realisations;
+    text += " & " + (rest == 0 ? "--" : per_cent_of(rest, all) + count_if_open(rest, all));
   }
   return text + " \\\\\n";
 }
@@ -140,7 +141,8 @@ std::string modes_latex(const RunReport& report) {
           (report.is_random() ? std::string("Response modes") + (settling_rows(report).empty() ? "" : " in the end") +
                                     " in per cent of $n$ realisations, with " + latex_text(report.level()) +
                                     " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
-                                    "end of the interval." +
+                                    "end of the interval" +
+                                    count_legend(report.most_realisations()) + '.' +
                                     (proviso.empty() ? "" : " In the end " + latex_text(proviso) + '.')
                               : "Response modes in per cent; nothing is random.") +
           (common.empty() ? "" : " Shaking: " + latex_shaking(common) + '.') + "}\n";

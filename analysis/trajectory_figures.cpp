@@ -6,23 +6,37 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/palette.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
 const Column time_column{"time", "time since the start [excitation periods]"};
 
+std::string described(const TrajectoryFile& file) {
+  return file.name + ": condition " + std::to_string(file.condition) + ", realisation " +
+         std::to_string(file.realisation);
+}
+
+/// `end`: of the longest trajectory; one that ends before the window leaves the first period of the window empty.
 Axis time_axis(const Window& window, double end) {
   return {.quantity = "time",
           .symbol = "",
           .unit = "excitation periods",
           .low = window.from,
-          .high = std::max(std::min(window.to, end), window.from + 1e-9)};
+          .high = window.from < end ? std::min(window.to, end) : std::min(window.to, window.from + 1.0)};
 }
 
-std::string described(const TrajectoryFile& file) {
-  return file.name + ": condition " + std::to_string(file.condition) + ", realisation " +
-         std::to_string(file.realisation);
+/// ` a.json: ... ends at 12.3 periods, before the first one shown.`, for each trajectory of which that is true.
+std::string words_on_ended(const std::vector<TrajectoryFile>& files, const Window& window) {
+  std::string text;
+  for (const TrajectoryFile& file : files) {
+    const double end = file.history.back().time;
+    if (end < window.from) {
+      text += ' ' + described(file) + " ends at " + significant(end, 4) + " periods, before the first one shown.";
+    }
+  }
+  return text;
 }
 
 bool is_within(double time, const Window& window) { return window.from <= time && time <= window.to; }
@@ -144,7 +158,8 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   figure.caption =
       "Tilt Θ = θ/ψ and slip X (over the half diagonal R) of one realisation. Shaded: any state other than rocking "
       "without slip; "
-      "white: rocking without slip. Impacts are marked at Θ = 0.";
+      "white: rocking without slip. Impacts are marked at Θ = 0." +
+      words_on_ended({file}, window);
   return figure;
 }
 
@@ -163,7 +178,8 @@ Figure responses(const std::vector<TrajectoryFile>& files, const Window& window)
         {.kind = LayerKind::line, .table = i, .columns = {0, 1}, .style = style, .legend = described(files[i])});
   }
   figure.panels.push_back(std::move(panel));
-  figure.caption = "Tilt Θ = θ/ψ of " + std::to_string(files.size()) + " realisations against time.";
+  figure.caption =
+      "Tilt Θ = θ/ψ of " + std::to_string(files.size()) + " realisations against time." + words_on_ended(files, window);
   return figure;
 }
 
@@ -199,7 +215,8 @@ Figure phase_portrait(const std::vector<TrajectoryFile>& files, const Window& wi
   figure.caption =
       "Path (Θ, Θ′) of each realisation, where Θ = θ/ψ, interrupted at impacts, where Θ′ jumps; points: once an "
       "excitation "
-      "period.";
+      "period." +
+      words_on_ended(files, window);
   return figure;
 }
 
@@ -217,7 +234,8 @@ Figure poincare(const std::vector<TrajectoryFile>& files, const Window& window) 
   }
   figure.panels.push_back(std::move(panel));
   figure.caption = "States (Θ, Θ′) once an excitation period" +
-                   (window.from > 0.0 ? ", from period " + number_text(window.from) + " on." : std::string("."));
+                   (window.from > 0.0 ? ", from period " + number_text(window.from) + " on." : std::string(".")) +
+                   words_on_ended(files, window);
   return figure;
 }
 

@@ -31,9 +31,8 @@ struct Range {
 /// The conditions of a slice, with their names as positions along the sweep.
 class Along {
  public:
-  /// `entry`: of the sweep, along which the slice goes.
-  Along(const RunReport& report, const Slice& slice, std::size_t entry)
-      : report_(&report), slice_(&slice), entry_(entry) {}
+  Along(const RunReport& report, const SweepView& view, const Slice& slice)
+      : report_(&report), slice_(&slice), entry_(view.entry) {}
 
   [[nodiscard]] std::size_t size() const { return slice_->conditions.size(); }
   [[nodiscard]] const ConditionReport& at(std::size_t place) const {
@@ -80,12 +79,17 @@ std::string level_of(const ConditionReport& condition) { return level_text(condi
 std::string bound_at(const ConditionReport& condition) {
   const AnyShare share = share_of(condition, overturned);
   if (!share.interval) return "";
-  return fmt::format(" (at most {} % there, {})", upper_bound_text(share.interval->high), level_of(condition));
+  return fmt::format(" (at most {} % there, {})", per_cent(share.interval->high), level_of(condition));
 }
 
 std::string probability_at(const ConditionReport& condition, const ResponseMode& mode) {
   const AnyShare share = share_of(condition, mode);
   return share.interval ? probability_text(share.estimate, *share.interval) : per_cent(share.estimate) + " %";
+}
+
+/// `, 48 of 300000 realisations`.
+std::string count_at(const ConditionReport& condition, const ResponseMode& mode) {
+  return fmt::format(", {} of {}", share_of(condition, mode).count, counted(condition.realisations, "realisation"));
 }
 
 std::string list_of(const std::vector<std::string>& parts) {
@@ -135,8 +139,8 @@ std::string overturning_along(const Along& along) {
   std::string text;
   if (first > 0) text = "No overturning seen up to " + along.name(first - 1) + bound_at(along.at(first - 1)) + "; ";
   text += (first > 0 ? "seen " : "Overturning seen ") + where_it_overturns(along);
-  return text + fmt::format("; most likely at {}: <strong>{}</strong>", along.name(most),
-                            probability_at(along.at(most), overturned));
+  return text + fmt::format("; most likely at {}: <strong>{}</strong>{}", along.name(most),
+                            probability_at(along.at(most), overturned), count_at(along.at(most), overturned));
 }
 
 /// `; the least base amplitude is at friction 0.4/0.35, base amplitude 6`: the first condition along the sweep that
@@ -149,7 +153,8 @@ std::string least_place(const RunReport& report) {
     if (overturns(report.conditions[i]) && (!least || view.x[i] < view.x[*least])) least = i;
   }
   if (!least) return "";
-  return fmt::format("; the least {} is at {}", escaped(view.axis.quantity), escaped(condition_name(report, *least)));
+  return fmt::format("; the least {} is at {}", escaped(view.axis.quantity),
+                     with_symbols(condition_name(report, *least)));
 }
 
 /// All conditions together, where they are too many or have no order.
@@ -163,38 +168,29 @@ std::string overturning_anywhere(const RunReport& report) {
     std::string text = fmt::format("None in {}", counted(realisations_of(report), "realisation"));
     if (report.conditions.size() > 1) text += fmt::format(" of {} conditions", report.conditions.size());
     if (!share.interval) return text;
-    return text + fmt::format(": at most {} %{} ({} confidence)", upper_bound_text(share.interval->high),
+    return text + fmt::format(": at most {} %{} ({} confidence)", per_cent(share.interval->high),
                               report.conditions.size() > 1 ? " in each condition" : "", level_of(condition));
   }
-  const std::string place = escaped(condition_name(report, worst.condition));
+  const std::string place = with_symbols(condition_name(report, worst.condition));
   if (report.conditions.size() == 1) {
     if (!condition.is_random) return "The block overturns";
-    return fmt::format("Probability <strong>{}</strong>: {} of {}", probability_at(condition, overturned),
-                       worst.share.count, counted(condition.realisations, "realisation"));
+    return fmt::format("Probability <strong>{}</strong>{}", probability_at(condition, overturned),
+                       count_at(condition, overturned));
   }
   const std::string where =
       fmt::format("in {} of {} conditions{}", number, report.conditions.size(), least_place(report));
   if (!condition.is_random) return "The block overturns " + where;
-  return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>", where, place,
-                     probability_at(condition, overturned));
-}
-
-/// The entry of the sweep that the view shows.
-std::size_t entry_along(const RunReport& report, const SweepView& view) {
-  for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
-    if (label_of(axis_of_parameter(report.swept[entry])) == label_of(view.axis)) return entry;
-  }
-  return 0;
+  return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>{}", where, place,
+                     probability_at(condition, overturned), count_at(condition, overturned));
 }
 
 /// A sentence for each slice, after its name.
 std::string by_slice(const RunReport& report, const SweepView& view,
                      const std::function<std::string(const Along&)>& sentence) {
-  const std::size_t entry = entry_along(report, view);
-  if (view.slices.size() == 1) return "<p>" + sentence(Along(report, view.slices.front(), entry)) + ".</p>\n";
+  if (view.slices.size() == 1) return "<p>" + sentence(Along(report, view, view.slices.front())) + ".</p>\n";
   std::string text = "<ul>\n";
   for (const Slice& slice : view.slices) {
-    text += fmt::format("<li><b>{}:</b> {}.</li>\n", escaped(slice.name), sentence(Along(report, slice, entry)));
+    text += fmt::format("<li><b>{}:</b> {}.</li>\n", with_symbols(slice.name), sentence(Along(report, view, slice)));
   }
   return text + "</ul>\n";
 }
@@ -300,7 +296,7 @@ std::string repeatability(const RunReport& report) {
   const bool lone = report.conditions.size() == 1;
   return fmt::format(
       "<p>{}wo runs under the same shaking respond differently with probability <strong>{}</strong>{}.</p>\n",
-      lone ? "T" : fmt::format("Least repeatable at {}: t", escaped(condition_name(report, *found.least))),
+      lone ? "T" : fmt::format("Least repeatable at {}: t", with_symbols(condition_name(report, *found.least))),
       probability_text(worst.differ, worst.interval),
       lone ? ""
            : fmt::format(". In {} of {} all realisations have the same response mode", found.alike,

@@ -2,6 +2,28 @@
 var charts = (function () {
   'use strict';
 
+  // A series with its intervals as bars with caps, for dygraphs.
+  function plotBars(event) {
+    var context = event.drawingContext, area = event.plotArea, cap = 4;
+    context.save();
+    context.strokeStyle = event.color;
+    context.lineWidth = 1.5;
+    context.beginPath();
+    event.points.forEach(function (point) {
+      var ends = [point.y_bottom, point.y_top].map(function (share) { return area.y + area.h * share; });
+      if (!isFinite(ends[0]) || !isFinite(ends[1]) || ends[0] === ends[1]) return;
+      context.moveTo(point.canvasx, ends[0]);
+      context.lineTo(point.canvasx, ends[1]);
+      ends.forEach(function (end) {
+        context.moveTo(point.canvasx - cap, end);
+        context.lineTo(point.canvasx + cap, end);
+      });
+    });
+    context.stroke();
+    context.restore();
+    Dygraph.Plotters.linePlotter(event);
+  }
+
   function Chart(panel, figure, parent) {
     this.panel = panel;
     this.hidden = {};
@@ -9,7 +31,7 @@ var charts = (function () {
     this.boxes = panel.layers.filter(function (layer) { return layer.kind === 'boxes' || layer.kind === 'spans'; });
     this.home = { dateWindow: series.xRange(panel), valueRange: series.yRange(panel) };
     var holder = shapes.make('div', { class: 'panel' }, parent);
-    if (panel.title) shapes.make('h4', { text: panel.title }, holder);
+    if (panel.title) shapes.make('h4', {}, holder).innerHTML = shapes.withSymbols(panel.title);
     this.frame = shapes.make('div', { class: 'frame', tabindex: '0', role: 'group', 'aria-roledescription': 'chart',
       'aria-label': (panel.title ? panel.title + ': ' : '') + panel.y.quantity + ' against ' + panel.x.quantity +
         '. Arrow keys move along it and read its values; plus and minus zoom, 0 shows all. The table below has the numbers.'
@@ -35,6 +57,7 @@ var charts = (function () {
         drawPointCallback: function (g, label, context, x, y, colour, size) {
           shapes.mark(context, x, y, colour, size, curve.marker);
         } };
+      if (chart.series.barred[i]) looks[name].plotter = plotBars;
     });
     if (names.length === 1) names.push('nothing');
     function axis(description) {

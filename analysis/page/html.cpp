@@ -1,5 +1,6 @@
 #include "analysis/page/html.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <vector>
 
@@ -73,6 +74,18 @@ std::string lowered(std::string_view text) {
     }
   }
   return html + (low ? "</sub>" : "");
+}
+
+std::string with_symbols(std::string_view text) {
+  std::string html;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(' ', start), text.size());
+    const std::string_view word = text.substr(start, end - start);
+    html += word == "A_h" || word == "Ω_h" ? symbol_html(word) : escaped(word);
+    if (end < text.size()) html += ' ';
+    start = end + 1;
+  }
+  return html;
 }
 
 std::string symbol_html(std::string_view symbol) { return "<i>" + lowered(symbol) + "</i>"; }

@@ -23,6 +23,10 @@ namespace rocking::analysis {
 /// Text as HTML, with letters and digits after a `_` as subscripts: `base amplitude A_h`.
 [[nodiscard]] std::string lowered(std::string_view text);
 
+/// The text of a sentence as HTML, in which the words `A_h` and `Ω_h` are set as symbols. Other words keep their `_`:
+/// they may be names of files.
+[[nodiscard]] std::string with_symbols(std::string_view text);
+
 /// A symbol as HTML, with subscripts: `A_h`, `mu_s/mu_k`.
 [[nodiscard]] std::string symbol_html(std::string_view symbol);
 

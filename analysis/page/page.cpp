@@ -67,9 +67,9 @@ std::map<std::string, std::string> figures_by_part(const RunReport& report, cons
 /// The motions of one condition.
 std::string animations_section(const ShownAnimations& shown) {
   if (shown.explanation.empty()) return "";
-  return section(
-      "motion", "See it move",
-      "<p>" + escaped(shown.explanation) + "</p>\n" + (shown.motions.empty() ? "" : animations_html(shown.motions)));
+  return section("motion", "See it move",
+                 "<p>" + with_symbols(shown.explanation) + "</p>\n" +
+                     (shown.motions.empty() ? "" : animations_html(shown.motions)));
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ var series = (function () {
     if (!found) return null;
     var columns = found.columns.slice(-2), at = {};
     found.columns[0].forEach(function (x, i) { at[x] = [columns[0][i], columns[1][i]]; });
-    return at;
+    return { at: at, barred: found.kind === 'error_bars' };
   }
 
   // A step curve is constant between its own places, also at the places of other curves, from its first to its last.
@@ -51,21 +51,22 @@ var series = (function () {
   }
 
   // Curves with their intervals for dygraphs: rows of x and [low, y, high]. An unknown end is set to the value of the
-  // curve. `ends` holds the intervals without this replacement.
+  // curve. `ends` holds the intervals without this replacement; `barred`: whether they are bars, not a ribbon.
   function seriesOf(panel) {
     var curves = panel.layers.filter(function (layer) { return isCurve[layer.kind]; });
     var bars = panel.layers.filter(function (layer) {
       return layer.kind === 'error_bars' && !curves.some(function (curve) { return curve.group === layer.group; });
     });
     curves = curves.concat(bars);
-    var rows = new Map(), ends = curves.map(function () { return {}; });
+    var rows = new Map(), ends = curves.map(function () { return {}; }), barred = [];
     curves.forEach(function (curve, place) {
       var interval = curve.kind === 'error_bars' ? null : intervalOf(panel, curve);
+      barred.push(interval ? interval.barred : curve.kind === 'error_bars');
       curve.columns[0].forEach(function (x, i) {
         if (x === null) return;
         if (!rows.has(x)) rows.set(x, curves.map(function () { return [null, null, null]; }));
         var y = curve.columns[1][i];
-        var known = curve.kind === 'error_bars' ? [curve.columns[2][i], curve.columns[3][i]] : interval && interval[x];
+        var known = curve.kind === 'error_bars' ? [curve.columns[2][i], curve.columns[3][i]] : interval && interval.at[x];
         if (y === null) return;
         if (known && (known[0] !== null || known[1] !== null)) ends[place][x] = known;
         else known = [y, y];
@@ -74,7 +75,7 @@ var series = (function () {
     });
     curves.forEach(function (curve, place) { if (curve.kind === 'steps') hold(curve, place, rows); });
     var xs = Array.from(rows.keys()).sort(function (a, b) { return a - b; });
-    return { curves: curves, xs: xs, ends: ends, rows: xs.map(function (x) { return [x].concat(rows.get(x)); }) };
+    return { curves: curves, xs: xs, ends: ends, barred: barred, rows: xs.map(function (x) { return [x].concat(rows.get(x)); }) };
   }
 
   return {

@@ -24,8 +24,8 @@ constexpr std::size_t most_long_run_modes = 5;
 Cell text_cell(std::string text) { return Cell(std::move(text)); }
 
 std::string share_of_row(std::uint64_t count, const SettlingRow& row) {
-  if (count > 0) return per_cent(static_cast<double>(count) / static_cast<double>(row.realisations));
-  return "< " + upper_bound_text(bound_of_none(row.realisations, row.confidence));
+  if (count > 0) return per_cent_of(count, row.realisations) + count_if_open(count, row.realisations);
+  return "< " + per_cent(bound_of_none(row.realisations, row.confidence));
 }
 
 std::string difference_text(const std::optional<double>& differ, const std::optional<stats::Interval>& interval) {
@@ -111,7 +111,7 @@ std::string remedies_html(const RunReport& report) {
     const auto row = settling_row(report, i);
     if (!row) continue;
     const std::string remedy = limit_remedy(*row, name_of_condition(report, report.conditions[i]));
-    if (!remedy.empty()) entries += "<li>" + escaped(remedy) + ".</li>\n";
+    if (!remedy.empty()) entries += "<li>" + with_symbols(remedy) + ".</li>\n";
   }
   return entries.empty() ? "" : "<p>The limit is too short:</p>\n<ul>\n" + entries + "</ul>\n";
 }
@@ -199,7 +199,8 @@ std::string settling_html(const RunReport& report) {
          data_table_html(settling_table(report),
                          "When responses settled [" + report.level() +
                              " interval; -: open]; <: did not occur, the upper end of its interval; >: beyond the "
-                             "observation") +
+                             "observation" +
+                             count_legend(report.most_realisations())) +
          leaving_html(report) + long_run_html(report) +
          "<p class=\"small\">The charts show the interval at each time; the picture for printing and the files of "
          "<code>rocking report DIR</code> also have the band for all times at once.</p>\n";

@@ -23,10 +23,15 @@ var shapes = (function () {
     return text.replace(/&/g, '&amp;').replace(/</g, '&lt;').replace(/>/g, '&gt;');
   }
 
+  // As HTML. The words A_h and Ω_h are symbols; other words may be names of files.
+  function withSymbols(text) {
+    return safe(text).replace(/(^| )(A|\u03a9)_h(?= |$)/g, '$1<i>$2<sub>h</sub></i>');
+  }
+
   // As HTML, which is what dygraphs takes for labels.
   function labelOf(axis) {
     var symbol = axis.symbol && '<i>' + safe(axis.symbol).replace(/_([A-Za-z0-9]+)/g, '<sub>$1</sub>') + '</i>';
-    return [safe(axis.quantity), symbol, axis.unit ? '[' + safe(axis.unit) + ']' : ''].filter(Boolean).join(' ');
+    return [safe(axis.quantity), symbol, axis.unit ? '[' + withSymbols(axis.unit) + ']' : ''].filter(Boolean).join(' ');
   }
 
   // Luminance of a colour in a grey print: ITU-R BT.601.
@@ -131,6 +136,6 @@ var shapes = (function () {
     return canvas;
   }
 
-  return { dashes: dashes, make: make, brief: brief, safe: safe, labelOf: labelOf,
+  return { dashes: dashes, make: make, brief: brief, safe: safe, withSymbols: withSymbols, labelOf: labelOf,
     fillBox: fillBox, mark: mark, darkened: darkened, sample: sample };
 }());

@@ -63,12 +63,12 @@ PageCell mode_cell(const ConditionReport& condition, const section::ResponseMode
   const AnyShare share = share_of(condition, mode);
   if (share.count == 0) {
     if (!share.interval) return {.html = "0", .value = {}};
-    return {.html = "<span class=\"none\">&lt; " + upper_bound_text(share.interval->high) + "</span>", .value = 0.0};
+    return {.html = "<span class=\"none\">&lt; " + per_cent(share.interval->high) + "</span>", .value = 0.0};
   }
   const std::string estimate = per_cent(share.estimate);
   if (!share.interval) return {.html = estimate, .value = {}};
-  return {.html = fmt::format("{} <span class=\"interval\">[{}, {}]</span>", estimate, per_cent(share.interval->low),
-                              per_cent(share.interval->high)),
+  return {.html = fmt::format("{} <span class=\"interval\">{}</span>{}", estimate, per_cent(*share.interval),
+                              count_if_open(share.count, condition.realisations)),
           .value = {}};
 }
 
@@ -82,7 +82,7 @@ std::string response_of(const ConditionReport& condition) {
 
 std::string column_name(const Axis& axis) {
   return escaped(axis.quantity) + (axis.symbol.empty() ? "" : ' ' + symbol_html(axis.symbol)) +
-         (axis.unit.empty() ? "" : " [" + escaped(axis.unit) + ']');
+         (axis.unit.empty() ? "" : " [" + with_symbols(axis.unit) + ']');
 }
 
 std::string cell_html(const Cell& cell) {
@@ -102,8 +102,9 @@ std::string mode_table_html(const RunReport& report) {
     table.caption = fmt::format(
         "Response modes{} in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; "
         "&lt; "
-        "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval",
-        settling_rows(report).empty() ? "" : " in the end", escaped(report.level()));
+        "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval{}",
+        settling_rows(report).empty() ? "" : " in the end", escaped(report.level()),
+        count_legend(report.most_realisations()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
   const std::vector<ParameterColumn> columns = parameter_columns(report);
@@ -158,7 +159,7 @@ Table side_by_side(const std::vector<Table>& tables) {
 std::string data_table_html(const Table& table, const std::string& title) {
   PageTable shown;
   shown.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
-  shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
+  shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + with_symbols(table.name) + ')');
   for (const Column& column : table.columns) {
     shown.head.push_back(column.is_verbatim ? escaped(column.meaning) : lowered(column.meaning));
   }

@@ -133,8 +133,8 @@ Check clamped(const RunReport& report) {
   if (!worst) return check;
   check.rating = Rating::look;
   const std::string commonest = commonest_clamp(conditions[*worst].at("validity").at("clamped_draws"));
-  check.finding += fmt::format(" Most at {}: {}; mostly {}.", escaped(condition_name(report, *worst)), spoken(largest),
-                               escaped(std::string(clamp_remedy(commonest))));
+  check.finding += fmt::format(" Most at {}: {}; mostly {}.", with_symbols(condition_name(report, *worst)),
+                               spoken(largest), escaped(std::string(clamp_remedy(commonest))));
   return check;
 }
 
@@ -147,9 +147,9 @@ Check arithmetic(const RunReport& report) {
   }
   const std::string noise = floor.at("arithmetic_noise");
   const Json& interval = floor.at("interval");
-  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance [{}, {} %], ",
+  check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance {} %, ",
                               floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>(),
-                              per_cent(interval.at(0).get<double>()), per_cent(interval.at(1).get<double>()));
+                              per_cent({.low = interval.at(0), .high = interval.at(1)}));
   const std::string half_width = per_cent(floor.at("half_width").get<double>()) + " %.";
   if (noise == "small") {
     check.rating = Rating::fine;
@@ -181,7 +181,7 @@ Check unresolved(const RunReport& report) {
           .rating = found.largest_share > worrying_share ? Rating::look : Rating::note,
           .finding = fmt::format("{} of {} ({} %); most at {}: {} %.", found.count,
                                  counted(realisations_of(report), "realisation"), per_cent(found.share),
-                                 escaped(condition_name(report, found.where)), per_cent(found.largest_share)) +
+                                 with_symbols(condition_name(report, found.where)), per_cent(found.largest_share)) +
                      (remedy.empty() ? "" : " Remedy: " + escaped(remedy) + '.'),
           .where = {}};
 }

@@ -7,6 +7,7 @@
 #include "rocking/output/mode_table.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
 namespace {
@@ -35,10 +36,10 @@ std::string RunningEstimate::text() const {
   for (const auto& [mode, count] : found->second) number += count;
   const auto& [mode, count] =
       *std::ranges::max_element(found->second, {}, [](const auto& entry) { return entry.second; });
-  const auto [low, high] = stats::wilson({.successes = count, .trials = number}, confidence);
-  return fmt::format("{}: {} {:.0f} % [{:.0f}, {:.0f}] of {}", name_of(experiment_->conditions[condition_]),
-                     to_string(mode), 100.0 * static_cast<double>(count) / static_cast<double>(number), 100.0 * low,
-                     100.0 * high, number);
+  const stats::Interval interval = stats::wilson({.successes = count, .trials = number}, confidence);
+  return fmt::format("{}: {} {} of {}, {} % {}", name_of(experiment_->conditions[condition_]), to_string(mode), count,
+                     number, per_cent(static_cast<double>(count) / static_cast<double>(number), 0),
+                     per_cent(interval, 0));
 }
 
 }  // namespace rocking::program

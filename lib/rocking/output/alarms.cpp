@@ -89,7 +89,7 @@ bool ClampedShare::is_alarming() const {
 
 std::string spoken(const ClampedShare& share) {
   std::string text = per_cent(share.share_of_realisations()) + " % of the realisations";
-  if (share.of_draws > 0) text += " and " + base::significant(100.0 * share.share_of_draws(), 2) + " % of the draws";
+  if (share.of_draws > 0) text += " and " + per_cent(share.share_of_draws()) + " % of the draws";
   return text;
 }
 

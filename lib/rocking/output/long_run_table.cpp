@@ -62,7 +62,7 @@ std::string long_run_cell(const SettlingRow& condition, const ResponseMode& mode
   const auto& shares = condition.long_runs->shares;
   const auto found = std::ranges::find(shares, mode, &LongRunShare::mode);
   if (found != shares.end()) return per_cent(found->share) + ' ' + per_cent(found->interval);
-  return "< " + upper_bound_text(bound_of_none(condition.long_runs->realisations, condition.confidence));
+  return "< " + per_cent(bound_of_none(condition.long_runs->realisations, condition.confidence));
 }
 
 std::string other_long_run_shares(const SettlingRow& condition, std::span<const ResponseMode> shown) {

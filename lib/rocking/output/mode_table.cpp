@@ -16,8 +16,7 @@ namespace {
 using section::ResponseMode;
 
 constexpr std::size_t gap = 2;
-constexpr std::size_t cell_width = std::string_view("100.0 [100.0, 100.0]").size() + gap;
-constexpr std::size_t rest_width = std::string_view("others").size() + gap;
+constexpr std::string_view others_heading = "others";
 constexpr std::size_t mark_width = 2;
 constexpr std::size_t shortest_bar = 12;
 constexpr std::size_t longest_bar = 24;
@@ -37,8 +36,9 @@ ModeTally occurring_modes(std::span<const TableRow> conditions) {
 std::string cell(const TableRow& condition, const ResponseMode& mode) {
   const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
   if (found == condition.modes.end()) return ".";
-  if (found->count == 0) return found->interval ? "< " + upper_bound_text(found->interval->high) : ".";
-  return per_cent(found->estimate) + (found->interval ? ' ' + per_cent(*found->interval) : "");
+  if (found->count == 0) return found->interval ? "< " + per_cent(found->interval->high) : ".";
+  return per_cent(found->estimate) + (found->interval ? ' ' + per_cent(*found->interval) : "") +
+         count_if_open(found->count, condition.realisations);
 }
 
 std::uint64_t count_of(const TableRow& condition, const ResponseMode& mode) {
@@ -55,7 +55,7 @@ std::uint64_t others_in(const TableRow& condition, const std::vector<ResponseMod
 std::string rest_of(const TableRow& condition, const std::vector<ResponseMode>& shown) {
   const std::uint64_t count = others_in(condition, shown);
   if (count == 0) return ".";
-  return per_cent(static_cast<double>(count) / static_cast<double>(condition.realisations));
+  return per_cent_of(count, condition.realisations) + count_if_open(count, condition.realisations);
 }
 
 std::string bar_of(const TableRow& condition, const std::vector<ResponseMode>& shown, const BarLook& look) {
@@ -103,9 +103,27 @@ std::vector<TextRow> parameter_columns(std::span<const TableRow> conditions, std
   return rows;
 }
 
-std::vector<TextRow> leading_columns(std::span<const TableRow> conditions, const TableLook& look) {
-  const std::size_t rest = cell_width + rest_width + gap;
-  std::vector<TextRow> rows = parameter_columns(conditions, look.width - std::min(look.width, rest));
+/// Largest widths of the columns of a table, with the gap before them.
+struct CellWidths {
+  std::size_t mode = 0;    ///< of a response mode
+  std::size_t others = 0;  ///< of all modes without a column of their own
+};
+
+CellWidths cell_widths(std::span<const TableRow> conditions, const ModeTally& occurring) {
+  CellWidths widths{.mode = 0, .others = others_heading.size()};
+  for (const auto& [mode, count] : occurring) {
+    widths.mode = std::max(widths.mode, to_string(mode).size() + mark_width);
+    for (const TableRow& condition : conditions) widths.mode = std::max(widths.mode, cell(condition, mode).size());
+  }
+  for (const TableRow& condition : conditions) {
+    widths.others = std::max(widths.others, count_if_open(condition.realisations, condition.realisations).size() + 5);
+  }
+  return {.mode = widths.mode + gap, .others = widths.others + gap};
+}
+
+std::vector<TextRow> leading_columns(std::span<const TableRow> conditions, std::size_t width, const CellWidths& cells) {
+  const std::size_t rest = cells.mode + cells.others + gap;
+  std::vector<TextRow> rows = parameter_columns(conditions, width - std::min(width, rest));
   rows[0].emplace_back("n");
   for (std::size_t i = 0; i < conditions.size(); ++i) rows[i + 1].push_back(std::to_string(conditions[i].realisations));
   return rows;
@@ -113,8 +131,9 @@ std::vector<TextRow> leading_columns(std::span<const TableRow> conditions, const
 
 /// The table of a run in which nothing is random.
 std::string response_table(std::span<const TableRow> conditions, const TableLook& look) {
-  std::vector<TextRow> rows = parameter_columns(conditions, look.width - std::min(look.width, rest_width));
-  rows[0].emplace_back("response");
+  constexpr std::string_view heading = "response";
+  std::vector<TextRow> rows = parameter_columns(conditions, look.width - std::min(look.width, heading.size() + gap));
+  rows[0].emplace_back(heading);
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const auto& modes = conditions[i].modes;
     const auto found = std::ranges::find_if(modes, [](const TableEntry& entry) { return entry.count > 0; });
@@ -160,7 +179,7 @@ struct Layout {
   std::size_t bar = 0;
 };
 
-Layout layout_of(std::size_t used, std::size_t occurring, const TableLook& look) {
+Layout layout_of(std::size_t used, std::size_t occurring, std::size_t cell_width, const TableLook& look) {
   const auto room_beside = [&](std::size_t taken) {
     return taken < look.width ? std::max<std::size_t>(1, (look.width - taken) / cell_width) : 1;
   };
@@ -274,26 +293,28 @@ std::string overturning_line(std::span<const TableRow> conditions) {
   }
   if (where == nullptr) {
     return "overturning: none in " + counted(realisations, "realisation") +
-           (bound > 0.0 ? "; at most " + upper_bound_text(bound) + " % in each condition" : "") + '\n';
+           (bound > 0.0 ? "; at most " + per_cent(bound) + " % in each condition" : "") + '\n';
   }
   const std::string among =
       "in " + std::to_string(overturning) + " of " + counted(conditions.size(), "condition") + "; ";
   if (!most.interval) return "overturning: " + among + "first at " + name_of(*where) + '\n';
   return "overturning: " + among + "most likely at " + name_of(*where) + ": " + per_cent(most.estimate) + ' ' +
-         per_cent(*most.interval) + " %\n";
+         per_cent(*most.interval) + " %, " + std::to_string(most.count) + " of " + std::to_string(where->realisations) +
+         '\n';
 }
 
 std::string mode_table(std::span<const TableRow> conditions, const TableLook& look) {
   if (conditions.empty()) return {};
   if (std::ranges::none_of(conditions, &TableRow::is_random)) return response_table(conditions, look);
-  std::vector<TextRow> rows = leading_columns(conditions, look);
   const auto occurring = occurring_modes(conditions);
-  const Layout layout = layout_of(width_of(rows) + rest_width, occurring.size(), look);
+  const CellWidths widths = cell_widths(conditions, occurring);
+  std::vector<TextRow> rows = leading_columns(conditions, look.width, widths);
+  const Layout layout = layout_of(width_of(rows) + widths.others, occurring.size(), widths.mode, look);
   const std::vector<ResponseMode> shown = modes_to_show(occurring, layout.modes);
   const bool with_others = shown.size() < occurring.size();
   const auto mark = [&](std::size_t place) { return layout.bar == 0 ? "" : mark_of(place, *look.bars) + ' '; };
   for (std::size_t i = 0; i < shown.size(); ++i) rows[0].push_back(mark(i) + to_string(shown[i]));
-  if (with_others) rows[0].push_back(mark(most_marks - 1) + "others");
+  if (with_others) rows[0].push_back(mark(most_marks - 1) + std::string(others_heading));
   if (layout.bar > 0) rows[0].emplace_back("shares");
   for (std::size_t i = 0; i < conditions.size(); ++i) {
     const TableRow& condition = conditions[i];

@@ -38,10 +38,9 @@ std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double 
   const std::string remedy =
       floor->noise == NumericalError::not_small ? "warning: " + tolerance_remedy(tolerance) + '\n' : "";
   return "sensitivity to tolerance: " + std::to_string(floor->flips.successes) + " of " +
-         std::to_string(floor->flips.trials) + " response modes change at a hundred times tighter tolerance [" +
-         per_cent(floor->interval.low) + ", " + per_cent(floor->interval.high) + " %]; " +
-         std::string(spoken(floor->noise)) + " the narrowest half-width, " + per_cent(floor->half_width) + " %\n" +
-         remedy;
+         std::to_string(floor->flips.trials) + " response modes change at a hundred times tighter tolerance " +
+         per_cent(floor->interval) + " %; " + std::string(spoken(floor->noise)) + " the narrowest half-width, " +
+         per_cent(floor->half_width) + " %\n" + remedy;
 }
 
 /// A line on the responses that settled within their sampled periods; empty if none did.
@@ -67,7 +66,11 @@ std::string level_of(const Experiment& experiment) {
 
 std::string run_table(const Experiment& experiment, const ExperimentResult& result, const TableLook& look) {
   std::uint64_t realisations = 0;
-  for (const auto& condition : result.conditions) realisations += condition.realisations;
+  std::uint64_t most = 0;  // of a condition
+  for (const auto& condition : result.conditions) {
+    realisations += condition.realisations;
+    most = std::max(most, condition.realisations);
+  }
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::vector<TableRow> rows = table_rows(experiment, result);
   const std::string table = mode_table(rows, look);
@@ -75,7 +78,7 @@ std::string run_table(const Experiment& experiment, const ExperimentResult& resu
   if (std::ranges::any_of(rows, &TableRow::is_random)) {
     text += "\nper cent of n realisations [simultaneous " + level_of(experiment) + " interval" +
             (experiment.conditions.front().until ? ", valid whenever the run stops" : "") +
-            "]; < x: did not occur, x is the upper end of its interval\n";
+            "]; < x: did not occur, x is the upper end of its interval" + count_legend(most) + '\n';
   } else {
     text += "\nnothing is random: one realisation is the response of its condition\n";
   }

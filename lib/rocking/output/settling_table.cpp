@@ -27,9 +27,9 @@ std::string whole_text(const std::optional<std::int64_t>& end) { return end ? st
 std::string share_text(const SettlingRow& row, std::uint64_t count) {
   const std::uint64_t of = row.realisations;
   if (count == 0) {
-    return "0 (< " + upper_bound_text(bound_of_none(of, row.confidence)) + " %)";
+    return "0 (< " + per_cent(bound_of_none(of, row.confidence)) + " %)";
   }
-  return std::to_string(count) + " (" + per_cent(static_cast<double>(count) / static_cast<double>(of)) + " %)";
+  return std::to_string(count) + " (" + per_cent_of(count, of) + " %)";
 }
 
 std::string probability_cell(const std::optional<double>& probability) {

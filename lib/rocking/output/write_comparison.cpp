@@ -1,5 +1,6 @@
 #include "rocking/output/write_comparison.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -86,22 +87,27 @@ std::string comparison_table(const ComparedRuns& runs) {
     text += "first run: " + difference + " as in the second\n";
   }
   if (!text.empty()) text += '\n';
+  std::uint64_t most = 0;
   std::vector<TextRow> rows{
       {"condition", "n", "changed", "mode", "first", "second", "difference", "interval", "p", "worth"}};
   for (std::size_t i = 0; i < runs.conditions.size(); ++i) {
     const auto& compared = runs.conditions[i];
+    most = std::max(most, compared.realisations);
     for (const auto& [mode, found] : compared.modes) {
       const auto& factor = found.variance_reduction;
-      rows.push_back({name_of(runs, i), std::to_string(compared.realisations),
-                      std::to_string(compared.changed.successes), to_string(mode), per_cent(found.in_first),
-                      per_cent(found.in_second), per_cent(found.difference), per_cent(found.exact),
-                      significant(found.test.p_value, 2), factor ? significant(*factor, 2) + "x" : "."});
+      const std::uint64_t in_first = found.counts.both + found.counts.first_only;
+      const std::uint64_t in_second = found.counts.both + found.counts.second_only;
+      rows.push_back(
+          {name_of(runs, i), std::to_string(compared.realisations), std::to_string(compared.changed.successes),
+           to_string(mode), per_cent(found.in_first) + count_if_open(in_first, compared.realisations),
+           per_cent(found.in_second) + count_if_open(in_second, compared.realisations), per_cent(found.difference),
+           per_cent(found.exact), significant(found.test.p_value, 2), factor ? significant(*factor, 2) + "x" : "."});
     }
   }
   return text + aligned(rows) +
          "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +
          level_of(runs) + ";\np: exact McNemar test, one of " + std::to_string(number_of_tests(runs.conditions)) +
-         "; worth: variance with independent random numbers over that with common ones\n";
+         "; worth: variance with independent random numbers over that with common ones" + count_legend(most) + '\n';
 }
 
 }  // namespace rocking

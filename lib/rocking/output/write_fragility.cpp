@@ -183,7 +183,7 @@ std::string spoken(const stats::LackOfFit& test) {
 TextRow row_of(const FragilityLevel& level) {
   TextRow row{significant(level.intensity, 6),
               std::to_string(level.overturned.trials),
-              per_cent(level.estimate),
+              per_cent(level.estimate) + count_if_open(level.overturned.successes, level.overturned.trials),
               per_cent(level.exact),
               ".",
               "."};
@@ -257,8 +257,10 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
   std::string text;
   bool has_curve = false;
   bool has_suite = false;
+  std::uint64_t most = 0;  // realisations of a level
   for (const RunFragility& run : runs) {
     for (const auto& [curve, rate] : run.curves) {
+      for (const FragilityLevel& level : curve.levels) most = std::max(most, level.overturned.trials);
       text += heading_of_curve(run.experiment, curve.others) + table_of(run, curve);
       if (rate) text += annual_rate_table(*rate, curve.event, curve.parameter);
       text += '\n';
@@ -266,6 +268,7 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
     }
     for (const ShownSuite& shown : run.suites) {
       const SuiteCurve& curve = shown.curve;
+      for (const SuiteLevel& level : curve.levels) most = std::max(most, level.happened.trials);
       text += heading_of_curve(run.experiment, curve.others) + suite_table(curve, records);
       if (shown.rate) text += annual_rate_table(*shown.rate, curve.event, curve.parameter);
       if (shown.has_hazard && !shown.rate) text += "no annual rate: the suite has no law\n";
@@ -281,7 +284,8 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
         "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
         "likelihood "
         "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
-        "them as one\ncluster\n";
+        "them as one\ncluster" +
+        count_legend(most) + '\n';
   }
   if (has_isotonic(runs)) {
     text += "isotonic: most likely probabilities that do not decrease; their band covers all levels at once\n";
@@ -289,7 +293,8 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
   if (has_suite) {
     text +=
         "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within records; "
-        "its band\nis a bootstrap over records; the probability is that of a record like those of the suite\n";
+        "its band\nis a bootstrap over records; the probability is that of a record like those of the suite" +
+        count_legend(most) + '\n';
   }
   return text;
 }

@@ -135,7 +135,8 @@ std::string level_table_of(const SuiteCurve& curve) {
   std::vector<TextRow> rows{{last_key(curve.parameter), "records", "n", column_of(curve.event), "fitted", "band"}};
   for (const SuiteLevel& level : curve.levels) {
     rows.push_back({significant(level.intensity, 6), std::to_string(level.records),
-                    std::to_string(level.happened.trials), per_cent(level.estimate),
+                    std::to_string(level.happened.trials),
+                    per_cent(level.estimate) + count_if_open(level.happened.successes, level.happened.trials),
                     level.fitted ? per_cent(*level.fitted) : ".", level.band ? per_cent(*level.band) : "."});
   }
   return aligned(rows);

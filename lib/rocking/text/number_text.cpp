@@ -7,6 +7,14 @@
 #include "rocking/base/error.hpp"
 
 namespace rocking {
+namespace {
+
+/// Digits after the point that leave two significant digits of a number; 0 of 0.
+int decimals_for_two_digits(double number) {
+  return number == 0.0 ? 0 : std::max(0, 1 - static_cast<int>(std::floor(std::log10(std::abs(number)))));
+}
+
+}  // namespace
 
 std::string fixed_point(double number, int decimals) {
   char text[400];  // 1.8e308 has 309 digits before the point
@@ -16,15 +24,32 @@ std::string fixed_point(double number, int decimals) {
   return {text, end};
 }
 
-std::string per_cent(double probability, int decimals) { return fixed_point(100.0 * probability, decimals); }
-
-std::string per_cent(const stats::Interval& interval, int decimals) {
-  return '[' + per_cent(interval.low, decimals) + ", " + per_cent(interval.high, decimals) + ']';
+std::string per_cent(double probability, int least_decimals) {
+  constexpr double least_in_full = 1e-6;  // per cent; below, leading zeros are harder to read than an exponent
+  constexpr double rounding = 1e-12;      // of sums of probabilities
+  const double number = 100.0 * probability;
+  const double complement = 1.0 - probability;
+  if (number != 0.0 && std::abs(number) < least_in_full) return significant(number, 2);
+  int decimals = std::max(least_decimals, decimals_for_two_digits(number));
+  if (std::abs(complement) > rounding) decimals = std::max(decimals, decimals_for_two_digits(100.0 * complement));
+  return fixed_point(number, decimals);
 }
 
-std::string upper_bound_text(double probability) {
-  constexpr double least_in_tenths = 0.001;
-  return probability < least_in_tenths ? significant(100.0 * probability, 2) : per_cent(probability);
+std::string per_cent(const stats::Interval& interval, int least_decimals) {
+  return '[' + per_cent(interval.low, least_decimals) + ", " + per_cent(interval.high, least_decimals) + ']';
+}
+
+std::string per_cent_of(std::uint64_t count, std::uint64_t all) {
+  return per_cent(static_cast<double>(count) / static_cast<double>(all));
+}
+
+std::string count_if_open(std::uint64_t count, std::uint64_t all) {
+  constexpr std::uint64_t most_told_by_tenths = 1000;
+  return count == 0 || all <= most_told_by_tenths ? "" : " (" + std::to_string(count) + ')';
+}
+
+std::string count_legend(std::uint64_t most) {
+  return count_if_open(most, most).empty() ? "" : "; (k): k realisations";
 }
 
 std::string counted(std::uint64_t number, std::string_view noun) {

@@ -14,15 +14,23 @@ using base::significant;
 /// `number` with `decimals` digits after the point.
 [[nodiscard]] std::string fixed_point(double number, int decimals);
 
-/// A probability in per cent, with `decimals` digits after the point.
-[[nodiscard]] std::string per_cent(double probability, int decimals = 1);
+/// A probability in per cent, or a difference of two: `98.5`, `0.016`, `99.984`. At least `least_decimals` digits stand
+/// after the point, and as many as leave two significant digits of the probability and of its complement. Only 0 and 1
+/// are written as 0.0 and 100.0.
+[[nodiscard]] std::string per_cent(double probability, int least_decimals = 1);
 
 /// Likewise both ends, in brackets.
-[[nodiscard]] std::string per_cent(const stats::Interval& interval, int decimals = 1);
+[[nodiscard]] std::string per_cent(const stats::Interval& interval, int least_decimals = 1);
 
-/// The upper bound of the probability of what did not occur, in per cent: `2.8`. Below 0.1 % with two significant
-/// digits, since a bound is never 0.
-[[nodiscard]] std::string upper_bound_text(double probability);
+/// Likewise the share of `count` in `all`.
+[[nodiscard]] std::string per_cent_of(std::uint64_t count, std::uint64_t all);
+
+/// ` (48)` where the count cannot be read from `all` and the share in tenths of a per cent; otherwise empty.
+[[nodiscard]] std::string count_if_open(std::uint64_t count, std::uint64_t all);
+
+/// What that number is, for the legend of a table whose rows have at most so many realisations: `; (k): k realisations`,
+/// or empty.
+[[nodiscard]] std::string count_legend(std::uint64_t most);
 
 /// `1 condition`, `2 conditions`.
 [[nodiscard]] std::string counted(std::uint64_t number, std::string_view noun);

@@ -114,6 +114,18 @@ TEST(TimeHistory, ShowsTheAskedPartOnly) {
   EXPECT_THAT(table_named(figure, "stretches of rock_slide")->rows, ElementsAre(ElementsAre(Cell(0.5), Cell(0.7))));
 }
 
+TEST(TimeHistory, OfATrajectoryThatEndedBeforeTheWindowSaysSo) {
+  const TrajectoryFile file = read_trajectory(sample_trajectory(), "x");
+  const auto figures = {time_history(file, {.from = 60.0}), responses({file, file}, {.from = 60.0})};
+  for (const Figure& figure : figures) {
+    EXPECT_EQ(figure.panels[0].x.low, 60.0);
+    EXPECT_EQ(figure.panels[0].x.high, 61.0) << "ticks that differ";
+    EXPECT_THAT(figure.caption,
+                HasSubstr("x: condition 2, realisation 7 ends at 2 periods, before the first one shown."));
+  }
+  EXPECT_THAT(time_history(file, {.from = 0.5}).caption, ::testing::Not(HasSubstr("ends at")));
+}
+
 TEST(Poincare, HasThePointsOfTheFile) {
   const Figure figure = poincare({read_trajectory(sample_trajectory(), "x")}, {.from = 2.0});
   EXPECT_THAT(figure.tables.front().rows, ElementsAre(ElementsAre(Cell(0.125), Cell(0.5), Cell(2.0))));

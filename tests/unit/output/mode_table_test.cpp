@@ -51,6 +51,29 @@ TEST(ModeTable, HasARowForEachConditionAndAColumnForEachModeThatOccurs) {
                                                    "0.4/0.35         10  200  100.0 [50.0, 100.0]              < 2.8"));
 }
 
+TEST(ModeTable, RoundsNoRareModeAwayAndCountsIt) {
+  Made made;
+  made.add({{"/excitation/amplitude", "4.2"}},
+           {{section::periodic(1, 1), 299952}, {{section::ResponseKind::overturned}, 48}});
+  made.rows[0].modes[0].interval = {0.99979, 0.99988};
+  made.rows[0].modes[1].interval = {1.18e-4, 2.12e-4};
+  EXPECT_EQ(made.lines()[1], "      4.2  300000  99.984 [99.979, 99.988] (299952)  0.016 [0.012, 0.021] (48)");
+  EXPECT_EQ(overturning_line(made.rows),
+            "overturning: in 1 of 1 condition; most likely at amplitude 4.2: 0.016 [0.012, 0.021] %, 48 of 300000\n");
+}
+
+TEST(ModeTable, StaysWithinItsWidthWithCounts) {
+  Made made;
+  std::vector<std::pair<ResponseMode, std::uint64_t>> counts;
+  for (int n = 1; n <= 6; ++n) counts.emplace_back(section::periodic(1, n), 16666 * n + 1);
+  made.add({{"/excitation/amplitude", "4.2"}}, counts);
+  for (const std::size_t width : {60U, 80U, 100U, 120U, 200U}) {
+    for (const std::string& line : made.lines({.width = width, .bars = Letters::ascii})) {
+      EXPECT_LE(letters_in(line), width) << line;
+    }
+  }
+}
+
 TEST(ModeTable, WithoutASweepHasOneRow) {
   Made made;
   made.add({}, {{section::periodic(1, 1), 1}});

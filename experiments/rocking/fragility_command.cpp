@@ -142,7 +142,9 @@ void add_fragility(CLI::App& app, Action& action) {
       ->check(CLI::Validator(CLI::Range(1e-9, 1e9)).description(""));
   command
       ->add_option("--hazard", request->hazard,
-                   "Hazard curve (CSV: intensity, annual rate of exceedance): gives the mean annual rate")
+                   "Hazard curve (CSV: intensity, annual rate of exceedance; its header names the measure): gives the "
+                   "mean annual "
+                   "rate")
       ->type_name("FILE");
   command->add_flag("--per-record", request->per_record, "List each record of a suite");
   command->add_flag("--ida", request->incremental, "Also the peak tilt against intensity for each record");

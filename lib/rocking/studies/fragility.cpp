@@ -93,6 +93,7 @@ FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, 
   curve.parameter = group.parameter;
   curve.others = group.others;
   curve.event = event;
+  curve.least_uplift = group.least_uplift();
   return curve;
 }
 

@@ -39,6 +39,7 @@ struct FragilityCurve {
   std::vector<Parameter> others;       ///< the rest of the sweep
   FragilityEvent event;                ///< what is counted as overturned
   double confidence = 0.95;            ///< that the experiment asks for
+  std::optional<double> least_uplift;  ///< of the group (StripeGroup); not of the curve of one record
   std::vector<FragilityLevel> levels;  ///< by growing intensity
   stats::FragilityFit fit;
   std::optional<stats::LackOfFit> test;  ///< of the fitted function; absent where none could be fitted

@@ -1,7 +1,5 @@
 #include "rocking/studies/run_fragility.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,18 +9,16 @@
 namespace rocking {
 namespace {
 
-/// Throws where a header names another intensity than that of the run. Other words say nothing.
+/// Throws where the header of the hazard curve names another intensity measure than that of the run.
 void check_intensity(const HazardCurve& hazard, std::string_view parameter) {
-  constexpr std::array<std::string_view, 6> known{"amplitude", "amplitude_g", "amplitude_m_s2",
-                                                  "scale",     "pga_g",       "pgv_m_s"};
   const std::string own(parameter.substr(parameter.rfind('/') + 1));
-  if (hazard.intensity == own || std::ranges::find(known, hazard.intensity) == known.end()) return;
-  throw base::InputError(
-      {.place = hazard.name + ", line 1",
-       .value = hazard.intensity,
-       .reason = "is not the intensity of the run, which is " + own,
-       .remedy = "give a hazard curve in " + own + ", or a run that sweeps /excitation/" + hazard.intensity,
-       .where = {}});
+  if (hazard.intensity.empty() || hazard.intensity == own || hazard.intensity == parameter) return;
+  throw base::InputError({.place = hazard.name + ", line " + std::to_string(hazard.header_line),
+                          .value = hazard.intensity,
+                          .reason = "is not the intensity measure of the run, which is " + own,
+                          .remedy = "give a hazard curve in " + own + " with the header \"" + own +
+                                    ", annual_rate\", or a run that sweeps " + hazard.intensity,
+                          .where = {}});
 }
 
 void add_group(const StripeGroup& group, const FragilityQuestion& question, RunFragility& run) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
 #include <tuple>
 #include <variant>
 
@@ -9,6 +11,7 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/scene/ground_motion_peaks.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/studies/suite/least_uplift.hpp"
 
 namespace rocking {
 namespace {
@@ -125,6 +128,15 @@ std::vector<std::string> StripeGroup::records() const {
   return names;
 }
 
+std::optional<double> StripeGroup::least_uplift() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Stripe& stripe : stripes) {
+    if (!stripe.uplift) return std::nullopt;
+    least = std::min(least, *stripe.uplift);
+  }
+  return std::isinf(least) ? std::nullopt : std::optional(least);
+}
+
 stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
   stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
   if (!event.peak_tilt) return level;
@@ -162,6 +174,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     }
     stripes[i].record = std::move(place.record);
     stripes[i].intensity = place.intensity;
+    stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
     set_measures(experiment.conditions[i].scene, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }

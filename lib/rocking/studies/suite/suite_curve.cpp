@@ -155,6 +155,7 @@ SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, st
   curve.others = group.others;
   curve.confidence = group.confidence;
   curve.event = event;
+  curve.least_uplift = group.least_uplift();
   const stats::SuiteLevels suite = levels_of_records(group.stripes, event);
   set_pooled(suite, seed, curve);
   set_simple(suite, curve);

@@ -71,6 +71,7 @@ struct SuiteCurve {
   std::vector<Parameter> others;  ///< the rest of the sweep
   double confidence = 0.95;
   FragilityEvent event;
+  std::optional<double> least_uplift;                                 ///< of the group (StripeGroup)
   stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
   std::optional<PooledSuite> pooled;
   std::optional<SimpleLaw> simple;

@@ -225,6 +225,19 @@ TEST_F(SuiteFragility, AnalysesPeakTiltsAndCountsResurrections) {
                                  HasSubstr("stood again at a stronger one")));
 }
 
+// Far more curves than a fraction of a second allows.
+TEST_F(SuiteFragility, IsStoppedByASignalWithoutWriting) {
+  run();
+  std::string tilts;
+  for (int i = 1; i <= 1000; ++i) tilts += (i > 1 ? "," : "") + std::to_string(0.001 * i);
+  const auto stopped =
+      shell("timeout --preserve-status -s INT 0.5 '" ROCKING_PROGRAM "' fragility out -o kept --peak-tilt " + tilts);
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_EQ(stopped.output, "");
+  EXPECT_THAT(stopped.errors, HasSubstr("interrupted; nothing was written"));
+  EXPECT_FALSE(exists("kept/fragility.json"));
+}
+
 TEST_F(SuiteFragility, IsDrawnAndStandsOnThePage) {
   ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
   EXPECT_THAT(read("out/report.html"),

@@ -241,7 +241,8 @@ std::string bifurcation(const Experiment& experiment, std::uint64_t realisation,
                            .diagrams = diagrams(experiment, realisation, execution)});
 }
 
-RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
+RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
+                              const Execution& execution) {
   if (intensity_of(experiment).empty()) {
     refuse("/sweep", "",
            "sweeps no intensity of the excitation: /excitation/amplitude (or amplitude_g, amplitude_m_s2) or "
@@ -253,11 +254,13 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
   for (const double tilt : question.peak_tilts) {
     if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
-  return run_fragility(experiment, stripes_of(experiment, *run.store, needs_peak_tilts(question)), question);
+  return run_fragility(experiment, stripes_of(experiment, *run.store, needs_peak_tilts(question)), question,
+                       AskedOptions(execution).options());
 }
 
-std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
-  return fragility_text({fragility_curves(with_text(experiment), run, question)});
+std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
+                      const Execution& execution) {
+  return fragility_text({fragility_curves(with_text(experiment), run, question, execution)});
 }
 
 HazardCurve hazard_curve(const std::filesystem::path& file) {

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 #include <variant>
 
@@ -63,6 +64,15 @@ bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b)
                     [](const Parameter& x, const Parameter& y) { return x.value == y.value; });
 }
 
+/// By records, in the order in which they come, and those of a record by growing intensity.
+void sort(std::vector<Stripe>& stripes) {
+  std::map<std::string, std::size_t> numbers;
+  for (const Stripe& stripe : stripes) numbers.try_emplace(stripe.record, numbers.size());
+  std::stable_sort(stripes.begin(), stripes.end(), [&numbers](const Stripe& a, const Stripe& b) {
+    return std::tuple(numbers.at(a.record), a.intensity) < std::tuple(numbers.at(b.record), b.intensity);
+  });
+}
+
 /// Measures of a motion that does not change with the realisation.
 void set_measures(const Scene& scene, Stripe& stripe) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
@@ -120,12 +130,15 @@ std::string_view name_of(IntensityMeasure measure) {
   return "p_pgv_over_g_tan_psi";
 }
 
-std::vector<std::string> StripeGroup::records() const {
-  std::vector<std::string> names;
-  for (const Stripe& stripe : stripes) {
-    if (std::find(names.begin(), names.end(), stripe.record) == names.end()) names.push_back(stripe.record);
+std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
+  std::vector<std::span<const Stripe>> records;
+  for (auto begin = stripes.begin(); begin != stripes.end();) {
+    const auto end =
+        std::find_if(begin, stripes.end(), [&](const Stripe& other) { return other.record != begin->record; });
+    records.emplace_back(begin, end);
+    begin = end;
   }
-  return names;
+  return records;
 }
 
 std::optional<double> StripeGroup::least_uplift() const {
@@ -178,15 +191,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     set_measures(experiment.conditions[i].scene, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }
-  for (StripeGroup& group : groups) {
-    const std::vector<std::string> records = group.records();
-    const auto number_of = [&records](const Stripe& stripe) {
-      return std::find(records.begin(), records.end(), stripe.record) - records.begin();
-    };
-    std::stable_sort(group.stripes.begin(), group.stripes.end(), [&](const Stripe& a, const Stripe& b) {
-      return std::tuple(number_of(a), a.intensity) < std::tuple(number_of(b), b.intensity);
-    });
-  }
+  for (StripeGroup& group : groups) sort(group.stripes);
   return groups;
 }
 

@@ -201,6 +201,19 @@ class AgainstTheProgram(unittest.TestCase):
         with self.assertRaises(FileNotFoundError):
             rocking.fragility(self.out, hazard="/nowhere/hazard.csv")
 
+    def test_fragility_of_a_suite_is_that_of_the_program(self):
+        self.program("run", suite_in(self.folder.name), "-o", self.out, "--no-page", "-q")
+        theirs = json.loads(self.program("fragility", self.out, "--ida", "--json"))
+        told = []
+        for source in (self.out, rocking.open_run(self.out)):
+            ours = rocking.fragility(source, incremental=True, progress=lambda *numbers: told.append(numbers))
+            self.assertEqual(ours.data, theirs)
+        curve, = ours
+        self.assertEqual(curve.realisations.tolist(), [32] * 4)
+        self.assertEqual(curve.exact.shape, (4, 2))
+        self.assertTrue(np.isnan(curve.exact).all())
+        self.assertEqual(told[-1][0], told[-1][1])
+
     def test_comparison_is_that_of_the_program(self):
         softer = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [0.5, 8.0, 4.0]}])
         folders = [os.path.join(self.folder.name, name) for name in ("first", "second")]

@@ -192,8 +192,8 @@ class FragilityCurve:
         self.overturned = np.array([level["overturned"] for level in levels], dtype=np.int64)
         self.realisations = np.array([level["realisations"] for level in levels], dtype=np.int64)
         self.estimate = np.array([level["estimate"] for level in levels], dtype=float)
-        #: Clopper-Pearson, of each level alone, shape (levels, 2)
-        self.exact = np.array([level["exact"] for level in levels], dtype=float)
+        #: Clopper-Pearson, of each level alone, shape (levels, 2); NaN for a suite, whose levels join records
+        self.exact = np.array([level.get("exact", [np.nan, np.nan]) for level in levels], dtype=float).reshape(-1, 2)
         #: the fitted function; NaN where none is fitted
         self.fitted = np.array([np.nan if level["fitted"] is None else level["fitted"] for level in levels])
 

@@ -315,20 +315,27 @@ std::string median_of(const Json& curve) {
   return value_and_interval(median) + (is_extrapolated ? " (extrapolated beyond the levels)" : "");
 }
 
+/// Files of former versions have no least uplift.
+std::string uplift_sentence(const Json& curve) {
+  if (!curve.contains("least_uplift") || curve.at("least_uplift").is_null()) return "";
+  return " The block is not lifted below " + significant(curve.at("least_uplift").get<double>(), 4) +
+         ": a probability that a law gives there is impossible.";
+}
+
 std::string description_of(const Json& curve) {
   if (is_suite(curve)) {
     const std::string begin = curve.at("title").get<std::string>() + ": ";
     if (curve.at("pooled").is_null())
       return begin + "no law of the suite (" + curve.at("outcome").get<std::string>() + ").";
     return begin + "median " + value_and_interval(curve.at("pooled").at("median")) + ", dispersion " +
-           value_and_interval(curve.at("pooled").at("dispersion")) + '.';
+           value_and_interval(curve.at("pooled").at("dispersion")) + '.' + uplift_sentence(curve);
   }
   std::string text = curve.at("title").get<std::string>() + (name_of(curve).empty() ? "" : ", " + name_of(curve)) +
                      ", " + subject_of(curve);
   if (is_isotonic(curve)) return text + ": the lognormal function is rejected; isotonic estimate.";
   if (curve.at("law").is_null()) return text + ": no function fitted (" + curve.at("outcome").get<std::string>() + ").";
   return text + ": median " + median_of(curve) + ", dispersion " +
-         value_and_interval(curve.at("law").at("dispersion")) + '.';
+         value_and_interval(curve.at("law").at("dispersion")) + '.' + uplift_sentence(curve);
 }
 
 /// A text that all curves have in common; otherwise empty.

@@ -8,6 +8,7 @@
 #include "analysis/draw.hpp"
 #include "analysis/run_figures.hpp"
 #include "interrupt.hpp"
+#include "machine.hpp"
 #include "output.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/base/error.hpp"
@@ -22,8 +23,9 @@ void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
     print_notice(fmt::format("the fragility of the suite was not drawn: {}", error.what()));
   };
   try {
-    for (analysis::Figure& figure : pages::suite_figures(experiment_of(store.identity()), store))
+    for (analysis::Figure& figure : pages::suite_figures(experiment_of(store.identity()), store, available_threads())) {
       figures.push_back(std::move(figure));
+    }
   } catch (const base::InputError& error) {
     tell(error);
   } catch (const MissingInput& error) {

@@ -16,7 +16,10 @@
 #include "analysis/incremental_figure.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
+#include "interrupt.hpp"
+#include "machine.hpp"
 #include "output.hpp"
+#include "progress.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/studies/annual_rate.hpp"
@@ -63,7 +66,7 @@ std::optional<HazardCurve> hazard_of(const FragilityRequest& request) {
   }
 }
 
-RunFragility fragility_of(const std::string& name, const FragilityQuestion& question) {
+RunFragility fragility_of(const std::string& name, const FragilityQuestion& question, const Loudness& loudness) {
   const RunFolder folder(name);
   const Store store = folder.open_sound_store();
   const Experiment experiment = experiment_of(store.identity());
@@ -74,7 +77,12 @@ RunFragility fragility_of(const std::string& name, const FragilityQuestion& ques
   } catch (const base::InputError& error) {
     throw MissingInput(fmt::format("{}: {}", name, error.what()));
   }
-  return run_fragility(experiment, groups, question);
+  Progress progress(suitable_progress_style(loudness), "parts of the fit");
+  RunOptions options;
+  options.threads = available_threads();
+  options.stop_requested = &stop_on_interrupt();
+  options.on_progress = [&](std::uint64_t done, std::uint64_t all) { progress.show(done, all); };
+  return run_fragility(experiment, groups, question, options);
 }
 
 std::filesystem::path curve_file_in(const std::string& folder) {
@@ -97,7 +105,12 @@ ExitCode fragility(const FragilityRequest& request) {
   const FragilityQuestion question{
       .peak_tilts = request.peak_tilts, .hazard = hazard_of(request), .incremental = request.incremental};
   std::vector<RunFragility> runs;
-  for (const std::string& name : request.folders) runs.push_back(fragility_of(name, question));
+  try {
+    for (const std::string& name : request.folders) runs.push_back(fragility_of(name, question, request.loudness));
+  } catch (const base::Stopped&) {
+    print_notice("interrupted; nothing was written");
+    return ExitCode::interrupted;
+  }
   const std::string text = fragility_text(runs);
   std::string table = fragility_table(runs, request.per_record ? RecordTable::shown : RecordTable::omitted);
   if (!request.output.empty()) {
@@ -142,7 +155,9 @@ void add_fragility(CLI::App& app, Action& action) {
       ->check(CLI::Validator(CLI::Range(1e-9, 1e9)).description(""));
   command
       ->add_option("--hazard", request->hazard,
-                   "Hazard curve (CSV: intensity, annual rate of exceedance): gives the mean annual rate")
+                   "Hazard curve (CSV: intensity, annual rate of exceedance; its header names the measure): gives the "
+                   "mean annual "
+                   "rate")
       ->type_name("FILE");
   command->add_flag("--per-record", request->per_record, "List each record of a suite");
   command->add_flag("--ida", request->incremental, "Also the peak tilt against intensity for each record");

@@ -10,10 +10,12 @@
 
 namespace rocking::pages {
 
-std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store) {
+std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store, unsigned threads) {
   if (intensity_of(experiment).empty() || experiment.conditions.front().until) return {};
   const FragilityQuestion question{.incremental = true};
-  const RunFragility run = run_fragility(experiment, stripes_of(experiment, store, true), question);
+  RunOptions options;
+  options.threads = threads;
+  const RunFragility run = run_fragility(experiment, stripes_of(experiment, store, true), question, options);
   if (run.suites.empty()) return {};
   const Json output = Json::parse(fragility_text({run}));
   std::vector<analysis::Figure> figures = analysis::fragility_figures(output);

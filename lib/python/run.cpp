@@ -141,6 +141,19 @@ py::tuple bifurcation_watched(const Experiment& experiment, std::uint64_t realis
   return py::make_tuple(std::move(text), watched.was_interrupted());
 }
 
+/// (JSON text or None, whether Ctrl-C stopped it).
+py::tuple fragility_watched(const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
+                            const std::optional<std::string>& hazard, bool incremental, unsigned threads,
+                            py::object on_progress) {
+  Watched<std::string> watched(std::move(on_progress));
+  auto text = watched.run({.threads = threads}, [&](const Execution& execution) {
+    FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
+    if (hazard) question.hazard = hazard_curve(*hazard);
+    return fragility(experiment, run, question, execution);
+  });
+  return py::make_tuple(std::move(text), watched.was_interrupted());
+}
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -236,13 +249,7 @@ void add_runs(py::module_& module) {
     const py::gil_scoped_release release;
     return motion(request);
   });
-  module.def("fragility", [](const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
-                             const std::optional<std::string>& hazard, bool incremental) {
-    const py::gil_scoped_release release;
-    FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
-    if (hazard) question.hazard = hazard_curve(*hazard);
-    return fragility(experiment, run, question);
-  });
+  module.def("fragility", &fragility_watched);
   module.def("open_run", [](const std::string& folder) {
     StoredRun stored = [&] {
       const py::gil_scoped_release release;

@@ -148,27 +148,36 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
                                  HasSubstr("p_pgv_over_g_tan_psi"), HasSubstr("deviance"), HasSubstr("AIC")));
 }
 
-// The integral of P |dH| from the law in the file, by the midpoint rule in ln x.
-TEST_F(SuiteFragility, GivesTheAnnualRateOfAHazardCurve) {
+/// Phi((ln x - ln median)/dispersion) times |dH|, between two intensities, by the midpoint rule in ln x.
+double rate_between(double median, double dispersion, double from, double to) {
+  // The hazard file of SuiteFragility: from, rate there, exponent.
+  const std::array<std::array<double, 3>, 2> pieces{
+      {{0.1, 1e-2, std::log(1e-1) / std::log(5.0)}, {0.5, 1e-3, std::log(1e-2) / std::log(4.0)}}};
+  constexpr int steps = 40000;
+  const double step = std::log(to / from) / steps;
+  double rate = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    const double x = from * std::exp((k + 0.5) * step);
+    const auto& [begin, rate_there, exponent] = pieces[x < 0.5 ? 0 : 1];
+    const double p = 0.5 * std::erfc(-std::log(x / median) / dispersion / std::numbers::sqrt2);
+    rate += p * rate_there * std::pow(x / begin, exponent) * -exponent * step;
+  }
+  return rate;
+}
+
+// The block lifts at tan(psi) = 0.35/1.6 = 0.21875 g under every record.
+TEST_F(SuiteFragility, GivesTheAnnualRateOfAHazardCurveAboveTheLeastUplift) {
   run();
   const Json curve = fragility("--hazard hazard.csv")["curves"][0];
+  constexpr double uplift = 0.21875;
+  EXPECT_NEAR(curve["least_uplift"].get<double>(), uplift, 1e-12);
   const double median = curve["pooled"]["median"]["value"];
   const double dispersion = curve["pooled"]["dispersion"]["value"];
-  const std::vector<std::array<double, 3>> pieces{{0.1, 1e-2, 0.5}, {0.5, 1e-3, 100.0}};  // from, rate there, to
-  double rate = 0.0;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const double slope = i == 0 ? std::log(1e-1) / std::log(5.0) : std::log(1e-2) / std::log(4.0);
-    const auto& [from, rate_there, to] = pieces[i];
-    constexpr int steps = 20000;
-    const double step = std::log(to / from) / steps;
-    for (int k = 0; k < steps; ++k) {
-      const double beyond = (k + 0.5) * step;
-      const double z = (std::log(from / median) + beyond) / dispersion;
-      rate += 0.5 * std::erfc(-z / std::numbers::sqrt2) * rate_there * -slope * std::exp(slope * beyond) * step;
-    }
-  }
   const Json& found = curve["annual_rate"];
+  const double rate = rate_between(median, dispersion, uplift, 200.0);
   EXPECT_NEAR(found["value"].get<double>(), rate, 1e-6 * rate);
+  EXPECT_NEAR(found["impossible"].get<double>(), rate_between(median, dispersion, 0.1, uplift), 1e-6 * rate);
+  EXPECT_NEAR(found["below_levels"].get<double>(), rate_between(median, dispersion, uplift, 0.3), 1e-6 * rate);
   EXPECT_LT(found["interval"][0], found["value"]);
   EXPECT_GT(found["interval"][1], found["value"]);
   const auto all = [](const Json&) { return true; };
@@ -176,10 +185,16 @@ TEST_F(SuiteFragility, GivesTheAnnualRateOfAHazardCurve) {
   EXPECT_NEAR(sum_of(found["by_level"], "share", all), 1.0, 1e-9);
   EXPECT_NEAR(sum_of(found["by_level"], "share", [](const Json& range) { return !range["tested"]; }),
               found["untested_share"].get<double>(), 1e-12);
-  EXPECT_EQ(found["by_level"].size(), 8U);  // six ranges between the levels, one on each side
+  // From the least uplift to 0.3 g, five ranges between the levels that lift the block, and one above.
+  EXPECT_EQ(found["by_level"].size(), 7U);
+  EXPECT_FALSE(found["by_level"][0]["tested"]);
+  EXPECT_EQ(found["by_level"][0]["to"], 0.3);
+  EXPECT_TRUE(found["by_level"][1]["tested"]);
+  EXPECT_FALSE(found["measure_assumed"]);
   const auto told = rocking("fragility out --hazard hazard.csv");
   EXPECT_THAT(told.output, AllOf(HasSubstr("mean annual rate of overturning: "), HasSubstr("once in "),
-                                 HasSubstr("% of the rate comes from intensities outside the levels")));
+                                 HasSubstr("% of the rate comes from intensities outside the levels"),
+                                 HasSubstr("the least that lifts the block, 0.2188"), HasSubstr("not counted: ")));
 }
 
 TEST_F(SuiteFragility, CountsPeakTiltsAboveEachValueThatIsGiven) {
@@ -225,11 +240,25 @@ TEST_F(SuiteFragility, AnalysesPeakTiltsAndCountsResurrections) {
                                  HasSubstr("stood again at a stronger one")));
 }
 
+// Far more curves than a fraction of a second allows.
+TEST_F(SuiteFragility, IsStoppedByASignalWithoutWriting) {
+  run();
+  std::string tilts;
+  for (int i = 1; i <= 1000; ++i) tilts += (i > 1 ? "," : "") + std::to_string(0.001 * i);
+  const auto stopped =
+      shell("timeout --preserve-status -s INT 0.5 '" ROCKING_PROGRAM "' fragility out -o kept --peak-tilt " + tilts);
+  EXPECT_EQ(stopped.exit_code, 130);
+  EXPECT_EQ(stopped.output, "");
+  EXPECT_THAT(stopped.errors, HasSubstr("interrupted; nothing was written"));
+  EXPECT_FALSE(exists("kept/fragility.json"));
+}
+
 TEST_F(SuiteFragility, IsDrawnAndStandsOnThePage) {
   ASSERT_EQ(rocking("run e.json -q -o out").exit_code, 0);
   EXPECT_THAT(read("out/report.html"),
               AllOf(HasSubstr("figure id=\"fragility\""), HasSubstr("figure id=\"incremental\""),
-                    HasSubstr("in a suite of 5 ground motions"), HasSubstr("stood again at a stronger one")));
+                    HasSubstr("in a suite of 5 ground motions"), HasSubstr("The block is not lifted below 0.2188"),
+                    HasSubstr("stood again at a stronger one")));
   ASSERT_EQ(rocking("fragility out --ida -o kept --figure drawn").exit_code, 0);
   ASSERT_EQ(rocking("figure kept/fragility.json -o again").exit_code, 0);
   for (const char* name : {"fragility.tsv", "incremental.tsv", "incremental.gp"}) {
@@ -285,6 +314,55 @@ TEST_F(SuiteFragility, RefusesBadFlagsAndHazardCurves) {
   EXPECT_THAT(other.errors, AllOf(HasSubstr("velocity.csv, line 1"), HasSubstr("pgv_m_s"), HasSubstr("pga_g")));
   write("short.csv", "0.1, 1e-2\n");
   EXPECT_EQ(rocking("fragility out --hazard short.csv").exit_code, 65);
+}
+
+TEST_F(SuiteFragility, RefusesAHazardCurveInAnotherMeasure) {
+  run();
+  const std::string points = "0.1, 1e-2\n0.5, 1e-3\n";
+  for (const char* name : {"sa_g", "PGV", "arias_m_s", "annual_rate", "/excitation/scale"}) {
+    write("other.csv", "# a comment\n" + std::string(name) + ", annual_rate\n" + points);
+    const auto other = rocking("fragility out --hazard other.csv");
+    EXPECT_EQ(other.exit_code, 65) << name;
+    EXPECT_EQ(other.output, "") << name;
+    EXPECT_THAT(other.errors, AllOf(HasSubstr("other.csv, line 2"), HasSubstr(name), HasSubstr("which is pga_g")))
+        << name;
+  }
+  for (const char* name : {"pga_g", "/excitation/pga_g", "\"pga_g\""}) {
+    write("own.csv", std::string(name) + ", annual_rate\n" + points);
+    const auto own = rocking("fragility out --hazard own.csv");
+    EXPECT_EQ(own.exit_code, 0) << name << own.errors;
+    EXPECT_THAT(own.output, Not(HasSubstr("was assumed"))) << name;
+  }
+  write("nameless.csv", points);
+  EXPECT_THAT(rocking("fragility out --hazard nameless.csv").output,
+              HasSubstr("does not name its intensity measure: pga_g was assumed"));
+  EXPECT_TRUE(fragility("--hazard nameless.csv")["curves"][0]["annual_rate"]["measure_assumed"]);
+}
+
+// Neighbouring doubles, the least and the largest numbers, and as many points as are allowed.
+TEST_F(SuiteFragility, TakesExtremeHazardCurves) {
+  run();
+  const auto rate = [this](const std::string& text) {
+    write("extreme.csv", "pga_g, annual_rate\n" + text);
+    return fragility("--hazard extreme.csv")["curves"][0]["annual_rate"];
+  };
+  const Json plain = rate("0.3, 1e-3\n2, 1e-5\n");
+  // The rate falls by half at 0.3 g, the second level.
+  const Json stepped = rate("0.3, 2e-3\n0.30000000000000004, 1e-3\n2, 1e-5\n");
+  const double there = fragility()["curves"][0]["levels"][1]["fitted"];
+  EXPECT_NEAR(stepped["value"].get<double>(), plain["value"].get<double>() + 1e-3 * there, 1e-9);
+  EXPECT_GT(rate("1e-308, 1e-2\n1e308, 1e-3\n")["value"], 1e-3);
+  std::string many;
+  for (int i = 0; i < 10000; ++i) {
+    const double x = 0.3 * std::pow(2.0 / 0.3, i / 9999.0);
+    many +=
+        std::to_string(x) + ", " + Json(1e-3 * std::pow(x / 0.3, std::log(1e-2) / std::log(2.0 / 0.3))).dump() + '\n';
+  }
+  EXPECT_NEAR(rate(many)["value"].get<double>(), plain["value"].get<double>(), 1e-5 * plain["value"].get<double>());
+  write("extreme.csv", many + "3, 1e-9\n");
+  const auto refused = rocking("fragility out --hazard extreme.csv");
+  EXPECT_EQ(refused.exit_code, 65);
+  EXPECT_THAT(refused.errors, HasSubstr("more than 10000 points"));
 }
 
 }  // namespace

@@ -201,6 +201,19 @@ class AgainstTheProgram(unittest.TestCase):
         with self.assertRaises(FileNotFoundError):
             rocking.fragility(self.out, hazard="/nowhere/hazard.csv")
 
+    def test_fragility_of_a_suite_is_that_of_the_program(self):
+        self.program("run", suite_in(self.folder.name), "-o", self.out, "--no-page", "-q")
+        theirs = json.loads(self.program("fragility", self.out, "--ida", "--json"))
+        told = []
+        for source in (self.out, rocking.open_run(self.out)):
+            ours = rocking.fragility(source, incremental=True, progress=lambda *numbers: told.append(numbers))
+            self.assertEqual(ours.data, theirs)
+        curve, = ours
+        self.assertEqual(curve.realisations.tolist(), [32] * 4)
+        self.assertEqual(curve.exact.shape, (4, 2))
+        self.assertTrue(np.isnan(curve.exact).all())
+        self.assertEqual(told[-1][0], told[-1][1])
+
     def test_comparison_is_that_of_the_program(self):
         softer = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [0.5, 8.0, 4.0]}])
         folders = [os.path.join(self.folder.name, name) for name in ("first", "second")]
@@ -627,6 +640,21 @@ class Errors(unittest.TestCase):
                 rocking.open_run(folder)
 
 
+def suite_in(folder):
+    """Four sines of different frequency; the path of the experiment."""
+    for k in range(4):
+        with open(os.path.join(folder, f"r{k}.txt"), "w") as file:
+            file.write("".join(f"{0.02 * i} {3 * np.sin((3 + 1.5 * k) * 0.02 * i)}\n" for i in range(150)))
+    path = os.path.join(folder, "suite.json")
+    with open(path, "w") as file:
+        json.dump({"format": "rocking.experiment/1", "block": {"width_m": 0.35, "height_m": 1.6},
+                   "excitation": {"kind": "recorded", "suite": "r*.txt", "format": "columns", "units": "m/s2"},
+                   "fluctuation": {"restitution": {"sigma": 0.05}},
+                   "sweep": [{"parameter": "/excitation/pga_g", "values": [0.2, 0.3, 0.5, 0.8]}],
+                   "realisations": 8, "seed": "0x1"}, file)
+    return path
+
+
 LONG = changed(realisations=100000, sweep=[{"parameter": "/excitation/amplitude", "values": [4.0]}])
 
 
@@ -673,6 +701,15 @@ class Interrupting(unittest.TestCase):
                        horizon={"transient_periods": 2000, "sampled_periods": 20})
         with self.assertRaises(KeyboardInterrupt):
             rocking.bifurcation(long, threads=1, progress=interrupt)
+
+    def test_ctrl_c_stops_fragility(self):
+        def interrupt(done, all):
+            os.kill(os.getpid(), signal.SIGINT)
+
+        with tempfile.TemporaryDirectory() as folder:
+            result = rocking.run(suite_in(folder))
+            with self.assertRaises(KeyboardInterrupt):
+                rocking.fragility(result, peak_tilts=np.linspace(0.001, 0.9, 200), threads=1, progress=interrupt)
 
     def test_ctrl_c_stops_rare_and_verify_and_orbits(self):
         def interrupt(done, all):

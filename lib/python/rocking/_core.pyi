@@ -107,8 +107,14 @@ def bifurcation(
 ) -> Tuple[Optional[str], bool]: ...
 def compare(first: Experiment, first_run: Run, second: Experiment, second_run: Run) -> str: ...
 def fragility(
-    experiment: Experiment, run: Run, peak_tilts: List[float], hazard: Optional[str], incremental: bool
-) -> str: ...
+    experiment: Experiment,
+    run: Run,
+    peak_tilts: List[float],
+    hazard: Optional[str],
+    incremental: bool,
+    threads: int,
+    on_progress: _Progress,
+) -> Tuple[Optional[str], bool]: ...
 def motion(asked: Dict[str, Any]) -> str: ...
 def trajectory(
     experiment: Experiment, condition: int, realisation: int, periods: int, samples: int

@@ -192,8 +192,8 @@ class FragilityCurve:
         self.overturned = np.array([level["overturned"] for level in levels], dtype=np.int64)
         self.realisations = np.array([level["realisations"] for level in levels], dtype=np.int64)
         self.estimate = np.array([level["estimate"] for level in levels], dtype=float)
-        #: Clopper-Pearson, of each level alone, shape (levels, 2)
-        self.exact = np.array([level["exact"] for level in levels], dtype=float)
+        #: Clopper-Pearson, of each level alone, shape (levels, 2); NaN for a suite, whose levels join records
+        self.exact = np.array([level.get("exact", [np.nan, np.nan]) for level in levels], dtype=float).reshape(-1, 2)
         #: the fitted function; NaN where none is fitted
         self.fitted = np.array([np.nan if level["fitted"] is None else level["fitted"] for level in levels])
 
@@ -215,7 +215,7 @@ def fragility(
     source: a Result, the folder of a finished run, or an experiment, which is run first. peak_tilts: also curves of the
     probability that the peak of abs(Theta) exceeds each. hazard: file of a hazard curve (CSV: intensity, annual rate of
     exceedance), which gives each curve its ``annual_rate``. incremental: also the peak tilt against intensity for each
-    record, in ``data`` of the list. Raises InputError if the
+    record, in ``data`` of the list. progress: called with (done, all), of the run and then of the fit. Raises InputError if the
     experiment sweeps no intensity of the excitation or its number of realisations is not fixed.
 
     >>> import rocking
@@ -231,13 +231,16 @@ def fragility(
     if isinstance(source, (str, os.PathLike)) and os.path.isdir(source):
         source = open_run(source)
     result = source if isinstance(source, Result) else run(source, threads=threads, progress=progress)
-    data = json.loads(
-        _core.fragility(
-            result.experiment._core,
-            result._core,
-            [float(tilt) for tilt in peak_tilts],
-            None if hazard is None else os.fspath(hazard),
-            incremental,
-        )
+    text, interrupted = _core.fragility(
+        result.experiment._core,
+        result._core,
+        [float(tilt) for tilt in peak_tilts],
+        None if hazard is None else os.fspath(hazard),
+        incremental,
+        threads or processors(),
+        progress,
     )
+    if interrupted or text is None:
+        raise KeyboardInterrupt
+    data = json.loads(text)
     return Findings([FragilityCurve(curve) for curve in data["curves"]], data)

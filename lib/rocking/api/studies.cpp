@@ -247,7 +247,8 @@ std::string bifurcation(const Experiment& experiment, std::uint64_t realisation,
                            .diagrams = diagrams(experiment, realisation, execution)});
 }
 
-RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
+RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
+                              const Execution& execution) {
   check_has_conditions(experiment);
   if (intensity_of(experiment).empty()) {
     refuse("/sweep", "",
@@ -260,11 +261,13 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
   for (const double tilt : question.peak_tilts) {
     if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
-  return run_fragility(experiment, stripes_of(experiment, store_of(run), needs_peak_tilts(question)), question);
+  return run_fragility(experiment, stripes_of(experiment, store_of(run), needs_peak_tilts(question)), question,
+                       AskedOptions(execution).options());
 }
 
-std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question) {
-  return fragility_text({fragility_curves(with_text(experiment), run, question)});
+std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
+                      const Execution& execution) {
+  return fragility_text({fragility_curves(with_text(experiment), run, question, execution)});
 }
 
 HazardCurve hazard_curve(const std::filesystem::path& file) {

@@ -103,13 +103,17 @@ struct OrbitStudy {
                                              const Execution& execution = {});
 
 /// Probability of overturning as a function of the swept intensity, and what else is asked. Throws base::InputError if the
-/// experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out of range.
+/// experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out of range,
+/// and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts
+/// parts of about equal work.
 [[nodiscard]] ROCKING_API RunFragility fragility_curves(const Experiment& experiment, const RunResult& run,
-                                                        const FragilityQuestion& question = {});
+                                                        const FragilityQuestion& question = {},
+                                                        const Execution& execution = {});
 
 /// The same as JSON text (`rocking.fragility/1`).
 [[nodiscard]] ROCKING_API std::string fragility(const Experiment& experiment, const RunResult& run,
-                                                const FragilityQuestion& question = {});
+                                                const FragilityQuestion& question = {},
+                                                const Execution& execution = {});
 
 /// Reads a hazard curve: a line `intensity, annual rate of exceedance` for each point. Throws base::InputError with the
 /// line of a fault, and std::system_error where the file cannot be read.

@@ -13,6 +13,12 @@ namespace {
 
 constexpr std::size_t most_hazard_problems = 20;
 
+/// Without the quotation marks that programs write around the name of a column.
+std::string unquoted(const std::string& field) {
+  const bool is_quoted = field.size() > 1 && field.front() == '"' && field.back() == '"';
+  return is_quoted ? field.substr(1, field.size() - 2) : field;
+}
+
 /// The fields of a line, without the comment and without blanks around them.
 std::vector<std::string> fields_of(std::string_view line) {
   std::vector<std::string> fields;
@@ -56,11 +62,15 @@ class HazardReader {
   HazardCurve read(std::string_view text) {
     constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
     if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
-    while (!text.empty() && problems_.size() < most_hazard_problems) {
+    if (text.size() > most_hazard_bytes) reject_file("more than 10 MB", "is too large for a hazard curve");
+    while (!text.empty() && problems_.size() < most_hazard_problems && curve_.points.size() <= most_hazard_points) {
       ++line_;
       const std::size_t end = text.find('\n');
       read_line(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    }
+    if (curve_.points.size() > most_hazard_points) {
+      reject_file("more than " + std::to_string(most_hazard_points) + " points", "is too large for a hazard curve");
     }
     if (problems_.empty() && curve_.points.size() < 2) {
       problems_.push_back({curve_.name, std::to_string(curve_.points.size()) + " points",
@@ -76,6 +86,15 @@ class HazardReader {
     problems_.push_back({curve_.name + ", line " + std::to_string(line_), found, std::move(reason), std::move(remedy)});
   }
 
+  void reject_file(std::string found, std::string reason) {
+    throw base::InputError(
+        {.place = curve_.name,
+         .value = std::move(found),
+         .reason = std::move(reason),
+         .remedy = "give at most " + std::to_string(most_hazard_points) +
+                   " points: between them the logarithm of the rate is linear in that of the intensity"});
+  }
+
   void read_line(std::string_view line) {
     const std::vector<std::string> fields = fields_of(line);
     if (fields.empty()) return;
@@ -87,7 +106,8 @@ class HazardReader {
     const std::optional<double> intensity = hazard_number(fields[0]);
     const std::optional<double> rate = hazard_number(fields[1]);
     if (is_first && !intensity && !rate) {
-      curve_.intensity = fields[0];
+      curve_.intensity = unquoted(fields[0]);
+      curve_.header_line = line_;
       return;
     }
     if (!intensity) return reject(fields[0], "is not a number", "give the intensity as a number, 0.25");

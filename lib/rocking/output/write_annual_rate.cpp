@@ -8,6 +8,41 @@
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
+namespace {
+
+std::string value_text(const AnnualRate& rate, const FragilityEvent& event) {
+  std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
+  if (rate.interval) {
+    text += " [" + significant(rate.interval->low, 3) + ", " + significant(rate.interval->high, 3) + ']';
+  }
+  return text + (rate.value > 0.0 ? ", once in " + significant(1.0 / rate.value, 3) + " years\n" : "\n");
+}
+
+std::string range_table(const AnnualRate& rate, const std::string& measure) {
+  std::vector<TextRow> rows{{measure + " from", "to", "per year", "share", "tested"}};
+  for (const RateInRange& range : rate.by_level) {
+    rows.push_back({significant(range.from, 4), range.to ? significant(*range.to, 4) : ".", significant(range.rate, 3),
+                    per_cent(range.share), range.is_tested ? "yes" : "no"});
+  }
+  return aligned(rows);
+}
+
+/// What the levels leave open, and what lies below the least uplift.
+std::string extrapolation_text(const AnnualRate& rate, std::optional<double> least_uplift) {
+  const auto share = [&rate](double part) { return rate.value > 0.0 ? per_cent(part / rate.value) : "0.0"; };
+  std::string text = per_cent(rate.untested_share) + " % of the rate comes from intensities outside the levels";
+  if (!least_uplift) {
+    return text + "\nthe least intensity that lifts the block is not known: all intensities are counted\n";
+  }
+  text += ", " + share(rate.below_levels) + " % from those between the least that lifts the block, " +
+          significant(*least_uplift, 4) + ", and the lowest level that can lift it\n";
+  if (!(rate.impossible > 0.0)) return text;
+  return text + "not counted: " + significant(rate.impossible, 3) +
+         " per year that the same probabilities give below " + significant(*least_uplift, 4) +
+         ", where the block is not lifted\n";
+}
+
+}  // namespace
 
 Json annual_rate_json(const std::optional<AnnualRate>& rate) {
   if (!rate) return nullptr;
@@ -15,8 +50,11 @@ Json annual_rate_json(const std::optional<AnnualRate>& rate) {
   json["value"] = rate->value;
   json["interval"] = rate->interval ? interval_json(*rate->interval) : Json();
   json["from"] = rate->source == RateSource::law ? "law" : "levels";
+  json["impossible"] = rate->impossible;
+  json["below_levels"] = rate->below_levels;
   json["untested_share"] = rate->untested_share;
   json["probability_at_first"] = rate->probability_at_first;
+  json["measure_assumed"] = rate->is_measure_assumed;
   Json& ranges = json["by_level"] = Json::array();
   for (const RateInRange& range : rate->by_level) {
     ranges.push_back({{"from", range.from},
@@ -28,26 +66,23 @@ Json annual_rate_json(const std::optional<AnnualRate>& rate) {
   return json;
 }
 
-std::string annual_rate_table(const AnnualRate& rate, const FragilityEvent& event, const std::string& parameter) {
-  std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
-  if (rate.interval) {
-    text += " [" + significant(rate.interval->low, 3) + ", " + significant(rate.interval->high, 3) + ']';
-  }
-  text += rate.value > 0.0 ? ", once in " + significant(1.0 / rate.value, 3) + " years\n" : "\n";
+std::string annual_rate_table(const AnnualRate& rate, const FragilityEvent& event, const std::string& parameter,
+                              std::optional<double> least_uplift) {
+  const std::string measure = last_key(parameter);
+  std::string text = value_text(rate, event);
   if (rate.source == RateSource::levels) {
     text +=
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
-  std::vector<TextRow> rows{{last_key(parameter) + " from", "to", "per year", "share", "tested"}};
-  for (const RateInRange& range : rate.by_level) {
-    rows.push_back({significant(range.from, 4), range.to ? significant(*range.to, 4) : ".", significant(range.rate, 3),
-                    per_cent(range.share), range.is_tested ? "yes" : "no"});
-  }
-  text += aligned(rows) + per_cent(rate.untested_share) + " % of the rate comes from intensities outside the levels\n";
+  text += range_table(rate, measure) + extrapolation_text(rate, least_uplift);
   if (rate.probability_at_first > 0.001) {
     text += "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
             " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";
+  }
+  if (rate.is_measure_assumed) {
+    text += "the hazard curve does not name its intensity measure: " + measure +
+            " was assumed; begin its file with the line \"" + measure + ", annual_rate\"\n";
   }
   return text;
 }

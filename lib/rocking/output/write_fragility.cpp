@@ -119,17 +119,18 @@ Json level_json(const FragilityLevel& level, const std::optional<Shaking>& shaki
   return json;
 }
 
-/// What every curve begins with: its run, intensity and event.
-Json begun_json(const RunFragility& run, const std::string& parameter, const std::vector<Parameter>& others,
-                double confidence, const FragilityEvent& event) {
+/// What the curve of one motion or of a suite begins with: its run, intensity and event.
+template <class Curve>
+Json begun_json(const RunFragility& run, const Curve& curve) {
   Json json = Json::object();
   json["title"] = run.experiment.title;
   json["sha256"] = base::to_hex(base::sha256(run.experiment.canonical_text));
-  json["parameter"] = parameter;
+  json["parameter"] = curve.parameter;
   Json& values = json["others"] = Json::object();
-  for (const auto& [pointer, value] : others) values[pointer] = Json::parse(value);
-  json["confidence"] = confidence;
-  json["event"] = event_json(event);
+  for (const auto& [pointer, value] : curve.others) values[pointer] = Json::parse(value);
+  json["confidence"] = curve.confidence;
+  json["event"] = event_json(curve.event);
+  json["least_uplift"] = curve.least_uplift ? Json(*curve.least_uplift) : Json();
   return json;
 }
 
@@ -152,7 +153,7 @@ Json record_json(const FragilityCurve& curve) {
 
 Json curve_json(const RunFragility& run, const ShownCurve& shown) {
   const FragilityCurve& curve = shown.curve;
-  Json json = begun_json(run, curve.parameter, curve.others, curve.confidence, curve.event);
+  Json json = begun_json(run, curve);
   json.update(found_json(curve, shakings_of(run, curve)));
   if (shown.rate) json["annual_rate"] = annual_rate_json(shown.rate);
   return json;
@@ -160,7 +161,7 @@ Json curve_json(const RunFragility& run, const ShownCurve& shown) {
 
 Json shown_suite_json(const RunFragility& run, const ShownSuite& shown) {
   const SuiteCurve& curve = shown.curve;
-  Json json = begun_json(run, curve.parameter, curve.others, curve.confidence, curve.event);
+  Json json = begun_json(run, curve);
   json.update(suite_json(curve, record_json));
   if (shown.has_hazard) json["annual_rate"] = annual_rate_json(shown.rate);
   return json;
@@ -262,7 +263,7 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
     for (const auto& [curve, rate] : run.curves) {
       for (const FragilityLevel& level : curve.levels) most = std::max(most, level.overturned.trials);
       text += heading_of_curve(run.experiment, curve.others) + table_of(run, curve);
-      if (rate) text += annual_rate_table(*rate, curve.event, curve.parameter);
+      if (rate) text += annual_rate_table(*rate, curve.event, curve.parameter, curve.least_uplift);
       text += '\n';
       has_curve = true;
     }
@@ -270,7 +271,9 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
       const SuiteCurve& curve = shown.curve;
       for (const SuiteLevel& level : curve.levels) most = std::max(most, level.happened.trials);
       text += heading_of_curve(run.experiment, curve.others) + suite_table(curve, records);
-      if (shown.rate) text += annual_rate_table(*shown.rate, curve.event, curve.parameter);
+      if (shown.rate) {
+        text += annual_rate_table(*shown.rate, curve.event, curve.parameter, curve.least_uplift);
+      }
       if (shown.has_hazard && !shown.rate) text += "no annual rate: the suite has no law\n";
       text += '\n';
       has_suite = true;

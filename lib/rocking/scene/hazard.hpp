@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,9 @@ struct HazardPoint {
 /// A hazard curve: the logarithm of the rate is linear in that of the intensity between points, and continues the last
 /// two beyond the last. Nothing is known below the first point. At least two points; intensities rise and rates fall.
 struct HazardCurve {
-  std::string name;       ///< of its file
-  std::string intensity;  ///< what its header calls the intensity; empty: it has none
+  std::string name;             ///< of its file
+  std::string intensity;        ///< measure that its header names; empty: it has no header
+  std::size_t header_line = 0;  ///< of the file, from 1
   std::vector<HazardPoint> points;
 };
 

@@ -1,6 +1,7 @@
 #include "rocking/stats/lack_of_fit.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 #include "rocking/base/error.hpp"
@@ -45,16 +46,18 @@ std::vector<ProbitCounts> counts_of(const std::vector<NullLevel>& null) {
 }  // namespace
 
 LackOfFit lack_of_fit(const std::vector<IntensityLevel>& levels, const LognormalFragility& law, std::uint64_t samples,
-                      const BootstrapNumbers& numbers) {
+                      const BootstrapNumbers& numbers, const base::ManyParts& how) {
   ROCKING_EXPECT(!levels.empty());
   const ProbitLine line{.a = law.intercept, .b = law.slope};
   const std::vector<NullLevel> null = null_levels(levels, law);
-  std::vector<ProbitCounts> counts = counts_of(null);
-  LackOfFit test{.deviance = probit_deviance(counts, line), .samples = samples};
+  const std::vector<ProbitCounts> observed = counts_of(null);
+  LackOfFit test{.deviance = probit_deviance(observed, line), .samples = samples};
   // Deviances that are equal in exact arithmetic, such as 0 for two levels, differ by their rounding.
   const double least = test.deviance - 1e-9 * (1.0 + test.deviance);
   const std::size_t trials = trial_numbers(levels);
-  for (std::uint64_t sample = 0; sample < samples; ++sample) {
+  std::atomic<std::uint64_t> as_large{0};
+  base::for_each_part(how, samples, [&](std::size_t sample) {
+    std::vector<ProbitCounts> counts = observed;
     for (ProbitCounts& level : counts) level.happened = level.did_not = 0.0;
     for (std::size_t i = 0; i < trials; ++i) {
       const auto [which, place] = numbers(sample, i);
@@ -66,8 +69,9 @@ LackOfFit lack_of_fit(const std::vector<IntensityLevel>& levels, const Lognormal
         (happens ? counts[k].happened : counts[k].did_not) += 1.0;
       }
     }
-    if (probit_deviance(counts, line) >= least) ++test.as_large;
-  }
+    if (probit_deviance(counts, line) >= least) ++as_large;
+  });
+  test.as_large = as_large;
   test.p_value = static_cast<double>(test.as_large + 1) / static_cast<double>(samples + 1);
   return test;
 }

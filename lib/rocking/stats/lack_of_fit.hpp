@@ -6,6 +6,7 @@
 #include <functional>
 #include <vector>
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/stats/fragility.hpp"
 
 namespace rocking::stats {
@@ -19,7 +20,7 @@ struct LackOfFit {
 };
 
 /// Two independent uniform numbers in [0, 1) that belong to trial `number` of bootstrap sample `sample`. A pure
-/// function of both, so that the test repeats to the bit.
+/// function of both, so that the test repeats to the bit; called by several threads.
 using BootstrapNumbers = std::function<std::array<double, 2>(std::uint64_t sample, std::uint64_t number)>;
 
 /// Tests the law by its deviance. `levels` are those to which it was fitted.
@@ -33,8 +34,9 @@ using BootstrapNumbers = std::function<std::array<double, 2>(std::uint64_t sampl
 /// Bootstrap Methods and their Application, section 4.4 (tests by parametric bootstrap); Rueschendorf (2009), J. Stat.
 /// Plan. Inference 139, 3921-3927 (distributional transform).
 ///
-/// Cost: samples x (trials + one fit).
+/// Cost: samples x (trials + one fit). A sample is a part.
 [[nodiscard]] LackOfFit lack_of_fit(const std::vector<IntensityLevel>& levels, const LognormalFragility& law,
-                                    std::uint64_t samples, const BootstrapNumbers& numbers);
+                                    std::uint64_t samples, const BootstrapNumbers& numbers,
+                                    const base::ManyParts& how = {});
 
 }  // namespace rocking::stats

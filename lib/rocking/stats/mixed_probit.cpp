@@ -5,11 +5,11 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include <boost/math/quadrature/gauss.hpp>
 
 #include "rocking/stats/gauss_hermite.hpp"
-#include "rocking/stats/normal_law.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -21,30 +21,8 @@ constexpr double tolerated_share = 1e-8;
 /// exp(-40) of its maximum: what lies beyond changes no digit of the integral.
 constexpr double negligible_drop = 40.0;
 
-/// ln Phi(eta) and ln(1 - Phi(eta)), with the density of eta over each: as probit_term, both at the cost of one.
-struct BothSides {
-  double log_event, log_none;
-  double event_ratio, none_ratio;
-};
-
-BothSides both_sides(double eta) {
-  const double distance = std::abs(eta);
-  double log_tail, log_rest, density_over_tail;
-  if (distance < 30.0) {
-    // std::erfc: a likelihood is no part of a result that must repeat to the bit on every machine.
-    const double tail = 0.5 * std::erfc(distance / std::numbers::sqrt2);
-    log_tail = std::log(tail);
-    log_rest = std::log1p(-tail);
-    density_over_tail = std::exp(-0.5 * distance * distance) / (tail * std::sqrt(2.0 * std::numbers::pi));
-  } else {
-    log_tail = log_normal_cdf(-distance);
-    log_rest = 0.0;
-    density_over_tail = probit_term(false, distance).slope * -1.0;
-  }
-  const double density_over_rest = density_over_tail * std::exp(log_tail - log_rest);
-  if (eta > 0.0) return {log_rest, log_tail, density_over_rest, density_over_tail};
-  return {log_tail, log_rest, density_over_tail, density_over_rest};
-}
+/// Whether Phi(z) differs from 1 by less than the rounding of a likelihood, 3e-17.
+constexpr bool is_certain(double z) { return z > 8.4; }
 
 /// Logarithm of the integrand at z, and sums over the levels of the first and of minus the second derivatives of its
 /// terms by eta: times 1, u and u^2.
@@ -64,17 +42,14 @@ class RecordIntegrand {
     IntegrandTerms sum{.value = -0.5 * z * z - 0.5 * std::log(2.0 * std::numbers::pi)};
     for (const ProbitCounts& level : record_) {
       const double eta = a_ + b_ * level.u + t_ * z;
-      const BothSides sides = both_sides(eta);
       double slope = 0.0, bend = 0.0;
-      if (level.happened > 0.0) {
-        sum.value += level.happened * sides.log_event;
-        slope += level.happened * sides.event_ratio;
-        bend += level.happened * std::max(0.0, sides.event_ratio * (eta + sides.event_ratio));
-      }
-      if (level.did_not > 0.0) {
-        sum.value += level.did_not * sides.log_none;
-        slope -= level.did_not * sides.none_ratio;
-        bend += level.did_not * std::max(0.0, sides.none_ratio * (sides.none_ratio - eta));
+      for (const bool happened : {true, false}) {
+        const double trials = happened ? level.happened : level.did_not;
+        if (trials == 0.0 || is_certain(happened ? eta : -eta)) continue;
+        const ProbitTerm term = probit_term(happened, eta);
+        sum.value += trials * term.value;
+        slope += trials * term.slope;
+        bend += trials * term.curvature;
       }
       sum.slope += slope;
       sum.slope_u += slope * level.u;
@@ -242,6 +217,21 @@ SmoothFunction likelihood_of(const std::vector<RecordCounts>& records) {
       [&records](const Eigen::VectorXd& at) { return mixed_probit_log_likelihood(records, MixedProbitParameters(at)); };
 }
 
+/// Sum over the records of own(r), each by its weight.
+template <class Own>
+LocalShape weighted_sum(const std::vector<RecordCounts>& records, Own&& own) {
+  LocalShape sum{.value = 0.0, .gradient = Eigen::Vector3d::Zero(), .hessian = Eigen::Matrix3d::Zero()};
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const double weight = records[r].weight;
+    if (weight == 0.0) continue;
+    const LocalShape& shape = own(r);
+    sum.value += weight * shape.value;
+    sum.gradient += weight * shape.gradient;
+    sum.hessian += weight * shape.hessian;
+  }
+  return sum;
+}
+
 /// The maximum reached, or that with t = 0 if it is not higher.
 Ascent with_boundary(Ascent reached, const std::vector<RecordCounts>& records) {
   constexpr double least_gain = 1e-9;
@@ -284,23 +274,24 @@ LocalShape record_log_likelihood(std::span<const ProbitCounts> record, const Mix
 
 LocalShape mixed_probit_log_likelihood(const std::vector<RecordCounts>& records,
                                        const MixedProbitParameters& parameters) {
-  LocalShape sum{.value = 0.0, .gradient = Eigen::Vector3d::Zero(), .hessian = Eigen::Matrix3d::Zero()};
-  for (const RecordCounts& record : records) {
-    if (record.weight == 0.0) continue;
-    const LocalShape own = record_log_likelihood(record.counts, parameters);
-    sum.value += record.weight * own.value;
-    sum.gradient += record.weight * own.gradient;
-    sum.hessian += record.weight * own.hessian;
-  }
-  return sum;
+  return weighted_sum(records, [&](std::size_t r) { return record_log_likelihood(records[r].counts, parameters); });
+}
+
+MixedProbitStart mixed_probit_start(const std::vector<RecordCounts>& records, const MixedProbitParameters& at) {
+  MixedProbitStart start{.at = at, .records = {}};
+  for (const RecordCounts& record : records) start.records.push_back(record_log_likelihood(record.counts, at));
+  return start;
 }
 
 std::vector<ProbitCounts> pooled_counts(const std::vector<RecordCounts>& records) {
   std::map<double, ProbitCounts> pooled;
   for (const RecordCounts& record : records) {
     if (record.weight == 0.0) continue;
+    auto near = pooled.begin();  // the levels of a record rise, and are mostly those of the others
     for (const ProbitCounts& level : record.counts) {
-      ProbitCounts& sum = pooled[level.u];
+      near = pooled.try_emplace(near, level.u);
+      ProbitCounts& sum = near->second;
+      ++near;
       sum.u = level.u;
       sum.happened += record.weight * level.happened;
       sum.did_not += record.weight * level.did_not;
@@ -314,21 +305,20 @@ std::vector<ProbitCounts> pooled_counts(const std::vector<RecordCounts>& records
 // Every start has the pooled law of the fit without random intercepts.
 Ascent most_likely_mixed_probit(const std::vector<RecordCounts>& records) {
   const auto [a, b] = most_likely_line(pooled_counts(records));
-  MixedProbitParameters best;
-  double highest = -std::numeric_limits<double>::infinity();
+  Ascent best;
   for (const double t : {0.3, 1.0, 3.0, 10.0}) {
     const double factor = std::sqrt(1.0 + t * t);
     const MixedProbitParameters start(factor * a, factor * b, t);
-    const double value = mixed_probit_log_likelihood(records, start).value;
-    if (!(value > highest)) continue;
-    highest = value;
-    best = start;
+    LocalShape shape = mixed_probit_log_likelihood(records, start);
+    if (best.at.size() > 0 && !(shape.value > best.shape.value)) continue;
+    best = {.at = start, .shape = std::move(shape), .has_converged = false};
   }
-  return most_likely_mixed_probit(records, best);
+  return with_boundary(climb(likelihood_of(records), best.at, std::move(best.shape)), records);
 }
 
-Ascent most_likely_mixed_probit(const std::vector<RecordCounts>& records, const MixedProbitParameters& start) {
-  return with_boundary(climb(likelihood_of(records), start), records);
+Ascent most_likely_mixed_probit(const std::vector<RecordCounts>& records, const MixedProbitStart& start) {
+  LocalShape at_start = weighted_sum(records, [&](std::size_t r) -> const LocalShape& { return start.records[r]; });
+  return with_boundary(climb(likelihood_of(records), start.at, std::move(at_start)), records);
 }
 
 }  // namespace rocking::stats

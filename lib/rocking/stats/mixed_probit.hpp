@@ -36,12 +36,19 @@ using MixedProbitParameters = Eigen::Vector3d;
 [[nodiscard]] LocalShape mixed_probit_log_likelihood(const std::vector<RecordCounts>& records,
                                                      const MixedProbitParameters& parameters);
 
+/// Where a search for the largest likelihood starts, with that of each record there. The same for every choice of weights.
+struct MixedProbitStart {
+  MixedProbitParameters at;
+  std::vector<LocalShape> records;
+};
+[[nodiscard]] MixedProbitStart mixed_probit_start(const std::vector<RecordCounts>& records,
+                                                  const MixedProbitParameters& at);
+
 /// The parameters of the largest likelihood, t >= 0, from the best of four starts with different t, or from `start`.
 /// t is exactly 0 where no t > 0 increases the likelihood. Needs all records together to have the shape `has_maximum`,
 /// and a record whose outcomes are no step.
 [[nodiscard]] Ascent most_likely_mixed_probit(const std::vector<RecordCounts>& records);
-[[nodiscard]] Ascent most_likely_mixed_probit(const std::vector<RecordCounts>& records,
-                                              const MixedProbitParameters& start);
+[[nodiscard]] Ascent most_likely_mixed_probit(const std::vector<RecordCounts>& records, const MixedProbitStart& start);
 
 /// The counts of all records together, by growing u.
 [[nodiscard]] std::vector<ProbitCounts> pooled_counts(const std::vector<RecordCounts>& records);

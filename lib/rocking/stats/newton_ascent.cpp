@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <Eigen/Eigenvalues>
 
@@ -21,7 +22,11 @@ Eigen::VectorXd ascending_step(const LocalShape& shape) {
 }  // namespace
 
 Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start) {
-  Ascent here{.at = start, .shape = function(start)};
+  return climb(function, start, function(start));
+}
+
+Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start, LocalShape at_start) {
+  Ascent here{.at = start, .shape = std::move(at_start)};
   for (int step = 0; step < most_newton_steps; ++step) {
     if (!std::isfinite(here.shape.value)) return here;
     const Eigen::VectorXd direction = ascending_step(here.shape);

@@ -28,5 +28,7 @@ struct Ascent {
 /// Wright 2006, Numerical Optimization, sections 3.1 and 3.4). Converged: the next step promises an increase below
 /// 1e-10 times (1 + abs(value)).
 [[nodiscard]] Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start);
+/// The same with the function at the start, if it is known.
+[[nodiscard]] Ascent climb(const SmoothFunction& function, const Eigen::VectorXd& start, LocalShape at_start);
 
 }  // namespace rocking::stats

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
-#include "rocking/stats/normal_law.hpp"
+#include "rocking/stats/log_normal_probability.hpp"
 
 namespace rocking::stats {
 namespace {
@@ -29,8 +28,7 @@ double saturated(const std::vector<ProbitCounts>& counts) {
 ProbitTerm probit_term(bool happened, double eta) {
   const double side = happened ? 1.0 : -1.0;
   const double z = side * eta;
-  const double value = log_normal_cdf(z);
-  const double hazard = std::exp(-0.5 * z * z - value) / std::sqrt(2.0 * std::numbers::pi);
+  const auto [value, hazard] = log_normal_probability(z);
   return {.value = value, .slope = side * hazard, .curvature = std::max(0.0, hazard * (z + hazard))};
 }
 

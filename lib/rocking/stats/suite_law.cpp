@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include <boost/math/tools/toms748_solve.hpp>
 
@@ -94,13 +95,9 @@ SuiteFit fit_steps(const std::vector<CapacityRange>& ranges, double centre) {
                           .log_likelihood = found.shape.value}};
 }
 
-SuiteFit fit_mixed(const std::vector<RecordCounts>& records, double centre, const SuiteLaw* start) {
+SuiteFit fit_mixed(const std::vector<RecordCounts>& records, double centre, const MixedProbitStart* start) {
   Ascent found;
-  if (start != nullptr && start->within_record > 0.0) {
-    const double b = 1.0 / start->within_record;
-    found = most_likely_mixed_probit(
-        records, {b * (centre - std::log(start->median)), b, std::max(0.1, start->between_records * b)});
-  }
+  if (start != nullptr) found = most_likely_mixed_probit(records, *start);
   if (!found.has_converged) found = most_likely_mixed_probit(records);
   const double b = found.at[1];
   const double t = found.at[2];
@@ -113,7 +110,8 @@ SuiteFit fit_mixed(const std::vector<RecordCounts>& records, double centre, cons
                           .log_likelihood = found.shape.value}};
 }
 
-SuiteFit fit_centred(const CentredSuite& suite, const SuiteLaw* start = nullptr) {
+/// `start`: of the search where not every record is a step; null: several.
+SuiteFit fit_centred(const CentredSuite& suite, const MixedProbitStart* start = nullptr) {
   const std::vector<ProbitCounts> pooled = pooled_counts(suite.records);
   if (distinct_records(suite.records) < 2 || !has_two_intensities(pooled)) {
     return without_law(FragilityOutcome::too_little);
@@ -127,6 +125,14 @@ SuiteFit fit_centred(const CentredSuite& suite, const SuiteLaw* start = nullptr)
   }
   if (const auto ranges = capacity_ranges(suite.records)) return fit_steps(*ranges, suite.centre);
   return fit_mixed(suite.records, suite.centre, start);
+}
+
+/// At the law of the whole suite, from which a search over a bootstrap sample starts. Absent where its records are steps.
+std::optional<MixedProbitStart> start_at(const CentredSuite& suite, const SuiteLaw& law) {
+  if (!(law.within_record > 0.0)) return std::nullopt;
+  const double b = 1.0 / law.within_record;
+  return mixed_probit_start(suite.records,
+                            {b * (suite.centre - std::log(law.median)), b, std::max(0.1, law.between_records * b)});
 }
 
 std::optional<PooledLaw> pooled_law(const CentredSuite& suite) {
@@ -319,20 +325,28 @@ Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQu
 
 std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite) { return pooled_law(centred(suite)); }
 
-RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples, const RecordDraws& draws) {
-  CentredSuite data = centred(suite);
+RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples, const RecordDraws& draws,
+                                  const base::ManyParts& how) {
+  const CentredSuite data = centred(suite);
   const SuiteFit whole = fit_centred(data);
+  const std::optional<MixedProbitStart> start = whole.law ? start_at(data, *whole.law) : std::nullopt;
   const std::size_t records = data.records.size();
-  RecordBootstrap found{.samples = samples, .laws = {}, .pooled = {}};
-  for (std::uint64_t sample = 0; sample < samples; ++sample) {
-    for (RecordCounts& record : data.records) record.weight = 0.0;
+  std::vector<std::optional<SuiteLaw>> laws(samples);
+  std::vector<std::optional<PooledLaw>> pooled(samples);
+  base::for_each_part(how, samples, [&](std::size_t sample) {
+    CentredSuite drawn = data;
+    for (RecordCounts& record : drawn.records) record.weight = 0.0;
     for (std::size_t number = 0; number < records; ++number) {
       const double place = draws(sample, number) * static_cast<double>(records);
-      data.records[std::min(records - 1, static_cast<std::size_t>(place))].weight += 1.0;
+      drawn.records[std::min(records - 1, static_cast<std::size_t>(place))].weight += 1.0;
     }
-    if (const auto pooled = pooled_law(data)) found.pooled.push_back(*pooled);
-    if (!whole.law) continue;
-    if (const SuiteFit fit = fit_centred(data, &*whole.law); fit.law) found.laws.push_back(*fit.law);
+    pooled[sample] = pooled_law(drawn);
+    if (whole.law) laws[sample] = fit_centred(drawn, start ? &*start : nullptr).law;
+  });
+  RecordBootstrap found{.samples = samples, .laws = {}, .pooled = {}};
+  for (std::size_t sample = 0; sample < samples; ++sample) {
+    if (pooled[sample]) found.pooled.push_back(*pooled[sample]);
+    if (laws[sample]) found.laws.push_back(*laws[sample]);
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/base/many_parts.hpp"
 #include "rocking/stats/fragility.hpp"
 
 namespace rocking::stats {
@@ -73,18 +74,19 @@ struct PooledLaw {
 /// Absent where the likelihood has no maximum or does not rise.
 [[nodiscard]] std::optional<PooledLaw> fit_pooled(const SuiteLevels& suite);
 
-/// A uniform number in [0, 1) for draw `number` of bootstrap sample `sample`; a pure function of both.
+/// A uniform number in [0, 1) for draw `number` of bootstrap sample `sample`; a pure function of both, called by several
+/// threads.
 using RecordDraws = std::function<double(std::uint64_t sample, std::uint64_t number)>;
 
 /// Laws of bootstrap samples: each draws as many records as there are, with replacement, and keeps all trials of a
-/// record together. Valid whatever the dependence of trials of one record.
+/// record together. Valid whatever the dependence of trials of one record. A sample is a part.
 struct RecordBootstrap {
   std::uint64_t samples = 0;
   std::vector<SuiteLaw> laws;     ///< of the samples that have one
   std::vector<PooledLaw> pooled;  ///< likewise
 };
 [[nodiscard]] RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t samples,
-                                                const RecordDraws& draws);
+                                                const RecordDraws& draws, const base::ManyParts& how = {});
 
 /// The part of bootstrap samples that must have a law for an interval of them.
 inline constexpr double least_share_with_law = 0.9;

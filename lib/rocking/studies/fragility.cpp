@@ -38,9 +38,10 @@ void reject(FragilityCurve& curve, stats::FragilityOutcome outcome) {
 }
 
 /// Tests the fitted function, and removes it if it is rejected.
-void test_fit(const std::vector<stats::IntensityLevel>& levels, std::uint64_t seed, FragilityCurve& curve) {
+void test_fit(const std::vector<stats::IntensityLevel>& levels, std::uint64_t seed, const base::ManyParts& how,
+              FragilityCurve& curve) {
   if (!curve.fit.law) return;
-  curve.test = stats::lack_of_fit(levels, *curve.fit.law, fragility_samples, bootstrap_numbers(seed));
+  curve.test = stats::lack_of_fit(levels, *curve.fit.law, fragility_samples, bootstrap_numbers(seed), how);
   std::vector<stats::Proportion> counts;
   for (const stats::IntensityLevel& level : levels) counts.push_back(stats::proportion_at(level));
   if (!stats::isotonic_band(counts, curve.confidence)) {
@@ -74,25 +75,27 @@ bool FragilityCurve::is_extrapolated(double intensity) const {
   return intensity < levels.front().intensity || levels.back().intensity < intensity;
 }
 
-FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence,
-                               std::uint64_t seed) {
+FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence, std::uint64_t seed,
+                               const base::ManyParts& how) {
   FragilityCurve curve;
   curve.confidence = confidence;
   curve.fit = stats::fit_lognormal(levels, confidence);
-  test_fit(levels, seed, curve);
+  test_fit(levels, seed, how, curve);
   for (const stats::IntensityLevel& level : levels) curve.levels.push_back(estimated(level, curve, levels.size()));
   set_isotonic(curve);
   return curve;
 }
 
-FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed) {
+FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+                         const base::ManyParts& how) {
   ROCKING_EXPECT(!group.is_suite());
   std::vector<stats::IntensityLevel> levels;
   for (const Stripe& stripe : group.stripes) levels.push_back(level_of(stripe, event));
-  FragilityCurve curve = fragility_curve(levels, group.confidence, seed);
+  FragilityCurve curve = fragility_curve(levels, group.confidence, seed, how);
   curve.parameter = group.parameter;
   curve.others = group.others;
   curve.event = event;
+  curve.least_uplift = group.least_uplift();
   return curve;
 }
 

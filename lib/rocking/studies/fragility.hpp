@@ -39,6 +39,7 @@ struct FragilityCurve {
   std::vector<Parameter> others;       ///< the rest of the sweep
   FragilityEvent event;                ///< what is counted as overturned
   double confidence = 0.95;            ///< that the experiment asks for
+  std::optional<double> least_uplift;  ///< of the group (StripeGroup); not of the curve of one record
   std::vector<FragilityLevel> levels;  ///< by growing intensity
   stats::FragilityFit fit;
   std::optional<stats::LackOfFit> test;  ///< of the fitted function; absent where none could be fitted
@@ -57,11 +58,12 @@ inline constexpr double fragility_significance = 0.05;
 ///
 /// A function that the test rejects is not kept: the outcome is `rejected`, and the isotonic estimate takes its place;
 /// or `not_monotone`, without an estimate, where the simultaneous intervals contradict every probability that does not
-/// decrease. The bootstrap numbers are a function of `seed`.
+/// decrease. The bootstrap numbers are a function of `seed`; each of `fragility_samples` is a part.
 [[nodiscard]] FragilityCurve fragility_curve(const std::vector<stats::IntensityLevel>& levels, double confidence,
-                                             std::uint64_t seed);
+                                             std::uint64_t seed, const base::ManyParts& how = {});
 
 /// The curve of a group that is no suite. The experiment must fix the number of realisations (no `until`).
-[[nodiscard]] FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed);
+[[nodiscard]] FragilityCurve fragility(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+                                       const base::ManyParts& how = {});
 
 }  // namespace rocking

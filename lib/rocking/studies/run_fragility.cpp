@@ -1,7 +1,5 @@
 #include "rocking/studies/run_fragility.hpp"
 
-#include <algorithm>
-#include <array>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -11,34 +9,57 @@
 namespace rocking {
 namespace {
 
-/// Throws where a header names another intensity than that of the run. Other words say nothing.
+/// Throws where the header of the hazard curve names another intensity measure than that of the run.
 void check_intensity(const HazardCurve& hazard, std::string_view parameter) {
-  constexpr std::array<std::string_view, 6> known{"amplitude", "amplitude_g", "amplitude_m_s2",
-                                                  "scale",     "pga_g",       "pgv_m_s"};
   const std::string own(parameter.substr(parameter.rfind('/') + 1));
-  if (hazard.intensity == own || std::ranges::find(known, hazard.intensity) == known.end()) return;
-  throw base::InputError(
-      {.place = hazard.name + ", line 1",
-       .value = hazard.intensity,
-       .reason = "is not the intensity of the run, which is " + own,
-       .remedy = "give a hazard curve in " + own + ", or a run that sweeps /excitation/" + hazard.intensity,
-       .where = {}});
+  if (hazard.intensity.empty() || hazard.intensity == own || hazard.intensity == parameter) return;
+  throw base::InputError({.place = hazard.name + ", line " + std::to_string(hazard.header_line),
+                          .value = hazard.intensity,
+                          .reason = "is not the intensity measure of the run, which is " + own,
+                          .remedy = "give a hazard curve in " + own + " with the header \"" + own +
+                                    ", annual_rate\", or a run that sweeps " + hazard.intensity,
+                          .where = {}});
 }
 
-void add_group(const StripeGroup& group, const FragilityQuestion& question, RunFragility& run) {
-  std::vector<FragilityEvent> events(1);  // overturning
-  for (const double tilt : question.peak_tilts) events.push_back({.peak_tilt = tilt});
-  for (const FragilityEvent& event : events) {
-    if (group.is_suite()) {
-      ShownSuite& shown = run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed)});
-      shown.has_hazard = question.hazard.has_value();
-      if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
-    } else {
-      ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed)});
-      if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
-    }
+/// The parts of all curves, and how far they are.
+class Progress {
+ public:
+  Progress(const std::vector<StripeGroup>& groups, std::size_t events, const RunOptions& options) : options_(options) {
+    for (const StripeGroup& group : groups) all_ += events * parts_of(group);
+    how_ = {.threads = options.threads, .stop = options.stop_requested, .on_part = [this] { show(done_ + 1); }};
   }
-  if (question.incremental) run.incremental.push_back(incremental_analysis(group));
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  [[nodiscard]] const base::ManyParts& how() const { return how_; }
+  /// A curve of this group is finished; it may have had fewer parts than it could.
+  void finish(const StripeGroup& group) { show(finished_ += parts_of(group)); }
+
+ private:
+  static std::uint64_t parts_of(const StripeGroup& group) {
+    return group.is_suite() ? parts_of_suite_curve(group) : fragility_samples;
+  }
+  void show(std::uint64_t done) {
+    done_ = done;
+    if (options_.on_progress) options_.on_progress(done_, all_);
+  }
+
+  const RunOptions& options_;
+  base::ManyParts how_;
+  std::uint64_t all_ = 0, done_ = 0, finished_ = 0;
+};
+
+void add_curve(const StripeGroup& group, const FragilityEvent& event, const FragilityQuestion& question,
+               const base::ManyParts& how, RunFragility& run) {
+  if (group.is_suite()) {
+    ShownSuite& shown =
+        run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, how)});
+    shown.has_hazard = question.hazard.has_value();
+    if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
+  } else {
+    ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
+    if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
+  }
 }
 
 }  // namespace
@@ -48,10 +69,19 @@ bool needs_peak_tilts(const FragilityQuestion& question) {
 }
 
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
-                           const FragilityQuestion& question) {
+                           const FragilityQuestion& question, const RunOptions& options) {
   if (question.hazard) check_intensity(*question.hazard, intensity_of(experiment));
+  std::vector<FragilityEvent> events(1);  // overturning
+  for (const double tilt : question.peak_tilts) events.push_back({.peak_tilt = tilt});
   RunFragility run{.experiment = experiment};
-  for (const StripeGroup& group : groups) add_group(group, question, run);
+  Progress progress(groups, events.size(), options);
+  for (const StripeGroup& group : groups) {
+    for (const FragilityEvent& event : events) {
+      add_curve(group, event, question, progress.how(), run);
+      progress.finish(group);
+    }
+    if (question.incremental) run.incremental.push_back(incremental_analysis(group));
+  }
   return run;
 }
 

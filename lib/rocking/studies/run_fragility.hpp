@@ -3,6 +3,7 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
 #include "rocking/studies/annual_rate.hpp"
@@ -45,8 +46,9 @@ struct FragilityQuestion {
 [[nodiscard]] bool needs_peak_tilts(const FragilityQuestion& question);
 
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
-/// of another intensity.
+/// of another intensity, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
+/// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
-                                         const FragilityQuestion& question);
+                                         const FragilityQuestion& question, const RunOptions& options = {});
 
 }  // namespace rocking

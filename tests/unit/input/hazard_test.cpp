@@ -28,6 +28,29 @@ TEST(Hazard, IsReadWithHeaderCommentsAndAnySeparator) {
   EXPECT_EQ(read_hazard("0.1,1e-2\n0.2,1e-3", "h.csv").intensity, "");
 }
 
+TEST(Hazard, HeaderMayBeQuotedAndFollowComments) {
+  const HazardCurve found = read_hazard("# one\n\n\"sa_g\",\"rate\"\n0.1,1e-2\n0.2,1e-3\n", "h.csv");
+  EXPECT_EQ(found.intensity, "sa_g");
+  EXPECT_EQ(found.header_line, 3U);
+}
+
+TEST(Hazard, HasABoundOnItsPointsThatIsTold) {
+  std::string text = "pga_g,rate\n";
+  for (std::size_t i = 1; i <= most_hazard_points; ++i)
+    text += std::to_string(i) + ',' + std::to_string(20000 - i) + '\n';
+  EXPECT_EQ(read_hazard(text, "h.csv").points.size(), most_hazard_points);
+  text += std::to_string(most_hazard_points + 1) + ",1\n";
+  EXPECT_THAT(complaint(text), ::testing::AllOf(HasSubstr("more than 10000 points"), HasSubstr("is too large"),
+                                                HasSubstr("at most 10000 points")));
+}
+
+TEST(Hazard, OfTooManyBytesIsTooLargeWhateverItHolds) {
+  const std::string line = "# no point, but a long comment\n";
+  std::string text;
+  while (text.size() <= most_hazard_bytes) text += line;
+  EXPECT_THAT(complaint(text), ::testing::AllOf(HasSubstr("more than 10 MB"), HasSubstr("is too large")));
+}
+
 TEST(Hazard, IsRefusedWithLineValueAndRemedy) {
   EXPECT_THAT(complaint("0.1,1e-2\n"), HasSubstr("at least two points"));
   EXPECT_THAT(complaint("a,b\nc,d\n"), HasSubstr("line 2 = c: is not a number"));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cmath>
 #include <fstream>
 #include <numbers>
@@ -339,6 +340,44 @@ TEST(SuiteBootstrap, RepeatsAndNarrowsTheSpreadOfRecords) {
   EXPECT_GT(interval->high, 1.0);
   EXPECT_LT(interval->high - interval->low, 0.6);
   EXPECT_GT(interval->high - interval->low, 0.1);
+}
+
+TEST(SuiteBootstrap, DoesNotDependOnTheThreadsAndStopsIfAsked) {
+  SplitMix random(8);
+  const SuiteLevels suite = MadeUpSuite{}.drawn(random);
+  const auto draws = [](std::uint64_t sample, std::uint64_t number) {
+    return SplitMix(1000 * sample + number + 1).uniform();
+  };
+  std::size_t parts = 0;
+  const auto one = bootstrap_records(suite, 30, draws);
+  const auto several = bootstrap_records(suite, 30, draws, {.threads = 3, .on_part = [&parts] { ++parts; }});
+  EXPECT_EQ(parts, 30U);
+  ASSERT_EQ(several.laws.size(), one.laws.size());
+  for (std::size_t i = 0; i < one.laws.size(); ++i) {
+    EXPECT_EQ(several.laws[i].median, one.laws[i].median);
+    EXPECT_EQ(several.laws[i].between_records, one.laws[i].between_records);
+    EXPECT_EQ(several.pooled[i].dispersion, one.pooled[i].dispersion);
+  }
+  std::atomic<bool> stop{false};
+  parts = 0;
+  const auto stops = [&] { stop = ++parts == 4; };
+  EXPECT_THROW(static_cast<void>(bootstrap_records(suite, 30, draws, {.stop = &stop, .on_part = stops})),
+               rocking::base::Stopped);
+  EXPECT_EQ(parts, 4U);
+}
+
+// The whole suite is a sample in which each record is drawn once: the search from its own law returns that law.
+TEST(SuiteBootstrap, OfTheSuiteItselfIsItsLaw) {
+  SplitMix random(9);
+  const SuiteLevels suite = MadeUpSuite{}.drawn(random);
+  const auto each_once = [&suite](std::uint64_t, std::uint64_t number) {
+    return (static_cast<double>(number) + 0.5) / static_cast<double>(suite.size());
+  };
+  const auto law = fit_suite(suite).law.value();
+  const auto found = bootstrap_records(suite, 1, each_once).laws.at(0);
+  EXPECT_NEAR(found.median, law.median, 1e-9);
+  EXPECT_NEAR(found.between_records, law.between_records, 1e-9);
+  EXPECT_NEAR(found.log_likelihood, law.log_likelihood, 1e-9 * std::abs(law.log_likelihood));
 }
 
 TEST(SuiteBootstrap, HasNoIntervalWhereATenthOfTheSamplesHasNoLaw) {

@@ -11,7 +11,8 @@ namespace rocking {
 namespace {
 
 const HazardCurve& power_law() {  // H = 1e-3 x^-2
-  static const HazardCurve hazard{.name = "", .intensity = "", .points = {{0.01, 10.0}, {0.1, 0.1}, {10.0, 1e-5}}};
+  static const HazardCurve hazard{
+      .name = "", .intensity = "", .header_line = 0, .points = {{0.01, 10.0}, {0.1, 0.1}, {10.0, 1e-5}}};
   return hazard;
 }
 
@@ -48,6 +49,73 @@ TEST(AnnualRate, IsTheSumOfItsRanges) {
   EXPECT_FALSE(rate->by_level.front().is_tested);
   EXPECT_TRUE(rate->by_level[1].is_tested);
   EXPECT_FALSE(rate->by_level.back().to.has_value());
+}
+
+TEST(AnnualRate, DoesNotCountIntensitiesThatCannotLiftTheBlock) {
+  SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
+  const AnnualRate plain = annual_rate(curve, power_law()).value();
+  EXPECT_EQ(plain.impossible, 0.0);
+  curve.least_uplift = 0.8;
+  const AnnualRate cut = annual_rate(curve, power_law()).value();
+  EXPECT_NEAR(cut.value + cut.impossible, plain.value, 1e-12 * plain.value);
+  // Integral of Phi(ln x/s) 2e-3 x^-3 dx above 0.8, by parts: exp(2 s^2) 1e-3 (1 - Phi(u)) + Phi(z) H(0.8), u = z + 2 s.
+  const double s = std::sqrt(0.13), z = std::log(0.8) / s;
+  const auto phi = [](double x) { return 0.5 * std::erfc(-x / std::sqrt(2.0)); };
+  const double expected = 1e-3 * std::exp(2.0 * s * s) * phi(-z - 2.0 * s) + phi(z) * 1e-3 / 0.64;
+  EXPECT_NEAR(cut.value, expected, 1e-12 * expected);
+  // The level 0.5 cannot lift the block: the range from the least uplift to the level 1 is not tested.
+  ASSERT_EQ(cut.by_level.size(), 3U);
+  EXPECT_EQ(cut.by_level[0].from, 0.8);
+  EXPECT_EQ(cut.by_level[0].to, 1.0);
+  EXPECT_FALSE(cut.by_level[0].is_tested);
+  EXPECT_EQ(cut.below_levels, cut.by_level[0].rate);
+  EXPECT_TRUE(cut.by_level[1].is_tested);
+  EXPECT_NEAR(cut.untested_share, 1.0 - cut.by_level[1].share, 1e-15);
+  EXPECT_EQ(cut.probability_at_first, 0.0);  // nothing below the hazard curve could overturn
+}
+
+TEST(AnnualRate, CountsFromTheFirstPointOfTheHazardIfTheBlockLiftsBelow) {
+  SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
+  curve.least_uplift = 0.004;
+  const AnnualRate rate = annual_rate(curve, power_law()).value();
+  EXPECT_EQ(rate.impossible, 0.0);
+  EXPECT_EQ(rate.by_level.front().from, 0.01);
+  EXPECT_EQ(rate.below_levels, rate.by_level.front().rate);
+  EXPECT_GT(rate.below_levels, 0.0);
+}
+
+TEST(AnnualRate, TakesALevelAtTheLeastUpliftAsTested) {
+  for (const double rounded : {1.0 - 1e-15, 1.0, 1.0 + 1e-15}) {
+    SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
+    curve.least_uplift = 0.5 * rounded;
+    const AnnualRate rate = annual_rate(curve, power_law()).value();
+    ASSERT_EQ(rate.by_level.size(), 3U) << rounded;
+    EXPECT_TRUE(rate.by_level.front().is_tested) << rounded;
+    EXPECT_EQ(rate.below_levels, 0.0) << rounded;
+  }
+}
+
+TEST(AnnualRate, OfLevelsOrOfOneMotionIsCutAtTheLeastUpliftToo) {
+  std::vector<stats::IntensityLevel> levels, scattered;
+  for (const double x : {0.5, 1.0, 2.0}) {
+    levels.push_back({.intensity = x, .happened = std::vector<bool>(20, x > 1.5)});
+    scattered.push_back({.intensity = x, .happened = {}});
+    for (int j = 0; j < 20; ++j) scattered.back().happened.push_back(j < 8.0 * x + (j % 3 == 0 ? 3.0 : 0.0));
+  }
+  for (const auto& given : {levels, scattered}) {
+    FragilityCurve curve = fragility_curve(given, 0.95, 1);
+    const AnnualRate plain = annual_rate(curve, power_law());
+    curve.least_uplift = 1.25;
+    const AnnualRate cut = annual_rate(curve, power_law());
+    EXPECT_NEAR(cut.value + cut.impossible, plain.value, 1e-12 * plain.value);
+    EXPECT_GT(cut.impossible, 0.0);
+    EXPECT_LT(cut.interval->low, cut.value);
+    EXPECT_LT(cut.interval->high, plain.interval->high);
+    if (cut.source == RateSource::levels) {
+      EXPECT_LE(cut.interval->high, 1e-3 / 1.5625 * (1.0 + 1e-12));  // H at the least uplift
+    }
+    EXPECT_EQ(cut.by_level.front().from, 1.25);
+  }
 }
 
 TEST(AnnualRate, WithoutAFunctionLiesBetweenTheRatesThatItsLevelsAllow) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 
 #include "rocking/base/error.hpp"
 
@@ -34,17 +35,17 @@ PeakTiltLevel tilt_level(double intensity, std::vector<double> tilts) {
 }
 
 /// Of the stripes of one record, by growing intensity.
-Resurrections resurrections_in(const std::vector<const Stripe*>& stripes) {
+Resurrections resurrections_in(std::span<const Stripe> stripes) {
   Resurrections found;
   std::size_t realisations = 0;
-  for (const Stripe* stripe : stripes) realisations = std::max(realisations, stripe->overturned.size());
+  for (const Stripe& stripe : stripes) realisations = std::max(realisations, stripe.overturned.size());
   for (std::size_t j = 0; j < realisations; ++j) {
     bool has_overturned = false;
     bool stands_again = false;
-    for (const Stripe* stripe : stripes) {
-      if (j >= stripe->overturned.size()) continue;
-      if (stripe->overturned[j]) has_overturned = true;
-      if (!stripe->overturned[j] && has_overturned) stands_again = true;
+    for (const Stripe& stripe : stripes) {
+      if (j >= stripe.overturned.size()) continue;
+      if (stripe.overturned[j]) has_overturned = true;
+      if (!stripe.overturned[j] && has_overturned) stands_again = true;
     }
     found.of += has_overturned ? 1 : 0;
     found.trials += stands_again ? 1 : 0;
@@ -59,12 +60,9 @@ IncrementalAnalysis incremental_analysis(const StripeGroup& group) {
   analysis.parameter = group.parameter;
   analysis.others = group.others;
   std::map<double, std::vector<double>> together;
-  for (const std::string& name : group.records()) {
-    PeakTiltCurve curve{.record = name, .levels = {}, .resurrections = {}};
-    std::vector<const Stripe*> stripes;
-    for (const Stripe& stripe : group.stripes) {
-      if (stripe.record != name) continue;
-      stripes.push_back(&stripe);
+  for (const std::span<const Stripe> stripes : group.by_record()) {
+    PeakTiltCurve curve{.record = stripes.front().record, .levels = {}, .resurrections = {}};
+    for (const Stripe& stripe : stripes) {
       const std::vector<double> tilts = tilts_of(stripe);
       curve.levels.push_back(tilt_level(stripe.intensity, tilts));
       std::vector<double>& all = together[stripe.intensity];

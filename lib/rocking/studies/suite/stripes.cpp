@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
+#include <limits>
+#include <map>
 #include <tuple>
 #include <variant>
 
@@ -9,6 +12,7 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/scene/ground_motion_peaks.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/studies/suite/least_uplift.hpp"
 
 namespace rocking {
 namespace {
@@ -54,6 +58,15 @@ Place place_of(const Condition& condition, std::string_view intensity) {
 bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
                     [](const Parameter& x, const Parameter& y) { return x.value == y.value; });
+}
+
+/// By records, in the order in which they come, and those of a record by growing intensity.
+void sort(std::vector<Stripe>& stripes) {
+  std::map<std::string, std::size_t> numbers;
+  for (const Stripe& stripe : stripes) numbers.try_emplace(stripe.record, numbers.size());
+  std::stable_sort(stripes.begin(), stripes.end(), [&numbers](const Stripe& a, const Stripe& b) {
+    return std::tuple(numbers.at(a.record), a.intensity) < std::tuple(numbers.at(b.record), b.intensity);
+  });
 }
 
 /// Measures of a motion that does not change with the realisation.
@@ -113,12 +126,24 @@ std::string_view name_of(IntensityMeasure measure) {
   return "p_pgv_over_g_tan_psi";
 }
 
-std::vector<std::string> StripeGroup::records() const {
-  std::vector<std::string> names;
-  for (const Stripe& stripe : stripes) {
-    if (std::find(names.begin(), names.end(), stripe.record) == names.end()) names.push_back(stripe.record);
+std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
+  std::vector<std::span<const Stripe>> records;
+  for (auto begin = stripes.begin(); begin != stripes.end();) {
+    const auto end =
+        std::find_if(begin, stripes.end(), [&](const Stripe& other) { return other.record != begin->record; });
+    records.emplace_back(begin, end);
+    begin = end;
   }
-  return names;
+  return records;
+}
+
+std::optional<double> StripeGroup::least_uplift() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Stripe& stripe : stripes) {
+    if (!stripe.uplift) return std::nullopt;
+    least = std::min(least, *stripe.uplift);
+  }
+  return std::isinf(least) ? std::nullopt : std::optional(least);
 }
 
 stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
@@ -158,18 +183,11 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     }
     stripes[i].record = std::move(place.record);
     stripes[i].intensity = place.intensity;
+    stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
     set_measures(experiment.conditions[i].scene, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }
-  for (StripeGroup& group : groups) {
-    const std::vector<std::string> records = group.records();
-    const auto number_of = [&records](const Stripe& stripe) {
-      return std::find(records.begin(), records.end(), stripe.record) - records.begin();
-    };
-    std::stable_sort(group.stripes.begin(), group.stripes.end(), [&](const Stripe& a, const Stripe& b) {
-      return std::tuple(number_of(a), a.intensity) < std::tuple(number_of(b), b.intensity);
-    });
-  }
+  for (StripeGroup& group : groups) sort(group.stripes);
   return groups;
 }
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,6 +42,7 @@ struct Stripe {
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
   std::vector<bool> overturned;                                                    ///< by number of the realisation
   std::vector<std::optional<double>> peak_tilts;  ///< likewise; absent in stores of earlier versions
+  std::optional<double> uplift = std::nullopt;    ///< rocking::least_uplift of its scene
 
   [[nodiscard]] std::optional<double> measure(IntensityMeasure which) const {
     return measures[static_cast<std::size_t>(which)];
@@ -55,8 +57,11 @@ struct StripeGroup {
   std::vector<Stripe> stripes;  ///< records in the order of the sweep; of a record by growing intensity
 
   [[nodiscard]] bool is_suite() const { return !stripes.empty() && !stripes.front().record.empty(); }
-  /// Names of the ground motions, in the order of the sweep; one empty name where there is no suite.
-  [[nodiscard]] std::vector<std::string> records() const;
+  /// The stripes of each ground motion, in the order of the sweep.
+  [[nodiscard]] std::vector<std::span<const Stripe>> by_record() const;
+  /// The least intensity at which any of the motions lifts the block; absent where none is known for one of them, or
+  /// where no intensity does.
+  [[nodiscard]] std::optional<double> least_uplift() const;
 };
 
 /// Outcomes of a stripe. An overturned block has exceeded every peak tilt. The peak tilts must be present where the event

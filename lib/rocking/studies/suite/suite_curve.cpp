@@ -1,9 +1,11 @@
 #include "rocking/studies/suite/suite_curve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
+#include <span>
 #include <tuple>
 
 #include "rocking/base/error.hpp"
@@ -52,17 +54,21 @@ SuiteEstimate estimate_of(const stats::SuiteLevels& suite, const stats::SuiteLaw
               curve, [quantity](const stats::SuiteLaw& sample) { return value_of(quantity, sample); })};
 }
 
-void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, SuiteCurve& curve) {
+void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, const base::ManyParts& how, SuiteCurve& curve) {
   const stats::SuiteFit fit = stats::fit_suite(suite);
   curve.outcome = fit.outcome;
-  curve.bootstrap = stats::bootstrap_records(suite, suite_samples, record_draws(seed));
+  curve.bootstrap = stats::bootstrap_records(suite, suite_samples, record_draws(seed), how);
   if (!fit.law) return;
   using enum stats::SuiteQuantity;
+  constexpr std::array quantities{median, dispersion, between_records, within_record};
+  std::array<SuiteEstimate, quantities.size()> found;
+  base::for_each_part(how, quantities.size(),
+                      [&](std::size_t i) { found[i] = estimate_of(suite, *fit.law, quantities[i], curve); });
   curve.pooled = PooledSuite{.law = *fit.law,
-                             .median = estimate_of(suite, *fit.law, median, curve),
-                             .dispersion = estimate_of(suite, *fit.law, dispersion, curve),
-                             .between_records = estimate_of(suite, *fit.law, between_records, curve),
-                             .within_record = estimate_of(suite, *fit.law, within_record, curve)};
+                             .median = found[0],
+                             .dispersion = found[1],
+                             .between_records = found[2],
+                             .within_record = found[3]};
 }
 
 void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
@@ -105,38 +111,40 @@ std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const Sui
   return list;
 }
 
-std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed) {
-  std::vector<RecordCurve> curves;
-  for (const std::string& name : group.records()) {
+std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+                                           const base::ManyParts& how) {
+  const std::vector<std::span<const Stripe>> records = group.by_record();
+  std::vector<RecordCurve> curves(records.size());
+  base::for_each_part(how, records.size(), [&](std::size_t r) {
     std::vector<stats::IntensityLevel> levels;
-    for (const Stripe& stripe : group.stripes) {
-      if (stripe.record == name) levels.push_back(level_of(stripe, event));
-    }
-    FragilityCurve curve = fragility_curve(levels, group.confidence, seed);
+    for (const Stripe& stripe : records[r]) levels.push_back(level_of(stripe, event));
+    FragilityCurve curve = fragility_curve(levels, group.confidence, seed, {.stop = how.stop});
     curve.parameter = group.parameter;
     curve.others = group.others;
     curve.event = event;
-    curves.push_back({.name = name, .curve = std::move(curve)});
-  }
+    curves[r] = {.name = records[r].front().record, .curve = std::move(curve)};
+  });
   return curves;
 }
 
 }  // namespace
 
-std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const FragilityEvent& event) {
+std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const FragilityEvent& event,
+                                           const base::ManyParts& how) {
   std::vector<RankedMeasure> ranked;
   for (const IntensityMeasure measure : all_intensity_measures) {
     const bool has_measure = std::all_of(stripes.begin(), stripes.end(), [&](const Stripe& stripe) {
       return stripe.measure(measure) && *stripe.measure(measure) > 0.0;
     });
-    if (!has_measure) continue;
-    RankedMeasure& found = ranked.emplace_back();
-    found.measure = measure;
-    found.law = stats::fit_suite(levels_of_records(stripes, event, measure)).law;
-    if (!found.law) continue;
+    if (has_measure) ranked.push_back({.measure = measure, .law = std::nullopt});
+  }
+  base::for_each_part(how, ranked.size(), [&](std::size_t i) {
+    RankedMeasure& found = ranked[i];
+    found.law = stats::fit_suite(levels_of_records(stripes, event, found.measure)).law;
+    if (!found.law) return;
     found.deviance = -2.0 * found.law->log_likelihood;
     found.aic = found.deviance + 2.0 * parameters_of_a_law;
-  }
+  });
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedMeasure& a, const RankedMeasure& b) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     // Measures that are proportional to each other have equal laws up to rounding; they keep their order.
@@ -148,19 +156,26 @@ std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, c
   return ranked;
 }
 
-SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed) {
+std::uint64_t parts_of_suite_curve(const StripeGroup& group) {
+  constexpr std::uint64_t quantities = 4;
+  return suite_samples + quantities + group.by_record().size() + all_intensity_measures.size();
+}
+
+SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+                       const base::ManyParts& how) {
   ROCKING_EXPECT(group.is_suite());
   SuiteCurve curve;
   curve.parameter = group.parameter;
   curve.others = group.others;
   curve.confidence = group.confidence;
   curve.event = event;
+  curve.least_uplift = group.least_uplift();
   const stats::SuiteLevels suite = levels_of_records(group.stripes, event);
-  set_pooled(suite, seed, curve);
+  set_pooled(suite, seed, how, curve);
   set_simple(suite, curve);
   curve.levels = pooled_levels(suite, curve);
-  curve.records = curves_of_records(group, event, seed);
-  curve.measures = ranked_measures(group.stripes, event);
+  curve.records = curves_of_records(group, event, seed, how);
+  curve.measures = ranked_measures(group.stripes, event, how);
   return curve;
 }
 

@@ -71,6 +71,7 @@ struct SuiteCurve {
   std::vector<Parameter> others;  ///< the rest of the sweep
   double confidence = 0.95;
   FragilityEvent event;
+  std::optional<double> least_uplift;                                 ///< of the group (StripeGroup)
   stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
   std::optional<PooledSuite> pooled;
   std::optional<SimpleLaw> simple;
@@ -81,11 +82,15 @@ struct SuiteCurve {
 };
 
 /// The curve of a group that is a suite. `seed`: of the bootstraps.
-[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed);
+[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
+                                     const base::ManyParts& how = {});
+
+/// Its parts, at most: bootstrap samples, parameters, records and measures of intensity.
+[[nodiscard]] std::uint64_t parts_of_suite_curve(const StripeGroup& group);
 
 /// The measures by growing dispersion of the law of the suite; of equal ones the one with the smaller deviance first.
-/// Without measures: empty.
+/// Without measures: empty. A measure is a part.
 [[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes,
-                                                         const FragilityEvent& event);
+                                                         const FragilityEvent& event, const base::ManyParts& how = {});
 
 }  // namespace rocking

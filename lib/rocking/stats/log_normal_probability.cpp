@@ -1,0 +1,87 @@
+#include "rocking/stats/log_normal_probability.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "rocking/stats/normal_law.hpp"
+
+namespace rocking::stats {
+namespace {
+
+constexpr double first = -16.0;
+constexpr double last = 9.0;
+constexpr double per_unit = 32.0;
+constexpr auto intervals = static_cast<std::size_t>((last - first) * per_unit);
+
+double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
+
+LogNormalProbability computed(double z) {
+  const double value = log_normal_cdf(z);
+  return {.value = value, .slope = std::exp(-0.5 * z * z - value) / std::sqrt(2.0 * std::numbers::pi)};
+}
+
+/// A function and its first two derivatives.
+struct Derivatives {
+  double value, first, second;
+};
+
+/// ln Phi and its slope at z, differentiated by z/h.
+std::array<Derivatives, 2> node(double z) {
+  const auto [value, slope] = computed(z);
+  const double bend = -slope * (z + slope);
+  const double third = -bend * (z + slope) - slope * (1.0 + bend);
+  constexpr double h = 1.0 / per_unit;
+  return {{{value, slope * h, bend * h * h}, {slope, bend * h, third * h * h}}};
+}
+
+/// Coefficients of a polynomial in the place from 0 to 1 within an interval.
+using Quintic = std::array<double, 6>;
+
+Quintic between(const Derivatives& begin, const Derivatives& end) {
+  // What the parabola at the begin leaves at the end, of the value and two derivatives.
+  const double value = end.value - begin.value - begin.first - 0.5 * begin.second;
+  const double slope = end.first - begin.first - begin.second;
+  const double bend = end.second - begin.second;
+  return {begin.value,
+          begin.first,
+          0.5 * begin.second,
+          10.0 * value - 4.0 * slope + 0.5 * bend,
+          -15.0 * value + 7.0 * slope - bend,
+          6.0 * value - 3.0 * slope + 0.5 * bend};
+}
+
+double at(const Quintic& q, double t) { return q[0] + t * (q[1] + t * (q[2] + t * (q[3] + t * (q[4] + t * q[5])))); }
+
+/// Of both functions in one interval.
+struct Interpolation {
+  Quintic value, slope;
+};
+
+std::array<Interpolation, intervals> interpolations() {
+  std::array<Interpolation, intervals> table{};
+  for (std::size_t i = 0; i < intervals; ++i) {
+    const auto begin = node(first + static_cast<double>(i) / per_unit);
+    const auto end = node(first + static_cast<double>(i + 1) / per_unit);
+    table[i] = {between(begin[0], end[0]), between(begin[1], end[1])};
+  }
+  return table;
+}
+
+}  // namespace
+
+LogNormalProbability log_normal_probability(double z) {
+  static const std::array<Interpolation, intervals> table = interpolations();
+  if (z >= last) {
+    const double y = 1.0 / (z * z);
+    return {.value = -density(z) * (1.0 - y * (1.0 - 3.0 * y)) / z, .slope = density(z)};
+  }
+  if (!(z >= first)) return computed(z);  // also if z is not a number
+  const double place = (z - first) * per_unit;
+  const auto number = static_cast<std::size_t>(place);
+  const double t = place - static_cast<double>(number);
+  return {.value = at(table[number].value, t), .slope = at(table[number].slope, t)};
+}
+
+}  // namespace rocking::stats

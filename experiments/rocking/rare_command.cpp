@@ -18,7 +18,6 @@
 #include "rocking/studies/rare/rare.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -70,19 +69,16 @@ std::vector<RareEstimate> estimate(const Experiment& experiment, const RareReque
 ExitCode find_rare(const RareRequest& request) {
   const Experiment experiment = load_experiment(request.file, request.overrides);
   refuse_certainty(experiment, request.file);  // before any file is written
-  const std::filesystem::path path(request.folder);
-  const std::filesystem::path file = path / "rare.json";
-  RunFolder folder(path);
-  folder.claim();
-  if (!request.overwrite && std::filesystem::exists(file)) {
-    throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
-  }
+  const std::filesystem::path file = std::filesystem::path(request.folder) / "rare.json";
+  expect_free(file, request.overwrite);
+  ensure_writable(request.folder);
   const FoundRare found{.experiment = &experiment,
                         .question = request.question,
                         .score = request.score,
                         .particles = request.particles,
                         .conditions = estimate(experiment, request)};
   const std::string text = rare_text(found);
+  expect_free(file, request.overwrite);
   write_atomically(file, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("numbers: {}\n", file.string());

@@ -689,6 +689,51 @@ class Interrupting(unittest.TestCase):
                 call()
             self.assertLess(time.monotonic() - began, 20.0)
 
+    def test_ctrl_c_stops_a_trajectory(self):
+        # Of a block that rocks, and of one that stays at rest.
+        rest = changed(excitation={"kind": "harmonic", "amplitude": 0.5, "frequency_ratio": 10.0}, sweep=[],
+                       friction={"static": 0.5, "kinetic": 0.4}, fluctuation={"friction": {"sigma": 0.01}})
+        long = {"periods": 50_000_000}
+        result = rocking.run(SLAB)
+        with tempfile.TemporaryDirectory() as folder:
+            page = os.path.join(folder, "page.html")
+            for call in (lambda: rocking.trajectory(SLAB, condition=1, **long), lambda: rocking.trajectory(rest, **long),
+                         lambda: rocking.trajectory(SLAB, condition=1, samples_per_period=2, **long),
+                         lambda: rocking.replay(result, condition=1, **long),
+                         lambda: rocking.write_trajectory_page(SLAB, page, condition=1, **long)):
+                timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+                timer.start()
+                with self.assertRaises(KeyboardInterrupt):
+                    call()
+                timer.join()
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_runs_of_several_threads_in_one_folder_exclude_each_other(self):
+        seeds = range(6)
+        for _ in range(5):
+            outcomes = {}
+            with tempfile.TemporaryDirectory() as folder:
+                gate = threading.Barrier(len(seeds))
+
+                def work(seed):
+                    gate.wait()
+                    try:
+                        outcomes[seed] = rocking.run(SLAB, seed=seed, threads=1, folder=folder).digest
+                    except (OSError, rocking.InputError) as error:
+                        outcomes[seed] = error
+
+                threads = [threading.Thread(target=work, args=(seed,)) for seed in seeds]
+                for thread in threads:
+                    thread.start()
+                for thread in threads:
+                    thread.join()
+                done = [outcome for outcome in outcomes.values() if isinstance(outcome, str)]
+                self.assertEqual(done, [rocking.open_run(folder).digest], outcomes)
+                self.assertEqual(os.listdir(folder), ["realisations.sqlite"])
+                for error in outcomes.values():
+                    if not isinstance(error, str):
+                        self.assertRegex(str(error), "another run is at work|realisations of another experiment")
+
     def test_a_stopped_run_goes_on_in_its_folder(self):
         longer = changed(realisations=1500)
         with tempfile.TemporaryDirectory() as folder:

@@ -93,10 +93,12 @@ void add_checks(py::module_& module) {
   });
   module.def("replay", [](const Experiment& experiment, const RunResult& run, std::uint64_t condition,
                           std::uint64_t realisation, std::int64_t periods, int samples) {
-    const py::gil_scoped_release release;
-    return std::make_shared<Trajectory>(replay(
-        {experiment, run},
-        {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}));
+    return watched_trajectory([&](const Execution& execution) {
+      return replay(
+          {experiment, run},
+          {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples},
+          execution);
+    });
   });
   module.def(
       "check_normal", [](std::uint64_t n, double mean, double sigma, std::uint64_t seed, const std::string& sampler) {

@@ -178,6 +178,14 @@ class AgainstTheProgram(unittest.TestCase):
             rocking.motion(path, units="ft")
         with self.assertRaises(FileNotFoundError):
             rocking.motion(path + ".none")
+        for wrong in ({"files": 3}, {"files": [3]}, {"vertical": 3}, {"format": None}, {"format": 3}, {"units": b"g "[0]},
+                      {"units": ["g"]}, {"time_step": None}, {"gravity": [1]}, {"damping": {}}, {"periods": 3},
+                      {"periods": [None]}, {"block": 3}, {"block": (None, 1)}):
+            with self.assertRaises(TypeError, msg=wrong):
+                rocking.motion(**{"files": path, **wrong})
+        for wrong in ({"block": (1, 2, 3)}, {"block": ()}, {"periods": ["a"]}, {"gravity": "g"}):
+            with self.assertRaises(ValueError, msg=wrong):
+                rocking.motion(**{"files": path, **wrong})
 
     def test_fragility_is_that_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
@@ -778,6 +786,24 @@ class Interrupting(unittest.TestCase):
             thread.join()
         self.assertEqual(digests[1], rocking.run(SLAB, seed=1).digest)
         self.assertEqual(len(set(digests.values())), 4)
+
+
+class Representation(unittest.TestCase):
+    def test_says_what_an_object_holds(self):
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, realisations=1,
+                        sweep=[{"parameter": "/excitation/amplitude", "values": [3.5, 4.0]}])
+        trajectory = rocking.trajectory(SLAB, condition=1, realisation=2, periods=7)
+        self.assertRegex(repr(trajectory), "^<rocking.Trajectory of condition 1, realisation 2: 7 periods, [0-9]+ events, "
+                                           "reached_horizon>$")
+        found = rocking.orbits(still, longest=1, branches=True)
+        self.assertRegex(repr(found), "^<rocking.Orbits .*/excitation/amplitude = 3.5.*[0-9]+ branches")
+        self.assertRegex(repr(found[1]), "^<rocking.OrbitsOfCondition at /excitation/amplitude = 4.0: [0-9]+ orbits, ")
+
+    def test_is_our_own_for_every_class_of_results(self):
+        for name in rocking.__all__:
+            kind = getattr(rocking, name)
+            if isinstance(kind, type) and not issubclass(kind, (tuple, Exception, KeyboardInterrupt)):
+                self.assertIs(type(kind.__repr__), type(Representation.setUp), name)
 
 
 class Arrays(unittest.TestCase):

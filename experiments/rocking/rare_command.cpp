@@ -57,12 +57,8 @@ std::vector<RareEstimate> estimate(const Experiment& experiment, const RareReque
     last = {condition, done};
     progress.show(earlier + done, earlier + planned);
   };
-  if (request.at_most_work) {
-    settings.time_is_up = [&](std::size_t condition) {
-      const double share = static_cast<double>(condition + 1) / static_cast<double>(experiment.conditions.size());
-      return progress.elapsed() >= share * *request.at_most_work;
-    };
-  }
+  settings.seconds = request.at_most_work;
+  settings.elapsed_seconds = [&progress] { return progress.elapsed(); };
   return rare_probabilities(experiment, request.question, settings);
 }
 
@@ -99,7 +95,7 @@ void add_question(CLI::App& command, RareRequest& request) {
       ->check(number(0.0, 100.0))
       ->type_name("A");
   add_duration(command, "--at-most-work", request.at_most_work,
-               "Start no further repetition after this time, once there are 8 for each condition, e.g. 10min");
+               "Stop after this time for all conditions together, e.g. 10min; what is finished then counts");
   command.add_option("--particles", request.particles, "Trajectories of a repetition at each level")
       ->check(whole_number(least_particles, most_particles))
       ->capture_default_str()

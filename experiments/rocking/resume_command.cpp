@@ -132,11 +132,12 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped, or extend one");
   command->footer(
       "Example: rocking resume out\n"
-      "runs the realisations that are missing in out/realisations.sqlite and writes the report, with the same bytes as "
-      "that of\n"
-      "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under "
-      "another name.\n"
-      "With --realisations N it extends the run: the report has the bytes of one run of N.");
+      "runs the realisations that are missing in out/realisations.sqlite and writes the report. All of it but `system` "
+      "has the\n"
+      "same bytes as without the interruption. If the file is damaged, the intact rows are kept, and the damaged file "
+      "is "
+      "kept\n"
+      "under another name. With --realisations N it extends the run: the bytes are those of one run of N.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
       ->add_option("--realisations", request->realisations,

@@ -17,7 +17,6 @@
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -48,13 +47,10 @@ DiagramFiles files_in(const std::filesystem::path& folder, const Experiment& exp
   return files;
 }
 
-void expect_room(const DiagramFiles& files, bool overwrite) {
-  std::vector<std::filesystem::path> all{files.json, files.csv};
-  all.insert(all.end(), files.tables.begin(), files.tables.end());
-  for (const auto& path : all) {
-    if (overwrite || !std::filesystem::exists(path)) continue;
-    throw InTheWay(path.string() + ": already exists; choose another folder, or add --overwrite to replace it");
-  }
+void expect_all_free(const DiagramFiles& files, bool overwrite) {
+  expect_free(files.json, overwrite);
+  expect_free(files.csv, overwrite);
+  expect_free(files.tables, overwrite);
 }
 
 std::optional<std::vector<Diagram>> draw(const Experiment& experiment, const BifurcationRequest& request) {
@@ -79,11 +75,9 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   const ExperimentText source = load_experiment_text(request.file);
   const Experiment experiment = load_experiment(source, request.overrides);
   refuse_without_diagrams(experiment, source);  // before any file is written
-  const std::filesystem::path path(request.folder);
-  const DiagramFiles files = files_in(path, experiment);
-  RunFolder folder(path);
-  folder.claim();
-  expect_room(files, request.overwrite);
+  const DiagramFiles files = files_in(request.folder, experiment);
+  expect_all_free(files, request.overwrite);
+  ensure_writable(request.folder);
   auto diagrams = draw(experiment, request);
   if (!diagrams) {
     print_notice(fmt::format("interrupted; nothing was written. `rocking bifurcation {} -o {}` starts again",
@@ -93,6 +87,7 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   const DrawnDiagrams drawn{
       .experiment = &experiment, .realisation = request.realisation, .diagrams = std::move(*diagrams)};
   const std::string text = bifurcation_text(drawn);
+  expect_all_free(files, request.overwrite);
   write_atomically(files.csv, bifurcation_csv(drawn));
   const std::vector<DiagramTable> tables = diagram_tables(drawn);
   for (std::size_t i = 0; i < tables.size(); ++i) write_atomically(files.tables[i], tables[i].csv);

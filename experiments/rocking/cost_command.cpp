@@ -17,7 +17,6 @@
 #include "rocking/output/write_cost.hpp"
 #include "rocking/studies/cost/budget.hpp"
 #include "rocking/text/files.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -76,20 +75,13 @@ std::string fixed_horizon_note(const Experiment& experiment) {
 
 std::filesystem::path cost_file_in(const std::string& folder) { return std::filesystem::path(folder) / "cost.json"; }
 
-void expect_room(const CostRequest& request) {
-  if (request.overwrite || !std::filesystem::exists(cost_file_in(request.folder))) return;
-  throw InTheWay(cost_file_in(request.folder).string() +
-                 ": already exists; choose another folder, or add --overwrite to replace it");
-}
-
 ExitCode cost(const CostRequest& request) {
   const Experiment experiment = load_experiment(request.file, request.overrides);
   const std::vector<double> tolerances = tolerances_of(request, experiment);
-  std::optional<RunFolder> folder;
-  if (!request.folder.empty()) {
-    folder.emplace(request.folder);
-    folder->claim();
-    expect_room(request);
+  const bool is_kept = !request.folder.empty();
+  if (is_kept) {
+    expect_free(cost_file_in(request.folder), request.overwrite);
+    ensure_writable(request.folder);
   }
   SystemFacts system = system_facts(request.execution.threads);
   std::optional<Cost> found;
@@ -106,7 +98,8 @@ ExitCode cost(const CostRequest& request) {
   const std::string text = cost_text(result);
   std::string table =
       (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result) + fixed_horizon_note(experiment);
-  if (folder) {
+  if (is_kept) {
+    expect_free(cost_file_in(request.folder), request.overwrite);
     write_atomically(cost_file_in(request.folder), text);
     table += fmt::format("numbers: {}\n", cost_file_in(request.folder).string());
   }

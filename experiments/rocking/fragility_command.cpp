@@ -98,10 +98,7 @@ WrittenFigures draw_fragility(const std::string& text, const std::string& folder
 
 ExitCode fragility(const FragilityRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
-  if (!request.output.empty() && !request.overwrite && std::filesystem::exists(curve_file_in(request.output))) {
-    throw InTheWay(curve_file_in(request.output).string() +
-                   ": already exists; choose another folder, or add --overwrite to replace it");
-  }
+  if (!request.output.empty()) expect_free(curve_file_in(request.output), request.overwrite);
   const FragilityQuestion question{
       .peak_tilts = request.peak_tilts, .hazard = hazard_of(request), .incremental = request.incremental};
   std::vector<RunFragility> runs;

@@ -158,8 +158,8 @@ void add_merge(CLI::App& app, Action& action) {
   CLI::App* command = app.add_subcommand("merge", "Join the shards of a run");
   command->footer(
       "Example: rocking merge out shard1 shard2 shard3\n"
-      "copies the realisations of the three folders to out and writes the report, with the same bytes as that of one "
-      "run. The\n"
+      "copies the realisations of the three folders to out and writes the report, with the bytes of one run, except "
+      "`system`. The\n"
       "order of the folders has no influence; shards may overlap if their common realisations agree.");
   command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();

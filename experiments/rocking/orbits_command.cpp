@@ -25,7 +25,6 @@
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -143,13 +142,9 @@ ExitCode orbits(const OrbitsRequest& request) {
   refuse_without_orbits(experiment, request.file);  // before any file is written
   const std::optional<BranchQuestion> question = branch_question(experiment, request);
   std::optional<FoundCurves> curves = curve_request(experiment, question, request);
-  const std::filesystem::path path(request.folder);
-  const std::filesystem::path file = path / "orbits.json";
-  RunFolder folder(path);
-  folder.claim();
-  if (!request.overwrite && std::filesystem::exists(file)) {
-    throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
-  }
+  const std::filesystem::path file = std::filesystem::path(request.folder) / "orbits.json";
+  expect_free(file, request.overwrite);
+  ensure_writable(request.folder);
   auto conditions = search(experiment, request);
   const auto explain_stop = [&request] {
     print_notice(fmt::format("interrupted; nothing was written. `rocking orbits {} -o {}` starts again", request.file,
@@ -167,6 +162,7 @@ ExitCode orbits(const OrbitsRequest& request) {
   }
   found.conditions = std::move(*conditions);
   const std::string text = orbits_text(found);
+  expect_free(file, request.overwrite);
   write_atomically(file, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("orbits: {}\n", file.string());

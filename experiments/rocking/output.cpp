@@ -61,6 +61,13 @@ void add_loudness(CLI::App& command, Loudness& loudness) {
   command.add_flag("--no-progress", loudness.no_progress, "Show no progress on standard error");
 }
 
+void expect_free(std::span<const std::filesystem::path> files, bool overwrite) {
+  for (const std::filesystem::path& file : files) {
+    if (overwrite || !std::filesystem::exists(file)) continue;
+    throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
+  }
+}
+
 void print_result(std::string_view text) {
   print_result([text](const TextSink& sink) { sink(text); });
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -42,6 +44,10 @@ void print_notice(std::string_view text);
 
 /// Writes to standard error. Errors of the write are ignored, so that a run continues.
 void print_aside(const std::string& text);
+
+/// Throws InTheWay if one of the files exists and may not be replaced.
+void expect_free(std::span<const std::filesystem::path> files, bool overwrite);
+inline void expect_free(const std::filesystem::path& file, bool overwrite) { expect_free({&file, 1}, overwrite); }
 
 /// Name of the argument that means standard input.
 inline constexpr std::string_view standard_input = "-";

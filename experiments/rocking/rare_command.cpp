@@ -18,7 +18,6 @@
 #include "rocking/studies/rare/rare.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
-#include "run_folder.hpp"
 
 namespace rocking::program {
 namespace {
@@ -58,31 +57,24 @@ std::vector<RareEstimate> estimate(const Experiment& experiment, const RareReque
     last = {condition, done};
     progress.show(earlier + done, earlier + planned);
   };
-  if (request.at_most_work) {
-    settings.time_is_up = [&](std::size_t condition) {
-      const double share = static_cast<double>(condition + 1) / static_cast<double>(experiment.conditions.size());
-      return progress.elapsed() >= share * *request.at_most_work;
-    };
-  }
+  settings.seconds = request.at_most_work;
+  settings.elapsed_seconds = [&progress] { return progress.elapsed(); };
   return rare_probabilities(experiment, request.question, settings);
 }
 
 ExitCode find_rare(const RareRequest& request) {
   const Experiment experiment = load_experiment(request.file, request.overrides);
   refuse_certainty(experiment, request.file);  // before any file is written
-  const std::filesystem::path path(request.folder);
-  const std::filesystem::path file = path / "rare.json";
-  RunFolder folder(path);
-  folder.claim();
-  if (!request.overwrite && std::filesystem::exists(file)) {
-    throw InTheWay(file.string() + ": already exists; choose another folder, or add --overwrite to replace it");
-  }
+  const std::filesystem::path file = std::filesystem::path(request.folder) / "rare.json";
+  expect_free(file, request.overwrite);
+  ensure_writable(request.folder);
   const FoundRare found{.experiment = &experiment,
                         .question = request.question,
                         .score = request.score,
                         .particles = request.particles,
                         .conditions = estimate(experiment, request)};
   const std::string text = rare_text(found);
+  expect_free(file, request.overwrite);
   write_atomically(file, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("numbers: {}\n", file.string());
@@ -103,7 +95,7 @@ void add_question(CLI::App& command, RareRequest& request) {
       ->check(number(0.0, 100.0))
       ->type_name("A");
   add_duration(command, "--at-most-work", request.at_most_work,
-               "Start no further repetition after this time, once there are 8 for each condition, e.g. 10min");
+               "Stop after this time for all conditions together, e.g. 10min; what is finished then counts");
   command.add_option("--particles", request.particles, "Trajectories of a repetition at each level")
       ->check(whole_number(least_particles, most_particles))
       ->capture_default_str()

@@ -29,6 +29,8 @@ void Replacement::begin() const {
 
 void Replacement::discard() const { fs::remove_all(path()); }
 
+bool Replacement::discard_unless_begun() const { return !has_begun() && fs::remove_all(path()) > 0; }
+
 void Replacement::install() const {
   fs::rename(path(), complete());
   flush_folder(folder_);

@@ -30,6 +30,8 @@ class Replacement {
   /// Makes the subfolder, empty.
   void begin() const;
   void discard() const;
+  /// Discards the subfolder if it has no store. Returns whether there was such a subfolder.
+  [[nodiscard]] bool discard_unless_begun() const;
   /// Replaces the files of the earlier run by those of the new one. A page or report that the new run does not have is
   /// removed.
   void install() const;

@@ -81,22 +81,17 @@ void expect_extensible(const RunFolder& folder, const Store& store, const Experi
 // store is extended in place.
 Store extended_store(RunFolder& folder, const Experiment& experiment, const Experiment& extension, Store store,
                      const Loudness& loudness) {
-  if (folder.is_replacement() || !folder.has_report()) {
-    folder.extend_store(std::move(store), experiment, extension);
-    return folder.open_store(sqlite::Access::write);
+  if (!folder.is_replacement() && folder.has_report()) {
+    if (!loudness.quiet) {
+      print_notice(
+          "the intervals of the extended run cover as often as stated if the earlier result did not determine its "
+          "length; for a run that is extended until its intervals are narrow enough, use `until`");
+    }
+    store.close_up();
+    folder.begin_replacement();
   }
-  if (!loudness.quiet) {
-    print_notice(
-        "the intervals of the extended run cover as often as stated if the earlier result did not determine its "
-        "length; "
-        "for a run that is extended until its intervals are narrow enough, use `until`");
-  }
-  store.close_up();
-  folder.begin_replacement();
-  Store whole = folder.create_store(extended_identity(store.identity(), extension));
-  copy_common_realisations(store, experiment, extension, whole);
-  whole.commit();
-  return whole;
+  folder.extend_store(std::move(store), experiment, extension);
+  return folder.open_store(sqlite::Access::write);
 }
 
 ExitCode resume(const ResumeRequest& request) {
@@ -110,22 +105,23 @@ ExitCode resume(const ResumeRequest& request) {
   count_pages_again(folder.store_path());
   Store store = folder.open_store(sqlite::Access::write);
   expect_known_results(folder, store.identity());
-  Experiment experiment = experiment_of(store.identity());
+  const Experiment experiment = experiment_of(store.identity());
   store = usable_store(folder, experiment, std::move(store), request.execution.loudness);
-  if (request.realisations) {
-    Experiment extension = experiment_of(store.identity(), {.seed = {}, .realisations = request.realisations});
-    if (extension.canonical_text != experiment.canonical_text) {
-      expect_extensible(folder, store, extension);
-      store = extended_store(folder, experiment, extension, std::move(store), request.execution.loudness);
-      experiment = std::move(extension);
-    }
-  }
-  const Plan plan = plan_of(experiment, {.threads = request.execution.threads,
-                                         .shard = store.identity().shard,
-                                         .stored = completeness(experiment, store).done});
+  const Experiment wanted = request.realisations
+                                ? experiment_of(store.identity(), {.seed = {}, .realisations = request.realisations})
+                                : experiment;
+  const bool is_extension = wanted.canonical_text != experiment.canonical_text;
+  if (is_extension) expect_extensible(folder, store, wanted);
+  const Plan plan = plan_of(wanted, {.threads = request.execution.threads,
+                                     .shard = store.identity().shard,
+                                     .stored = completeness(wanted, store).done,
+                                     .page = request.execution.page == PageChoice::drawn});
   if (!request.execution.max_time) expect_memory(plan.needs.memory_bytes);
   if (!plan.at_most) folder.expect_room(plan.needs.disk_bytes);
-  return carry_through(folder, experiment, store, request.execution);
+  if (is_extension) {
+    store = extended_store(folder, experiment, wanted, std::move(store), request.execution.loudness);
+  }
+  return carry_through(folder, wanted, store, request.execution);
 }
 
 }  // namespace
@@ -136,11 +132,12 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   CLI::App* command = app.add_subcommand("resume", "Finish a run that was stopped, or extend one");
   command->footer(
       "Example: rocking resume out\n"
-      "runs the realisations that are missing in out/realisations.sqlite and writes the report, with the same bytes as "
-      "that of\n"
-      "an uninterrupted run. If the file is damaged, the intact rows are kept, and the damaged file is kept under "
-      "another name.\n"
-      "With --realisations N it extends the run: the report has the bytes of one run of N.");
+      "runs the realisations that are missing in out/realisations.sqlite and writes the report. All of it but `system` "
+      "has the\n"
+      "same bytes as without the interruption. If the file is damaged, the intact rows are kept, and the damaged file "
+      "is "
+      "kept\n"
+      "under another name. With --realisations N it extends the run: the bytes are those of one run of N.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
       ->add_option("--realisations", request->realisations,

@@ -48,7 +48,8 @@ Shard shard_from(const std::string& text) {
 
 Means means_of(const RunRequest& request) {
   return {.threads = request.execution.threads,
-          .shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt};
+          .shard = request.shard ? std::optional(shard_from(*request.shard)) : std::nullopt,
+          .page = request.execution.page == PageChoice::drawn};
 }
 
 ExitCode show_plan(const RunRequest& request, const Experiment& experiment) {

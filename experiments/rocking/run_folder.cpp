@@ -1,16 +1,9 @@
 #include "run_folder.hpp"
 
-#include <cerrno>
-#include <chrono>
 #include <system_error>
-#include <thread>
 #include <utility>
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <sys/file.h>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "exit_code.hpp"
 #include "output.hpp"
@@ -24,10 +17,17 @@
 namespace rocking::program {
 namespace {
 
-std::filesystem::path first_free_name(const std::filesystem::path& folder) {
+namespace fs = std::filesystem;
+
+// A store that will replace the one of the run once it is complete, beside it.
+fs::path mended_store_in(const fs::path& folder) { return folder / "mended.sqlite"; }
+fs::path extended_store_in(const fs::path& folder) { return folder / "extended.sqlite"; }
+
+/// The first free name for a damaged store, or the one that a process gave it before it was killed.
+fs::path name_for_damaged(const fs::path& store, const fs::path& folder) {
   for (int number = 1;; ++number) {
-    std::filesystem::path name = folder / fmt::format("damaged-{}.sqlite", number);
-    if (!std::filesystem::exists(name)) return name;
+    fs::path name = folder / fmt::format("damaged-{}.sqlite", number);
+    if (!fs::exists(name) || fs::equivalent(name, store)) return name;
   }
 }
 
@@ -42,22 +42,6 @@ void expect_short_path(const std::filesystem::path& store) {
                   length - longest, longest, base::cut_to(store.parent_path().string(), 100)));
 }
 
-// Whether the path still leads to the open file.
-bool is_file_at(int descriptor, const std::filesystem::path& path) {
-  struct stat open {};
-  struct stat named {};
-  return ::fstat(descriptor, &open) == 0 && ::lstat(path.c_str(), &named) == 0 && open.st_ino == named.st_ino &&
-         open.st_dev == named.st_dev;
-}
-
-// A lock file of this program is empty. A file of this name that another program wrote is not removed, nor one that
-// another process has created since.
-bool is_empty_file_at(int descriptor, const std::filesystem::path& path) {
-  struct stat facts {};
-  return is_file_at(descriptor, path) && ::fstat(descriptor, &facts) == 0 && S_ISREG(facts.st_mode) &&
-         facts.st_size == 0;
-}
-
 bool has_rows(const Store& store) {
   bool any = false;
   try {
@@ -70,47 +54,14 @@ bool has_rows(const Store& store) {
 
 }  // namespace
 
-RunFolder::~RunFolder() {
-  if (lock_ < 0) return;
-  if (is_empty_file_at(lock_, lock_path())) ::unlink(lock_path().c_str());
-  ::close(lock_);
-}
-
-// A separate file, open for writing, because some network file systems can lock no other. The former holder of the lock
-// may have removed the file after it was opened here. A lock on it is then useless, and the next attempt creates a new
-// file.
 void RunFolder::claim() {
   expect_short_path(store_path());
   ensure_writable(path_);
-  while (lock_ < 0) {
-    lock_ = ::open(lock_path().c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, 0666);
-    if (lock_ < 0) throw std::system_error(errno, std::generic_category(), lock_path().string() + ": cannot be opened");
-    wait_for_lock();
-    if (is_file_at(lock_, lock_path())) return remove_leftovers();
-    ::close(std::exchange(lock_, -1));
+  auto lock = FolderLock::of(path_);
+  if (!lock) {
+    throw InTheWay(name() + ": another `rocking` is working in this folder; wait for it, or choose another folder");
   }
-}
-
-// Removes files of processes that were killed. No other process uses the folder now.
-void RunFolder::remove_leftovers() const { sqlite::remove_database(renewed_path()); }
-
-void RunFolder::wait_for_lock() {
-  for (int attempt = 0; ::flock(lock_, LOCK_EX | LOCK_NB) != 0; ++attempt) {
-    if (errno != EWOULDBLOCK) return;  // on a file system without locks the user must prevent conflicts
-    if (attempt == 10) {
-      ::close(std::exchange(lock_, -1));
-      throw InTheWay(name() + ": another `rocking` is working in this folder; wait for it, or choose another folder");
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // `rocking status` holds it for a moment
-  }
-}
-
-bool RunFolder::is_at_work() const {
-  const int lock = ::open(lock_path().c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  if (lock < 0) return false;
-  const bool held = ::flock(lock, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-  ::close(lock);
-  return held;
+  lock_.emplace(*std::move(lock));
 }
 
 void RunFolder::expect_room(std::uint64_t bytes) const {
@@ -154,7 +105,7 @@ RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experi
   {
     Identity identity = former.identity();
     identity.results = results_version;
-    Store store = Store::create(renewed_path(), identity);
+    Store store = Store::create(mended_store_in(files_.folder), identity);
     renewal.realisations = salvage(experiment, former, store);
     const bool same_results = former.identity().results == identity.results;
     if (renewal.realisations == 0 && same_results && has_rows(former)) {
@@ -168,27 +119,27 @@ RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experi
   { const Store closed = std::move(former); }
   if (file == FormerFile::kept) renewal.former_file = keep_store_file();
   sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
-  std::filesystem::rename(renewed_path(), store_path());
+  fs::rename(mended_store_in(files_.folder), store_path());
   return renewal;
 }
 
 void RunFolder::extend_store(Store former, const Experiment& experiment, const Experiment& extension) const {
   {
-    Store store = Store::create(renewed_path(), extended_identity(former.identity(), extension));
+    Store store = Store::create(extended_store_in(files_.folder), extended_identity(former.identity(), extension));
     copy_common_realisations(former, experiment, extension, store);
     store.close_up();
   }
   { const Store closed = std::move(former); }
   sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
-  std::filesystem::rename(renewed_path(), store_path());
+  fs::rename(extended_store_in(files_.folder), store_path());
 }
 
 // Keeps the file under another name, with its logs.
 std::filesystem::path RunFolder::keep_store_file() const {
-  std::filesystem::path kept = first_free_name(path_);
+  fs::path kept = name_for_damaged(store_path(), path_);
   std::error_code no_links;
-  std::filesystem::create_hard_link(store_path(), kept, no_links);
-  if (no_links) std::filesystem::copy_file(store_path(), kept);
+  if (!fs::exists(kept)) fs::create_hard_link(store_path(), kept, no_links);
+  if (no_links) fs::copy_file(store_path(), kept);
   for (const char* suffix : sqlite::log_suffixes) {
     const std::filesystem::path log = store_path().string() + suffix;
     if (std::filesystem::exists(log)) std::filesystem::rename(log, kept.string() + suffix);
@@ -220,8 +171,23 @@ void RunFolder::install_replacement() {
 }
 
 void RunFolder::tidy_up() const {
-  remove_abandoned_files(path_);
   replacement().finish_installing();
+  if (!forget_what_did_not_begin()) return;
+  print_notice(fmt::format(
+      "{}: a new run or an extension (`run --overwrite`, `merge`, `resume --realisations`) ended before its "
+      "first realisation was stored, and is lost; repeat its command if it is still wanted",
+      name()));
+}
+
+// True if that is a loss. A mended store is made again by the next command that needs it.
+bool RunFolder::forget_what_did_not_begin() const {
+  bool lost = replacement().discard_unless_begun();
+  for (const RunFiles& files : {RunFiles{path_}, RunFiles{replacement().path()}}) {
+    Store::remove_unfinished(files.store());
+    Store::remove(mended_store_in(files.folder));
+    lost = Store::remove(extended_store_in(files.folder)) || lost;
+  }
+  return lost;
 }
 
 void RunFolder::expect_installed() const {

@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "replacement.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/text/folder_lock.hpp"
 
 namespace rocking::program {
 
@@ -16,13 +18,12 @@ class RunFolder {
   explicit RunFolder(std::filesystem::path path) : path_(std::move(path)), files_{path_} {}
   RunFolder(const RunFolder&) = delete;
   RunFolder& operator=(const RunFolder&) = delete;
-  ~RunFolder();
 
   /// Creates the folder if necessary, checks that it is writable, and locks it for the lifetime of this object. Throws
   /// InTheWay if another process has locked it, std::system_error with the path if it cannot be used.
   void claim();
   /// Whether a process, this one or another, has claimed it.
-  [[nodiscard]] bool is_at_work() const;
+  [[nodiscard]] bool is_at_work() const { return is_locked(path_); }
   /// Throws std::system_error if the disk does not have that many bytes free.
   void expect_room(std::uint64_t bytes) const;
 
@@ -38,8 +39,8 @@ class RunFolder {
   void discard_replacement();
   /// Replaces the earlier run by the complete new one; no effect without an earlier run.
   void install_replacement();
-  /// Completes the work of processes that were killed: installs a complete replacement, removes temporary files. The
-  /// caller has claimed the folder.
+  /// Completes the work of processes that were killed: installs a complete replacement, removes unfinished files. Prints
+  /// a notice if a new run or an extension had not begun yet and is therefore lost. The caller has claimed the folder.
   void tidy_up() const;
   [[nodiscard]] bool is_half_installed() const { return replacement().is_half_installed(); }
   /// Throws InTheWay if that is still to be done, because the files in the folder then belong to two runs.
@@ -74,17 +75,13 @@ class RunFolder {
   [[nodiscard]] std::filesystem::path progress_path() const { return files_.progress(); }
 
  private:
-  void wait_for_lock();
-  void remove_leftovers() const;
+  [[nodiscard]] bool forget_what_did_not_begin() const;
   [[nodiscard]] std::filesystem::path keep_store_file() const;
-  [[nodiscard]] std::filesystem::path lock_path() const { return path_ / ".lock"; }
-  [[nodiscard]] std::filesystem::path renewed_path() const { return files_.folder / "mended.sqlite"; }
-
   [[nodiscard]] Replacement replacement() const { return Replacement(path_); }
 
   std::filesystem::path path_;
   RunFiles files_;
-  int lock_ = -1;
+  std::optional<FolderLock> lock_;
 };
 
 /// Version and revision of this program, as a store records them.

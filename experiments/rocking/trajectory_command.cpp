@@ -31,7 +31,7 @@ struct TrajectoryRequest {
 };
 
 ExitCode write_animation_page(const TrajectoryRequest& request, const Experiment& experiment, std::int64_t periods) {
-  const auto text = pages::animation_page_of(experiment, request.key, periods, request.samples);
+  const auto text = pages::animation_page_of(experiment, request.key, TrajectoryExtent(periods, request.samples));
   if (!text) throw UsageError("--html: the block overturns before two samples were taken; give more --samples");
   write_atomically(request.page, *text);
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", std::vector{request.page}}})

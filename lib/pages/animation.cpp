@@ -133,8 +133,8 @@ std::optional<analysis::Animation> animation_of(const Experiment& experiment, co
   const Condition& condition = experiment.conditions.at(key.condition);
   const bool periodic = is_periodic(condition.scene.excitation);
   const int samples = samples_per_period(periodic, extent);
-  const Trajectory trajectory =
-      trajectory_of(condition, experiment.seed, key.realisation, TrajectoryExtent(extent.periods, samples));
+  const Trajectory trajectory = trajectory_of(condition, experiment.seed, key.realisation,
+                                              TrajectoryExtent(extent.periods, samples, extent.stop));
   if (trajectory.history.size() < 2) return std::nullopt;
   const double p = dynamics::geometry_of(trajectory.block).frequency_parameter;
   const double period = trajectory.history[1].tau * samples / p;
@@ -158,13 +158,14 @@ std::optional<analysis::Animation> animation_of(const Experiment& experiment, co
 }
 
 std::optional<std::string> animation_page_of(const Experiment& experiment, const RealisationKey& key,
-                                             std::int64_t periods, int samples_per_period) {
-  const auto samples = samples_per_period > 0 ? std::optional(samples_per_period) : std::nullopt;
+                                             const TrajectoryExtent& extent) {
+  const int samples = extent.samples_per_period;
   auto motion = animation_of(experiment, key,
-                             {.periods = periods,
-                              .shown_periods = periods,
+                             {.periods = extent.periods,
+                              .shown_periods = extent.periods,
                               .most_samples = analysis::most_samples_alone,
-                              .samples_per_period = samples});
+                              .samples_per_period = samples > 0 ? std::optional(samples) : std::nullopt,
+                              .stop = extent.stop});
   if (!motion) return std::nullopt;
   motion->name = "condition " + std::to_string(key.condition) + ", " + motion->name;
   return analysis::animation_page_text(experiment.title, *motion);

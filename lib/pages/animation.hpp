@@ -5,6 +5,8 @@
 #include <string>
 
 #include "analysis/page/page.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/store/summary.hpp"
@@ -17,16 +19,17 @@ struct AnimationExtent {
   std::int64_t shown_periods = 1;         ///< the last ones, if the excitation is periodic; otherwise all are shown
   std::size_t most_samples = 1;           ///< of what is shown
   std::optional<int> samples_per_period;  ///< absent: as many as the eye needs
+  base::StopRequest stop = {};
 };
 
 /// A realisation as a page animates it, computed again from its seed. Absent if it ends before there are two samples.
+/// Throws base::Stopped if it is asked to stop.
 [[nodiscard]] std::optional<analysis::Animation> animation_of(const Experiment& experiment, const RealisationKey& key,
                                                               const AnimationExtent& extent);
 
-/// The page of a realisation alone, over `periods` of the excitation; `samples_per_period` 0: as many as the eye needs.
-/// Absent as animation_of.
+/// The page of a realisation alone; 0 samples of the history: as many as the eye needs. Absent as animation_of.
 [[nodiscard]] std::optional<std::string> animation_page_of(const Experiment& experiment, const RealisationKey& key,
-                                                           std::int64_t periods, int samples_per_period);
+                                                           const TrajectoryExtent& extent);
 
 /// No motions, and why.
 [[nodiscard]] analysis::ShownAnimations no_animations(const std::string& reason);

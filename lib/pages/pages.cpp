@@ -110,10 +110,11 @@ Written write_tables(const StoredRun& stored, const fs::path& folder) {
   return written;
 }
 
-void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request, const fs::path& file) {
+void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request, const fs::path& file,
+                           const Execution& execution) {
   check_request(experiment, request);
-  const auto text = pages::animation_page_of(experiment, {request.condition, request.realisation},
-                                             periods_of(experiment, request), request.samples_per_period);
+  const TrajectoryExtent extent(periods_of(experiment, request), request.samples_per_period, execution.stop);
+  const auto text = pages::animation_page_of(experiment, {request.condition, request.realisation}, extent);
   if (!text) {
     refuse("samples_per_period", std::to_string(request.samples_per_period),
            "are too few: the block overturns before two samples were taken");

@@ -45,10 +45,10 @@ struct Written {
 
 /// Writes the page of a realisation: one HTML file without external resources, in which the block moves, as `rocking
 /// trajectory --html` does. `samples_per_period` of the request: 0 for as many as the eye needs. Throws base::InputError
-/// as trajectory(), and if the block overturns before two samples were taken; std::system_error with the path where the
-/// file cannot be written.
+/// and base::Stopped as trajectory(), and the former also if the block overturns before two samples were taken;
+/// std::system_error with the path where the file cannot be written.
 ROCKING_API void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request,
-                                       const std::filesystem::path& file);
+                                       const std::filesystem::path& file, const Execution& execution = {});
 
 /// A text that a study returned or the program printed, such as `rocking.fragility/1`, and its name in errors.
 struct StudyText {

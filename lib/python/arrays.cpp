@@ -5,6 +5,7 @@
 
 #include "module.hpp"
 #include "rocking/rocking.hpp"
+#include "watched.hpp"
 
 namespace rocking::python {
 namespace {
@@ -77,15 +78,16 @@ void add_arrays(py::module_& module) {
       .def_property_readonly("termination", [](const Trajectory& trajectory) {
         return std::string(dynamics::to_string(trajectory.termination));
       });
-  module.def(
-      "trajectory",
-      [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation, std::int64_t periods,
-         int samples) {
-        return std::make_shared<Trajectory>(trajectory(
-            experiment,
-            {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}));
-      },
-      py::call_guard<py::gil_scoped_release>());
+  // (trajectory or None, whether Ctrl-C stopped it)
+  module.def("trajectory", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,
+                              std::int64_t periods, int samples) {
+    return watched_trajectory([&](const Execution& execution) {
+      return trajectory(
+          experiment,
+          {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples},
+          execution);
+    });
+  });
   module.def(
       "trajectory_text",
       [](const Trajectory& trajectory, std::uint64_t condition, std::uint64_t realisation, bool si, bool as_table) {

@@ -41,20 +41,17 @@ py::tuple verify_report_watched(const std::string& report, const std::string& fi
   return py::make_tuple(std::move(told), watched.was_interrupted());
 }
 
-/// (JSON text or None, whether Ctrl-C stopped it). The time is shared equally among the conditions.
+/// (JSON text or None, whether Ctrl-C stopped it).
 py::tuple rare_watched(const Experiment& experiment, double relative_error, std::optional<double> peak_tilt,
                        std::size_t particles, bool by_energy, std::optional<double> seconds, unsigned threads,
                        py::object on_progress) {
   RareRequest request{.question = {.event = {.peak_tilt = peak_tilt}, .relative_error = relative_error},
                       .particles = particles,
                       .score = by_energy ? rare::Score::energy : rare::Score::tilt};
-  if (seconds) {
-    request.time_is_up = [start = std::chrono::steady_clock::now(), all = *seconds,
-                          conditions = experiment.conditions.size()](std::size_t condition) {
-      const double share = static_cast<double>(condition + 1) / static_cast<double>(conditions);
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() >= share * all;
-    };
-  }
+  request.seconds = seconds;
+  request.elapsed_seconds = [start = std::chrono::steady_clock::now()] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
   Watched<std::string> watched(std::move(on_progress));
   auto text = watched.run({.threads = threads}, [&](const Execution& execution) {
     return rare_text(experiment, request, rare_probabilities(experiment, request, execution));
@@ -93,10 +90,12 @@ void add_checks(py::module_& module) {
   });
   module.def("replay", [](const Experiment& experiment, const RunResult& run, std::uint64_t condition,
                           std::uint64_t realisation, std::int64_t periods, int samples) {
-    const py::gil_scoped_release release;
-    return std::make_shared<Trajectory>(replay(
-        {experiment, run},
-        {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}));
+    return watched_trajectory([&](const Execution& execution) {
+      return replay(
+          {experiment, run},
+          {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples},
+          execution);
+    });
   });
   module.def(
       "check_normal", [](std::uint64_t n, double mean, double sigma, std::uint64_t seed, const std::string& sampler) {

@@ -39,14 +39,16 @@ void add_pages(py::module_& module) {
       return write_page({experiment, run}, file, occasion, execution);
     });
   });
-  module.def("write_trajectory_page", [](const Experiment& experiment, std::uint64_t condition,
-                                         std::uint64_t realisation, std::int64_t periods, int samples,
-                                         const std::string& file) {
-    const py::gil_scoped_release release;
-    write_trajectory_page(
-        experiment,
-        {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples}, file);
-  });
+  module.def(
+      "write_trajectory_page", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,
+                                  std::int64_t periods, int samples, const std::string& file) {
+        const TrajectoryRequest request{
+            .condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples};
+        return write_watched([&](const Execution& execution) {
+          write_trajectory_page(experiment, request, file, execution);
+          return Written{.files = {file}, .not_drawn = {}};
+        });
+      });
   module.def("write_figures",
              [](const Experiment& experiment, const RunResult& run, const std::string& folder, int column) {
                return write_watched([&](const Execution& execution) {

@@ -233,20 +233,18 @@ void add_runs(py::module_& module) {
     const py::gil_scoped_release release;
     return comparison({experiment, run}, {other_experiment, other_run});
   });
-  module.def("motion", [](const py::dict& asked) {
-    GroundMotionRequest request{.files = asked["files"].cast<std::vector<std::string>>(),
-                                .vertical = asked["vertical"].cast<std::string>(),
-                                .format = asked["format"].cast<std::string>(),
-                                .units = asked["units"].cast<std::string>(),
-                                .time_step = asked["time_step"].cast<double>(),
-                                .series = asked["series"].cast<bool>(),
-                                .question = {.gravity = asked["gravity"].cast<double>(),
-                                             .damping = asked["damping"].cast<double>(),
-                                             .periods = asked["periods"].cast<std::vector<double>>()}};
-    if (const auto block = asked["block"].cast<std::optional<std::array<double, 2>>>()) {
-      request.question.block = dynamics::Block{(*block)[0], (*block)[1], request.question.gravity};
-    }
+  module.def("motion", [](std::vector<std::string> files, std::string vertical, std::string format, std::string units,
+                          double time_step, double gravity, double damping, std::vector<double> periods, bool series,
+                          std::optional<std::pair<double, double>> block) {
     const py::gil_scoped_release release;
+    GroundMotionRequest request{.files = std::move(files),
+                                .vertical = std::move(vertical),
+                                .format = std::move(format),
+                                .units = std::move(units),
+                                .time_step = time_step,
+                                .series = series,
+                                .question = {.gravity = gravity, .damping = damping, .periods = std::move(periods)}};
+    if (block) request.question.block = dynamics::Block{block->first, block->second, gravity};
     return motion(request);
   });
   module.def("fragility", &fragility_watched);

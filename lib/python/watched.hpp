@@ -5,6 +5,7 @@
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -101,5 +102,14 @@ class Watched {
   std::condition_variable ended_;
   bool has_ended_ = false;
 };
+
+/// (trajectory or None, whether Ctrl-C stopped it).
+template <class Compute>
+pybind11::tuple watched_trajectory(const Compute& compute) {
+  Watched<Trajectory> watched(pybind11::none{});
+  auto found = watched.run({}, compute);
+  return pybind11::make_tuple(found ? std::make_shared<Trajectory>(*std::move(found)) : nullptr,
+                              watched.was_interrupted());
+}
 
 }  // namespace rocking::python

@@ -221,21 +221,47 @@ TEST_F(Process, CompletesAReplacementThatWasKilledOnItsWay) {
   }
 }
 
-TEST_F(Process, SaysHowMuchOfItsMachineARunTakes) {
-  auto wide = quick_experiment();
-  wide.erase("friction");
-  wide.erase("fluctuation");
-  wide["horizon"] = {{"transient_periods", 1}, {"sampled_periods", 4}};
-  wide["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "from": 3, "to": 3.1999, "step": 1e-4}])");
-  write("wide.json", wide.dump());
-  const Json plan = Json::parse(rocking("run wide.json --dry-run --json").output);
-  ASSERT_EQ(plan["conditions"], 2000);
-  ASSERT_EQ(rocking("run wide.json -q -o out").exit_code, 0);
-  double taken = 0.0;
-  for (const auto& file : std::filesystem::directory_iterator(folder_ / "out"))
-    taken += static_cast<double>(file.file_size());
-  EXPECT_GT(plan["disk_bytes"].get<double>(), taken / 1.5);
-  EXPECT_LT(plan["disk_bytes"].get<double>(), taken * 1.5);
+// Harmonic or a suite of two records; with sliding and without; of one realisation and of several, which may all
+// overturn; with the page and without.
+TEST_F(Process, SaysHowMuchSpaceARunTakes) {
+  write("a.txt", "0 0\n0.2 5\n0.4 -4\n0.6 0\n");
+  write("b.txt", "0 0\n0.1 3\n0.9 2\n1.3 0\n");
+  auto harmonic = quick_experiment();
+  harmonic["horizon"] = {{"transient_periods", 1}, {"sampled_periods", 4}};
+  harmonic["sweep"] = Json::parse(R"([{"parameter": "/excitation/amplitude", "from": 3, "to": 3.299, "step": 1e-3}])");
+  auto suite = harmonic;
+  suite.erase("horizon");
+  suite["excitation"] = {{"kind", "recorded"}, {"suite", {"a.txt", "b.txt"}}, {"format", "columns"}, {"units", "m/s2"}};
+  suite["sweep"] = Json::parse(R"([{"parameter": "/excitation/scale", "from": 0.01, "to": 1.5, "step": 0.01}])");
+  auto fallen = suite;
+  fallen["sweep"][0]["from"] = 6.01;
+  fallen["sweep"][0]["to"] = 7.5;
+  for (auto& experiment : {harmonic, suite, fallen}) {
+    for (const int realisations : {1, 3}) {
+      for (const bool slides : {true, false}) {
+        auto wide = experiment;
+        wide["realisations"] = realisations;
+        if (!slides) {
+          wide.erase("friction");
+          wide["fluctuation"] = {{"restitution", {{"sigma", 0.01}}}};
+        }
+        write("wide.json", wide.dump());
+        for (const std::string& page : {std::string(), std::string(" --no-page")}) {
+          const Json plan = Json::parse(rocking("run ./wide.json --dry-run --json" + page).output);
+          ASSERT_EQ(plan["conditions"], 300);
+          ASSERT_EQ(rocking("run ./wide.json -q --overwrite -o out" + page).exit_code, 0);
+          double taken = 0.0;
+          for (const auto& file : std::filesystem::directory_iterator(folder_ / "out"))
+            taken += static_cast<double>(file.file_size());
+          EXPECT_GT(plan["disk_bytes"].get<double>(), taken / 1.5) << wide.dump() << page;
+          EXPECT_LT(plan["disk_bytes"].get<double>(), taken * 1.5) << wide.dump() << page;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(Process, RefusesARunThatNeedsMoreMemoryThanThereIs) {
 #if !defined(__SANITIZE_ADDRESS__)  // the address sanitizer reserves terabytes of addresses
   const auto refused = shell("ulimit -v 400000; exec " + program("run endless.json -o large --realisations 100"));
   EXPECT_EQ(refused.exit_code, 74) << refused.errors;

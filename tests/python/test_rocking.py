@@ -178,6 +178,14 @@ class AgainstTheProgram(unittest.TestCase):
             rocking.motion(path, units="ft")
         with self.assertRaises(FileNotFoundError):
             rocking.motion(path + ".none")
+        for wrong in ({"files": 3}, {"files": [3]}, {"vertical": 3}, {"format": None}, {"format": 3}, {"units": b"g "[0]},
+                      {"units": ["g"]}, {"time_step": None}, {"gravity": [1]}, {"damping": {}}, {"periods": 3},
+                      {"periods": [None]}, {"block": 3}, {"block": (None, 1)}):
+            with self.assertRaises(TypeError, msg=wrong):
+                rocking.motion(**{"files": path, **wrong})
+        for wrong in ({"block": (1, 2, 3)}, {"block": ()}, {"periods": ["a"]}, {"gravity": "g"}):
+            with self.assertRaises(ValueError, msg=wrong):
+                rocking.motion(**{"files": path, **wrong})
 
     def test_fragility_is_that_of_the_program(self):
         self.program("run", self.path, "-o", self.out, "--no-page", "-q")
@@ -726,6 +734,51 @@ class Interrupting(unittest.TestCase):
                 call()
             self.assertLess(time.monotonic() - began, 20.0)
 
+    def test_ctrl_c_stops_a_trajectory(self):
+        # Of a block that rocks, and of one that stays at rest.
+        rest = changed(excitation={"kind": "harmonic", "amplitude": 0.5, "frequency_ratio": 10.0}, sweep=[],
+                       friction={"static": 0.5, "kinetic": 0.4}, fluctuation={"friction": {"sigma": 0.01}})
+        long = {"periods": 50_000_000}
+        result = rocking.run(SLAB)
+        with tempfile.TemporaryDirectory() as folder:
+            page = os.path.join(folder, "page.html")
+            for call in (lambda: rocking.trajectory(SLAB, condition=1, **long), lambda: rocking.trajectory(rest, **long),
+                         lambda: rocking.trajectory(SLAB, condition=1, samples_per_period=2, **long),
+                         lambda: rocking.replay(result, condition=1, **long),
+                         lambda: rocking.write_trajectory_page(SLAB, page, condition=1, **long)):
+                timer = threading.Timer(0.2, os.kill, (os.getpid(), signal.SIGINT))
+                timer.start()
+                with self.assertRaises(KeyboardInterrupt):
+                    call()
+                timer.join()
+            self.assertEqual(os.listdir(folder), [])
+
+    def test_runs_of_several_threads_in_one_folder_exclude_each_other(self):
+        seeds = range(6)
+        for _ in range(5):
+            outcomes = {}
+            with tempfile.TemporaryDirectory() as folder:
+                gate = threading.Barrier(len(seeds))
+
+                def work(seed):
+                    gate.wait()
+                    try:
+                        outcomes[seed] = rocking.run(SLAB, seed=seed, threads=1, folder=folder).digest
+                    except (OSError, rocking.InputError) as error:
+                        outcomes[seed] = error
+
+                threads = [threading.Thread(target=work, args=(seed,)) for seed in seeds]
+                for thread in threads:
+                    thread.start()
+                for thread in threads:
+                    thread.join()
+                done = [outcome for outcome in outcomes.values() if isinstance(outcome, str)]
+                self.assertEqual(done, [rocking.open_run(folder).digest], outcomes)
+                self.assertEqual(os.listdir(folder), ["realisations.sqlite"])
+                for error in outcomes.values():
+                    if not isinstance(error, str):
+                        self.assertRegex(str(error), "another run is at work|realisations of another experiment")
+
     def test_a_stopped_run_goes_on_in_its_folder(self):
         longer = changed(realisations=1500)
         with tempfile.TemporaryDirectory() as folder:
@@ -770,6 +823,24 @@ class Interrupting(unittest.TestCase):
             thread.join()
         self.assertEqual(digests[1], rocking.run(SLAB, seed=1).digest)
         self.assertEqual(len(set(digests.values())), 4)
+
+
+class Representation(unittest.TestCase):
+    def test_says_what_an_object_holds(self):
+        still = changed(excitation={"kind": "harmonic", "amplitude": 4.0, "frequency_ratio": 10.0}, realisations=1,
+                        sweep=[{"parameter": "/excitation/amplitude", "values": [3.5, 4.0]}])
+        trajectory = rocking.trajectory(SLAB, condition=1, realisation=2, periods=7)
+        self.assertRegex(repr(trajectory), "^<rocking.Trajectory of condition 1, realisation 2: 7 periods, [0-9]+ events, "
+                                           "reached_horizon>$")
+        found = rocking.orbits(still, longest=1, branches=True)
+        self.assertRegex(repr(found), "^<rocking.Orbits .*/excitation/amplitude = 3.5.*[0-9]+ branches")
+        self.assertRegex(repr(found[1]), "^<rocking.OrbitsOfCondition at /excitation/amplitude = 4.0: [0-9]+ orbits, ")
+
+    def test_is_our_own_for_every_class_of_results(self):
+        for name in rocking.__all__:
+            kind = getattr(rocking, name)
+            if isinstance(kind, type) and not issubclass(kind, (tuple, Exception, KeyboardInterrupt)):
+                self.assertIs(type(kind.__repr__), type(Representation.setUp), name)
 
 
 class Arrays(unittest.TestCase):

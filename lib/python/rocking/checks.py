@@ -110,11 +110,9 @@ def replay(
     if periods is not None and periods < 1:
         raise ValueError(f"periods = {periods}: must be at least 1")
     result = source if isinstance(source, Result) else open_run(source)
-    return Trajectory(
-        _core.replay(result.experiment._core, result._core, condition, realisation, periods or 0, samples_per_period),
-        condition,
-        realisation,
-    )
+    extent = (periods or 0, samples_per_period)
+    found = _core.replay(result.experiment._core, result._core, condition, realisation, *extent)
+    return Trajectory._of(*found, condition, realisation)
 
 
 def check_normal(

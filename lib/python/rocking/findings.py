@@ -25,3 +25,6 @@ class Findings(List[_Item]):
     def __init__(self, items: List[_Item], data: Mapping[str, Any]) -> None:
         super().__init__(items)
         self.data = data
+
+    def __repr__(self) -> str:
+        return f"<rocking.{type(self).__name__} {super().__repr__()}>"

@@ -75,19 +75,20 @@ def motion(
     (0.5, 0.5)
     """
     names = [files] if isinstance(files, (str, os.PathLike)) else list(files)
+    if block is not None:
+        width, height = block
+        block = (float(width), float(height))
     text = _core.motion(
-        {
-            "files": [os.fspath(name) for name in names],
-            "vertical": os.fspath(vertical),
-            "format": format,
-            "units": units,
-            "time_step": float(time_step),
-            "gravity": float(gravity),
-            "damping": float(damping),
-            "periods": [float(period) for period in periods],
-            "series": bool(series),
-            "block": None if block is None else [float(length) for length in block],
-        }
+        [os.fspath(name) for name in names],
+        os.fspath(vertical),
+        format,
+        units,
+        float(time_step),
+        float(gravity),
+        float(damping),
+        [float(period) for period in periods],
+        bool(series),
+        block,
     )
     data = json.loads(text)
     return Findings([GroundMotion(found) for found in data["motions"]], data)

@@ -109,12 +109,9 @@ def write_trajectory_page(
     for name, number in (("periods", periods), ("samples_per_period", samples_per_period)):
         if number is not None and number < 1:
             raise ValueError(f"{name} = {number}: must be at least 1")
-    function = getattr(_core, "write_trajectory_page", None)
-    if function is None:
-        raise NotImplementedError("write_trajectory_page: this module was built without fmt (Debian: libfmt-dev)")
     checked = experiment(source, seed=seed)
-    function(checked._core, condition, realisation, periods or 0, samples_per_period or 0, os.fspath(file))
-    return Path(file)
+    extent = (periods or 0, samples_per_period or 0)
+    return _call("write_trajectory_page", checked._core, condition, realisation, *extent, os.fspath(file)).files[0]
 
 
 def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:

@@ -21,9 +21,10 @@ class RareEstimate:
     def __init__(self, data: Mapping[str, Any]) -> None:
         self.data: Mapping[str, Any] = data  #: the condition as in ``rocking.rare/1``
         self.parameters: Dict[str, Any] = dict(data["parameters"])  #: swept values by JSON pointer
-        self.probability: float = data["probability"]  #: mean of the repetitions
+        #: mean of the repetitions; None if none was finished when the time was up
+        self.probability: Optional[float] = data["probability"]
         self.interval: Tuple[float, float] = tuple(data["interval"])  #: with the confidence of the condition
-        #: standard error over the probability; None if no repetition has seen the event
+        #: standard error over the probability; None if no repetition has seen the event, or fewer than 8 were finished
         self.relative_error: Optional[float] = data["relative_error"]
         self.work: float = data["work"]  #: simulated time, in realisations to the horizon
         self.crude_work: Optional[float] = data["crude_work"]  #: realisations for the same error by plain sampling
@@ -35,7 +36,8 @@ class RareEstimate:
 
     def __repr__(self) -> str:
         low, high = self.interval
-        return f"<rocking.RareEstimate {self.probability:.3g} [{low:.3g}, {high:.3g}]>"
+        probability = "without a repetition" if self.probability is None else f"{self.probability:.3g}"
+        return f"<rocking.RareEstimate {probability} [{low:.3g}, {high:.3g}]>"
 
 
 def rare(
@@ -53,9 +55,9 @@ def rare(
 
     relative_error: standard error over the probability that is aimed at. peak_tilt: ask for abs(Theta) above this
     instead of overturning. particles: trajectories of a repetition at each level, 20 to 100000. score: what measures how
-    near a motion is to the event, ``tilt`` or ``energy``. seconds: start no further repetition after this time, once
-    there are 8 for each condition; without it the same is estimated again. progress: called with (finished repetitions,
-    planned so far). Raises InputError if nothing in a condition is random or a number is out of range.
+    near a motion is to the event, ``tilt`` or ``energy``. seconds: stop after this time for all conditions together, with
+    what is finished then; without it the same is estimated again. progress: called with (finished repetitions, planned
+    so far). Raises InputError if nothing in a condition is random or a number is out of range.
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},

@@ -62,6 +62,10 @@ class OrbitsOfCondition:
         self.searches: int = data["searches"]  #: Newton iterations started
         self.converged: int = data["converged"]  #: of these, to an orbit
 
+    def __repr__(self) -> str:
+        where = "".join(f" at {pointer} = {value}" for pointer, value in self.parameters.items())
+        return f"<rocking.OrbitsOfCondition{where}: {len(self.orbits)} orbits, the run is {self.mode}>"
+
 
 _BRANCH_POINT = np.dtype(
     [("value", float), ("tilt", float), ("tilt_rate", float), ("slip_rate", float), ("multiplier", complex), ("stable", bool)]
@@ -136,6 +140,10 @@ class Orbits(Findings[OrbitsOfCondition]):
         self.branches: List[Branch] = [Branch(branch) for branch in data.get("branches", [])]
         self.bifurcations: List[Bifurcation] = [Bifurcation(one) for one in data.get("bifurcations", [])]
         self.curves: List[BifurcationCurve] = [BifurcationCurve(curve) for curve in data.get("curves", [])]
+
+    def __repr__(self) -> str:
+        followed = f"{len(self.branches)} branches, {len(self.bifurcations)} bifurcations, {len(self.curves)} curves"
+        return f"<rocking.Orbits {list(self)}, {followed}>"
 
 
 def orbits(

@@ -36,6 +36,17 @@ class Trajectory:
         self.events: np.ndarray = core.events  #: tau, kind (place in EVENTS), and the state after the event
         self.history: np.ndarray = core.history  #: tau, state, contact, base_acceleration [g]; empty unless asked for
 
+    @classmethod
+    def _of(cls, core: Optional[_core.Trajectory], interrupted: bool, condition: int, realisation: int) -> Trajectory:
+        if interrupted or core is None:
+            raise KeyboardInterrupt
+        return cls(core, condition, realisation)
+
+    def __repr__(self) -> str:
+        place = f"condition {self.condition}, realisation {self.realisation}"
+        length = f"{len(self.strobe)} periods, {len(self.events)} events, {self.termination}"
+        return f"<rocking.Trajectory of {place}: {length}>"
+
     @property
     def block(self) -> dict:
         """The block of this realisation: width_m, height_m, gravity_m_s2, shape_angle_rad, ..."""
@@ -123,8 +134,5 @@ def trajectory(
     if periods is not None and periods < 1:
         raise ValueError(f"periods = {periods}: must be at least 1")
     checked = experiment(source, seed=seed)
-    return Trajectory(
-        _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period),
-        condition,
-        realisation,
-    )
+    found = _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period)
+    return Trajectory._of(*found, condition, realisation)

@@ -64,18 +64,19 @@ RunCheck verify_report(std::string_view text, const std::filesystem::path& files
   return {.checked = again.checked, .findings = again.differences};
 }
 
-Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request) {
+Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request, const Execution& execution) {
   const Experiment& experiment = stored.experiment;
   const RealisationKey key{.condition = request.condition, .realisation = request.realisation};
   const auto row =
       key.condition < experiment.conditions.size() ? store_of(stored.run).find(key) : std::optional<Summary>{};
   if (!row) refuse("realisation", std::to_string(key.realisation), "is not in the run: it has no " + text_of(key));
-  const RealisationResult again = realise(experiment.conditions[key.condition], experiment.seed, key.realisation);
+  const RealisationResult again =
+      realise(experiment.conditions[key.condition], experiment.seed, key.realisation, execution.stop);
   if (digest_of(again, key.realisation) != row->digest) {
     throw DifferentBits(text_of(key) + ": this version gives a result different from the stored one, which rocking " +
                         store_of(stored.run).identity().code + " computed");
   }
-  return trajectory(experiment, request);
+  return trajectory(experiment, request, execution);
 }
 
 stats::NormalCheck check_normal(const SamplerQuestion& question) {

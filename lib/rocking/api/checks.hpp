@@ -51,7 +51,8 @@ struct RunCheck {
 
 /// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
 /// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().
-[[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {});
+[[nodiscard]] ROCKING_API Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request = {},
+                                            const Execution& execution = {});
 
 /// Compares random numbers with a normal distribution: moments, tests of fit, correlations, histogram. Throws
 /// base::InputError for a number out of range or an unknown sampler.

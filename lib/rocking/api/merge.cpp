@@ -1,5 +1,4 @@
 #include <cstddef>
-#include <system_error>
 #include <utility>
 
 #include "rocking/api/refuse.hpp"
@@ -8,28 +7,27 @@
 #include "rocking/store/merge.hpp"
 #include "rocking/store/results_version.hpp"
 #include "rocking/store/store.hpp"
-#include "rocking/text/files.hpp"
 
 namespace rocking {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// The store of the whole until it is complete; removed with this object unless it was put in its place.
+/// The store of the whole until it is complete; removed with this object unless it was put in its place. The folder is
+/// locked.
 class UnfinishedWhole {
  public:
   explicit UnfinishedWhole(const fs::path& folder) : folder_(folder), path_(folder / "merging.sqlite") {
-    if (fs::exists(path_)) {
-      throw refused(folder, "has the file merging.sqlite of a merge that was killed or is under way",
-                    "remove that file if nothing else is merging there");
-    }
+    Store::remove(path_);  // of a merge that was killed
   }
   UnfinishedWhole(const UnfinishedWhole&) = delete;
   UnfinishedWhole& operator=(const UnfinishedWhole&) = delete;
   ~UnfinishedWhole() {
-    std::error_code none;
-    fs::remove(path_, none);
-    for (const char* suffix : sqlite::log_suffixes) fs::remove(path_.string() + suffix, none);
+    try {
+      Store::remove(path_);
+    } catch (const fs::filesystem_error&) {
+      // The next merge removes it.
+    }
   }
 
   [[nodiscard]] const fs::path& path() const { return path_; }
@@ -72,7 +70,7 @@ StoredRun merge(const fs::path& folder, const std::vector<fs::path>& parts) {
   for (const fs::path& part : parts) stores.push_back(sound_store(part));
   Identity identity = stores.front().identity();
   for (std::size_t i = 0; i < parts.size(); ++i) expect_kin(identity, stores[i].identity(), parts[i]);
-  ensure_writable(folder);
+  const FolderLock lock = claimed(folder);
   if (has_store(folder)) throw refused(folder, "already contains a run", "choose another folder for the whole");
   const UnfinishedWhole unfinished(folder);
   {

@@ -18,6 +18,9 @@ void check(const RareRequest& request) {
   }
   const double error = request.question.relative_error;
   if (!(error >= 1e-3 && error <= 1.0)) refuse("relative_error", base::shortest(error), "must be from 1e-3 to 1");
+  if (request.seconds && !(*request.seconds > 0.0 && request.elapsed_seconds)) {
+    refuse("seconds", base::shortest(*request.seconds), "must be positive, and needs a clock");
+  }
   const auto tilt = request.question.event.peak_tilt;
   if (tilt && !(*tilt >= 0.0 && *tilt <= 100.0)) refuse("peak_tilt", base::shortest(*tilt), "must be from 0 to 100");
 }
@@ -51,7 +54,8 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
   AddedUp progress(asked.options());
   RareSettings settings{
       .particles = request.particles, .score = request.score, .threads = asked.options().threads, .stop = asked.stop()};
-  settings.time_is_up = request.time_is_up;
+  settings.seconds = request.seconds;
+  settings.elapsed_seconds = request.elapsed_seconds;
   settings.on_progress = [&progress](std::size_t condition, std::size_t done, std::size_t planned) {
     progress.tell(condition, done, planned);
   };

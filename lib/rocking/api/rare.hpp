@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,8 +17,10 @@ struct RareRequest {
   RareQuestion question = {};
   std::size_t particles = 500;            ///< trajectories of a repetition at each level; 20 to 100000
   rare::Score score = rare::Score::tilt;  ///< what measures how near a motion is to the event
-  /// Asked before each repetition after the first 8 of a condition. Empty: never, so that the same is estimated again.
-  std::function<bool(std::size_t condition)> time_is_up = {};
+  /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. What is not
+  /// finished then is left out. Absent: no limit, so that the same is estimated again.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
 };
 
 /// Estimates the probability of overturning, or of a large tilt, by multilevel splitting: one entry for each condition.

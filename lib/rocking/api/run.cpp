@@ -39,7 +39,6 @@ Store store_for(const Experiment& experiment, const Execution& execution) {
     throw refused(folder, "an experiment without text cannot be kept in a folder",
                   "read the experiment from a file or from text, or run it in memory");
   }
-  ensure_writable(folder);
   if (!has_store(folder)) {
     identity.files = fs::absolute(execution.files).lexically_normal().string();
     return Store::create(store_in(folder), identity);
@@ -101,6 +100,8 @@ void check_shard(const Experiment& experiment, const Shard& shard) {
 RunResult run(const Experiment& experiment, const Execution& execution) {
   check_experiment(experiment);
   if (execution.shard) check_shard(experiment, *execution.shard);
+  std::optional<FolderLock> lock;
+  if (!execution.folder.empty()) lock.emplace(claimed(execution.folder));
   Store store = store_for(experiment, execution);
   const AskedOptions asked(execution);
   // Whether it ended or was stopped follows from the rows.

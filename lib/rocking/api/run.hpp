@@ -33,7 +33,8 @@ struct Execution {
   /// must outlive the run, which sets it where on_progress says stop. Null: none.
   std::atomic<bool>* stop = nullptr;
   /// Folder for the store of the realisations, `realisations.sqlite`, which the program reads and resumes; created if
-  /// necessary. A run in a folder that has realisations of the same experiment continues it. Empty: in memory.
+  /// necessary. A run in a folder that has realisations of the same experiment continues it. Runs in one folder exclude
+  /// each other. Empty: in memory.
   std::filesystem::path folder = {};
   /// Folder of the ground motions that the experiment names; kept in the store, so that the run can be resumed.
   std::filesystem::path files = ".";
@@ -57,7 +58,7 @@ struct RunResult {
 /// Runs the realisations of an experiment that are not done yet. The result depends on the experiment alone, not on
 /// threads, interruptions or the machine; calls from several threads are independent. Throws base::InputError if a
 /// condition is not valid, if the folder has realisations of another experiment, or if an experiment without text is to
-/// be kept in a folder; std::system_error with the path where the folder cannot be used.
+/// be kept in a folder; std::system_error with the path where the folder cannot be used or another run is at work in it.
 [[nodiscard]] ROCKING_API RunResult run(const Experiment& experiment, const Execution& execution = {});
 
 /// The run in a folder, with its experiment.
@@ -73,7 +74,8 @@ struct StoredRun {
 /// Joins the parts of a divided run, folders that run() or the program has filled, in a new folder; the run there has no
 /// result while realisations are missing. Parts may overlap if their common realisations agree. Throws base::InputError
 /// if the folder already contains a run, if the parts are not of one experiment and of this results version, or if they
-/// contradict each other (nothing is kept then), and otherwise as open_run. Nothing else may use the folder meanwhile.
+/// contradict each other (nothing is kept then), std::system_error if another run is at work in the folder, and otherwise
+/// as open_run.
 [[nodiscard]] ROCKING_API StoredRun merge(const std::filesystem::path& folder,
                                           const std::vector<std::filesystem::path>& parts);
 

@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "rocking/text/files.hpp"
+
 namespace rocking {
 
 namespace fs = std::filesystem;
@@ -13,6 +15,14 @@ bool has_store(const fs::path& folder) {
   std::error_code none;
   const auto bytes = fs::file_size(store_in(folder), none);
   return !none && bytes > 0;
+}
+
+FolderLock claimed(const fs::path& folder) {
+  ensure_writable(folder);
+  if (auto lock = FolderLock::of(folder)) return *std::move(lock);
+  throw std::system_error(
+      std::make_error_code(std::errc::device_or_resource_busy),
+      folder.string() + ": another run is at work in this folder; wait for it, or choose another folder");
 }
 
 Store sound_store(const fs::path& folder) {

@@ -5,6 +5,7 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/store/store.hpp"
+#include "rocking/text/folder_lock.hpp"
 
 /// The folder of a run.
 namespace rocking {
@@ -13,6 +14,10 @@ namespace rocking {
 
 /// An empty file, as a full disk may leave, does not count.
 [[nodiscard]] bool has_store(const std::filesystem::path& folder);
+
+/// Creates the folder if necessary and locks it. Throws std::system_error with the path if it cannot be used, or if
+/// another run, of this process or another, is at work in it.
+[[nodiscard]] FolderLock claimed(const std::filesystem::path& folder);
 
 /// Opens the store for reading after a check of every page and row. Throws std::system_error with the path where there
 /// is none, sqlite::UnusableFile if it is damaged.

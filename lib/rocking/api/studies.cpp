@@ -57,10 +57,10 @@ std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& r
   return request.periods > 0 ? request.periods : std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
 }
 
-Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request) {
+Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request, const Execution& execution) {
   check_request(experiment, request);
   return trajectory_of(experiment.conditions[request.condition], experiment.seed, request.realisation,
-                       TrajectoryExtent(periods_of(experiment, request), request.samples_per_period));
+                       TrajectoryExtent(periods_of(experiment, request), request.samples_per_period, execution.stop));
 }
 
 std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory, TrajectoryUnits units) {

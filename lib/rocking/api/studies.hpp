@@ -29,8 +29,10 @@ struct TrajectoryRequest {
 };
 
 /// The trajectory of one realisation: strobe points, events, history, peaks, energy. Throws base::InputError if the
-/// experiment has no such condition or a number is out of range.
-[[nodiscard]] ROCKING_API Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request = {});
+/// experiment has no such condition or a number is out of range, and base::Stopped if the `stop` of the execution, the
+/// only field that is used, asks for it.
+[[nodiscard]] ROCKING_API Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request = {},
+                                                const Execution& execution = {});
 
 /// A trajectory as JSON text (`rocking.trajectory/1`), in normalised or SI units.
 [[nodiscard]] ROCKING_API std::string trajectory_text(const TrajectoryRequest& request, const Trajectory& trajectory,

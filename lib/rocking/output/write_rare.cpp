@@ -40,7 +40,7 @@ std::string digest_of(const std::vector<RareEstimate>& conditions) {
 Json condition_json(const RareEstimate& found, const Condition& condition) {
   Json json = Json::object();
   json["parameters"] = parameters_json(condition);
-  json["probability"] = found.probability;
+  json["probability"] = or_null_if_absent(found.probability);
   json["interval"] = Json::array({found.interval.low, found.interval.high});
   json["confidence"] = condition.confidence;
   json["relative_error"] = or_null_if_absent(found.relative_error);
@@ -76,6 +76,9 @@ std::string warning_about(const RareEstimate& found) {
       return "the pilot run found no way to the event. The probability may be 0; the interval's upper end is that of "
              "the "
              "highest level reached";
+    case RareDiagnosis::few_repetitions:
+      return "finished in time: " + counted(found.repetitions.size(), "repetition") +
+             ". An interval needs 8. Give more time, or fewer --particles";
     case RareDiagnosis::few_ancestors:
       return "half of the repetitions descend from fewer than 10 first trajectories; the interval may be too narrow. "
              "Use "
@@ -136,11 +139,11 @@ std::string rare_table(const FoundRare& found) {
     const RareEstimate& estimate = found.conditions[c];
     TextRow row;
     for (const Parameter& parameter : conditions[c].parameters) row.push_back(short_value(parameter));
-    row.insert(row.end(),
-               {significant(estimate.probability, 3), significant(estimate.interval.low, 3),
-                significant(estimate.interval.high, 3), percentage(estimate.relative_error),
-                std::to_string(estimate.levels.size()), std::to_string(estimate.repetitions.size()),
-                significant(estimate.work, 3), estimate.crude_work ? significant(*estimate.crude_work, 3) : "-"});
+    row.insert(row.end(), {estimate.probability ? significant(*estimate.probability, 3) : "-",
+                           significant(estimate.interval.low, 3), significant(estimate.interval.high, 3),
+                           percentage(estimate.relative_error), std::to_string(estimate.levels.size()),
+                           std::to_string(estimate.repetitions.size()), significant(estimate.work, 3),
+                           estimate.crude_work ? significant(*estimate.crude_work, 3) : "-"});
     rows.push_back(std::move(row));
     for (const std::string& note : {end_of(estimate), warning_about(estimate)}) {
       if (note.empty()) continue;

@@ -14,7 +14,7 @@ namespace {
 /// Records strobe points and events, in the units of files.
 class Recorder final : public dynamics::Observer {
  public:
-  explicit Recorder(double shape_angle) : shape_angle_(shape_angle) {}
+  Recorder(double shape_angle, base::StopRequest stop) : shape_angle_(shape_angle), stop_(stop) {}
 
   void event(dynamics::EventKind kind, double tau, const dynamics::State& state) override {
     trajectory.events.push_back({.tau = tau,
@@ -26,6 +26,7 @@ class Recorder final : public dynamics::Observer {
   }
 
   void strobe(const dynamics::State& state) override {
+    stop_.check();  // a block at rest passes many periods in one step
     trajectory.strobe.push_back({.period = static_cast<std::int64_t>(trajectory.strobe.size()) + 1,
                                  .tilt = state.tilt / shape_angle_,
                                  .tilt_rate = state.tilt_rate / shape_angle_,
@@ -38,17 +39,24 @@ class Recorder final : public dynamics::Observer {
 
  private:
   double shape_angle_;
+  base::StopRequest stop_;
 };
+
+template <class Motion>
+void advance(Motion& motion, base::StopRequest stop) {
+  for (integrate::LoopCounts counts; !motion.ended(); integrate::step(motion, counts)) stop.check();
+}
 
 /// Runs the motion to its end and samples it.
 template <class Motion>
-void run(Motion& motion, const Beginning& beginning, int samples, std::vector<HistoryPoint>& history) {
-  if (samples == 0) {
-    integrate::advance(motion);
+void run(Motion& motion, const Beginning& beginning, const TrajectoryExtent& extent,
+         std::vector<HistoryPoint>& history) {
+  if (extent.samples_per_period == 0) {
+    advance(motion, extent.stop);
     return;
   }
-  SampledMotion<Motion> sampled(motion, samples, beginning.clock.period_length(), history);
-  integrate::advance(sampled);
+  SampledMotion<Motion> sampled(motion, extent.samples_per_period, beginning.clock.period_length(), history);
+  advance(sampled, extent.stop);
 }
 
 std::vector<HistorySample> in_units_of_files(const std::vector<HistoryPoint>& points, double shape_angle) {
@@ -80,11 +88,11 @@ Trajectory trajectory_of_unchecked(const Condition& condition, std::uint64_t see
   const random::Draws draws(seed, realisation);
   const Start start = start_of(condition.scene, draws);
   const double shape_angle = start.geometry.shape_angle;
-  Recorder recorder(shape_angle);
+  Recorder recorder(shape_angle, extent.stop);
   std::vector<HistoryPoint> history;
   const Beginning beginning = begin_realisation(condition, draws, start, Strobe::start, extent.periods);
   AccountedMotion motion(motion_of(condition.scene, beginning, recorder), beginning.setting);
-  run(motion, beginning, extent.samples_per_period, history);
+  run(motion, beginning, extent, history);
   Trajectory& trajectory = recorder.trajectory;
   trajectory.block = start.block;
   trajectory.period_length = beginning.clock.period_length();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/termination.hpp"
@@ -64,15 +65,16 @@ struct Trajectory {
 
 /// Requested length and sampling of a trajectory.
 struct TrajectoryExtent {
-  TrajectoryExtent(std::int64_t all_periods, int history_samples = 0)
-      : periods(all_periods), samples_per_period(history_samples) {}
+  TrajectoryExtent(std::int64_t all_periods, int history_samples = 0, base::StopRequest stop_request = {})
+      : periods(all_periods), samples_per_period(history_samples), stop(stop_request) {}
 
   std::int64_t periods;    ///< excitation periods from the initial state; at least 1
   int samples_per_period;  ///< samples of the history; 0: no history
+  base::StopRequest stop;
 };
 
 /// The trajectory of one realisation. Its other results do not depend on whether a history is requested. Throws
-/// base::InputError if check_condition does.
+/// base::InputError if check_condition does, and base::Stopped if it is asked to stop.
 [[nodiscard]] Trajectory trajectory_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation,
                                        const TrajectoryExtent& extent);
 

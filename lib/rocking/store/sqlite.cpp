@@ -69,9 +69,10 @@ void distrust(sqlite3* database) {
 
 }  // namespace
 
-void remove_database(const std::filesystem::path& path) {
-  std::filesystem::remove(path);
+bool remove_database(const std::filesystem::path& path) {
+  const bool was_there = std::filesystem::remove(path);
   remove_logs(path);
+  return was_there;
 }
 
 void remove_logs(const std::filesystem::path& path) {

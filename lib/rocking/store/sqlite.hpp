@@ -65,8 +65,8 @@ inline constexpr std::array<const char*, 3> log_suffixes{"-wal", "-shm", "-journ
 
 /// Removes these files. SQLite would use a log with that name for any database of the name.
 void remove_logs(const std::filesystem::path& path);
-/// Removes a database and these files.
-void remove_database(const std::filesystem::path& path);
+/// Removes a database and these files. Returns whether there was a database.
+bool remove_database(const std::filesystem::path& path);
 
 /// A database, to be used by one thread at a time. Its triggers and views are not executed.
 class Database {

@@ -77,13 +77,23 @@ void expect_ascending(const std::optional<RealisationKey>& last, const Realisati
   throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + spoken(next) + " is not in its place");
 }
 
+// The store is created under another name and renamed. A process killed on the way leaves no store instead of an
+// incomplete one.
+std::filesystem::path unfinished_name(std::filesystem::path path) { return path += ".new"; }
+
 }  // namespace
 
+bool Store::remove(const std::filesystem::path& path) {
+  const bool was_there = sqlite::remove_database(path);
+  return remove_unfinished(path) || was_there;
+}
+
+bool Store::remove_unfinished(const std::filesystem::path& path) {
+  return sqlite::remove_database(unfinished_name(path));
+}
+
 Store Store::create(const std::filesystem::path& path, const Identity& identity) {
-  // The store is created under another name and renamed. A process killed here leaves no store instead of an incomplete
-  // one.
-  std::filesystem::path unfinished = path;
-  unfinished += ".new";
+  const std::filesystem::path unfinished = unfinished_name(path);
   sqlite::remove_database(unfinished);
   { const std::ofstream empty(unfinished); }  // with the permissions of the umask; those that SQLite sets are narrower
   {

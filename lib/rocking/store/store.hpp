@@ -33,6 +33,10 @@ class Store {
  public:
   /// Creates a store; the file must not exist.
   [[nodiscard]] static Store create(const std::filesystem::path& path, const Identity& identity);
+  /// Removes a store that is not open, with what remains of a create() that was killed. Returns whether there was any.
+  static bool remove(const std::filesystem::path& path);
+  /// Removes what remains of a create() that was killed. Returns whether there was any.
+  static bool remove_unfinished(const std::filesystem::path& path);
   /// Opens an existing store.
   [[nodiscard]] static Store open(const std::filesystem::path& path, sqlite::Access access);
   /// A store in memory with the lifetime of this object.

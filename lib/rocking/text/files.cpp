@@ -43,7 +43,6 @@ class TemporaryFile {
  public:
   explicit TemporaryFile(const std::filesystem::path& folder) : descriptor_(make_in(folder)) {
     if (descriptor_.number() < 0) fail(folder, "cannot create a file here");
-    static_cast<void>(::flock(descriptor_.number(), LOCK_EX | LOCK_NB));
   }
   TemporaryFile(const TemporaryFile&) = delete;
   TemporaryFile& operator=(const TemporaryFile&) = delete;
@@ -74,13 +73,33 @@ class TemporaryFile {
       name_ =
           (folder / (std::string(temporary_name) + std::to_string(::getpid()) + '-' + std::to_string(number))).string();
       const int descriptor = ::open(name_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-      if (descriptor >= 0 || errno != EEXIST) return descriptor;
+      if (descriptor >= 0 && is_locked_and_named(descriptor)) return descriptor;
+      if (descriptor >= 0) ::close(descriptor);
+      if (descriptor < 0 && errno != EEXIST) return descriptor;
     }
+  }
+
+  // False if another process took the file for an abandoned one before it was locked, and removed it.
+  static bool is_locked_and_named(int descriptor) {
+    static_cast<void>(::flock(descriptor, LOCK_EX | LOCK_NB));
+    struct stat facts {};
+    return ::fstat(descriptor, &facts) == 0 && facts.st_nlink > 0;
   }
 
   std::string name_;
   FileDescriptor descriptor_;
 };
+
+// Those of running processes are locked and remain.
+void remove_abandoned_files(const std::filesystem::path& folder) {
+  std::error_code unreadable;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
+    if (!entry.path().filename().string().starts_with(temporary_name)) continue;
+    const FileDescriptor file(::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file.number() < 0 || ::flock(file.number(), LOCK_EX | LOCK_NB) != 0) continue;
+    ::unlink(entry.path().c_str());
+  }
+}
 
 std::filesystem::path folder_of(const std::filesystem::path& path) {
   return path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
@@ -150,16 +169,7 @@ void ensure_writable(const std::filesystem::path& folder) {
     throw std::system_error(std::make_error_code(std::errc::not_a_directory), folder.string() + ": is not a folder");
   }
   const TemporaryFile probe(folder);
-}
-
-void remove_abandoned_files(const std::filesystem::path& folder) {
-  std::error_code unreadable;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, unreadable)) {
-    if (!entry.path().filename().string().starts_with(temporary_name)) continue;
-    const FileDescriptor file(::open(entry.path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-    if (file.number() < 0 || ::flock(file.number(), LOCK_EX | LOCK_NB) != 0) continue;
-    ::unlink(entry.path().c_str());
-  }
+  remove_abandoned_files(folder);
 }
 
 }  // namespace rocking

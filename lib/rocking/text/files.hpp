@@ -37,10 +37,8 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
 /// The same with content in pieces: write(sink) is called once.
 void write_atomically(const std::filesystem::path& path, const std::function<void(const TextSink& sink)>& write);
 
-/// Removes from a folder the temporary files of processes that were killed. Those of running processes remain.
-void remove_abandoned_files(const std::filesystem::path& folder);
-
-/// Creates `folder` if necessary and checks that files can be created in it. Throws std::system_error with the path.
+/// Creates `folder` if necessary, checks that files can be created in it, and removes from it the temporary files of
+/// processes that were killed. Throws std::system_error with the path.
 void ensure_writable(const std::filesystem::path& folder);
 
 }  // namespace rocking

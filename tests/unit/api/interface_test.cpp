@@ -83,13 +83,54 @@ TEST_F(Interface, RefusesPartsThatContradictEachOtherAndKeepsNothing) {
   EXPECT_TRUE(fs::is_empty(in("whole")));
 }
 
-TEST_F(Interface, RefusesAFolderWithARunOrAnUnfinishedMerge) {
+TEST_F(Interface, RefusesToMergeIntoAFolderWithARun) {
   const fs::path whole = part("a", {});
   EXPECT_THAT(refusal([&] { static_cast<void>(merge(whole, {whole})); }), HasSubstr("already contains a run"));
+}
+
+TEST_F(Interface, MergesInAFolderWhereAMergeWasKilled) {
+  const fs::path whole = part("a", {});
   fs::create_directory(in("killed"));
-  std::ofstream(in("killed") / "merging.sqlite") << "part of a store";
-  EXPECT_THAT(refusal([&] { static_cast<void>(merge(in("killed"), {whole})); }), HasSubstr("merging.sqlite"));
-  EXPECT_TRUE(fs::exists(in("killed") / "merging.sqlite")) << "another process may be at work";
+  for (const char* left : {"merging.sqlite", "merging.sqlite-wal", "merging.sqlite.new"}) {
+    std::ofstream(in("killed") / left) << "part of a store";
+  }
+  EXPECT_TRUE(merge(in("killed"), {whole}).run.is_complete());
+  const fs::directory_iterator files(in("killed"));
+  EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "realisations.sqlite";
+}
+
+// Each run looks, from its thread, whether another can begin in its folder.
+TEST_F(Interface, RunsInOneFolderExcludeEachOther) {
+  const fs::path whole = part("a", {});
+  const Experiment experiment = small_experiment();
+  int refused = 0;
+  const auto look = [&](std::uint64_t, std::uint64_t) {
+    for (const auto& other : {std::function<void()>([&] { static_cast<void>(run(experiment, {.folder = in("one")})); }),
+                              std::function<void()>([&] { static_cast<void>(merge(in("one"), {whole})); })}) {
+      try {
+        other();
+        ADD_FAILURE() << "both are at work in one folder";
+      } catch (const std::system_error& error) {
+        EXPECT_EQ(error.code(), std::errc::device_or_resource_busy);
+        EXPECT_THAT(error.what(), HasSubstr("another run is at work in this folder"));
+        ++refused;
+      }
+    }
+    return Decision::proceed;
+  };
+  const auto found = run(experiment, {.on_progress = look, .folder = in("one")});
+  EXPECT_GT(refused, 0);
+  EXPECT_EQ(digest_of(found), digest_of(run(experiment, {.folder = in("one")}))) << "the folder is free afterwards";
+  EXPECT_FALSE(fs::exists(in("one") / ".lock"));
+}
+
+TEST_F(Interface, StopsATrajectoryAtARequest) {
+  std::atomic<bool> stop{true};
+  const Experiment experiment = small_experiment();
+  EXPECT_THROW(static_cast<void>(trajectory(experiment, {}, {.stop = &stop})), base::Stopped);
+  EXPECT_THROW(static_cast<void>(trajectory(experiment, {.samples_per_period = 5}, {.stop = &stop})), base::Stopped);
+  const StoredRun stored{.experiment = experiment, .run = run(experiment)};
+  EXPECT_THROW(static_cast<void>(replay(stored, {}, {.stop = &stop})), base::Stopped);
 }
 
 TEST_F(Interface, ComparesRunsInMemory) {

@@ -3,6 +3,8 @@
 
 #include "rocking/studies/rare/rare.hpp"
 
+#include <atomic>
+
 #include <gtest/gtest.h>
 
 #include "rocking/base/error.hpp"
@@ -135,6 +137,45 @@ TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
   const auto found = rare_probabilities(experiment_of(drawn_once()), {.event = {.peak_tilt = 0.0}}, {.particles = 20});
   EXPECT_EQ(found.front().probability, 1.0);
   EXPECT_EQ(found.front().interval.high, 1.0);
+}
+
+// A clock that advances at each look: the study does so at least every 64 steps of each motion.
+struct Looks {
+  std::atomic<int> count{0};
+  rocking::RareSettings settings(double seconds, unsigned threads) {
+    return {.particles = 20, .threads = threads, .seconds = seconds, .elapsed_seconds = [this] {
+              return static_cast<double>(count++);
+            }};
+  }
+};
+
+TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
+  Experiment experiment = experiment_of(fluctuating());
+  experiment.conditions.assign(3, experiment.conditions.front());
+  const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.05};
+  Looks unhurried;
+  const auto all = rare_probabilities(experiment, question, unhurried.settings(1e9, 1));
+  for (const unsigned threads : {1U, 3U}) {
+    for (const double share : {0.0, 0.001, 0.01, 0.1, 0.3, 0.5, 0.9}) {
+      Looks looks;
+      const double seconds = share * unhurried.count;
+      const auto found = rare_probabilities(experiment, question, looks.settings(seconds, threads));
+      // Each thread sees the end once in each condition, after a repetition also a second time.
+      EXPECT_LE(looks.count, seconds + 1.0 + 3.0 * 3.0 * threads) << share;
+      ASSERT_EQ(found.size(), 3U);
+      EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto& repetitions = found[i].repetitions;
+        for (std::size_t k = 0; k < repetitions.size(); ++k) {
+          EXPECT_EQ(repetitions[k].estimate, all[i].repetitions.at(k).estimate) << share << ", condition " << i;
+        }
+        EXPECT_EQ(found[i].probability.has_value(), !repetitions.empty()) << share;
+        const bool is_whole = found[i].interval.low == 0.0 && found[i].interval.high == 1.0;
+        EXPECT_EQ(is_whole, repetitions.size() < 8) << share << ", " << repetitions.size();
+        EXPECT_EQ(found[i].diagnosis == rocking::RareDiagnosis::few_repetitions, repetitions.size() < 8) << share;
+      }
+    }
+  }
 }
 
 TEST(RareProbabilities, AreRefusedWhereNothingIsRandom) {

@@ -10,18 +10,26 @@
 namespace rocking {
 namespace {
 
-// Bytes, measured with 10^4 and 10^5 conditions (lib/docs/scale.md).
-constexpr std::uint64_t page = 450'000;          ///< without what grows with the conditions
-constexpr std::uint64_t row = 200;               ///< of the store; 155 to 270
-constexpr std::uint64_t reported_alone = 6'900;  ///< in the report, of a condition of one realisation
-/// Of one of several, which has more response modes and a non-recurrence.
-constexpr std::uint64_t reported_together = 10'300;
-constexpr std::uint64_t drawn_alone = 1'400;  ///< on the page
-constexpr std::uint64_t drawn_together = 2'400;
-constexpr std::uint64_t program_itself = 15'000'000;  ///< in memory
-constexpr std::uint64_t kept_alone = 7'700;           ///< in memory, of a condition of one realisation
-constexpr std::uint64_t kept_together = 13'500;
-constexpr std::uint64_t kept_in_shard = 700;  ///< a shard makes no report
+constexpr std::uint64_t row = 200;                    ///< bytes of the store; 155 to 270
+constexpr std::uint64_t page_itself = 450'000;        ///< bytes of the page, without what grows with the conditions
+constexpr std::uint64_t program_itself = 15'000'000;  ///< bytes of memory
+constexpr std::uint64_t kept_in_shard = 700;          ///< bytes of memory of a condition; a shard makes no report
+
+/// Bytes of a condition, measured with 10^3 to 10^5 conditions (lib/docs/scale.md).
+struct PerCondition {
+  std::uint64_t at_least;
+  std::uint64_t of_several;    ///< more, of several realisations: they have more response modes and a non-recurrence
+  std::uint64_t with_sliding;  ///< more, where the block can slide
+
+  [[nodiscard]] std::uint64_t bytes(const Condition& condition) const {
+    return at_least + (effective_realisations(condition) > 1 ? of_several : 0) +
+           (condition.scene.friction ? with_sliding : 0);
+  }
+};
+constexpr PerCondition reported{.at_least = 6'600, .of_several = 1'100, .with_sliding = 2'500};
+constexpr PerCondition drawn{.at_least = 1'300, .of_several = 1'300, .with_sliding = 1'500};
+constexpr PerCondition kept_for_report{.at_least = 7'700, .of_several = 1'300, .with_sliding = 2'100};
+constexpr PerCondition kept_for_page{.at_least = 6'500, .of_several = 4'500, .with_sliding = 7'000};
 
 std::uint64_t parameters_in(const Condition& condition) {
   constexpr std::uint64_t spaces_and_quotes = 14;
@@ -50,19 +58,20 @@ std::uint64_t strobe_points(const Experiment& experiment, std::uint64_t realisat
 }  // namespace
 
 Needs needs_of(const Experiment& experiment, const Means& means) {
-  Needs needs{.disk_bytes = page, .memory_bytes = program_itself};
+  const bool has_page = means.page && !means.shard;
+  Needs needs{.disk_bytes = has_page ? page_itself : 0, .memory_bytes = program_itself};
   std::uint64_t rows = 0;
   for (const Condition& condition : experiment.conditions) {
-    const std::uint64_t realisations = effective_realisations(condition);
-    rows += realisations;
+    rows += effective_realisations(condition);
     if (means.shard) {
       needs.memory_bytes += kept_in_shard;
       continue;
     }
-    const bool alone = realisations == 1;
-    needs.disk_bytes +=
-        (alone ? reported_alone + drawn_alone : reported_together + drawn_together) + parameters_in(condition);
-    needs.memory_bytes += (alone ? kept_alone : kept_together) + 2 * parameters_in(condition);
+    needs.disk_bytes += reported.bytes(condition) + parameters_in(condition);
+    needs.memory_bytes += kept_for_report.bytes(condition) + 2 * parameters_in(condition);
+    if (!has_page) continue;
+    needs.disk_bytes += drawn.bytes(condition);
+    needs.memory_bytes += kept_for_page.bytes(condition);
   }
   if (means.shard) rows = (rows + means.shard->parts - 1) / means.shard->parts;
   needs.disk_bytes += row * (rows - std::min(rows, means.stored));

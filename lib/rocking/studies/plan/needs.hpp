@@ -20,6 +20,7 @@ struct Means {
   unsigned threads = 1;
   std::optional<Shard> shard;
   std::uint64_t stored = 0;  ///< realisations whose rows are on the disk already
+  bool page = true;          ///< whether the page is drawn
 };
 
 [[nodiscard]] Needs needs_of(const Experiment& experiment, const Means& means);

@@ -76,8 +76,8 @@ Moves moves_of(const Scene& scene) {
   return moves;
 }
 
-BlockModel::BlockModel(const Condition& condition, const Settings& settings, base::StopRequest stop)
-    : condition_(&condition), settings_(settings), stop_(stop), moves_(moves_of(condition.scene)) {}
+BlockModel::BlockModel(const Condition& condition, const Settings& settings, Halt halt)
+    : condition_(&condition), settings_(settings), halt_(std::move(halt)), moves_(moves_of(condition.scene)) {}
 
 BlockModel::Particle BlockModel::start(const Stream& stream, double target) const {
   const std::uint64_t number = number_of(stream);
@@ -154,9 +154,11 @@ void BlockModel::advance(Particle& particle, double target) const {
   const Horizon& horizon = condition_->horizon;
   const double length = motion.clock().period_length() * (horizon.transient_periods + horizon.sampled_periods);
   const double from = motion.clock().tau();
+  constexpr std::uint64_t steps_per_look = 64;  // at the clock
   integrate::LoopCounts counts;
+  halt_.check();
   while (particle.score < target && !motion.ended()) {
-    stop_.check();
+    counts.steps % steps_per_look == 0 ? halt_.check() : halt_.check_request();
     integrate::step(motion, counts);
     particle.score = std::max(particle.score, score_now(motion));
   }

@@ -5,12 +5,12 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/base/stop_request.hpp"
 #include "rocking/dynamics/observer.hpp"
 #include "rocking/random/branched_draws.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/halt.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
 namespace rocking::rare {
@@ -48,8 +48,8 @@ class BlockModel {
   };
 
   /// Precondition: the condition passes check_rare. It must outlive the model, and the model its particles.
-  /// The functions throw base::Stopped if they are asked to stop.
-  BlockModel(const Condition& condition, const Settings& settings, base::StopRequest stop = {});
+  /// The functions throw as Halt::check.
+  BlockModel(const Condition& condition, const Settings& settings, Halt halt = {});
 
   [[nodiscard]] Particle start(const Stream& stream, double target) const;
   /// Changes all numbers by `chain_steps` Metropolis steps, given that the level is reached, then draws those along the
@@ -69,7 +69,7 @@ class BlockModel {
 
   const Condition* condition_;
   Settings settings_;
-  base::StopRequest stop_;
+  Halt halt_;
   Moves moves_;
   mutable Unobserved observer_;
 };

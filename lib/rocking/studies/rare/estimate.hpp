@@ -51,9 +51,10 @@ enum class RareEnd : std::uint8_t {
 /// What stands in the way of trusting an interval.
 enum class RareDiagnosis : std::uint8_t {
   none,
-  no_levels,      ///< the pilot run found no way to the event: the probability is far below what was reached, or 0
-  few_ancestors,  ///< the median repetition's estimate descends from fewer than 10 first trajectories
-  uneven,         ///< repetitions without the event, or one that has more than a third of the sum
+  no_levels,        ///< the pilot run found no way to the event: the probability is far below what was reached, or 0
+  few_repetitions,  ///< the time was up before 8 were finished: the interval is [0, 1]
+  few_ancestors,    ///< the median repetition's estimate descends from fewer than 10 first trajectories
+  uneven,           ///< repetitions without the event, or one that has more than a third of the sum
 };
 [[nodiscard]] std::string_view to_string(RareDiagnosis diagnosis);
 
@@ -66,15 +67,15 @@ enum class RareMethod : std::uint8_t {
 
 /// The probability of the event for one condition.
 struct RareEstimate {
-  double probability = 0.0;
-  std::optional<double> relative_error;  ///< standard error over the probability; absent for 0
+  std::optional<double> probability;     ///< absent if no repetition was finished when the time was up
+  std::optional<double> relative_error;  ///< standard error over the probability; absent for 0, and of few repetitions
   stats::Interval interval;              ///< for a probability 0: from 0 to the upper end for the highest level
   RareMethod method = RareMethod::markov_chain;
   std::vector<double> levels;   ///< of the score, rising
   std::vector<double> reached;  ///< mean shares of the particles at each level, and the event last
   std::vector<rare::Repetition> repetitions;
   double pilot_work = 0.0;
-  double work = 0.0;  ///< simulated time with the pilot run, in realisations to the horizon
+  double work = 0.0;  ///< simulated time of what was finished, with the pilot run, in realisations to the horizon
   /// Realisations for the same relative error by plain sampling, which are cheaper than those of `work`: they have lanes.
   std::optional<double> crude_work;
   std::size_t least_ancestors = 0;  ///< of a repetition that has seen the event

@@ -21,7 +21,7 @@ using rare::Repetition;
 
 /// With fewer repetitions the interval is wide, whatever their spread.
 constexpr std::size_t least_repetitions = 16;
-/// Even when the time is up.
+/// Before the share of a condition in the time counts. An interval from fewer has not been tested.
 constexpr std::size_t repetitions_at_any_rate = 8;
 constexpr std::size_t most_repetitions = 20'000;
 
@@ -55,16 +55,22 @@ class ConditionStudy {
         place_(place),
         question_(&question),
         settings_(&settings),
-        model_(*condition_, {.seed = experiment.seed, .event = question.event, .score = settings.score}, settings.stop),
+        halt_(settings.stop, settings.elapsed_seconds, settings.seconds),
+        share_(static_cast<double>(place + 1) / static_cast<double>(experiment.conditions.size())),
+        model_(*condition_, {.seed = experiment.seed, .event = question.event, .score = settings.score}, halt_),
         plan_{.seed = experiment.seed, .particles = settings.particles} {}
 
   [[nodiscard]] RareEstimate estimate() {
-    const rare::Pilot pilot = rare::find_levels(model_, plan_, on(settings_->threads));
-    levels_ = pilot.levels;
     result_.method = method_of(condition_->scene);
-    result_.pilot_work = pilot.work;
-    result_.levels = pilot.levels;
-    repeat_until_precise();
+    rare::Pilot pilot;
+    try {
+      pilot = rare::find_levels(model_, plan_, on(settings_->threads));
+      levels_ = result_.levels = pilot.levels;
+      result_.pilot_work = pilot.work;
+      repeat_until_precise();
+    } catch (const rare::TimeIsUp&) {
+      result_.end = RareEnd::out_of_time;
+    }
     summarise(pilot);
     return std::move(result_);
   }
@@ -96,24 +102,31 @@ class ConditionStudy {
     }
   }
 
-  /// Makes repetitions until there are `count`; false if the time was up before.
+  /// Makes repetitions until there are `count`; false if the time was up before. Those after one that was not finished
+  /// are left out: long repetitions tend to have large estimates, and without them the mean would be too small.
   [[nodiscard]] bool repeat_up_to(std::size_t count) {
     const std::size_t from = repetitions().size();
     std::vector<std::optional<Repetition>> slots(count - from);
     std::atomic<std::size_t> next = 0;
     std::size_t done = from;
     std::mutex mutex;
-    base::on_threads(
-        settings_->threads,
-        [&](unsigned) {
-          for (std::size_t i = next++; i < slots.size(); i = next++) {
-            if (from + i >= repetitions_at_any_rate && time_is_up()) return;
-            slots[i] = rare::repeat(model_, plan_, levels_, from + i + 1, on(1));
-            const std::lock_guard lock(mutex);
-            if (settings_->on_progress) settings_->on_progress(place_, ++done, count);
-          }
-        },
-        [&] { next = slots.size(); });
+    try {
+      base::on_threads(
+          settings_->threads,
+          [&](unsigned) {
+            for (std::size_t i = next++; i < slots.size(); i = next++) {
+              if (from + i >= repetitions_at_any_rate && halt_.ends_within(longest_, share_)) return;
+              const double start = halt_.elapsed();
+              slots[i] = rare::repeat(model_, plan_, levels_, from + i + 1, on(1));
+              const std::lock_guard lock(mutex);
+              longest_ = std::max<double>(longest_, halt_.elapsed() - start);
+              if (settings_->on_progress) settings_->on_progress(place_, ++done, count);
+            }
+          },
+          [&] { next = slots.size(); });
+    } catch (const rare::TimeIsUp&) {
+      // What is finished counts.
+    }
     for (auto& slot : slots) {
       if (!slot) return false;
       repetitions().push_back(*std::move(slot));
@@ -121,9 +134,8 @@ class ConditionStudy {
     return true;
   }
 
-  [[nodiscard]] bool time_is_up() const { return settings_->time_is_up && settings_->time_is_up(place_); }
-
   void summarise(const rare::Pilot& pilot) {
+    if (repetitions().size() < repetitions_at_any_rate) return summarise_few();
     const auto estimate = stats::mean_of_repetitions(estimates_of(repetitions()), condition_->confidence);
     result_.probability = estimate.mean;
     result_.relative_error = estimate.relative_error;
@@ -144,6 +156,15 @@ class ConditionStudy {
           (1.0 - estimate.mean) / (estimate.mean * *estimate.relative_error * *estimate.relative_error);
     }
     diagnose(pilot);
+  }
+
+  void summarise_few() {
+    result_.diagnosis = RareDiagnosis::few_repetitions;
+    result_.interval = {0.0, 1.0};
+    result_.work = result_.pilot_work;
+    for (const Repetition& repetition : repetitions()) result_.work += repetition.work;
+    if (repetitions().empty()) return;
+    result_.probability = stats::mean_of_repetitions(estimates_of(repetitions()), condition_->confidence).mean;
   }
 
   /// Who had the event has reached every level: the upper end of the interval for the highest level that enough
@@ -197,9 +218,12 @@ class ConditionStudy {
   std::size_t place_;
   const RareQuestion* question_;
   const RareSettings* settings_;
+  rare::Halt halt_;
+  double share_;  ///< of the time for this condition and those before it
   BlockModel model_;
   rare::SplittingPlan plan_;
   std::vector<double> levels_;
+  std::atomic<double> longest_ = 0.0;  ///< time of a repetition so far [s]
   RareEstimate result_;
 };
 
@@ -219,6 +243,7 @@ std::string_view to_string(RareDiagnosis diagnosis) {
   switch (diagnosis) {
     case RareDiagnosis::none: return "none";
     case RareDiagnosis::no_levels: return "no_levels";
+    case RareDiagnosis::few_repetitions: return "few_repetitions";
     case RareDiagnosis::few_ancestors: return "few_ancestors";
     case RareDiagnosis::uneven: return "uneven";
   }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "rocking/base/stop_request.hpp"
@@ -16,8 +17,10 @@ struct RareSettings {
   rare::Score score = rare::Score::tilt;
   unsigned threads = 1;
   base::StopRequest stop = {};
-  /// Asked before each repetition that is not yet needed for an interval. Empty: never.
-  std::function<bool(std::size_t condition)> time_is_up = {};
+  /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. Absent: no
+  /// limit.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
   /// Called by one thread at a time with the number of finished repetitions and that of those planned so far.
   std::function<void(std::size_t condition, std::size_t done, std::size_t planned)> on_progress = {};
 };
@@ -26,7 +29,8 @@ struct RareSettings {
 void check_rare(const Experiment& experiment);
 
 /// The estimates for all conditions, in their order. Without a time limit they depend on the experiment, the question
-/// and the number of particles alone. Throws as check_rare, and base::Stopped if it is asked to stop.
+/// and the number of particles alone. With one, a condition gets its share of the time, but at least 8 repetitions; what
+/// is not finished at the end of the time is left out. Throws as check_rare, and base::Stopped if it is asked to stop.
 [[nodiscard]] std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
                                                            const RareSettings& settings);
 

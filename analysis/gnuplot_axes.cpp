@@ -29,7 +29,7 @@ std::string ticks_of(const Axis& axis, bool labelled) {
   std::string text;
   for (const Tick& tick : axis.ticks) {
     const std::string words = labelled ? cut(printable(tick.text), most_letters_of_a_tick) : "";
-    text += (text.empty() ? "(" : ", ") + quoted(without_formats(words)) + ' ' + number_text(tick.place);
+    text += (text.empty() ? "(" : ", ") + gnuplot_quoted(without_formats(words)) + ' ' + number_text(tick.place);
   }
   return text + (axis.logarithmic ? ") enhanced" : ") noenhanced");
 }
@@ -39,7 +39,7 @@ std::string quoted_label(const Axis& axis) {
   const Axis shown{.quantity = without_marks(cut(printable(axis.quantity), most_letters_of_a_quantity)),
                    .symbol = axis.symbol,
                    .unit = without_marks(axis.unit)};
-  return quoted(label_of(shown));
+  return gnuplot_quoted(label_of(shown));
 }
 
 std::string axis_text(const Axis& axis, const std::string& letter, bool labelled) {

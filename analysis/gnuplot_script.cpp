@@ -45,11 +45,11 @@ std::string script_name(const Figure& figure) {
 
 // Fonts and sizes are given explicitly and no date or machine name is used, so that equal data give equal bytes.
 std::string terminals(const Figure& figure, const Layout& layout, const FigureLook& look) {
-  const std::string stem = quoted(figure.name);
+  const std::string stem = gnuplot_quoted(figure.name);
   const auto font = [](double size) { return " font 'DejaVu Sans," + rounded(size) + "'"; };
   const std::string enlarged = rounded(look.png_pixels);
   return "  if (format eq 'svg') {\n    set terminal svg enhanced size " + size_of(layout, 1.0) +
-         font(look.font_size * pixels_of_a_point) + " background '#ffffff' name " + quoted(script_name(figure)) +
+         font(look.font_size * pixels_of_a_point) + " background '#ffffff' name " + gnuplot_quoted(script_name(figure)) +
          "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " +
          size_of(layout, look.png_pixels) + font(look.font_size) + " fontscale " + enlarged + " linewidth " + enlarged +
          " pointscale " + enlarged +
@@ -99,18 +99,18 @@ std::string sample(const Layout& layout, const FigureLook& look, const LegendEnt
 /// One string of gnuplot with a line for each text.
 std::string quoted_lines(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& line : lines) text += (text.empty() ? "" : ".\"\\n\".") + quoted(line);
+  for (const std::string& line : lines) text += (text.empty() ? "" : ".\"\\n\".") + gnuplot_quoted(line);
   return text;
 }
 
 std::string heading(const Figure& figure, const Layout& layout, const FigureLook& look) {
   std::string text;
   if (look.style == FigureStyle::screen) {
-    text += "  set label " + quoted(cut(printable(figure.title), letters_across)) + " at " +
+    text += "  set label " + gnuplot_quoted(cut(printable(figure.title), letters_across)) + " at " +
             at(layout, 0.5 * layout.width, layout.title) + " center noenhanced font ',13' front\n";
   }
   if (!figure.subtitle.empty()) {
-    text += "  set label " + quoted(cut(printable(figure.subtitle), letters_across)) + " at " +
+    text += "  set label " + gnuplot_quoted(cut(printable(figure.subtitle), letters_across)) + " at " +
             at(layout, 0.5 * layout.width, layout.subtitle) + " center noenhanced textcolor rgb '#404040' front\n";
   }
   for (const LegendEntry& entry : layout.legend) {
@@ -185,7 +185,7 @@ std::string script_text(const Figure& original, const FigureLook& look) {
                      ".gp\n#   gnuplot -e \"formats='svg'\" " + figure.name + ".gp\n" +
                      "if (!exists(\"formats\")) formats = 'svg png pdf'\nif (!exists(\"ending\")) ending = ''\nset "
                      "encoding utf8\ndata = " +
-                     quoted(figure.name + ".tsv") +
+                     gnuplot_quoted(figure.name + ".tsv") +
                      "\nset datafile separator tab\nset key off\nset minussign\n"
                      "set offsets graph 0.02, graph 0.02, graph 0.05, graph 0.05\nset y2range [0:1]\n"
                      "unset colorbox\nset palette defined (0 '#b0b0b0', 1 '#000000')\nset cbrange [0:" +

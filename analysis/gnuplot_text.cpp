@@ -115,7 +115,7 @@ std::vector<std::string> wrapped(const std::string& text, std::size_t most) {
   return lines;
 }
 
-std::string quoted(std::string_view text) {
+std::string gnuplot_quoted(std::string_view text) {
   std::string result = "\"";
   bool after_octal = false;
   for (const char c : safe_in_svg(printable(text))) {

@@ -21,7 +21,7 @@ namespace rocking::analysis {
 /// A double-quoted gnuplot string that shows exactly this text. Every ASCII character with a meaning in gnuplot is
 /// given by its octal number, so that nothing in it can end the string, open a block or start a command. For places
 /// that are `noenhanced`.
-[[nodiscard]] std::string quoted(std::string_view text);
+[[nodiscard]] std::string gnuplot_quoted(std::string_view text);
 
 /// A text for a place where gnuplot interprets markup (`_`, `^`, `{`), escaped so that it is shown as it is. To be
 /// quoted.

@@ -25,18 +25,23 @@ boost_packages=(libboost1.81-dev libboost-dev)
 oldest_boost=107400  # 1.74, as BOOST_VERSION writes it
 # For the Python module, which scripts of experiments/ use.
 python_packages=(pybind11-dev python3-dev python3-numpy)
-# For `tests/all --full`. Tests that need a package which the system does not offer are skipped with a message.
-full_packages=(
-  clang libbenchmark-dev
-  valgrind  # for a profile
-  libsundials-dev  # for one test and a benchmark; installs MPI, PETSc and a Fortran compiler too
+# For `tests/all`. Tests that need a package which the system does not offer are skipped with a message.
+test_packages=(
+  clang libclang-rt-14-dev clang-format
   "${python_packages[@]}"
+  libopenmpi-dev openmpi-bin  # for rocking-mpi
+  python3-matplotlib  # for a tutorial
+)
+# For `tests/all --release`, too.
+release_packages=(
+  libbenchmark-dev
+  valgrind  # for a profile
+  libsundials-dev  # for one test and a benchmark; installs PETSc and a Fortran compiler too
   python3-pip python3-setuptools python3-wheel  # to install it with pip
   doxygen python3-sphinx  # for the reference documentation
   dpkg-dev file groff-base  # for the package of the system, and to check the manual pages
-  python3-matplotlib  # for a tutorial
   python3-pandas r-base-core octave  # to load results as in lib/docs/loading.md
-  libopenmpi-dev openmpi-bin iproute2  # for rocking-mpi and its test between two hosts
+  iproute2  # for the test of rocking-mpi between two hosts
   slurm-wlm munge  # for a cluster of one machine
   g++-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user  # to compare bits with those of another processor
 )
@@ -232,4 +237,13 @@ build() {
     "-DCMAKE_CXX_COMPILER_LAUNCHER=$(compiler_launcher)" "$@"
   step "build-$folder" "building build/$folder on $(nproc) cores" \
     as_owner cmake --build "build/$folder" --target "$target" -j "$(nproc)"
+}
+
+# check_format: names the sources that clang-format would change. Other versions than that of Debian 12 format differently.
+check_format() {
+  if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
+    say "skipped: clang-format 14 was not found (Debian 12: clang-format)"
+    return
+  fi
+  git ls-files '*.cpp' '*.hpp' | xargs clang-format --dry-run --Werror
 }

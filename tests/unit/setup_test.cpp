@@ -86,7 +86,7 @@ TEST(Setup, InstallsThePackagesThatEachSupportedSystemOffers) {
     SCOPED_TRACE(system.name);
     const std::string output =
         output_of(nothing_installed_on(system.boost) +
-                  "install_missing \"${build_packages[@]}\" -- \"${full_packages[@]}\" chromium; echo done");
+                  "install_missing \"${build_packages[@]}\" -- \"${test_packages[@]}\" \"${release_packages[@]}\" chromium; echo done");
     EXPECT_NE(output.find("\nlibfmt-dev\n"), std::string::npos) << output;
     EXPECT_NE(output.find("\nslurm-wlm\n"), std::string::npos) << output;
     EXPECT_NE(output.find("\n" + system.chosen + "\ndone\n"), std::string::npos) << output;

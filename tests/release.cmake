@@ -1,0 +1,60 @@
+# What `tests/all --release` adds. CONTRIBUTING.md says which change needs it.
+
+# Tests report.html in a browser, with the npm packages pinned in tests/browser/package-lock.json.
+add_test(NAME Browser.ReadsThePageAsItsReaderDoes
+         COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/browser/run $<TARGET_FILE:rocking> ${CMAKE_CURRENT_BINARY_DIR}/browser)
+set_tests_properties(Browser.ReadsThePageAsItsReaderDoes PROPERTIES
+  SKIP_RETURN_CODE 77 TIMEOUT 900 LABELS browser COST 130)
+
+# Each creates its own hosts or cluster and needs the superuser; skipped with a message where that is impossible.
+add_test(NAME Cluster.RanksOnTwoHostsGiveTheBytesOfOneProcess
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/cluster/mpi_between_hosts $<TARGET_FILE:rocking>)
+add_test(NAME Cluster.SlurmTasksKilledAndRequeuedGiveTheBytesOfOneProcess
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/cluster/slurm_array $<TARGET_FILE:rocking>)
+set_tests_properties(
+  Cluster.RanksOnTwoHostsGiveTheBytesOfOneProcess Cluster.SlurmTasksKilledAndRequeuedGiveTheBytesOfOneProcess
+  PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 300 LABELS cluster PROCESSORS 2)
+add_test(NAME Golden.HasTheSameBitsWithEveryCompilerAndProcessor COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/golden/everywhere)
+set_tests_properties(Golden.HasTheSameBitsWithEveryCompilerAndProcessor PROPERTIES
+  SKIP_RETURN_CODE 77 TIMEOUT 1800 LABELS golden PROCESSORS 2 COST 250)
+
+# Installs the packages of the set-up on bare systems made by debootstrap. Each takes about two minutes and needs the
+# network. Skipped with a message if debootstrap, the keys of an archive or the network are missing, or if the archive is
+# too slow. Debian 12 gets the package of cpack as well.
+if(ROCKING_INSTALL)
+  set(bookworm_build ${PROJECT_BINARY_DIR})
+endif()
+foreach(suite bookworm trixie noble)
+  add_test(NAME Platform.OffersThePackagesOfTheSetUp/${suite} COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/platform/bare_system ${suite}
+    ${${suite}_build})
+  set_tests_properties(Platform.OffersThePackagesOfTheSetUp/${suite} PROPERTIES
+    SKIP_RETURN_CODE 77 TIMEOUT 400 LABELS platform COST 90)
+endforeach()
+
+add_test(NAME Museum.GivesAPageAndAnAnnualRate COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/examples/museum $<TARGET_FILE:rocking>)
+set_tests_properties(Museum.GivesAPageAndAnAnnualRate PROPERTIES TIMEOUT 600 LABELS examples COST 25)
+if(ROCKING_INSTALL)
+  add_test(NAME Install.LetsOthersBuildAgainstIt COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/run ${PROJECT_BINARY_DIR})
+  add_test(NAME Install.IsAlsoASharedLibraryAndASubproject
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/other_ways ${PROJECT_BINARY_DIR})
+  set_tests_properties(Install.LetsOthersBuildAgainstIt Install.IsAlsoASharedLibraryAndASubproject PROPERTIES
+    TIMEOUT 600 LABELS install COST 100)
+  add_test(NAME Install.MakesADebianPackage
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/install/debian_package ${PROJECT_BINARY_DIR})
+  set_tests_properties(Install.MakesADebianPackage PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS install)
+endif()
+if(TARGET rocking_python)
+  add_test(NAME Install.InstallsThePythonModuleWithPip
+    COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/python/pip_install ${ROCKING_PYTHON_EXECUTABLE} ${PROJECT_BINARY_DIR}
+      ${PROJECT_SOURCE_DIR})
+  set_tests_properties(Install.InstallsThePythonModuleWithPip PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS install)
+endif()
+add_test(NAME Reference.IsBuiltWithoutWarnings
+  COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/reference/build ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}
+    ${ROCKING_PYTHON_EXECUTABLE})
+set_tests_properties(Reference.IsBuiltWithoutWarnings PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS reference)
+
+# `rocking` on damaged and odd input (lib/docs/fuzzing.md); with sanitizers no limit of memory can hold.
+add_test(NAME Attack.FindsNothing COMMAND attack $<TARGET_FILE:rocking> ${ROCKING_ATTACK_SEED} 400)
+set_tests_properties(Attack.FindsNothing PROPERTIES TIMEOUT 3600 LABELS fuzz COST 100)
+set_target_properties(attack PROPERTIES EXCLUDE_FROM_ALL OFF)

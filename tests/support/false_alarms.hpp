@@ -56,6 +56,8 @@ inline constexpr std::array allowances{
     Allowance{"Splitting.OfAWalkIsUnbiasedWhereScoresTie", 1, 2},
     Allowance{"Splitting.OfOrnsteinAndUhlenbecksProcessIsUnbiased", 1, 2},
     Allowance{"Splitting.HasIntervalsThatCover", 1, 2},
+    Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnOnce", 1, 1},
+    Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnAlongTheWay", 1, 1},
     Allowance{"MeanShare.CoversTheShareOfSemiMarkovProcessesAsOftenAsTheDocumentsSay", 1, 3},
 };
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "fuzz/attack/attack.hpp"
@@ -61,7 +63,10 @@ std::size_t pictures_in(const fs::path& folder) {
   std::size_t count = 0;
   if (!fs::is_directory(folder)) return count;
   for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-    if (entry.path().extension() == ".svg" && fs::file_size(entry.path()) > 300) ++count;
+    if (entry.path().extension() != ".svg") continue;
+    std::ifstream file(entry.path());
+    const std::string text(std::istreambuf_iterator<char>(file), {});
+    if (text.find("<path") != std::string::npos && text.find("</svg>") != std::string::npos) ++count;
   }
   return count;
 }

@@ -2,7 +2,6 @@
 // trajectories.
 
 #include <atomic>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +10,8 @@
 
 #include "rocking/pages.hpp"
 #include "rocking/rocking.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/json.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace rocking {
@@ -36,16 +37,60 @@ Experiment swept_experiment() {
     "sweep": [{"parameter": "/excitation/amplitude", "values": [3.9, 4.0]}])");
 }
 
+/// What the text says of an orbit or of a point on a branch, beside the value.
+void expect_same(const Json& written, const Orbit& orbit) {
+  EXPECT_EQ(written["period"], orbit.period);
+  EXPECT_EQ(written["cycles"], orbit.cycles);
+  EXPECT_EQ(written["state"]["tilt"], orbit.points.front().point.tilt);
+  EXPECT_EQ(written["state"]["tilt_rate"], orbit.points.front().point.tilt_rate);
+  EXPECT_EQ(written["stable"], orbit.stability.is_stable());
+}
+
+// The text is read again, and the values of a branch are checked by following the motion.
 TEST(OrbitStudies, HaveTheBranchesOfTheirTextAsValues) {
   const Experiment experiment = swept_experiment();
-  const OrbitsRequest request{.longest = 1, .branches = true};
-  const OrbitStudy study = orbit_study(experiment, request);
+  const OrbitStudy study = orbit_study(experiment, {.longest = 1, .branches = true});
   ASSERT_TRUE(study.branches);
-  ASSERT_FALSE(study.branches->study.branches.empty());
   EXPECT_EQ(study.branches->pointer, "/excitation/amplitude");
-  EXPECT_GE(study.branches->study.branches.front().points.size(), 2U);
-  EXPECT_EQ(orbits_text(experiment, study), orbits(experiment, request));
+  const Json text = Json::parse(orbits_text(experiment, study));
+  ASSERT_EQ(text["conditions"].size(), study.conditions.size());
+  for (std::size_t i = 0; i < study.conditions.size(); ++i) {
+    const auto& orbits = study.conditions[i].orbits;
+    ASSERT_EQ(text["conditions"][i]["orbits"].size(), orbits.size());
+    for (std::size_t k = 0; k < orbits.size(); ++k) expect_same(text["conditions"][i]["orbits"][k], orbits[k]);
+  }
+  const auto& branches = study.branches->study.branches;
+  ASSERT_FALSE(branches.empty());
+  ASSERT_EQ(text["branches"].size(), branches.size());
+  for (std::size_t b = 0; b < branches.size(); ++b) {
+    const auto& points = branches[b].points;
+    ASSERT_GE(points.size(), 2U);
+    ASSERT_EQ(text["branches"][b]["points"].size(), points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      expect_same(text["branches"][b]["points"][k], points[k].orbit);
+      EXPECT_EQ(text["branches"][b]["points"][k]["value"], points[k].value);
+    }
+  }
   EXPECT_THAT(orbits_table(experiment, study), HasSubstr("branch"));
+}
+
+// The state of an orbit returns after its period: the motion is that of trajectory(), which knows nothing of orbits.
+TEST(OrbitStudies, HaveOrbitsWhoseMotionReturns) {
+  const Experiment experiment = swept_experiment();
+  const auto found = periodic_orbits(experiment, 1);
+  ASSERT_EQ(found.size(), 2U);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    ASSERT_FALSE(found[i].empty());
+    for (const PeriodicOrbit& orbit : found[i]) {
+      Condition condition = experiment.conditions[i];
+      condition.scene.initial.tilt = orbit.points.front().tilt;
+      condition.scene.initial.tilt_rate = orbit.points.front().tilt_rate;
+      const Trajectory motion = trajectory(experiment_of({condition}), {.periods = orbit.period});
+      ASSERT_EQ(motion.strobe.size(), static_cast<std::size_t>(orbit.period));
+      EXPECT_NEAR(motion.strobe.back().tilt, orbit.points.front().tilt, 1e-9);
+      EXPECT_NEAR(motion.strobe.back().tilt_rate, orbit.points.front().tilt_rate, 1e-9);
+    }
+  }
 }
 
 TEST(OrbitStudies, RefuseCurvesThatCannotBeFollowed) {
@@ -100,11 +145,25 @@ TEST(Reports, AreVerifiedWithoutTheirStore) {
   EXPECT_THAT(verify_report(text).findings, ::testing::ElementsAre(HasSubstr("digest")));
 }
 
-TEST(Trajectories, HaveAPage) {
+// The page holds the motion as JSON, rounded to 1e-5 in the tilt.
+TEST(Trajectories, HaveAPageWithTheirMotion) {
   const support::TemporaryFolder folder;
   const auto file = folder / "motion.html";
-  write_trajectory_page(drawn_experiment(), {.realisation = 3, .periods = 5}, file);
-  EXPECT_GT(std::filesystem::file_size(file), 1000U);
+  const TrajectoryRequest request{.realisation = 3, .periods = 5, .samples_per_period = 7};
+  write_trajectory_page(drawn_experiment(), request, file);
+  const std::string page = read_file(file, std::size_t{1} << 24U);
+  const std::string opening = R"(id="data-motions">)";
+  const std::size_t begin = page.find(opening);
+  ASSERT_NE(begin, std::string::npos);
+  const std::size_t data = begin + opening.size();
+  const Json shown = Json::parse(page.substr(data, page.find("</script>", data) - data)).at(0);
+  const Trajectory motion = trajectory(drawn_experiment(), request);
+  ASSERT_EQ(shown["tilts"].size(), motion.history.size());
+  ASSERT_GT(motion.history.size(), 30U);
+  for (std::size_t i = 0; i < motion.history.size(); ++i) {
+    EXPECT_NEAR(shown["tilts"][i].get<double>(), motion.history[i].tilt, 0.5001e-5) << i;
+  }
+  EXPECT_THAT(page, HasSubstr("<polyline class=\"tilt\""));
   EXPECT_THROW(write_trajectory_page(drawn_experiment(), {.condition = 1}, file), base::InputError);
 }
 

@@ -1,0 +1,157 @@
+// Rare probabilities of blocks are unbiased: compared with a closed form where numbers are drawn once, and with plain
+// sampling where they are drawn along the way. A kernel that prefers high scores must fail both comparisons.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "rocking/realisation/realisation_result.hpp"
+#include "rocking/stats/repetitions.hpp"
+#include "rocking/studies/rare/block_model.hpp"
+#include "rocking/studies/rare/splitting.hpp"
+#include "support/excitation.hpp"
+#include "support/false_alarms.hpp"
+
+namespace {
+
+using rocking::Condition;
+using rocking::rare::BlockModel;
+using rocking::rare::Event;
+using rocking::rare::Stream;
+using rocking::support::FalseAlarms;
+using rocking::support::largest_score;
+
+constexpr std::uint64_t seed = 0x2012;
+
+/// A probability and its standard error.
+struct Estimate {
+  double mean = 0.0;
+  double error = 0.0;
+};
+
+/// Of the difference of two estimates.
+double score_of(const Estimate& a, const Estimate& b) { return (a.mean - b.mean) / std::hypot(a.error, b.error); }
+
+template <class Model>
+Estimate by_splitting(const Model& model, std::size_t particles, std::uint64_t repetitions) {
+  const rocking::rare::ForEach one_by_one = [](std::size_t count, const std::function<void(std::size_t)>& work) {
+    for (std::size_t i = 0; i < count; ++i) work(i);
+  };
+  const rocking::rare::SplittingPlan plan{.seed = seed, .particles = particles};
+  const auto pilot = rocking::rare::find_levels(model, plan, one_by_one);
+  EXPECT_EQ(pilot.end, rocking::rare::PilotEnd::reached);
+  EXPECT_GE(pilot.levels.size(), 2U) << "or it is plain sampling";
+  std::vector<double> estimates;
+  for (std::uint64_t i = 1; i <= repetitions; ++i) {
+    estimates.push_back(rocking::rare::repeat(model, plan, pilot.levels, i, one_by_one).estimate);
+  }
+  const auto found = rocking::stats::mean_of_repetitions(estimates, 0.95);
+  return {found.mean, found.mean * found.relative_error.value()};
+}
+
+/// A kernel with a fault: of four offspring it takes the one with the highest score.
+struct BestOfFour {
+  using Particle = BlockModel::Particle;
+  const BlockModel& model;
+
+  [[nodiscard]] Particle start(const Stream& stream, double target) const { return model.start(stream, target); }
+  [[nodiscard]] Particle go_on(const Particle& parent, const Stream& stream, double level, double target) const {
+    Particle best = model.go_on(parent, stream, level, target);
+    for (std::uint64_t i = 1; i < 4; ++i) {
+      Stream other = stream;
+      other.particle += i * (rocking::rare::particle_limit / 4);
+      Particle one = model.go_on(parent, other, level, target);
+      if (one.score > best.score) best = std::move(one);
+    }
+    return best;
+  }
+  [[nodiscard]] static double score(const Particle& particle) { return particle.score; }
+  [[nodiscard]] static double work(const Particle& particle) { return particle.work; }
+};
+
+// A free block that stands with the tilt rate Theta' ~ N(0, sigma^2) overturns where its energy lifts it past balance:
+// psi abs(Theta') > 2 sin(psi/2). The horizon, 4 pi in tau, leaves out those whose energy exceeds that
+// of the balance by a share of less than about 4 exp(-4 pi), 1e-5: 1e-4 of the probability.
+class FreeBlock {
+ public:
+  FreeBlock() {
+    rocking::support::harmonic(condition_.scene) = {.amplitude = 0.0, .frequency_ratio = 0.5, .phase = 0.0};
+    condition_.scene.initial.tilt_rate = rocking::Normal{.mean = 0.0, .sigma = sigma};
+    condition_.horizon = {.transient_periods = 0, .sampled_periods = 1};
+  }
+  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = seed, .event = {}}}; }
+  [[nodiscard]] static Estimate truth() {
+    const double psi = std::atan(0.25);  // of the standard block, 1 m x 4 m
+    return {std::erfc(2.0 * std::sin(0.5 * psi) / psi / sigma / std::numbers::sqrt2), 0.0};
+  }
+
+ private:
+  static constexpr double sigma = 0.33;
+  Condition condition_;
+};
+
+/// A block whose friction, restitution and amplitude are drawn along the way; the event is a peak tilt.
+class ShakenBlock {
+ public:
+  ShakenBlock() {
+    rocking::support::harmonic(condition_.scene) = {.amplitude = 4.2, .frequency_ratio = 6.0, .phase = 0.0};
+    condition_.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
+    condition_.scene.fluctuation = {.static_friction = 0.03,
+                                    .kinetic_friction = 0.03,
+                                    .refreshes_per_period = 20,
+                                    .restitution = 0.02,
+                                    .amplitude = 0.6};
+    condition_.horizon = {.transient_periods = 3, .sampled_periods = 5};
+  }
+  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = seed, .event = event}}; }
+  [[nodiscard]] Estimate plain() const {
+    constexpr std::uint64_t realisations = 40'000;
+    std::uint64_t count = 0;
+    for (std::uint64_t i = 0; i < realisations; ++i) {
+      count += rocking::realise(condition_, seed, i).peaks.tilt > *event.peak_tilt ? 1 : 0;
+    }
+    constexpr auto n = static_cast<double>(realisations);
+    const double share = static_cast<double>(count) / n;
+    return {share, std::sqrt(share * (1.0 - share) / n)};
+  }
+
+ private:
+  static constexpr Event event{.peak_tilt = 0.75};
+  Condition condition_;
+};
+
+TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnOnce) {
+  FalseAlarms alarms;
+  const FreeBlock block;
+  const Estimate found = by_splitting(block.model(), 100, 120);
+  EXPECT_LT(std::abs(score_of(found, FreeBlock::truth())), alarms.score()) << found.mean;
+  EXPECT_LT(found.error, 0.1 * found.mean);
+}
+
+TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnAlongTheWay) {
+  FalseAlarms alarms;
+  const ShakenBlock block;
+  const Estimate found = by_splitting(block.model(), 60, 60);
+  const Estimate plain = block.plain();
+  EXPECT_LT(std::abs(score_of(found, plain)), alarms.score()) << found.mean << ' ' << plain.mean;
+  EXPECT_LT(std::hypot(found.error / found.mean, plain.error / plain.mean), 0.15);
+}
+
+TEST(RareOnBlocks, IsFoundOutWhereTheKernelPrefersHighScores) {
+  const FreeBlock free;
+  const BlockModel of_free = free.model();
+  const Estimate found = by_splitting(BestOfFour{of_free}, 100, 50);
+  EXPECT_GT(score_of(found, FreeBlock::truth()), largest_score);
+  const ShakenBlock shaken;
+  const BlockModel of_shaken = shaken.model();
+  const Estimate other = by_splitting(BestOfFour{of_shaken}, 60, 30);
+  EXPECT_GT(score_of(other, shaken.plain()), largest_score);
+}
+
+}  // namespace

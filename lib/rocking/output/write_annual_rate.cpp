@@ -34,7 +34,7 @@ std::string extrapolation_text(const AnnualRate& rate, std::optional<double> lea
   if (!least_uplift) {
     return text + "\nthe least intensity that lifts the block is not known: all intensities are counted\n";
   }
-  text += ", " + share(rate.below_levels) + " % from those between the least that lifts the block, " +
+  text += ",\n" + share(rate.below_levels) + " % from those between the least that lifts the block, " +
           significant(*least_uplift, 4) + ", and the lowest level that can lift it\n";
   if (!(rate.impossible > 0.0)) return text;
   return text + "not counted: " + significant(rate.impossible, 3) +

@@ -14,4 +14,7 @@ struct LogNormalProbability {
 /// above -2e-19, by the first terms of Laplace's series.
 [[nodiscard]] LogNormalProbability log_normal_probability(double z);
 
+/// (1 - Phi(z)) over the density of z, Mills' ratio, for z >= 0, to 5e-13 of it.
+[[nodiscard]] double mills_ratio(double z);
+
 }  // namespace rocking::stats

@@ -23,11 +23,4 @@ double log_normal_cdf(double z) {
   return -0.5 * z * z - std::log(-z * std::sqrt(2.0 * std::numbers::pi)) + std::log1p(series);
 }
 
-double mills_ratio(double z) {
-  // Laplace's series from 25 on: the first omitted term, 10395/z^12, is 2e-13 there.
-  if (z < 25.0) return normal_cdf(-z) * std::sqrt(2.0 * std::numbers::pi) * std::exp(0.5 * z * z);
-  const double y = 1.0 / (z * z);
-  return (1.0 - y * (1.0 - y * (3.0 - y * (15.0 - y * (105.0 - y * 945.0))))) / z;
-}
-
 }  // namespace rocking::stats

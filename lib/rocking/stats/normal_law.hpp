@@ -23,7 +23,4 @@ struct NormalLaw {
 /// ln of `normal_cdf(z)`, for z > -1e150, also if the probability itself is too small for a double.
 [[nodiscard]] double log_normal_cdf(double z);
 
-/// (1 - normal_cdf(z)) over the density of z, Mills' ratio, for z >= 0, to 2e-13 of it.
-[[nodiscard]] double mills_ratio(double z);
-
 }  // namespace rocking::stats

@@ -14,6 +14,10 @@ std::vector<stats::Incidence> curve_of(const stats::EventTally& tally, std::size
 
 }  // namespace
 
+double bound_of_none_left(std::uint64_t watched_periods, double confidence) {
+  return stats::poisson_rate_interval(0, static_cast<double>(watched_periods) / 1000.0, confidence).high;
+}
+
 std::int64_t confirmation_periods(const Horizon& horizon) {
   if (!horizon.until_classified) return 0;
   return (std::int64_t{horizon.until_classified->held_windows} - 1) * horizon.sampled_periods;

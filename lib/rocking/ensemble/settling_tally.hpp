@@ -22,6 +22,9 @@ struct Leaving {
   stats::Interval per_1000_periods;  ///< exact interval of the rate, if it is constant
 };
 
+/// Upper end of the exact interval of the rate of leaving, per 1000 periods, where nothing was left in so many > 0 periods.
+[[nodiscard]] double bound_of_none_left(std::uint64_t watched_periods, double confidence);
+
 /// Windows of the long runs of a condition.
 struct LongRuns {
   std::uint64_t windows = 0;  ///< counted in each of them

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <functional>
 
+#include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/output/long_run_table.hpp"
 #include "rocking/output/text_table.hpp"
-#include "rocking/stats/incidence.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -187,11 +187,10 @@ std::string none_left_text(std::span<const SettlingRow> conditions) {
     confidence = std::max(confidence, row.confidence);
     for (const LeftMode& leaving : row.leaving) periods += leaving.watched_periods;
   }
-  const double most = stats::poisson_rate_interval(0, static_cast<double>(periods) / 1000.0, confidence).high;
-  return counted(periods, "watched period") + ": on average fewer than " + significant(most, 2) +
+  return counted(periods, "watched period") + ": on average fewer than " +
+         significant(bound_of_none_left(periods, confidence), 2) +
          " in 1000 periods. A response that is left after the watched windows keeps its label, so that shares of "
-         "labels "
-         "may differ from long-run shares (long_run_every measures them)";
+         "labels may differ from long-run shares (long_run_every measures them)";
 }
 
 std::string end_proviso(std::span<const SettlingRow> conditions) {

@@ -17,10 +17,9 @@
 #include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/input/excitation_words.hpp"
+#include "rocking/output/impacts_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
-#include "rocking/scene/experiment.hpp"
-#include "rocking/scene/rate_ratios.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
@@ -55,23 +54,15 @@ Spread of_blocks(const RunReport& report, double (Shape::*number)() const) {
   return spread_of(numbers);
 }
 
-Restitution restitution_in(const Json& written) {
-  if (written.is_object()) return RateRatio{written.at("rate_ratio").get<double>()};
-  if (written.is_number()) return written.get<double>();
-  return Jy25Restitution{};
-}
-
 /// What impacts leave of the tilt rate.
 std::string impacts_in_brief(const RunReport& report) {
-  RateRatios ratios;
+  std::vector<ReportedImpact> impacts;
   for (const ConditionReport& condition : report.conditions) {
     const Shape shape = shape_of(value_at(report, condition, "/block"));
-    const dynamics::Geometry block = dynamics::geometry_of({shape.width, shape.height, shape.gravity});
-    Scene scene;
-    scene.restitution = restitution_in(value_at(report, condition, "/restitution"));
-    ratios.add(block, restitution_of(scene, block));
+    impacts.push_back(
+        {.width_m = shape.width, .height_m = shape.height, .restitution = value_at(report, condition, "/restitution")});
   }
-  return escaped(ratios.text());
+  return escaped(impacts_text(impacts));
 }
 
 bool is_swept(const RunReport& report, const std::string& pointer) {

@@ -49,7 +49,8 @@ std::string terminals(const Figure& figure, const Layout& layout, const FigureLo
   const auto font = [](double size) { return " font 'DejaVu Sans," + rounded(size) + "'"; };
   const std::string enlarged = rounded(look.png_pixels);
   return "  if (format eq 'svg') {\n    set terminal svg enhanced size " + size_of(layout, 1.0) +
-         font(look.font_size * pixels_of_a_point) + " background '#ffffff' name " + gnuplot_quoted(script_name(figure)) +
+         font(look.font_size * pixels_of_a_point) + " background '#ffffff' name " +
+         gnuplot_quoted(script_name(figure)) +
          "\n  }\n  if (format eq 'png') {\n    set terminal pngcairo enhanced size " +
          size_of(layout, look.png_pixels) + font(look.font_size) + " fontscale " + enlarged + " linewidth " + enlarged +
          " pointscale " + enlarged +

@@ -83,8 +83,8 @@ struct ConditionReport {
   std::map<std::string, QuantileReport> quantiles;
   std::optional<Difference> difference;  ///< absent with fewer than two realisations
   std::optional<IncidenceReport> incidence = std::nullopt;
-  bool stopped_by_data = false;          ///< `until` was requested
-  bool is_random = true;  ///< otherwise the single realisation is the response, and intervals have no meaning
+  bool stopped_by_data = false;  ///< `until` was requested
+  bool is_random = true;         ///< otherwise the single realisation is the response, and intervals have no meaning
   double confidence = 0.95;
 };
 

@@ -66,17 +66,27 @@ TEST_F(ExitCode, Is64ForATimeThatIsNone) {
 }
 
 TEST_F(ExitCode, Is64ForANumberOutOfItsRangeAndNamesFlagValueAndRange) {
-  for (const std::string arguments :
-       {"run quick.json -o out --threads|0|1 to 4096", "resume out --threads|-1|1 to 4096",
-        "verify out --threads|1.5|1 to 4096", "verify out --sample|0|1 to ", "trajectory quick.json --periods|0|1 to ",
-        "trajectory quick.json --condition|-1|0 to ", "trajectory quick.json --realisation|1e3|0 to ",
-        "replay out --realisation 0 --condition|-1|0 to ", "replay out --condition 0 --realisation|x|0 to ",
-        "trajectory quick.json --samples|-1|0 to ", "bifurcation quick.json -o out --realisation|-1|0 to ",
-        "orbits quick.json -o out --periods|13|1 to 12", "rare quick.json -o out --particles|3|20 to ", "rare quick.json -o out --relative-error|0|0.001 to 1",
-        "check-normal --n|99999999999999999999|20 to ",
-        "check-normal --mean|nan|-1e+06 to ", "check-normal --sigma|inf|0 to ",
-        "cost quick.json --tolerances|nan|1e-16 to 0.01", "cost quick.json --sample|0|1 to ",
-        "figure x.json -o out --from|nan|0 to ", "figure x.json -o out --to|-1|0 to "}) {
+  for (const std::string arguments : {"run quick.json -o out --threads|0|1 to 4096",
+                                      "resume out --threads|-1|1 to 4096",
+                                      "verify out --threads|1.5|1 to 4096",
+                                      "verify out --sample|0|1 to ",
+                                      "trajectory quick.json --periods|0|1 to ",
+                                      "trajectory quick.json --condition|-1|0 to ",
+                                      "trajectory quick.json --realisation|1e3|0 to ",
+                                      "replay out --realisation 0 --condition|-1|0 to ",
+                                      "replay out --condition 0 --realisation|x|0 to ",
+                                      "trajectory quick.json --samples|-1|0 to ",
+                                      "bifurcation quick.json -o out --realisation|-1|0 to ",
+                                      "orbits quick.json -o out --periods|13|1 to 12",
+                                      "rare quick.json -o out --particles|3|20 to ",
+                                      "rare quick.json -o out --relative-error|0|0.001 to 1",
+                                      "check-normal --n|99999999999999999999|20 to ",
+                                      "check-normal --mean|nan|-1e+06 to ",
+                                      "check-normal --sigma|inf|0 to ",
+                                      "cost quick.json --tolerances|nan|1e-16 to 0.01",
+                                      "cost quick.json --sample|0|1 to ",
+                                      "figure x.json -o out --from|nan|0 to ",
+                                      "figure x.json -o out --to|-1|0 to "}) {
     const std::size_t value = arguments.find('|');
     const std::size_t range = arguments.rfind('|');
     const std::string written = arguments.substr(value + 1, range - value - 1);

@@ -64,9 +64,9 @@ TEST_F(Process, StopsWithinARealisationWhenItsTimeIsUp) {
 }
 
 TEST_F(Process, StopsWithinARealisationWhenItIsAskedTo) {
-  for (const std::string arguments : {"run endless.json -o out", "run endless_rest.json -o rest", "cost endless.json",
-                                      "bifurcation endless.json -o diagram", "orbits endless_sure.json -o orbits",
-                                      "rare endless.json -o rare"}) {
+  for (const std::string arguments :
+       {"run endless.json -o out", "run endless_rest.json -o rest", "cost endless.json",
+        "bifurcation endless.json -o diagram", "orbits endless_sure.json -o orbits", "rare endless.json -o rare"}) {
     const auto outcome = shell(in_background(program(arguments)) + "sleep 1; kill -INT $child; wait $child");
     EXPECT_EQ(outcome.exit_code, 130) << arguments << outcome.errors;
   }

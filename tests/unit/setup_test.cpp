@@ -84,9 +84,9 @@ std::string nothing_installed_on(const std::string& versions) {
 TEST(Setup, InstallsThePackagesThatEachSupportedSystemOffers) {
   for (const PackageSystem& system : systems) {
     SCOPED_TRACE(system.name);
-    const std::string output =
-        output_of(nothing_installed_on(system.boost) +
-                  "install_missing \"${build_packages[@]}\" -- \"${test_packages[@]}\" \"${release_packages[@]}\" chromium; echo done");
+    const std::string output = output_of(nothing_installed_on(system.boost) +
+                                         "install_missing \"${build_packages[@]}\" -- \"${test_packages[@]}\" "
+                                         "\"${release_packages[@]}\" chromium; echo done");
     EXPECT_NE(output.find("\nlibfmt-dev\n"), std::string::npos) << output;
     EXPECT_NE(output.find("\nslurm-wlm\n"), std::string::npos) << output;
     EXPECT_NE(output.find("\n" + system.chosen + "\ndone\n"), std::string::npos) << output;

@@ -213,8 +213,8 @@ std::string table_of(const RunFragility& run, const FragilityCurve& curve) {
   const std::string common = common_shaking(swept_in(curve), shakings);
   std::string text = aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
   if (curve.fit.law) {
-    text +=
-        "median " + spoken_median(curve) + ", dispersion " + spoken_bounded(curve.fit.law->dispersion(curve.confidence)) + '\n';
+    text += "median " + spoken_median(curve) + ", dispersion " +
+            spoken_bounded(curve.fit.law->dispersion(curve.confidence)) + '\n';
   } else {
     text += std::string(words_for(curve.fit.outcome)) + '\n';
   }
@@ -295,7 +295,8 @@ std::string fragility_table(const std::vector<RunFragility>& runs, RecordTable r
   }
   if (has_suite) {
     text +=
-        "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within records; "
+        "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within "
+        "records; "
         "its band\nis a bootstrap over records; the probability is that of a record like those of the suite" +
         count_legend(most) + '\n';
   }

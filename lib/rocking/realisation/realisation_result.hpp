@@ -23,7 +23,7 @@ struct Settling {
   std::int64_t observed_periods = 0;   ///< until it was classified, or the watch, the motion or the limit ended
   /// End of the first window of those that gave the response mode, or the period of overturning. Absent: censored.
   std::optional<std::int64_t> settling_period;
-  std::optional<std::int64_t> left_period;      ///< end of the window in which a settled response had another mode
+  std::optional<std::int64_t> left_period;       ///< end of the window in which a settled response had another mode
   std::optional<section::ResponseMode> left_to;  ///< this mode
   base::Sha256 continued{};  ///< digest of the strobe points after the fixed horizon; zero without any
   std::optional<section::ModeCounts> long_run;  ///< windows of its long run by their modes; absent without one
@@ -37,9 +37,9 @@ struct RealisationResult {
   section::Classification classification;
   /// From the first period on, including the transient, to the fixed horizon.
   std::vector<section::StrobePoint> strobe;
-  std::uint64_t losses_of_contact = 0;       ///< downward crossings of N = 0
-  std::uint64_t losses_before_fall = 0;      ///< of these, without those of the final fall
-  double first_loss_of_contact = 0.0;        ///< tau, if there was one
+  std::uint64_t losses_of_contact = 0;   ///< downward crossings of N = 0
+  std::uint64_t losses_before_fall = 0;  ///< of these, without those of the final fall
+  double first_loss_of_contact = 0.0;    ///< tau, if there was one
   bool was_past_balance = false;
   std::uint64_t contradictions = 0;  ///< instants at which neither sticking nor slipping agrees with the equations
   PeakValues peaks;                  ///< not part of the digest

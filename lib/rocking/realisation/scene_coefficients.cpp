@@ -21,7 +21,8 @@ bool redraws_amplitude(const Scene& scene) {
 
 }  // namespace
 
-SceneCoefficients::SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws, const dynamics::Geometry& own)
+SceneCoefficients::SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws,
+                                     const dynamics::Geometry& own)
     : friction_(scene.friction),
       fluctuation_(scene.fluctuation),
       restitution_mean_(restitution_of(scene, own)),
@@ -82,7 +83,8 @@ SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) cons
 
 random::FirstUnused SceneCoefficients::first_unused() const {
   random::FirstUnused first{};
-  for (std::size_t number = 1; number < first.size(); ++number) first[number] = first_unused(static_cast<Source>(number));
+  for (std::size_t number = 1; number < first.size(); ++number)
+    first[number] = first_unused(static_cast<Source>(number));
   return first;
 }
 

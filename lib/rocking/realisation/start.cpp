@@ -68,8 +68,8 @@ Start start_of(const Scene& scene, const random::BranchedDraws& draws) {
   return start;
 }
 
-Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws, const Start& start, Strobe strobe,
-                            std::int64_t periods) {
+Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws, const Start& start,
+                            Strobe strobe, std::int64_t periods) {
   const Scene& scene = condition.scene;
   const dynamics::Clock clock(frequency_ratio_for(scene, start.geometry), start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();

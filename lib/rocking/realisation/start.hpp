@@ -51,8 +51,8 @@ struct Beginning {
 };
 
 /// Precondition: the condition is valid (check_condition).
-[[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws, const Start& start,
-                                          Strobe strobe, std::int64_t periods);
+[[nodiscard]] Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws,
+                                          const Start& start, Strobe strobe, std::int64_t periods);
 
 /// The base motion that the scene asks for.
 [[nodiscard]] inline dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning) {

@@ -8,10 +8,10 @@
 namespace rocking::fuzz {
 namespace {
 
-constexpr const char* commands[] = {"run",         "resume",     "status",       "merge",    "verify", "compare",
-                                    "bifurcation", "cost",       "fragility",    "figure",   "report", "replay",
-                                    "schema",      "trajectory", "check-normal", "validate", "doctor", "completion",
-                                    "orbits",      "rare",       "--help",     "--version",    "nothing",  ""};
+constexpr const char* commands[] = {"run",         "resume",     "status",       "merge",     "verify",  "compare",
+                                    "bifurcation", "cost",       "fragility",    "figure",    "report",  "replay",
+                                    "schema",      "trajectory", "check-normal", "validate",  "doctor",  "completion",
+                                    "orbits",      "rare",       "--help",       "--version", "nothing", ""};
 constexpr const char* flags[] = {"-o",
                                  "-j",
                                  "--seed",

@@ -10,8 +10,8 @@
 
 #include "rocking/section/period.hpp"
 #include "rocking/studies/orbits/grazing.hpp"
-#include "rocking/studies/orbits/trace.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
+#include "rocking/studies/orbits/trace.hpp"
 
 namespace rocking {
 namespace {

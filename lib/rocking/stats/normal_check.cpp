@@ -25,9 +25,9 @@ MomentTest tested_by_chi_squared(const Moment& standard_deviation, const NormalL
   return {standard_deviation, std::min(1.0, 2.0 * tail)};
 }
 
-using Score = double (*)(double, std::size_t);
+using NormalScore = double (*)(double, std::size_t);
 
-ShapeTest tested_shape(const Moment& moment, double value_of_law, Score score, std::size_t n) {
+ShapeTest tested_shape(const Moment& moment, double value_of_law, NormalScore score, std::size_t n) {
   const auto near = [&](double distance) -> Nearness {
     const double low = score(value_of_law - distance, n);
     const double high = score(value_of_law + distance, n);

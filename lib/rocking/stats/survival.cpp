@@ -13,7 +13,7 @@ namespace {
 constexpr double curve_rounding = 1e-12;
 
 /// Longest extrapolation, in steps; beyond it a time is not told.
-constexpr double most_steps = 1e9;
+constexpr double longest_extrapolation = 1e9;
 
 template <class Reaches>
 std::optional<std::int64_t> first_time(const std::vector<Incidence>& curve, const Reaches& reaches) {
@@ -38,7 +38,7 @@ std::optional<std::int64_t> steps_until(double left, double share, double q) {
   if (left <= share) return 0;
   if (q >= 1.0) return 1;
   const double steps = std::ceil(std::log(left / share) / -std::log1p(-q));
-  if (!(steps < most_steps)) return std::nullopt;
+  if (!(steps < longest_extrapolation)) return std::nullopt;
   return static_cast<std::int64_t>(steps);
 }
 

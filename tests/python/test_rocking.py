@@ -736,7 +736,8 @@ class Interrupting(unittest.TestCase):
 
     def test_ctrl_c_stops_a_trajectory(self):
         # Of a block that rocks, and of one that stays at rest.
-        rest = changed(excitation={"kind": "harmonic", "amplitude": 0.5, "frequency_ratio": 10.0}, sweep=[],
+        rest = changed(excitation={"kind": "harmonic", "amplitude": 0.5, "frequency_ratio": 10.0},
+                       sweep=[{"parameter": "/excitation/amplitude", "values": [0.5]}],
                        friction={"static": 0.5, "kinetic": 0.4}, fluctuation={"friction": {"sigma": 0.01}})
         long = {"periods": 50_000_000}
         result = rocking.run(SLAB)

@@ -10,6 +10,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/studies/orbits/branches.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {

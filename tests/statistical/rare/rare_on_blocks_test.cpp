@@ -27,7 +27,7 @@ using rocking::rare::Stream;
 using rocking::support::FalseAlarms;
 using rocking::support::largest_score;
 
-constexpr std::uint64_t seed = 0x2012;
+constexpr std::uint64_t run_seed = 0x2012;
 
 /// A probability and its standard error.
 struct Estimate {
@@ -43,7 +43,7 @@ Estimate by_splitting(const Model& model, std::size_t particles, std::uint64_t r
   const rocking::rare::ForEach one_by_one = [](std::size_t count, const std::function<void(std::size_t)>& work) {
     for (std::size_t i = 0; i < count; ++i) work(i);
   };
-  const rocking::rare::SplittingPlan plan{.seed = seed, .particles = particles};
+  const rocking::rare::SplittingPlan plan{.seed = run_seed, .particles = particles};
   const auto pilot = rocking::rare::find_levels(model, plan, one_by_one);
   EXPECT_EQ(pilot.end, rocking::rare::PilotEnd::reached);
   EXPECT_GE(pilot.levels.size(), 2U) << "or it is plain sampling";
@@ -85,7 +85,7 @@ class FreeBlock {
     condition_.scene.initial.tilt_rate = rocking::Normal{.mean = 0.0, .sigma = sigma};
     condition_.horizon = {.transient_periods = 0, .sampled_periods = 1};
   }
-  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = seed, .event = {}}}; }
+  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = run_seed, .event = {}}}; }
   [[nodiscard]] static Estimate truth() {
     const double psi = std::atan(0.25);  // of the standard block, 1 m x 4 m
     return {std::erfc(2.0 * std::sin(0.5 * psi) / psi / sigma / std::numbers::sqrt2), 0.0};
@@ -109,12 +109,12 @@ class ShakenBlock {
                                     .amplitude = 0.6};
     condition_.horizon = {.transient_periods = 3, .sampled_periods = 5};
   }
-  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = seed, .event = event}}; }
+  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = run_seed, .event = event}}; }
   [[nodiscard]] Estimate plain() const {
     constexpr std::uint64_t realisations = 40'000;
     std::uint64_t count = 0;
     for (std::uint64_t i = 0; i < realisations; ++i) {
-      count += rocking::realise(condition_, seed, i).peaks.tilt > *event.peak_tilt ? 1 : 0;
+      count += rocking::realise(condition_, run_seed, i).peaks.tilt > *event.peak_tilt ? 1 : 0;
     }
     constexpr auto n = static_cast<double>(realisations);
     const double share = static_cast<double>(count) / n;

@@ -20,6 +20,7 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/studies/annual_rate.hpp"

@@ -5,6 +5,7 @@
 
 #include "analysis/fragility_figure.hpp"
 #include "analysis/incremental_figure.hpp"
+#include "rocking/ensemble/run.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/studies/run_fragility.hpp"
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/ensemble/run.hpp"
 
 namespace rocking {
 namespace {

@@ -3,7 +3,6 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/ensemble/run.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
 #include "rocking/studies/annual_rate.hpp"
@@ -13,6 +12,8 @@
 #include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {
+
+struct RunOptions;
 
 /// The curve of one motion; with the annual rate where a hazard curve is given.
 struct ShownCurve {
@@ -49,6 +50,6 @@ struct FragilityQuestion {
 /// of another intensity, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
-                                         const FragilityQuestion& question, const RunOptions& options = {});
+                                         const FragilityQuestion& question, const RunOptions& options);
 
 }  // namespace rocking

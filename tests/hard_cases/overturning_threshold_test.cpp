@@ -114,7 +114,7 @@ TEST(OverturningPulse, HasTheLeastDurationOfTheClosedFormForABlockThatIsNotSlend
                                          {1.0, 0.289103269815816011},
                                          {3.0, 0.0875931510258186665}}};
   for (const auto& [push, least] : pulses) {
-    const auto overturns = [push](double tau) { return is_overturned(pushed(push, tau)); };
+    const auto overturns = [alpha = push](double tau) { return is_overturned(pushed(alpha, tau)); };
     const Bracket bracket = bisect(overturns, {0.5 * least, 2.0 * least}, 1e-13);
     // An error dt of the time is an error alpha cos(phi) w dt of the energy. The energy is known to ten roundings plus
     // what a handful of steps neglect, 1e-13 psi of w each.

@@ -102,7 +102,8 @@ Offences stray_json(const std::string& room, const std::string& source) {
 /// check of a sampler.
 /// A figure may interpolate on the scale of the normal law.
 Offences statistics_in_a_writer(const std::string& source) {
-  return matches(without_comments(source), R"(\bstats::(?!is_refuted\b|smallest_p_value\b|normal_(?:cdf|quantile)\b)[a-z_]+\s*\()");
+  return matches(without_comments(source),
+                 R"(\bstats::(?!is_refuted\b|smallest_p_value\b|normal_(?:cdf|quantile)\b)[a-z_]+\s*\()");
 }
 
 /// What no library function may do: print, end the program, read the clock, the environment or an entropy source, draw

@@ -9,11 +9,11 @@ namespace {
 using namespace rocking::analysis;
 
 TEST(GnuplotText, IsPlainLettersAndOctalNumbersInDoubleQuotes) {
-  EXPECT_EQ(quoted("A_h = 4.2 (ψ)"), "\"A_h = 4.2 (ψ)\"");
-  EXPECT_EQ(quoted("'\"`\\{}@$#%&"), R"("\047\042\140\134\173\175\100\044\043\045\046")");
+  EXPECT_EQ(gnuplot_quoted("A_h = 4.2 (ψ)"), "\"A_h = 4.2 (ψ)\"");
+  EXPECT_EQ(gnuplot_quoted("'\"`\\{}@$#%&"), R"("\047\042\140\134\173\175\100\044\043\045\046")");
 }
 
-TEST(GnuplotText, LeavesNoDigitBehindAnOctalNumber) { EXPECT_EQ(quoted("'12a3"), R"("\047\061\062a3")"); }
+TEST(GnuplotText, LeavesNoDigitBehindAnOctalNumber) { EXPECT_EQ(gnuplot_quoted("'12a3"), R"("\047\061\062a3")"); }
 
 TEST(GnuplotText, IsValidUtf8OnOneLine) {
   EXPECT_EQ(printable("a\nb\tc\x7f\xC2\x85"), "a b c  ");

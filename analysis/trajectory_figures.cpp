@@ -31,10 +31,9 @@ Axis time_axis(const Window& window, double end) {
 std::string words_on_ended(const std::vector<TrajectoryFile>& files, const Window& window) {
   std::string text;
   for (const TrajectoryFile& file : files) {
-    const double end = file.history.back().time;
-    if (end < window.from) {
-      text += ' ' + described(file) + " ends at " + significant(end, 4) + " periods, before the first one shown.";
-    }
+    if (file.history.empty() || file.history.back().time >= window.from) continue;
+    text += ' ' + described(file) + " ends at " + significant(file.history.back().time, 4) +
+            " periods, before the first one shown.";
   }
   return text;
 }

@@ -148,8 +148,12 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
                                  HasSubstr("p_pgv_over_g_tan_psi"), HasSubstr("deviance"), HasSubstr("AIC")));
 }
 
-/// Phi((ln x - ln median)/dispersion) times |dH|, between two intensities, by the midpoint rule in ln x.
+/// Phi((ln x - ln median)/dispersion) times |dH|, between two intensities, by the midpoint rule in ln x; not over a kink.
 double rate_between(double median, double dispersion, double from, double to) {
+  constexpr double kink = 0.5;
+  if (from < kink && kink < to) {
+    return rate_between(median, dispersion, from, kink) + rate_between(median, dispersion, kink, to);
+  }
   // The hazard file of SuiteFragility: from, rate there, exponent.
   const std::array<std::array<double, 3>, 2> pieces{
       {{0.1, 1e-2, std::log(1e-1) / std::log(5.0)}, {0.5, 1e-3, std::log(1e-2) / std::log(4.0)}}};
@@ -158,7 +162,7 @@ double rate_between(double median, double dispersion, double from, double to) {
   double rate = 0.0;
   for (int k = 0; k < steps; ++k) {
     const double x = from * std::exp((k + 0.5) * step);
-    const auto& [begin, rate_there, exponent] = pieces[x < 0.5 ? 0 : 1];
+    const auto& [begin, rate_there, exponent] = pieces[x < kink ? 0 : 1];
     const double p = 0.5 * std::erfc(-std::log(x / median) / dispersion / std::numbers::sqrt2);
     rate += p * rate_there * std::pow(x / begin, exponent) * -exponent * step;
   }

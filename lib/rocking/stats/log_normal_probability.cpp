@@ -1,5 +1,6 @@
 #include "rocking/stats/log_normal_probability.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -79,7 +80,7 @@ LogNormalProbability log_normal_probability(double z) {
   }
   if (!(z >= first)) return computed(z);  // also if z is not a number
   const double place = (z - first) * per_unit;
-  const auto number = static_cast<std::size_t>(place);
+  const auto number = std::min(intervals - 1, static_cast<std::size_t>(place));  // the place may round up to the end
   const double t = place - static_cast<double>(number);
   return {.value = at(table[number].value, t), .slope = at(table[number].slope, t)};
 }

@@ -41,7 +41,7 @@ TEST(Alarms, AreRaisedWhereMoreThanOnePerCentIsClamped) {
   EXPECT_THAT(alarms_of(result), IsEmpty()) << "1 % of both";
   validity.clamps.kinetic_at_zero = 1;
   EXPECT_THAT(alarms_of(result),
-              ElementsAre(AllOf(HasSubstr("1.0 % of the realisations and 1 % of the draws of condition 1"),
+              ElementsAre(AllOf(HasSubstr("1.0 % of the realisations and 1.0 % of the draws of condition 1"),
                                 HasSubstr("difference between /friction/static and /friction/kinetic"))));
   validity.clamps = {.kinetic_at_zero = 11};
   validity.clamped.add(10);

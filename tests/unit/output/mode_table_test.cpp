@@ -121,7 +121,7 @@ TEST(OverturningLine, TellsWhereItIsMostLikelyOrHowLikelyItCanBe) {
   EXPECT_EQ(overturning_line(made.rows), "overturning: none in 80 realisations; at most 5.0 % in each condition\n");
   made.add({{"/excitation/amplitude", "3.0"}}, {{section::periodic(1, 1), 30}, {overturned, 10}});
   EXPECT_EQ(overturning_line(made.rows),
-            "overturning: in 1 of 3 conditions; most likely at amplitude 3: 25.0 [12.5, 25.0] %\n");
+            "overturning: in 1 of 3 conditions; most likely at amplitude 3: 25.0 [12.5, 25.0] %, 10 of 40\n");
   EXPECT_EQ(overturning_line({}), "");
 }
 

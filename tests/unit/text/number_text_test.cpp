@@ -32,7 +32,7 @@ TEST(PerCent, KeepsTwoSignificantDigitsOfASmallProbability) {
 TEST(PerCent, KeepsTwoSignificantDigitsOfWhatIsMissingTo1) {
   EXPECT_EQ(per_cent(1.0 - 48.0 / 300000.0), "99.984");
   EXPECT_EQ(per_cent({.low = 0.9712, .high = 0.99988}), "[97.1, 99.988]");
-  EXPECT_EQ(per_cent(0.9999999), "99.999990");
+  EXPECT_EQ(per_cent(0.9999998), "99.999980");
 }
 
 TEST(PerCent, WritesOnly0And1AsSuch) {

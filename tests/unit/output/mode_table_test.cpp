@@ -233,11 +233,11 @@ Made of_three_modes() {
 }
 
 TEST(ModeTable, DrawsItsSharesWhereBarsAreWanted) {
-  EXPECT_THAT(
-      of_three_modes().lines({.width = 101, .bars = Letters::ascii}),
-      ::testing::ElementsAre("amplitude    n              # (1,1)            - (1,3)    % overturned        shares",
-                             "        3  200  100.0 [50.0, 100.0]              < 2.8           < 2.8  ############",
-                             "      4.5  200    50.0 [25.0, 50.0]  49.5 [24.8, 49.5]  0.5 [0.2, 0.5]  ######-----%"));
+  EXPECT_THAT(of_three_modes().lines({.width = 101, .bars = Letters::ascii}),
+              ::testing::ElementsAre(
+                  "amplitude    n              # (1,1)            - (1,3)       % overturned        shares",
+                  "        3  200  100.0 [50.0, 100.0]              < 2.8              < 2.8  ############",
+                  "      4.5  200    50.0 [25.0, 50.0]  49.5 [24.8, 49.5]  0.50 [0.25, 0.50]  ######-----%"));
   const auto lines = of_three_modes().lines({.width = 104, .bars = Letters::unicode});
   EXPECT_THAT(lines[0], ::testing::HasSubstr("█ (1,1)"));
   EXPECT_THAT(lines[2], ::testing::EndsWith("  ███████░░░░░░░▓")) << "a longer bar, as there is room";

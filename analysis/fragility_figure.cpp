@@ -1,7 +1,6 @@
 #include "analysis/fragility_figure.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <string>
 #include <utility>
@@ -13,7 +12,7 @@
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/stats/fragility.hpp"
-#include "rocking/stats/normal_law.hpp"
+#include "rocking/stats/probit_interpolation.hpp"
 #include "rocking/stats/suite_law.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -213,20 +212,11 @@ stats::SuiteLaw suite_law_from(const Json& pooled) {
       .median = value("median"), .between_records = value("between_records"), .within_record = value("within_record")};
 }
 
-/// A probability between two levels at which it is known: its probit is interpolated in the logarithm of the intensity,
-/// where a lognormal law is a line.
-double between_levels(const Json& rows, std::size_t end, double intensity) {
-  constexpr double least = 1e-9;  // of a probability, so that its probit exists; invisible in a figure
-  const auto probit = [&](const Json& level) {
-    const double p = std::clamp(level.at("band").at(end).get<double>(), least, 1.0 - least);
-    return stats::normal_quantile(p);
-  };
-  std::size_t next = 1;
-  while (next + 1 < rows.size() && rows.at(next).at("intensity").get<double>() < intensity) ++next;
-  const double low = std::log(rows.at(next - 1).at("intensity").get<double>());
-  const double high = std::log(rows.at(next).at("intensity").get<double>());
-  const double part = (std::log(intensity) - low) / (high - low);
-  return stats::normal_cdf((1.0 - part) * probit(rows.at(next - 1)) + part * probit(rows.at(next)));
+/// An edge of the band, known at the levels.
+stats::ProbitInterpolation edge_of(const Json& rows, std::size_t end) {
+  std::vector<stats::KnownProbability> points;
+  for (const Json& level : rows) points.push_back({level.at("intensity"), level.at("band").at(end)});
+  return stats::ProbitInterpolation(points);
 }
 
 /// Columns: intensity, probability, low, high; without a band the last two are empty.
@@ -245,11 +235,12 @@ Table suite_law_table(const Json& curve) {
   const double last = rows.back().at("intensity");
   for (int i = 0; i <= points_of_a_law; ++i) {
     const double intensity = first + (last - first) * i / points_of_a_law;
-    std::vector<Cell> row{intensity, law.probability(intensity), Cell(), Cell()};
-    for (const std::size_t end : {0U, 1U}) {
-      if (has_band) row[2 + end] = between_levels(rows, end, intensity);
-    }
-    table.rows.push_back(std::move(row));
+    table.rows.push_back({intensity, law.probability(intensity), Cell(), Cell()});
+  }
+  if (!has_band) return table;
+  for (const std::size_t end : {0U, 1U}) {
+    const stats::ProbitInterpolation edge = edge_of(rows, end);
+    for (auto& row : table.rows) row[2 + end] = edge.probability(std::get<double>(row[0]));
   }
   return table;
 }
@@ -260,7 +251,7 @@ void add_suite(const Json& curve, std::size_t number, Figure& figure) {
   Style thin = style_of_curve(number);
   thin.colour = "#999999";
   thin.width = 0.5;
-  thin.size = 0.0;
+  thin.marker = 0;
   Style line = style_of_curve(number);
   Style ribbon = line;
   ribbon.hatch = 0;

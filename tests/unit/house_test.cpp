@@ -100,10 +100,8 @@ Offences stray_json(const std::string& room, const std::string& source) {
 
 /// Calls of statistical functions. A writer formats fields of a result. The two functions that are allowed summarise a
 /// check of a sampler.
-/// A figure may interpolate on the scale of the normal law.
 Offences statistics_in_a_writer(const std::string& source) {
-  return matches(without_comments(source),
-                 R"(\bstats::(?!is_refuted\b|smallest_p_value\b|normal_(?:cdf|quantile)\b)[a-z_]+\s*\()");
+  return matches(without_comments(source), R"(\bstats::(?!is_refuted\b|smallest_p_value\b)[a-z_]+\s*\()");
 }
 
 /// What no library function may do: print, end the program, read the clock, the environment or an entropy source, draw

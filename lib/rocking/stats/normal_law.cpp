@@ -3,12 +3,9 @@
 #include <cmath>
 #include <numbers>
 
-#include <boost/math/distributions/normal.hpp>
 #include <boost/math/special_functions/erf.hpp>
 
 namespace rocking::stats {
-
-double normal_quantile(double p) { return quantile(boost::math::normal_distribution<double>(), p); }
 
 double normal_cdf(double z) { return 0.5 * boost::math::erfc(-z / std::numbers::sqrt2); }
 

@@ -14,9 +14,6 @@ struct NormalLaw {
 /// Probability that a standard normal number is at most z. Keeps its relative accuracy down to z = -37.
 [[nodiscard]] double normal_cdf(double z);
 
-/// The z below which a standard normal number lies with probability p, in (0, 1).
-[[nodiscard]] double normal_quantile(double p);
-
 /// Probability that the absolute value of a standard normal number is at least abs(z).
 [[nodiscard]] double two_sided_normal_p_value(double z);
 

@@ -27,13 +27,17 @@ Axis time_axis(const Window& window, double end) {
           .high = window.from < end ? std::min(window.to, end) : std::min(window.to, window.from + 1.0)};
 }
 
+std::string described_end(const TrajectoryFile& file) {
+  return described(file) + " ends at " + significant(file.history.back().time, 4) + " periods";
+}
+
 /// ` a.json: ... ends at 12.3 periods, before the first one shown.`, for each trajectory of which that is true.
 std::string words_on_ended(const std::vector<TrajectoryFile>& files, const Window& window) {
   std::string text;
   for (const TrajectoryFile& file : files) {
-    if (file.history.empty() || file.history.back().time >= window.from) continue;
-    text += ' ' + described(file) + " ends at " + significant(file.history.back().time, 4) +
-            " periods, before the first one shown.";
+    if (!file.history.empty() && file.history.back().time < window.from) {
+      text += ' ' + described_end(file) + ", before the first one shown.";
+    }
   }
   return text;
 }
@@ -142,7 +146,7 @@ Figure time_history(const TrajectoryFile& file, const Window& window) {
   Figure figure;
   figure.name = "time_history";
   figure.title = "Tilt and slip against time";
-  figure.subtitle = described(file);
+  figure.subtitle = file.history.back().time < window.from ? described_end(file) : described(file);
   figure.arrangement = Arrangement::stacked;
   const Axis time = time_axis(window, file.history.back().time);
   figure.panels.push_back({.title = "", .x = time, .y = {"tilt", "Θ", ""}, .layers = {}, .height = 1.2});

@@ -123,6 +123,7 @@ TEST(TimeHistory, OfATrajectoryThatEndedBeforeTheWindowSaysSo) {
     EXPECT_THAT(figure.caption,
                 HasSubstr("x: condition 2, realisation 7 ends at 2 periods, before the first one shown."));
   }
+  EXPECT_EQ(time_history(file, {.from = 60.0}).subtitle, "x: condition 2, realisation 7 ends at 2 periods");
   EXPECT_THAT(time_history(file, {.from = 0.5}).caption, ::testing::Not(HasSubstr("ends at")));
 }
 

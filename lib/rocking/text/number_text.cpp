@@ -11,7 +11,9 @@ namespace {
 
 /// Digits after the point that leave two significant digits of a number; 0 of 0.
 int decimals_for_two_digits(double number) {
-  return number == 0.0 ? 0 : std::max(0, 1 - static_cast<int>(std::floor(std::log10(std::abs(number)))));
+  constexpr double rounding = 1e-6;  // 0.0999999 has the digits of 0.1, as which it is written
+  if (number == 0.0) return 0;
+  return std::max(0, 1 - static_cast<int>(std::floor(std::log10((1.0 + rounding) * std::abs(number)))));
 }
 
 }  // namespace

@@ -217,18 +217,87 @@ TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
   }
 }
 
-// Near a grazing the map goes like a root. Differences over too long a step stopped this branch at 4.4145.
-TEST(Branches, ComeCloseToTheGrazingAtTheirEnd) {
-  const std::vector<double> values{3.8};
-  std::vector<OrbitsOfCondition> found = orbits_at(values, 3);
-  BranchQuestion question = amplitudes(values, {.low = 3.5, .high = 4.55});
-  question.most_branches = 5;  // without the orbits of six periods
-  const BranchStudy study = branches_of(question, found, {});
-  const auto is_there = [](const Bifurcation& one) {
-    return one.kind == BifurcationKind::grazing && std::abs(one.value - 4.4641497) < 1e-6;
+/// The first branches from the orbits at one amplitude, with at most 3 periods before doublings.
+BranchStudy first_branches(double start, const ParameterRange& range, std::optional<Friction> friction = {}) {
+  const ConditionFamily conditions = [friction](double value) {
+    Condition condition = shaken(value);
+    condition.scene.friction = friction;
+    return std::optional(condition);
   };
-  EXPECT_TRUE(std::ranges::any_of(study.bifurcations, is_there));
-  for (const Bifurcation& one : study.bifurcations) EXPECT_LE(one.error, 1e-8) << to_string(one.kind);
+  std::vector<OrbitsOfCondition> found{orbits_of(*conditions(start), 3)};
+  return branches_of(
+      {.conditions = conditions, .values = {start}, .range = range, .most_points = 1000, .most_branches = 6}, found,
+      {});
+}
+
+/// Each bifurcation of a kind next to a value has it within its error, which is small, and there is one.
+void expect_at(const BranchStudy& study, BifurcationKind kind, double value, double largest_error) {
+  int near = 0;
+  for (const Bifurcation& one : study.bifurcations) {
+    if (one.kind != kind || std::abs(one.value - value) > 1e-4) continue;
+    EXPECT_LE(std::abs(one.value - value), one.error) << value;
+    EXPECT_LE(one.error, largest_error) << value;
+    ++near;
+  }
+  EXPECT_GE(near, 1) << to_string(kind) << " at " << value;
+}
+
+const std::vector<ParameterRange> three_ranges{
+    {.low = 3.5, .high = 4.55}, {.low = 3.5, .high = 6.0}, {.low = 0.5, .high = 12.0}};
+
+// The values: orbits that start and end at the instant at which theta and its rate are 0, by Newton's method for that
+// instant and the amplitude, with Taylor steps in long double. Nothing is singular there. The branches stop before them:
+// that of (3,3) at 4.46413 to 4.46415, where rates are below 2e-4 and multipliers up to 1e8.
+TEST(Branches, GrazeWhereOrbitsFromTheGrazingInstantOnDo) {
+  for (const ParameterRange& range : three_ranges) {
+    const BranchStudy study = first_branches(3.8, range);
+    expect_at(study, BifurcationKind::grazing, 4.464526827450001, 1e-10);  // (1,3)
+    expect_at(study, BifurcationKind::grazing, 4.464151721776603, 1e-10);  // (3,3)
+    expect_at(study, BifurcationKind::grazing, 4.157677811037453, 1e-10);  // (3,3) that is not symmetric
+  }
+}
+
+// Where a friction limit is grazed, the map jumps, and the orbit that slips must be approached from its own side.
+TEST(Branches, GrazeAFrictionLimitAtTheSameValueOverAnyRange) {
+  const Friction friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35};
+  for (const ParameterRange& range :
+       {ParameterRange{.low = 3.5, .high = 5.0}, {.low = 3.8, .high = 6.5}, {.low = 1.0, .high = 10.0}}) {
+    expect_at(first_branches(4.5, range, friction), BifurcationKind::grazing, 4.00118528474068, 1e-10);
+  }
+}
+
+// Runs over three ranges stopped at 4.10, 4.13 and 4.15, at rates of 5e-3 and multipliers of 1e7: rounding, no grazing.
+TEST(Branches, EndAtTheirLastPointWhereNothingIsLocated) {
+  for (const ParameterRange& range : three_ranges) {
+    BranchStudy study = first_branches(3.8, range);
+    for (const Bifurcation& one : study.bifurcations) {
+      EXPECT_FALSE(one.kind == BifurcationKind::grazing && one.orbit.period == 6) << one.value;
+    }
+    for (std::size_t i = 0; i < study.branches.size(); ++i) {
+      const OrbitBranch& branch = study.branches[i];
+      for (const std::size_t end : {std::size_t{0}, std::size_t{1}}) {
+        if (branch.ends[end] != BranchEnd::grazing) continue;
+        const double last = (end == 0 ? branch.points.front() : branch.points.back()).value;
+        const bool is_located = std::ranges::any_of(study.bifurcations, [&](const Bifurcation& one) {
+          return one.kind == BifurcationKind::grazing && one.branch == i && std::abs(one.value - last) < 1e-3;
+        });
+        EXPECT_TRUE(is_located) << i << ' ' << last;
+      }
+    }
+  }
+}
+
+// The value: the orbit from impact to impact whose map has the multiplier -1, in 34 digits. The branches that begin there
+// are nearly singular next to it.
+TEST(Branches, LoseTheirSymmetryAtTheSameValueOverAnyRange) {
+  for (const ParameterRange& range :
+       {ParameterRange{.low = 7.5, .high = 8.0}, {.low = 7.0, .high = 9.0}, {.low = 0.5, .high = 12.0}}) {
+    const std::vector<double> values{8.0};
+    std::vector<OrbitsOfCondition> found = orbits_at(values, 5);
+    BranchQuestion question = amplitudes(values, range);
+    question.most_branches = 4;
+    expect_at(branches_of(question, found, {}), BifurcationKind::symmetry_breaking, 7.931804354155346, 1e-10);
+  }
 }
 
 TEST(Branches, AreNotTracedTwiceAndFindTheOrbitsOfOtherConditions) {

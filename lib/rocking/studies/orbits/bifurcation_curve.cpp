@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "rocking/studies/orbits/critical_orbit.hpp"
 #include "rocking/studies/orbits/passage.hpp"
 
 namespace rocking {
@@ -19,9 +20,7 @@ constexpr double least_curve_step = 1e-7;
 constexpr double least_curve_cosine = 0.9;
 constexpr int few_curve_corrections = 5;
 
-/// Distances up to which a start on the curve is that of the bifurcation, and a bifurcation is on a curve: as those of
-/// one bifurcation in branches.cpp.
-constexpr double same_share = 1e-5;
+/// Distance up to which a bifurcation is on a curve: as those of one bifurcation in branches.cpp.
 constexpr double same_orbit = 1e-2;
 
 struct TracedCriticalCurve {
@@ -110,11 +109,8 @@ class CriticalTrace {
   /// A motion just beyond the last orbit shows by its changes of contact why there is no further one.
   [[nodiscard]] BranchEnd why_lost(const CriticalPoint& at) const {
     const auto beyond = image_of(*family_, plus(at.at, 100.0 * least_curve_step, at.tangent));
-    double rate = least_rate(at.image);
-    if (beyond) rate = std::min(rate, least_rate(*beyond));
-    if (rate < 10.0 * grazing_rate) return BranchEnd::grazing;
     const bool changes = beyond && !is_same_contact(family_->orbits, at.image, *beyond);
-    return changes ? BranchEnd::contact_change : BranchEnd::lost;
+    return changes ? BranchEnd::contact_change : BranchEnd::last_point;
   }
 
   const CriticalFamily* family_;
@@ -133,49 +129,23 @@ class CurveSearch {
   }
 
  private:
-  /// The families of which the bifurcation may be one, with the multiplier. A doubling that was located from the doubled
-  /// orbits is one of orbits of half their period.
-  [[nodiscard]] std::vector<CriticalFamily> families(const Bifurcation& one) const {
-    const OrbitBranch& branch = study_->branches[one.branch];
-    const auto family = [this](int period, bool is_symmetric, CriticalMultiplier multiplier) {
-      return CriticalFamily{.conditions = &question_->conditions,
-                            .ranges = question_->ranges,
-                            .orbits = {.period = period, .is_symmetric = is_symmetric},
-                            .multiplier = multiplier};
-    };
-    switch (one.kind) {
-      case BifurcationKind::fold: return {family(branch.period, branch.is_symmetric, CriticalMultiplier::plus_one)};
-      case BifurcationKind::symmetry_breaking: return {family(branch.period, true, CriticalMultiplier::minus_one)};
-      case BifurcationKind::period_doubling: {
-        std::vector<CriticalFamily> found{family(branch.period, false, CriticalMultiplier::minus_one)};
-        if (branch.period % 2 == 0) found.push_back(family(branch.period / 2, false, CriticalMultiplier::minus_one));
-        return found;
-      }
-      case BifurcationKind::grazing:
-      case BifurcationKind::contact_change: break;
-    }
-    return {};
-  }
-
-  /// The bifurcation with the second parameter held.
-  [[nodiscard]] std::optional<CriticalPoint> start_of(const Bifurcation& one, const CriticalFamily& family) const {
-    if (one.orbit.points.empty()) return std::nullopt;
+  [[nodiscard]] PlaneUnknowns unknowns_at(const Bifurcation& one) const {
     const section::StrobePoint& point = one.orbit.points.front().point;
-    const PlaneUnknowns at{point.tilt, point.tilt_rate, point.slip_rate, question_->ranges[0].share(one.value),
-                           question_->ranges[1].share(question_->second)};
-    const auto image = image_of(family, at);
-    if (!image) return std::nullopt;
-    auto start =
-        correct(family, border_of(family, *image), {.normal = {0.0, 0.0, 0.0, 0.0, 1.0}, .through = at}, stop_);
-    if (!start || std::abs(start->at[3] - at[3]) > same_share) return std::nullopt;
-    if (norm(plus(start->at, -1.0, at)) > same_orbit) return std::nullopt;
-    return start;
+    return {point.tilt, point.tilt_rate, point.slip_rate, question_->ranges[0].share(one.value),
+            question_->ranges[1].share(question_->second)};
   }
 
   void follow(std::size_t place) {
     const Bifurcation& one = study_->bifurcations[place];
-    for (const CriticalFamily& family : families(one)) {
-      const auto start = start_of(one, family);
+    const OrbitBranch& branch = study_->branches[one.branch];
+    if (one.orbit.points.empty()) return;
+    for (const CriticalOrbits& critical :
+         critical_orbits(one.kind, {.period = branch.period, .is_symmetric = branch.is_symmetric})) {
+      const CriticalFamily family{.conditions = &question_->conditions,
+                                  .ranges = question_->ranges,
+                                  .orbits = critical.orbits,
+                                  .multiplier = critical.multiplier};
+      const auto start = critical_near(family, unknowns_at(one), stop_);
       if (!start) continue;
       if (is_on_a_curve(one)) return;
       const CriticalTrace trace(family, question_->most_points, stop_);

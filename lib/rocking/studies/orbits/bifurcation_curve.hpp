@@ -42,8 +42,7 @@ struct BifurcationCurve {
 ///
 /// The next point is sought along the tangent of the curve of (Theta, Theta', V, p1, p2), and found by Newton's method
 /// in the plane normal to it (fold_and_flip.hpp). It is accepted as on a branch (trace.hpp). Where the changes of contact
-/// become others, the curve ends: with `grazing` if a guard is reached at a rate of 0 there. Throws base::Stopped if it
-/// is asked to stop.
+/// become others, the curve ends. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] std::vector<BifurcationCurve> bifurcation_curves(const CurveQuestion& question, const BranchStudy& study,
                                                                base::StopRequest stop);
 

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <limits>
 
 #include <Eigen/Dense>
 
@@ -26,6 +27,13 @@ Eigen::Matrix<double, 3, 4> curve_matrix(const MapDerivative& derivative) {
   return matrix;
 }
 
+Eigen::Matrix4d bordered_matrix(const MapDerivative& derivative, const Unknowns& border) {
+  Eigen::Matrix4d matrix;
+  matrix.topRows<3>() = curve_matrix(derivative);
+  matrix.row(3) = Eigen::Vector4d(border.data()).transpose();
+  return matrix;
+}
+
 }  // namespace
 
 double dot(const Unknowns& a, const Unknowns& b) {
@@ -43,12 +51,16 @@ Unknowns plus(const Unknowns& a, double share, const Unknowns& b) {
 double norm(const Unknowns& a) { return std::sqrt(dot(a, a)); }
 
 std::optional<Unknowns> solve_bordered(const MapDerivative& derivative, const Unknowns& border, const Unknowns& right) {
-  Eigen::Matrix4d matrix;
-  matrix.topRows<3>() = curve_matrix(derivative);
-  matrix.row(3) = Eigen::Vector4d(border.data()).transpose();
-  const Eigen::Vector4d solution = matrix.partialPivLu().solve(Eigen::Vector4d(right.data()));
+  const Eigen::Vector4d solution =
+      bordered_matrix(derivative, border).partialPivLu().solve(Eigen::Vector4d(right.data()));
   if (!solution.allFinite()) return std::nullopt;
   return Unknowns{solution[0], solution[1], solution[2], solution[3]};
+}
+
+double condition_of(const MapDerivative& derivative, const Unknowns& border) {
+  const Eigen::Matrix4d inverse = bordered_matrix(derivative, border).inverse();
+  const double condition = inverse.leftCols<3>().cwiseAbs().rowwise().sum().norm();
+  return std::isfinite(condition) ? condition : std::numeric_limits<double>::infinity();
 }
 
 Unknowns direction_of(const MapDerivative& derivative) {

@@ -26,6 +26,10 @@ struct MapDerivative {
 [[nodiscard]] std::optional<Unknowns> solve_bordered(const MapDerivative& derivative, const Unknowns& border,
                                                      const Unknowns& right);
 
+/// Largest distance between the solutions for two right-hand sides that differ by at most 1 in each of the first three
+/// entries; infinite where the system is singular.
+[[nodiscard]] double condition_of(const MapDerivative& derivative, const Unknowns& border);
+
 /// Direction of the curve, of norm 1: the null vector of (M - I, H_q) that belongs to the smallest singular value.
 [[nodiscard]] Unknowns direction_of(const MapDerivative& derivative);
 

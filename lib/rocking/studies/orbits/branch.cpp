@@ -19,7 +19,7 @@ std::string_view to_string(BranchEnd end) {
     case BranchEnd::joins: return "joins";
     case BranchEnd::grazing: return "grazing";
     case BranchEnd::contact_change: return "contact_change";
-    case BranchEnd::lost: return "lost";
+    case BranchEnd::last_point: return "last_point";
     case BranchEnd::closed: return "closed";
     case BranchEnd::known: return "known";
     case BranchEnd::points: return "points";

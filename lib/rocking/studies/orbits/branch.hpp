@@ -33,13 +33,13 @@ enum class BranchEnd : std::uint8_t {
   joins,           ///< it branches off here: from orbits of half the period, or from symmetric ones
   grazing,         ///< the contact sequence changes by grazing, and no orbit near continues it
   contact_change,  ///< the contact sequence changes otherwise, likewise
-  lost,            ///< Newton's method does not converge for the smallest step, for no reason that is known
+  last_point,      ///< no further orbit was found, and why was not located
   closed,          ///< it has come back to its start
   known,           ///< it has come to a branch that is listed
   points           ///< the largest number of points is reached
 };
-inline constexpr std::array all_branch_ends{BranchEnd::range,          BranchEnd::joins, BranchEnd::grazing,
-                                            BranchEnd::contact_change, BranchEnd::lost,  BranchEnd::closed,
+inline constexpr std::array all_branch_ends{BranchEnd::range,          BranchEnd::joins,      BranchEnd::grazing,
+                                            BranchEnd::contact_change, BranchEnd::last_point, BranchEnd::closed,
                                             BranchEnd::known,          BranchEnd::points};
 
 /// Spelled as the enumerator.
@@ -64,7 +64,7 @@ struct OrbitBranch {
 struct Bifurcation {
   BifurcationKind kind = BifurcationKind::fold;
   double value = 0.0;      ///< of the parameter
-  double error = 0.0;      ///< half the width of the bracket of `value`, at least
+  double error = 0.0;      ///< largest error of `value`
   std::size_t branch = 0;  ///< place of the branch
   Orbit orbit;             ///< there
 };

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "rocking/section/period.hpp"
-#include "rocking/studies/orbits/grazing.hpp"
+#include "rocking/studies/orbits/critical_orbit.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/studies/orbits/trace.hpp"
 
@@ -22,11 +22,9 @@ namespace {
 constexpr double same_parameter = 1e-5;
 constexpr double same_state = 1e-2;
 
-/// Largest correction of a grazing, as a share of the range.
-constexpr double farthest_grazing = 1e-3;
-
-/// Distance up to which two grazing orbits of a branch at one value of the parameter are one.
-constexpr double grazing_state = 1e-6;
+/// Distance up to which two grazing orbits of a branch at one value of the parameter are one: the orbits listed are beside
+/// the grazing, one that reaches the guard at a rate of 1e-6.
+constexpr double grazing_state = 1e-5;
 
 /// Distances x along the critical direction at which a branch that begins is sought. Its parameter differs by about x^2
 /// from that of the bifurcation: 1e-4 for the first one, which is more than `same_parameter`. A shorter one is tried for
@@ -171,31 +169,44 @@ class BranchSearch {
     return result;
   }
 
-  /// Locates a grazing exactly, from the side on which the guard is not reached.
-  void sharpen(const MapFamily& orbits, LocatedBifurcation& located) const {
+  /// Locates a bifurcation by its critical multiplier; false where there is none near. Next to it the orbits that branch
+  /// off, and their test functions, are known less well than those that go on.
+  bool solve(const MapFamily& orbits, LocatedBifurcation& located) const {
+    if (located.kind == BifurcationKind::grazing || located.kind == BifurcationKind::contact_change) return true;
     const ConditionPlane plane = [this](double value, double) { return question_->conditions(value); };
-    const CriticalFamily family{
-        .conditions = &plane, .ranges = {question_->range, {}}, .orbits = orbits.orbits(), .multiplier = {}};
     const Unknowns& near = located.point.at;
-    const auto start = start_beside(family, {near[0], near[1], near[2], near[3], 0.0});
-    if (!start) return;
-    const auto found =
-        graze({.orbits = family, .guard = start->guard}, {.normal = {0.0, 0.0, 0.0, 0.0, 1.0}}, start->at, stop_);
-    if (!found || std::abs(found->at[3] - near[3]) > farthest_grazing) return;
-    const Unknowns at{found->at[0], found->at[1], found->at[2], found->at[3]};
-    if (norm(plus(at, -1.0, near)) > same_state || !is_in_range(at[3])) return;
-    located.point.at = at;
-    located.point.image = found->image;
-    located.point.residual = found->residual;
-    located.error = std::max(found->error * (question_->range.high - question_->range.low), 1e-12);
+    for (const CriticalOrbits& critical : critical_orbits(located.kind, orbits.orbits())) {
+      const CriticalFamily family{.conditions = &plane,
+                                  .ranges = {question_->range, {}},
+                                  .orbits = critical.orbits,
+                                  .multiplier = critical.multiplier};
+      const auto found = critical_near(family, {near[0], near[1], near[2], near[3], 0.0}, stop_);
+      if (!found || !is_in_range(found->at[3])) continue;
+      const Unknowns at{found->at[0], found->at[1], found->at[2], found->at[3]};
+      auto image = orbits.image(at);
+      if (!image) continue;
+      located.point.residual = distance(image->end(), state_of(at));
+      located.point.at = at;
+      located.point.image = std::move(*image);
+      located.share = at[3];
+      located.error = found->error;
+      return true;
+    }
+    return false;
+  }
+
+  /// Of the parameter; at least some units in its last place.
+  [[nodiscard]] double error_of(const LocatedBifurcation& located) const {
+    const ParameterRange& range = question_->range;
+    return std::max(located.error * (range.high - range.low), 1e-12 * std::abs(range.value(located.share)));
   }
 
   void add(const MapFamily& orbits, LocatedBifurcation located, std::size_t branch) {
-    if (located.kind == BifurcationKind::grazing) sharpen(orbits, located);
+    if (!solve(orbits, located)) return;
     BranchPoint at = branch_point(orbits, located.point);
     Bifurcation bifurcation{.kind = located.kind,
-                            .value = at.value,
-                            .error = located.error,
+                            .value = question_->range.value(located.share),
+                            .error = error_of(located),
                             .branch = branch,
                             .orbit = std::move(at.orbit)};
     if (located.kind == BifurcationKind::grazing && is_listed(bifurcation)) return;

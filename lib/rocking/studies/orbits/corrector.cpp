@@ -16,6 +16,8 @@ constexpr int most_corrections = 12;
 constexpr double enough = 2e-15;  // a few units in the last place of Theta
 /// Rounding of an image is 2^-53 times the largest entry of M, which is below 1e7: a residual below this may stay.
 constexpr double may_be_rounding = 1e-9;
+/// That of one, over the largest entry of M, with that of the motion behind it.
+constexpr double rounding_of_map = 0x1p-52;
 
 /// Largest entry of the matrix, at least 1: rounding of the image is about 2^-53 times it.
 double amplification(const SectionMatrix& matrix) {
@@ -50,8 +52,11 @@ std::optional<Unknowns> step_to_curve(const MapFamily& family, const Hyperplane&
 bool complete(const MapFamily& family, const Hyperplane& plane, CurvePoint& point) {
   const auto by_parameter = family.by_parameter(point.at, point.image);
   if (!by_parameter) return false;
-  point.tangent = direction_of({point.image.derivative, *by_parameter});
+  const MapDerivative derivative{point.image.derivative, *by_parameter};
+  point.tangent = direction_of(derivative);
   if (dot(point.tangent, plane.normal) < 0.0) point.tangent = plus({}, -1.0, point.tangent);
+  const double rounding = rounding_of_map * amplification(point.image.derivative);
+  point.error = condition_of(derivative, point.tangent) * std::max(point.residual, rounding);
   point.flip = flip_determinant(point.image.derivative);
   point.asymmetry = family.asymmetry(point.at, point.image);
   return true;

@@ -13,6 +13,7 @@ struct CurvePoint {
   Unknowns tangent{};   ///< of norm 1
   PoincareImage image;  ///< of the map of the family
   double residual = 0.0;
+  double error = 0.0;                                  ///< distance from the curve: residual times condition
   double flip = 0.0;                                   ///< det(I + M): 0 at a period doubling, or where symmetry breaks
   std::optional<section::StrobePoint> asymmetry = {};  ///< MapFamily::asymmetry
   int steps = 0;                                       ///< of Newton's method

@@ -25,6 +25,11 @@ constexpr double may_be_rounding_in_plane = 1e-9;
 /// entry of M: 2e-11 and 1e-11 for the first step. The others are for a change of contact within the first one.
 constexpr std::array slope_steps{1e-5, 1e-7, 1e-9};
 
+/// Rounding of the map and of its derivative, over the largest entry of the derivative. The tangent vectors pass each step
+/// and each event by some ten products: a thousand roundings in all.
+constexpr double rounding_of_image = 0x1p-52;
+constexpr double rounding_of_derivative = 0x1p-43;
+
 /// M - sign I.
 Eigen::Matrix3d critical_matrix(const CriticalFamily& family, const PoincareImage& image) {
   Eigen::Matrix3d matrix;
@@ -110,15 +115,28 @@ std::optional<Curve> derivative_of(const CriticalFamily& family, const CriticalB
   return curve;
 }
 
-std::optional<PlaneUnknowns> next_of(const Curve& derivative, const PlaneSection& section, const PlaneUnknowns& at,
-                                     const Eigen::Vector4d& value) {
+Eigen::Matrix<double, 5, 5> matrix_of(const Curve& derivative, const PlaneSection& section) {
   Eigen::Matrix<double, 5, 5> matrix;
   matrix.topRows<4>() = derivative;
   matrix.row(4) = Vector5(section.normal.data()).transpose();
+  return matrix;
+}
+
+/// Of the first parameter, by the residuals at a point and their rounding.
+double error_of(const Curve& derivative, const PlaneSection& section, const CriticalPoint& point, double test) {
+  const Vector5 row = matrix_of(derivative, section).inverse().row(3).transpose().cwiseAbs();
+  const double largest = largest_entry(point.image.derivative);
+  const double of_orbit = std::max(point.residual, rounding_of_image * largest);
+  const double of_test = std::max(std::abs(test), rounding_of_derivative * largest);
+  return of_orbit * row.head<3>().sum() + of_test * row[3];
+}
+
+std::optional<PlaneUnknowns> next_of(const Curve& derivative, const PlaneSection& section, const PlaneUnknowns& at,
+                                     const Eigen::Vector4d& value) {
   Vector5 right;
   right.head<4>() = -value;
   right[4] = -dot(section.normal, plus(at, -1.0, section.through));
-  const Vector5 step = matrix.partialPivLu().solve(right);
+  const Vector5 step = matrix_of(derivative, section).partialPivLu().solve(right);
   if (!step.allFinite()) return std::nullopt;
   PlaneUnknowns next = at;
   for (std::size_t i = 0; i < 5; ++i) next[i] += step[static_cast<int>(i)];
@@ -172,6 +190,7 @@ std::optional<CriticalPoint> correct(const CriticalFamily& family, const Critica
   std::optional<CriticalPoint> best;
   std::optional<Curve> derivative_at_best;
   double size_of_best = 0.0;
+  double test_of_best = 0.0;
   PlaneUnknowns at = section.through;
   for (int i = 0; i <= most_corrections_in_plane; ++i) {
     stop.check();
@@ -195,6 +214,7 @@ std::optional<CriticalPoint> correct(const CriticalFamily& family, const Critica
           .at = at, .image = std::move(*image), .residual = value.head<3>().cwiseAbs().maxCoeff(), .steps = i};
       derivative_at_best = derivative;
       size_of_best = size;
+      test_of_best = value[3];
     }
     if (!next || size < enough_in_plane) break;
     at = *next;
@@ -202,6 +222,7 @@ std::optional<CriticalPoint> correct(const CriticalFamily& family, const Critica
   if (!best || !(best->residual <= largest_residual * largest_entry(best->image.derivative))) return std::nullopt;
   best->test = smallest_singular_value(family, best->image);
   if (!(best->test <= largest_test * largest_entry(best->image.derivative))) return std::nullopt;
+  best->error = error_of(*derivative_at_best, section, *best, test_of_best);
   best->border = border_of(family, best->image);
   best->tangent = tangent_of(*derivative_at_best, section, best->image);
   return best;

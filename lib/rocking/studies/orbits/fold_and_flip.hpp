@@ -41,6 +41,7 @@ struct CriticalPoint {
   CriticalBorder border{};  ///< the singular vectors of M - sign I that belong to its smallest singular value
   double residual = 0.0;    ///< of the orbit
   double test = 0.0;        ///< the smallest singular value of M - sign I
+  double error = 0.0;       ///< of the first parameter's share: residuals times condition
   int steps = 0;            ///< of Newton's method
 };
 

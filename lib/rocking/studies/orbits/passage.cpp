@@ -1,12 +1,13 @@
 #include "rocking/studies/orbits/passage.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <utility>
 
 #include "rocking/studies/orbits/bracket.hpp"
+#include "rocking/studies/orbits/grazing.hpp"
 
 namespace rocking {
 namespace {
@@ -15,6 +16,11 @@ namespace {
 // above what rounding leaves of a residual: 1e-13 over a distance of the multipliers from 1 of 1e-4.
 constexpr double parameter_width = 1e-9;
 constexpr double state_width = 1e-6;
+/// The same where the contacts change. Next to a grazing there are two curves, whose distance is that of the parameter
+/// from the grazing times a number of order 1: at 1e-8 the change is not taken for one between them.
+constexpr double contact_width = 1e-8;
+/// Between the orbits beside a grazing on both sides: that which reaches the guard is at a rate of 1e-6.
+constexpr double same_grazing = 1e-5;
 /// Changes of contact between two neighbouring points. A step of 0.02 rarely has more than one; six bound the work next
 /// to a chatter.
 constexpr int most_changes = 6;
@@ -31,18 +37,21 @@ double product(const section::StrobePoint& a, const section::StrobePoint& b) {
   return a.tilt * b.tilt + a.tilt_rate * b.tilt_rate + a.slip_rate * b.slip_rate;
 }
 
+/// Of the share: the width of a bracket, and the errors of its orbits.
+double bracket_error(const CurvePoint& a, const CurvePoint& b) {
+  return std::abs(a.at[3] - b.at[3]) + std::max(a.error, b.error);
+}
+
+bool is_one(const Grazing& a, const Grazing& b) {
+  return std::abs(a.share - b.share) <= a.error + b.error && norm(plus(a.beside.at, -1.0, b.beside.at)) < same_grazing;
+}
+
 bool changes_sign(double a, double b) { return (a > 0.0) != (b > 0.0); }
 
 }  // namespace
 
 bool is_same_contact(const OrbitFamily& orbits, const PoincareImage& a, const PoincareImage& b) {
   return is_same_sequence(whole_sequence(orbits, a), whole_sequence(orbits, b));
-}
-
-double least_rate(const PoincareImage& image) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const GuardCrossing& crossing : image.crossings) least = std::min(least, std::abs(crossing.rate));
-  return least;
 }
 
 std::optional<CurvePoint> PassageSearch::at_share(const CurvePoint& a, const CurvePoint& b, double share) const {
@@ -54,13 +63,13 @@ double PassageSearch::width(const CurvePoint& a, const CurvePoint& b) const {
   return std::abs(a.at[3] - b.at[3]) * (family_->range().high - family_->range().low);
 }
 
-bool PassageSearch::is_near(const CurvePoint& a, const CurvePoint& b) const {
+bool PassageSearch::is_near(const CurvePoint& a, const CurvePoint& b, double state_width) const {
   return width(a, b) <= parameter_width && norm(plus(a.at, -1.0, b.at)) <= state_width;
 }
 
 PassageSearch::Pair PassageSearch::change_of_contact(const CurvePoint& a, const CurvePoint& b) const {
   Pair pair{a, b};
-  for (int i = 0; i < 60 && !is_near(pair.before, pair.after); ++i) {
+  for (int i = 0; i < 60 && !is_near(pair.before, pair.after, contact_width); ++i) {
     std::optional<CurvePoint> middle;
     for (const double share : {0.5, 0.25, 0.75, 0.1, 0.9}) {
       middle = at_share(pair.before, pair.after, share);
@@ -95,8 +104,8 @@ std::optional<LocatedBifurcation> PassageSearch::locate(const CurvePoint& a, con
     return found;
   };
   static_cast<void>(shorten({.low = 0.0, .high = 1.0, .at_low = *at_a, .at_high = *at_b}, value,
-                            [&](const Bracket&) { return is_near(low, high); }));
-  if (!is_near(low, high)) {
+                            [&](const Bracket&) { return is_near(low, high, state_width); }));
+  if (!is_near(low, high, state_width)) {
     // Newton's method failed in between. From points that are closer together it may not.
     passage.is_broken = passage.is_broken || norm(plus(a.at, -1.0, b.at)) > state_width;
     return std::nullopt;
@@ -105,8 +114,10 @@ std::optional<LocatedBifurcation> PassageSearch::locate(const CurvePoint& a, con
   const double of_high = std::abs(test(high).value_or(1.0));
   // Where it jumps or has a pole instead, it does not become small.
   if (!(std::min(of_low, of_high) < std::min(std::abs(*at_a), std::abs(*at_b)) + 1e-9)) return std::nullopt;
-  const double error = std::max(width(low, high), 1e-12);
-  return LocatedBifurcation{.kind = kind, .point = of_low < of_high ? std::move(low) : std::move(high), .error = error};
+  const double error = bracket_error(low, high);
+  CurvePoint& nearer = of_low < of_high ? low : high;
+  const double share = nearer.at[3];
+  return LocatedBifurcation{.kind = kind, .point = std::move(nearer), .share = share, .error = error};
 }
 
 void PassageSearch::add_wanted(const CurvePoint& a, const CurvePoint& b, std::vector<CurvePoint>& points) const {
@@ -168,20 +179,37 @@ void PassageSearch::pass_smoothly(const CurvePoint& a, const CurvePoint& b, Pass
 void PassageSearch::pass(const CurvePoint& a, const CurvePoint& b, int depth, Passage& passage) const {
   if (depth == 0 || is_same_contact(family_->orbits(), a.image, b.image)) return pass_smoothly(a, b, passage);
   auto [before, after] = change_of_contact(a, b);
-  if (!is_near(before, after)) {
+  auto change = located(a, {before, after}, b);
+  if (!change) {
     passage.is_broken = true;
     return;
   }
   if (norm(plus(before.at, -1.0, a.at)) > 0.0) pass_smoothly(a, before, passage);
   if (passage.is_joined || passage.is_broken) return;
-  const double rate = std::min(least_rate(before.image), least_rate(after.image));
-  passage.bifurcations.push_back(
-      {.kind = rate < grazing_rate ? BifurcationKind::grazing : BifurcationKind::contact_change,
-       .point = before,
-       .error = std::max(width(before, after), 1e-12),
-       .least_rate = rate});
+  passage.bifurcations.push_back(std::move(*change));
   passage.points.push_back(after);
   if (norm(plus(after.at, -1.0, b.at)) > 0.0) pass(after, b, depth - 1, passage);
+}
+
+std::optional<LocatedBifurcation> PassageSearch::located(const CurvePoint& a, const Pair& pair,
+                                                         const CurvePoint& b) const {
+  auto before = graze(*family_, std::array{a, pair.before}, stop_);
+  auto after = graze(*family_, std::array{b, pair.after}, stop_);
+  const double error = bracket_error(pair.before, pair.after);
+  const auto is_in_bracket = [&](const std::optional<Grazing>& one) {
+    return one && std::abs(one->share - pair.before.at[3]) <= one->error + error;
+  };
+  if (!is_near(pair.before, pair.after, contact_width)) {
+    if (!before || !after || !is_one(*before, *after)) return std::nullopt;
+  } else if (!is_in_bracket(before) && !is_in_bracket(after)) {
+    return LocatedBifurcation{
+        .kind = BifurcationKind::contact_change, .point = pair.before, .share = pair.before.at[3], .error = error};
+  }
+  if (!before || (after && after->error < before->error)) before = std::move(after);
+  return LocatedBifurcation{.kind = BifurcationKind::grazing,
+                            .point = std::move(before->beside),
+                            .share = before->share,
+                            .error = before->error};
 }
 
 Passage PassageSearch::between(const CurvePoint& a, const CurvePoint& b) const {

@@ -10,9 +10,9 @@ namespace rocking {
 /// A bifurcation on a curve of orbits.
 struct LocatedBifurcation {
   BifurcationKind kind = BifurcationKind::fold;
-  CurvePoint point;
-  double error = 0.0;       ///< of the parameter
-  double least_rate = 0.0;  ///< of the guards reached, next to a change of contact
+  CurvePoint point;    ///< an orbit there, or next to it
+  double share = 0.0;  ///< of the range, at the bifurcation
+  double error = 0.0;  ///< of `share`
 };
 
 /// What lies on a curve between two of its points.
@@ -26,16 +26,10 @@ struct Passage {
 /// Whether two orbits of a family have the same changes of contact.
 [[nodiscard]] bool is_same_contact(const OrbitFamily& orbits, const PoincareImage& a, const PoincareImage& b);
 
-/// Smallest absolute rate at which an orbit reaches a guard; infinite if it reaches none.
-[[nodiscard]] double least_rate(const PoincareImage& image);
-
-/// Below this rate a guard is taken as grazed, next to a change of contact: its square is the distance of the parameter
-/// from the grazing times a number of order 1, and the distance is at most 1e-9.
-inline constexpr double grazing_rate = 1e-3;
-
 /// Locates the bifurcations between two neighbouring points of a curve, and its orbits at the `wanted` values of the
 /// parameter between them. Each bifurcation is bracketed to 1e-9 in the parameter by a change of sign of its test
-/// function, or by a change of the contact sequence.
+/// function, or by a change of the contact sequence. The error of a bracket is its width and the errors of its two orbits.
+/// A grazing in it is located by graze().
 class PassageSearch {
  public:
   PassageSearch(const MapFamily& family, const std::vector<double>& wanted, base::StopRequest stop)
@@ -52,12 +46,14 @@ class PassageSearch {
   void pass_smoothly(const CurvePoint& a, const CurvePoint& b, Passage& passage) const;
   void add_wanted(const CurvePoint& a, const CurvePoint& b, std::vector<CurvePoint>& points) const;
   [[nodiscard]] Pair change_of_contact(const CurvePoint& a, const CurvePoint& b) const;
+  [[nodiscard]] std::optional<LocatedBifurcation> located(const CurvePoint& a, const Pair& pair,
+                                                          const CurvePoint& b) const;
   template <class Test>
   [[nodiscard]] std::optional<LocatedBifurcation> locate(const CurvePoint& a, const CurvePoint& b, BifurcationKind kind,
                                                          Test&& test, Passage& passage) const;
   [[nodiscard]] std::optional<CurvePoint> at_share(const CurvePoint& a, const CurvePoint& b, double share) const;
   [[nodiscard]] double width(const CurvePoint& a, const CurvePoint& b) const;
-  [[nodiscard]] bool is_near(const CurvePoint& a, const CurvePoint& b) const;
+  [[nodiscard]] bool is_near(const CurvePoint& a, const CurvePoint& b, double state_width) const;
 
   const MapFamily* family_;
   const std::vector<double>* wanted_;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "rocking/studies/orbits/grazing.hpp"
+
 namespace rocking {
 namespace {
 
@@ -29,8 +31,11 @@ constexpr int most_crawls = 40;
 /// Below it an orbit is one of the family from which its own branches off: two orbits that differ by rounding, 1e-13, over
 /// a distance of the multipliers from 1 of 1e-6.
 constexpr double least_asymmetry = 1e-7;
-/// Of the motion that shows why a curve ends: beyond the last step, and within what the tangent describes to 1e-14.
-constexpr double cause_distance = 1e-7;
+/// Of a grazing behind which the curve cannot be followed: below what forty steps that lead nowhere may cover.
+constexpr double just_behind = 4e-4;
+/// Of the motion that shows why a curve ends: ten times the last step. The curve leaves its tangent there by 1e-18 times
+/// its curvature, which is at most 4.5e4: less than rounding.
+constexpr double cause_distance = 1e-9;
 
 class CurveTrace {
  public:
@@ -46,11 +51,11 @@ class CurveTrace {
       const Passage passage = next ? search_.between(at, next->point) : Passage{};
       if (!next || passage.is_broken) {
         step *= 0.5;
-        if (step < least_step) return ended(why_lost(at, step));
+        if (step < least_step) return ended(why_lost(start, at));
         continue;
       }
       crawls_ = step < crawling_step ? crawls_ + 1 : 0;
-      if (crawls_ > most_crawls) return ended(why_lost(at, step));
+      if (crawls_ > most_crawls) return ended(why_lost(start, at));
       const bool is_last = next->is_at_end;
       const bool closes = curve_.points.size() > 3 && comes_back(start, at, next->point);
       if (const auto end = advance(passage)) return ended(*end);
@@ -82,6 +87,7 @@ class CurveTrace {
       sought[3] = end;
       normal = {0.0, 0.0, 0.0, at.tangent[3] > 0.0 ? 1.0 : -1.0};
     }
+    sought = with_slip_ended(at, sought);
     auto point = correct(*family_, {.normal = normal, .through = sought}, stop_);
     if (!point || !is_accepted(at, *point, sought, step)) return std::nullopt;
     if (is_beyond) point->at[3] = sought[3];
@@ -94,7 +100,9 @@ class CurveTrace {
     if (point.asymmetry && distance(*point.asymmetry, {}) < least_asymmetry) return false;
     const double away = norm(plus(point.at, -1.0, sought));
     if (away < 0.5 * step && dot(at.tangent, point.tangent) > least_cosine) return true;
-    return step < kink_step && away < 20.0 * step && !is_same_contact(family_->orbits(), at.image, point.image);
+    const bool changes =
+        at.image.contact != point.image.contact || !is_same_contact(family_->orbits(), at.image, point.image);
+    return step < kink_step && away < 20.0 * step && changes;
   }
 
   /// Adds what lies up to the next point; returns why the curve ends there, if it does.
@@ -117,21 +125,42 @@ class CurveTrace {
            dot(start.tangent, next.tangent) > least_cosine;
   }
 
-  /// A motion just beyond the last orbit shows by its changes of contact why there is no further one.
-  BranchEnd why_lost(const CurvePoint& at, double step) {
-    const double range = family_->range().high - family_->range().low;
-    const double error = std::max(2.0 * step * range, 1e-12);
-    const auto beyond = family_->image(plus(at.at, cause_distance, at.tangent));
-    double rate = least_rate(at.image);
-    if (beyond) rate = std::min(rate, least_rate(*beyond));
-    const bool changes = beyond && !is_same_contact(family_->orbits(), at.image, *beyond);
-    if (!changes && rate >= 10.0 * grazing_rate) return BranchEnd::lost;
-    const bool grazes = rate < 10.0 * grazing_rate;
-    curve_.bifurcations.push_back({.kind = grazes ? BifurcationKind::grazing : BifurcationKind::contact_change,
-                                   .point = at,
-                                   .error = error,
-                                   .least_rate = rate});
-    return grazes ? BranchEnd::grazing : BranchEnd::contact_change;
+  /// A grazing next to the last orbits, or a change of contact just beyond the last one, shows why there is none further.
+  BranchEnd why_lost(const CurvePoint& start, const CurvePoint& at) {
+    std::vector<CurvePoint> last{start};
+    std::ranges::copy(curve_.points, std::back_inserter(last));
+    if (auto grazing = graze(*family_, last, stop_)) {
+      curve_.bifurcations.push_back({.kind = BifurcationKind::grazing,
+                                     .point = std::move(grazing->beside),
+                                     .share = grazing->share,
+                                     .error = grazing->error});
+      return BranchEnd::grazing;
+    }
+    if (has_just_grazed(at)) return BranchEnd::grazing;
+    for (double away = least_step; away <= cause_distance; away *= 2.0) {
+      const auto beyond = family_->image(with_slip_ended(at, plus(at.at, away, at.tangent)));
+      if (!beyond || is_same_contact(family_->orbits(), at.image, *beyond)) continue;
+      curve_.bifurcations.push_back({.kind = BifurcationKind::contact_change,
+                                     .point = at,
+                                     .share = at.at[3],
+                                     .error = away * std::abs(at.tangent[3]) + at.error});
+      return BranchEnd::contact_change;
+    }
+    return BranchEnd::last_point;
+  }
+
+  /// Where the slip ends on the section, the orbits beyond have none there; a slip in the other direction is no motion
+  /// beside them.
+  static Unknowns with_slip_ended(const CurvePoint& at, Unknowns beyond) {
+    if (at.at[2] * beyond[2] < 0.0) beyond[2] = 0.0;
+    return beyond;
+  }
+
+  /// Whether the curve has passed a grazing next to its last point, behind which it cannot be followed.
+  [[nodiscard]] bool has_just_grazed(const CurvePoint& at) const {
+    if (curve_.bifurcations.empty()) return false;
+    const LocatedBifurcation& last = curve_.bifurcations.back();
+    return last.kind == BifurcationKind::grazing && norm(plus(last.point.at, -1.0, at.at)) < just_behind;
   }
 
   const MapFamily* family_;

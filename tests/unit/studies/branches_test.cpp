@@ -15,6 +15,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/studies/orbits/bracket.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/studies/orbits/orbits.hpp"
 #include "support/excitation.hpp"
 
 namespace rocking {
@@ -242,15 +243,19 @@ void expect_at(const BranchStudy& study, BifurcationKind kind, double value, dou
   EXPECT_GE(near, 1) << to_string(kind) << " at " << value;
 }
 
-const std::vector<ParameterRange> three_ranges{
-    {.low = 3.5, .high = 4.55}, {.low = 3.5, .high = 6.0}, {.low = 0.5, .high = 12.0}};
+/// Branches without sliding over three ranges; they are followed once for all tests.
+const std::vector<BranchStudy>& over_three_ranges() {
+  static const std::vector<BranchStudy> studies{first_branches(3.8, {.low = 3.5, .high = 4.55}),
+                                                first_branches(3.8, {.low = 3.5, .high = 6.0}),
+                                                first_branches(3.8, {.low = 0.5, .high = 12.0})};
+  return studies;
+}
 
 // The values: orbits that start and end at the instant at which theta and its rate are 0, by Newton's method for that
 // instant and the amplitude, with Taylor steps in long double. Nothing is singular there. The branches stop before them:
 // that of (3,3) at 4.46413 to 4.46415, where rates are below 2e-4 and multipliers up to 1e8.
 TEST(Branches, GrazeWhereOrbitsFromTheGrazingInstantOnDo) {
-  for (const ParameterRange& range : three_ranges) {
-    const BranchStudy study = first_branches(3.8, range);
+  for (const BranchStudy& study : over_three_ranges()) {
     expect_at(study, BifurcationKind::grazing, 4.464526827450001, 1e-10);  // (1,3)
     expect_at(study, BifurcationKind::grazing, 4.464151721776603, 1e-10);  // (3,3)
     expect_at(study, BifurcationKind::grazing, 4.157677811037453, 1e-10);  // (3,3) that is not symmetric
@@ -268,8 +273,7 @@ TEST(Branches, GrazeAFrictionLimitAtTheSameValueOverAnyRange) {
 
 // Runs over three ranges stopped at 4.10, 4.13 and 4.15, at rates of 5e-3 and multipliers of 1e7: rounding, no grazing.
 TEST(Branches, EndAtTheirLastPointWhereNothingIsLocated) {
-  for (const ParameterRange& range : three_ranges) {
-    BranchStudy study = first_branches(3.8, range);
+  for (const BranchStudy& study : over_three_ranges()) {
     for (const Bifurcation& one : study.bifurcations) {
       EXPECT_FALSE(one.kind == BifurcationKind::grazing && one.orbit.period == 6) << one.value;
     }

@@ -5,8 +5,9 @@
 namespace rocking {
 namespace {
 
-/// As far as two findings of one bifurcation may be from each other (branches.cpp).
-constexpr double near_share = 1e-5;
+/// Orbits that branch off are nearly singular next to the bifurcation, which was found on them up to some 1e-4 away. Over
+/// such a distance of the parameter their state changes by its root.
+constexpr double near_share = 1e-3;
 constexpr double near_orbit = 1e-2;
 
 }  // namespace

@@ -19,7 +19,7 @@ struct CriticalOrbits {
 /// and changes of contact.
 [[nodiscard]] std::vector<CriticalOrbits> critical_orbits(BifurcationKind kind, const OrbitFamily& of_branch);
 
-/// The orbit with the critical multiplier next to `at`, with the second parameter held: within 1e-5 of the range of the
+/// The orbit with the critical multiplier next to `at`, with the second parameter held: within 1e-3 of the range of the
 /// first one and 1e-2 in all unknowns. Throws base::Stopped if it is asked to stop.
 [[nodiscard]] std::optional<CriticalPoint> critical_near(const CriticalFamily& family, const PlaneUnknowns& at,
                                                          base::StopRequest stop);

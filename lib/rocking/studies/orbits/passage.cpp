@@ -19,6 +19,9 @@ constexpr double state_width = 1e-6;
 /// The same where the contacts change. Next to a grazing there are two curves, whose distance is that of the parameter
 /// from the grazing times a number of order 1: at 1e-8 the change is not taken for one between them.
 constexpr double contact_width = 1e-8;
+/// Distance of two points between which orbits cross those from which they branch off. There the equations of the curve are
+/// singular, and Newton's method may fail in between; the orbit with the critical multiplier is solved for in any case.
+constexpr double joint_width = 1e-3;
 /// Between the orbits beside a grazing on both sides: that which reaches the guard is at a rate of 1e-6.
 constexpr double same_grazing = 1e-5;
 /// Changes of contact between two neighbouring points. A step of 0.02 rarely has more than one; six bound the work next
@@ -144,14 +147,19 @@ void PassageSearch::add_wanted(const CurvePoint& a, const CurvePoint& b, std::ve
 void PassageSearch::pass_smoothly(const CurvePoint& a, const CurvePoint& b, Passage& passage) const {
   const bool is_symmetric = family_->orbits().is_symmetric;
   if (a.asymmetry && b.asymmetry && product(*a.asymmetry, *b.asymmetry) < 0.0) {
-    const bool halves = family_->orbits().period % 2 == 0;
+    const BifurcationKind joins =
+        family_->orbits().period % 2 == 0 ? BifurcationKind::period_doubling : BifurcationKind::symmetry_breaking;
     auto joint = locate(
-        a, b, halves ? BifurcationKind::period_doubling : BifurcationKind::symmetry_breaking,
+        a, b, joins,
         [&a](const CurvePoint& point) -> std::optional<double> {
           if (!point.asymmetry) return std::nullopt;
           return product(*point.asymmetry, *a.asymmetry);
         },
         passage);
+    if (!joint && norm(plus(a.at, -1.0, b.at)) <= joint_width) {
+      joint = LocatedBifurcation{.kind = joins, .point = a, .share = a.at[3], .error = bracket_error(a, b)};
+      passage.is_broken = false;
+    }
     if (passage.is_broken) return;
     if (joint) {
       passage.bifurcations.push_back(std::move(*joint));

@@ -4,6 +4,7 @@ Each was computed by `rocking orbits FILE.json -o DIR --from 1 --to 10 --periods
 
 import json
 import lzma
+import math
 import pathlib
 
 REPORT = pathlib.Path(__file__).resolve().parents[3] / "reports" / "jeong_yang_2012"
@@ -53,7 +54,8 @@ def end_row(branch, found, index, end):
     if not near:
         return f"{point['value']:.6f} ({WORDS[why]})"
     at = min(near, key=lambda b: abs(b["value"] - point["value"]))
-    return f"{at['value']:.9f} ± {at['error']:.0e} ({WORDS[why]})"
+    digits = math.ceil(-math.log10(at["error"]))
+    return f"{at['value']:.{digits}f} ± {at['error']:.0e} ({WORDS[why]})"
 
 
 def section(name, data):
@@ -108,7 +110,8 @@ def main():
         "A_h from 1 to 10 by `rocking orbits` ([branches](../../lib/docs/branches.md)). `experiments/jeong_yang_2012/branches/write.py`",
         "writes this page. Ranges of stable orbits are those of the points followed, whose spacing is at most 0.18.",
         "Between its ends a branch may turn back at a fold, beyond both of them. A value without an error is an end of the range,",
-        "or the last point that was followed: where the branch ends beyond it was not located. Orbits come from the runs and the grid at six amplitudes: there may be others.",
+        "or the last point that was followed: where the branch ends beyond it was not located. Orbits come from the runs and the",
+        "grid at six amplitudes: there may be others.",
         "",
         "The two branches that begin at A_h = 1 have no slip. Their orbits are those of a block that cannot slide, which go on",
         "beyond the ends given here (`rocking orbits experiments/reference_block/no_sliding.json`). So the guard reached is the",

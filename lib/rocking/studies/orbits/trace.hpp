@@ -28,9 +28,10 @@ struct TraceLimits {
 ///
 /// The next point is sought along the tangent and found by Newton's method in the plane normal to it. It is accepted if
 /// it is within half a step of where it was sought, and the tangent has turned by less than 26 degrees; behind a change
-/// of contact the tangent may have jumped. Else the step is halved, down to 1e-10; after 40 successive steps below 1e-5 the
-/// curve ends, too. Where that is at a grazing or a change of contact that can be located, this is its end, else it ends
-/// at its last point. Steps are at most 0.02 in Theta, Theta', V and the share q of the range. Throws base::Stopped if it is asked to stop.
+/// of contact the tangent may have jumped. Else the step is halved, down to 1e-10; after 40 successive steps below 1e-5
+/// the curve ends, too. Where that is at a grazing or a change of contact that can be located, this is its end, else it
+/// ends at its last point. Steps are at most 0.02 in Theta, Theta', V and the share q of the range. Throws
+/// base::Stopped if it is asked to stop.
 [[nodiscard]] TracedCurve trace_curve(const MapFamily& family, const CurvePoint& start, const TraceLimits& limits,
                                       base::StopRequest stop);
 

@@ -66,8 +66,8 @@ double PassageSearch::width(const CurvePoint& a, const CurvePoint& b) const {
   return std::abs(a.at[3] - b.at[3]) * (family_->range().high - family_->range().low);
 }
 
-bool PassageSearch::is_near(const CurvePoint& a, const CurvePoint& b, double state_width) const {
-  return width(a, b) <= parameter_width && norm(plus(a.at, -1.0, b.at)) <= state_width;
+bool PassageSearch::is_near(const CurvePoint& a, const CurvePoint& b, double most_apart) const {
+  return width(a, b) <= parameter_width && norm(plus(a.at, -1.0, b.at)) <= most_apart;
 }
 
 PassageSearch::Pair PassageSearch::change_of_contact(const CurvePoint& a, const CurvePoint& b) const {

@@ -53,7 +53,7 @@ class PassageSearch {
                                                          Test&& test, Passage& passage) const;
   [[nodiscard]] std::optional<CurvePoint> at_share(const CurvePoint& a, const CurvePoint& b, double share) const;
   [[nodiscard]] double width(const CurvePoint& a, const CurvePoint& b) const;
-  [[nodiscard]] bool is_near(const CurvePoint& a, const CurvePoint& b, double state_width) const;
+  [[nodiscard]] bool is_near(const CurvePoint& a, const CurvePoint& b, double most_apart) const;
 
   const MapFamily* family_;
   const std::vector<double>* wanted_;

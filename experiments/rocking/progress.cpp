@@ -20,7 +20,7 @@ constexpr std::chrono::milliseconds interval_of(ProgressStyle style) {
   return style == ProgressStyle::rewritten_line ? std::chrono::milliseconds(100) : std::chrono::milliseconds(10'000);
 }
 
-/// Width of standard error if it is a terminal; 80 if the terminal does not tell.
+/// Width of standard error if it is a terminal; 80 if it is not known.
 std::size_t columns() { return terminal_columns(STDERR_FILENO).value_or(80); }
 
 /// no-color.org: any value but an empty one turns colour off.

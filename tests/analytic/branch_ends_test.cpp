@@ -16,13 +16,14 @@ namespace rocking {
 namespace {
 
 /// Where branches begin.
-struct Start {
+struct BranchStart {
   double amplitude;
   int longest = 3;  ///< periods of the orbits there
   std::size_t most_branches = 6;
 };
 
-BranchStudy first_branches(const Start& start, const ParameterRange& range, std::optional<Friction> friction = {}) {
+BranchStudy first_branches(const BranchStart& start, const ParameterRange& range,
+                           std::optional<Friction> friction = {}) {
   const ConditionFamily conditions = [friction](double amplitude) {
     Condition condition;
     support::harmonic(condition.scene) = {.amplitude = amplitude, .frequency_ratio = 10.0, .phase = 0.0};
@@ -103,7 +104,7 @@ TEST(EndsOfBranches, EndAtTheirLastPointWhereNothingIsLocated) {
 TEST(EndsOfBranches, LoseTheirSymmetryAtTheSameValueOverAnyRange) {
   for (const ParameterRange& range :
        {ParameterRange{.low = 7.5, .high = 8.0}, {.low = 7.0, .high = 9.0}, {.low = 0.5, .high = 12.0}}) {
-    const Start start{.amplitude = 8.0, .longest = 5, .most_branches = 4};
+    const BranchStart start{.amplitude = 8.0, .longest = 5, .most_branches = 4};
     expect_at(first_branches(start, range), BifurcationKind::symmetry_breaking, 7.931804354155346, 1e-10);
   }
 }

@@ -31,7 +31,7 @@ class BlockMotion : public MotionProgress<Coefficients> {
     this->settle();
   }
 
-  /// Makes the coming steps in which a block at rest stays so for a simple reason: the base acceleration between two
+  /// Makes the coming steps in which a block at rest stays so, since the base acceleration between two
   /// samples of a ground motion is far below its threshold. Returns their number. They have the effects of other steps.
   std::uint64_t rest_below_threshold() {
     std::uint64_t steps = 0;

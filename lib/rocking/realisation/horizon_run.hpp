@@ -253,7 +253,7 @@ inline void HorizonRun::settle(const section::Classification& newest) {
       has_settled || !is_classified ? newest : section::unresolved(section::Reason::not_stationary, true);
 }
 
-/// A settled response is left by a window that gives another mode. A window that gives none does not tell.
+/// A settled response is left by a window that gives another mode. A window that gives none leaves the question open.
 inline void HorizonRun::watch(const section::ResponseMode& newest) {
   if (newest.kind == section::ResponseKind::unresolved || newest == result_.classification.mode) return;
   result_.settling->left_period = result_.settling->observed_periods;

@@ -19,7 +19,7 @@ inline constexpr std::uint64_t results_version = 2;
 /// whose first one is `stored`, since the row of the first contains the time at which the two diverged. It is absent if
 /// `stored` is a second realisation, or if there is no second one.
 ///
-/// A row of version 1 does not tell whether its rerun at a tighter tolerance, or its longer run, lost contact. Such a
+/// A row of version 1 does not say whether its rerun at a tighter tolerance, or its longer run, lost contact. Such a
 /// row is therefore not regarded as the same.
 [[nodiscard]] inline bool has_current_bits(const Summary& stored, const std::optional<Summary>& next,
                                            std::uint64_t version) {

@@ -101,18 +101,6 @@ void check_fragility(const Json& output, Problems& problems) {
   }
 }
 
-void check_histogram(const Json& output, Problems& problems) {
-  const Json& histogram = output["histogram"];
-  for (const char* key : {"counts", "expected"}) {
-    if (histogram[key].size() + 1 == histogram["edges"].size()) continue;
-    reject(problems, std::string("/histogram/") + key, "must have one value for each bin between two edges");
-  }
-  for (std::size_t i = 1; i < histogram["edges"].size(); ++i) {
-    if (histogram["edges"][i] > histogram["edges"][i - 1]) continue;
-    return reject(problems, "/histogram/edges/" + std::to_string(i), "is not greater than the previous edge");
-  }
-}
-
 void check_motion(const Json& output, Problems& problems) {
   for (std::size_t i = 0; i < output["motions"].size(); ++i) {
     const Json& motion = output["motions"][i];
@@ -172,8 +160,7 @@ void check_output(const Json& output) {
                                                      {"rocking.orbits/1", {"orbits", check_orbits_output}},
                                                      {"rocking.cost/1", {"cost", check_cost}},
                                                      {"rocking.fragility/1", {"fragility", check_fragility}},
-                                                     {"rocking.motion/1", {"motion", check_motion}},
-                                                     {"rocking.check_normal/1", {"check_normal", check_histogram}}};
+                                                     {"rocking.motion/1", {"motion", check_motion}}};
   const auto format = formats.find(format_of(output));
   if (format == formats.end()) return;
   Problems problems;

@@ -1,8 +1,8 @@
 #include "analysis/gnuplot_text.hpp"
 
 #include <algorithm>
-#include <cstdint>
 
+#include "rocking/base/utf8.hpp"
 #include "rocking/output/text_table.hpp"
 
 namespace rocking::analysis {
@@ -13,35 +13,15 @@ constexpr std::string_view replacement = "\xEF\xBF\xBD";       // U+FFFD
 constexpr std::string_view ellipsis = "\xE2\x80\xA6";          // U+2026
 constexpr std::string_view zero_width_space = "\xE2\x80\x8B";  // U+200B
 
-/// A character and its length in bytes; length 1 and no value if the bytes are not valid UTF-8 (RFC 3629).
-struct Character {
-  std::size_t length = 1;
-  std::uint32_t value = 0;
-  bool valid = false;
-};
-
-std::uint32_t byte_of(std::string_view text, std::size_t place) {
-  return place < text.size() ? static_cast<unsigned char>(text[place]) : 0U;
+/// A UTF-8 character that is a control (U+0000 to U+001F, U+007F to U+009F).
+bool is_control(std::string_view character) {
+  const auto first = static_cast<unsigned char>(character.front());
+  return first < 0x20 || first == 0x7f || (first == 0xc2 && static_cast<unsigned char>(character[1]) < 0xa0);
 }
 
-Character character_at(std::string_view text, std::size_t place) {
-  const std::uint32_t first = byte_of(text, place);
-  if (first < 0x80) return {.length = 1, .value = first, .valid = true};
-  const std::size_t length = first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  constexpr std::uint32_t least[]{0x80, 0x800, 0x10000};  // of 2, 3, 4 bytes
-  if (first < 0xc2 || first > 0xf4) return {};
-  std::uint32_t value = first & (0x7fU >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    const std::uint32_t next = byte_of(text, place + i);
-    if ((next & 0xc0U) != 0x80U) return {};
-    value = (value << 6U) | (next & 0x3fU);
-  }
-  const bool surrogate = 0xd800 <= value && value < 0xe000;
-  if (value < least[length - 2] || value > 0x10ffff || surrogate) return {};
-  return {.length = length, .value = value, .valid = true};
+bool is_forbidden_in_xml(std::string_view character) {
+  return character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";  // U+FFFE, U+FFFF
 }
-
-bool is_control(std::uint32_t character) { return character < 0x20 || (0x7f <= character && character < 0xa0); }
 
 /// Characters that need no escape within gnuplot's double quotes, wherever the string is used.
 bool is_plain(char c) {
@@ -81,16 +61,18 @@ std::string marked(std::string_view text, std::string_view special, char mark) {
 std::string printable(std::string_view text) {
   std::string result;
   for (std::size_t place = 0; place < text.size();) {
-    const Character character = character_at(text, place);
-    const bool forbidden = !character.valid || character.value == 0xfffe || character.value == 0xffff;
-    if (forbidden) {
+    const std::size_t length = base::utf8_length_at(text, place);
+    const std::string_view character = text.substr(place, length);
+    if (length == 0 || is_forbidden_in_xml(character)) {
       result += replacement;
-    } else if (is_control(character.value)) {
+    } else if (is_control(character)) {
       result += ' ';
+    } else if (const std::string direction = base::direction_control_at(text, place); !direction.empty()) {
+      result += direction;
     } else {
-      result += text.substr(place, character.length);
+      result += character;
     }
-    place += character.length;
+    place += std::max<std::size_t>(length, 1);
   }
   return result;
 }
@@ -98,7 +80,7 @@ std::string printable(std::string_view text) {
 std::string cut(const std::string& text, std::size_t most) {
   if (letters_in(text) <= most) return text;
   std::size_t end = 0;
-  for (std::size_t count = 1; count < most; ++count) end += character_at(text, end).length;
+  for (std::size_t count = 1; count < most; ++count) end += base::utf8_length_at(text, end);
   return text.substr(0, end).append(ellipsis);
 }
 

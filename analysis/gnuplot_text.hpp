@@ -8,11 +8,11 @@
 /// Preparation of external text for a gnuplot script, a data file and a picture.
 namespace rocking::analysis {
 
-/// The text as one line of valid UTF-8 without characters that XML forbids. A control character becomes a space; an
-/// invalid byte and a forbidden character become U+FFFD.
+/// The text as one line of valid UTF-8 without characters that XML forbids. A control character becomes a space, one of
+/// writing direction its escape (`\u202e`); an invalid byte and a forbidden character become U+FFFD.
 [[nodiscard]] std::string printable(std::string_view text);
 
-/// The first `most` characters of a UTF-8 text. If some are omitted, the last one is an ellipsis.
+/// The first `most` characters of a valid UTF-8 text. If some are omitted, the last one is an ellipsis.
 [[nodiscard]] std::string cut(const std::string& text, std::size_t most);
 
 /// The text in lines of at most `most` characters, broken at spaces; a longer word is cut as above.

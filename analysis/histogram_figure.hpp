@@ -1,12 +1,12 @@
 #pragma once
 
 #include "analysis/figure.hpp"
-#include "rocking/text/json.hpp"
+#include "rocking/output/check_normal_fields.hpp"
 
 namespace rocking::analysis {
 
-/// The figure `normal_histogram` of the output of `rocking check-normal --json`: counts and the curve of the law, as in
-/// Fig. 2 of Jeong and Yang (2012). Throws base::InputError if `output` is no such output.
-[[nodiscard]] Figure normal_histogram(const Json& output);
+/// The figure `normal_histogram` of a check of random numbers: counts and the curve of the normal distribution, as in
+/// Fig. 2 of Jeong and Yang (2012).
+[[nodiscard]] Figure normal_histogram(const SamplerCheck& check);
 
 }  // namespace rocking::analysis

@@ -16,6 +16,7 @@
 #include "analysis/output_file.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/output/check_normal_fields.hpp"
 #include "rocking/text/locate.hpp"
 
 namespace rocking::analysis {
@@ -70,7 +71,7 @@ void collect(const OutputFile& file, Collection& found) {
     }
     for (Figure& figure : figures) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.check_normal/1") {
-    found.figures.push_back(normal_histogram(output));
+    found.figures.push_back(normal_histogram(check_normal_document().read(output)));
   } else {
     throw base::InputError({.place = "/format",
                             .value = '"' + format + '"',

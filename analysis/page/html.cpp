@@ -7,6 +7,7 @@
 #include <openssl/evp.h>
 
 #include "rocking/base/digest.hpp"
+#include "rocking/base/utf8.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -23,15 +24,22 @@ std::string base64(std::string_view bytes) {
 std::string escaped(std::string_view text) {
   std::string html;
   html.reserve(text.size());
-  for (const char c : text) {
-    switch (c) {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string direction = base::direction_control_at(text, i);
+    switch (const char c = text[i]) {
       case '&': html += "&amp;"; break;
       case '<': html += "&lt;"; break;
       case '>': html += "&gt;"; break;
       case '"': html += "&quot;"; break;
       case '\'': html += "&#39;"; break;
-      default: html += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+      default:
+        if (direction.empty()) {
+          html += static_cast<unsigned char>(c) < ' ' && c != '\n' && c != '\t' ? ' ' : c;
+        } else {
+          html += direction;
+        }
     }
+    i += direction.empty() ? 1 : base::utf8_length_at(text, i);
   }
   return html;
 }
@@ -40,12 +48,16 @@ std::string json_for_script(const Json& json) {
   const std::string text = json.dump();
   std::string safe;
   safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
+  for (std::size_t i = 0; i < text.size();) {
+    const std::string direction = base::direction_control_at(text, i);
+    if (!direction.empty()) {
+      safe += '\\' + direction;
+    } else if (text[i] == '<') {
       safe += "\\u003c";
     } else {
-      safe += c;
+      safe += text[i];
     }
+    i += direction.empty() ? 1 : base::utf8_length_at(text, i);
   }
   return safe;
 }

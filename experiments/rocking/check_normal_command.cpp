@@ -4,8 +4,8 @@
 #include "commands.hpp"
 #include "output.hpp"
 #include "rocking/input/read_quantity.hpp"
+#include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/check_normal_summary.hpp"
-#include "rocking/output/write_check_normal.hpp"
 #include "rocking/studies/check_sampler.hpp"
 #include "rocking/text/seed_text.hpp"
 #include "usage.hpp"
@@ -31,7 +31,7 @@ ExitCode check_normal(const CheckNormalRequest& request) {
   if (!found)
     throw UsageError("--sigma: too small compared with --mean to give two different numbers; give a larger one");
   const SamplerCheck check{request.sampler, *seed, *found};
-  print_result(request.loudness.json ? check_normal_text(check) : check_normal_summary(check));
+  print_result(request.loudness.json ? check_normal_document().text(check) : check_normal_summary(check));
   if (!stats::is_refuted(check.found)) return ExitCode::done;
   print_notice("these numbers do not follow the distribution: a p-value is below 1e-6");
   return ExitCode::check_failed;

@@ -7,7 +7,7 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/output/write_comparison.hpp"
+#include "rocking/output/comparison.hpp"
 #include "rocking/studies/comparison.hpp"
 #include "rocking/text/number_text.hpp"
 #include "run_folder.hpp"
@@ -49,10 +49,10 @@ ExitCode compare(const CompareRequest& request) {
   }
   std::vector<double> confidences;
   for (const Condition& condition : first.experiment.conditions) confidences.push_back(condition.confidence);
-  const ComparedRuns runs{.first = &first.experiment,
-                          .second = &second.experiment,
-                          .conditions = compare(first.store, second.store, confidences)};
-  print_result(request.loudness.json ? comparison_text(runs) : base::printable(comparison_table(runs)));
+  const Comparison found =
+      comparison_of(first.experiment, second.experiment, compare(first.store, second.store, confidences));
+  print_result(request.loudness.json ? comparison_document().text(found)
+                                     : base::printable(comparison_table(found, first.experiment)));
   return ExitCode::done;
 }
 

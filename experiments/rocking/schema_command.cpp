@@ -1,10 +1,9 @@
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/text/schema.hpp"
+#include "rocking/output/documents.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -15,14 +14,15 @@ void add_schema(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking schema experiment > experiment.schema.json\n"
       "An editor that supports JSON Schema then completes and checks experiment files.");
-  std::vector<std::string> names;
-  for (const Schema& schema : schemas()) names.emplace_back(schema.name);
-  command->add_option("NAME", *name, "Format")->required()->check(one_of(names));
+  command->add_option("NAME", *name, "Format")->required()->check(one_of(format_names()));
+  const auto as_table = std::make_shared<bool>(false);
+  command->add_flag("--keys", *as_table, "Print a table of the keys and what they mean, in Markdown");
   const auto loudness = std::make_shared<Loudness>();
   add_loudness(*command, *loudness);
-  command->final_callback([&action, name, loudness] {
-    action = [name] {
-      print_result(schema_text(*name).value());
+  command->final_callback([&action, name, as_table, loudness] {
+    action = [name, as_table] {
+      if (*as_table && !keys_of(*name)) throw UsageError("schema " + *name + ": there is no table of its keys");
+      print_result(*as_table ? *keys_of(*name) : *schema_of(*name));
       return ExitCode::done;
     };
   });

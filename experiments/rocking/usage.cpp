@@ -7,7 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "rocking/input/spelling.hpp"
+#include "rocking/text/spelling.hpp"
 
 namespace rocking::program {
 namespace {

@@ -231,7 +231,7 @@ void add_runs(py::module_& module) {
   module.def("compare", [](const Experiment& experiment, const RunResult& run, const Experiment& other_experiment,
                            const RunResult& other_run) {
     const py::gil_scoped_release release;
-    return comparison({experiment, run}, {other_experiment, other_run});
+    return comparison_text(compare({experiment, run}, {other_experiment, other_run}));
   });
   module.def("motion", [](std::vector<std::string> files, std::string vertical, std::string format, std::string units,
                           double time_step, double gravity, double damping, std::vector<double> periods, bool series,

@@ -31,6 +31,8 @@ TEST(FuzzCorpus, OfExperimentsHoldsNoSurprise) { EXPECT_GT(replay("experiment", 
 
 TEST(FuzzCorpus, OfGroundMotionsHoldsNoSurprise) { EXPECT_GT(replay("record", rocking::fuzz::try_record), 20); }
 
+TEST(FuzzCorpus, OfHazardCurvesHoldsNoSurprise) { EXPECT_GT(replay("hazard", rocking::fuzz::try_hazard), 15); }
+
 TEST(FuzzCorpus, OfScenesHoldsNoSurprise) { EXPECT_GT(replay("scene", rocking::fuzz::try_scene), 10); }
 
 TEST(FuzzTargets, SeeWhatMustNotBe) {

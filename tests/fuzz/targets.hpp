@@ -10,7 +10,9 @@
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_ground_motion.hpp"
+#include "rocking/input/read_hazard.hpp"
 #include "rocking/realisation/start.hpp"
+#include "rocking/studies/hazard_integral.hpp"
 #include "support/ordinary_steps.hpp"
 
 /// The fuzzed code, as functions of bytes. A fuzzer calls them with generated input, replay_test with the corpus.
@@ -70,13 +72,18 @@ inline void try_experiment(std::string_view text) {
 }
 
 /// A ground motion in any format is refused with its problems, or it is valid. The first byte selects whether a time
-/// step and a unit are given.
+/// step, and whether a format or a unit is given.
 inline void try_record(std::string_view text) {
   if (text.empty()) return;
   GroundMotionReading how{.name = "record.txt", .time_step = {}, .gravity = 9.81};
   const auto choice = static_cast<unsigned char>(text.front());
   if (choice % 2 == 0) how.time_step = 0.01;
-  if (choice >= 128) how.unit = static_cast<RecordUnit>(choice / 2 % record_unit_names.size());
+  const std::size_t place = choice / 2;
+  if (choice >= 128) {
+    how.unit = static_cast<RecordUnit>(place % record_unit_names.size());
+  } else if (place % 4 != 0) {
+    how.format = static_cast<RecordFormat>(place % 4 - 1);
+  }
   Problems problems;
   const auto motion = read_ground_motion(text.substr(1), how, problems);
   demand(motion.has_value() == problems.empty(), "a ground motion is read, or its problems are reported");
@@ -92,6 +99,34 @@ inline void try_record(std::string_view text) {
     demand(std::isfinite(sample.horizontal) && std::isfinite(sample.vertical), "accelerations are finite");
     demand(motion->has_vertical || sample.vertical == 0.0, "what is not recorded is 0");
     before = sample.time;
+  }
+}
+
+/// A hazard curve is refused with its problems, or it falls, and the rate of any block's overturning is between 0 and
+/// that of its first point.
+inline void try_hazard(std::string_view text) {
+  try {
+    const HazardCurve hazard = read_hazard(text, "hazard.csv");
+    demand(hazard.points.size() >= 2, "a hazard curve has points");
+    for (std::size_t i = 0; i < hazard.points.size(); ++i) {
+      const HazardPoint& point = hazard.points[i];
+      demand(point.intensity > 0.0 && std::isfinite(point.intensity), "intensities are positive");
+      demand(point.rate > 0.0 && std::isfinite(point.rate), "rates are positive");
+      if (i == 0) continue;
+      demand(point.intensity > hazard.points[i - 1].intensity, "intensities rise");
+      demand(point.rate < hazard.points[i - 1].rate, "rates fall");
+    }
+    const std::vector<HazardPiece> pieces = pieces_between(hazard, hazard.points.front().intensity);
+    for (const HazardPoint& median : {hazard.points.front(), hazard.points.back()}) {
+      for (const double dispersion : {1e-3, 0.4, 2.0}) {
+        const double rate = rate_of({.centre = std::log(median.intensity), .dispersion = dispersion}, pieces);
+        demand(rate >= 0.0 && rate <= hazard.points.front().rate * (1.0 + 1e-9),
+               "a rate is that of a part of the events");
+      }
+    }
+  } catch (const base::InputError& error) {
+    demand(!error.problems().empty(), "a refusal has a reason");
+    for (const base::Problem& problem : error.problems()) demand(!problem.reason.empty(), "a problem has a reason");
   }
 }
 

@@ -7,12 +7,12 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
-#include "rocking/text/schema.hpp"
+#include "rocking/output/documents.hpp"
 
 namespace rocking::support {
 
 std::string objections(std::string_view schema_name, std::string_view text) {
-  const auto schema_document = nlohmann::json::parse(schema_text(schema_name).value());
+  const auto schema_document = nlohmann::json::parse(schema_of(schema_name).value());
   const auto document = nlohmann::json::parse(text);
   valijson::Schema schema;
   valijson::SchemaParser parser;

@@ -10,9 +10,9 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_report.hpp"
+#include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/report_rerun.hpp"
-#include "rocking/output/write_check_normal.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/trajectory.hpp"
@@ -103,7 +103,7 @@ stats::NormalCheck check_normal(const SamplerQuestion& question) {
 }
 
 std::string check_normal_text(const SamplerQuestion& question, const stats::NormalCheck& found) {
-  return check_normal_text({.sampler = question.sampler, .seed = question.seed, .found = found});
+  return check_normal_document().text({.sampler = question.sampler, .seed = question.seed, .found = found});
 }
 
 std::vector<base::ArithmeticCheck> check_arithmetic() { return base::arithmetic_checks(); }

@@ -4,9 +4,9 @@
 
 #include "rocking/base/build_info.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/documents.hpp"
 #include "rocking/output/mode_look.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/text/schema.hpp"
 
 namespace rocking {
 
@@ -38,6 +38,6 @@ std::optional<section::ResponseMode> mode_named(std::string_view name) { return 
 
 std::string_view version() { return base::build_info().version; }
 
-std::string_view schema(std::string_view name) { return schema_text(name).value_or(std::string_view{}); }
+std::string schema(std::string_view name) { return schema_of(name).value_or(""); }
 
 }  // namespace rocking

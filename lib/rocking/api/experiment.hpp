@@ -51,6 +51,6 @@ struct Declaration {
 [[nodiscard]] ROCKING_API std::string_view version();
 
 /// The JSON Schema (draft 07) of a format: `experiment`, `report`, ... ; empty where there is none of this name.
-[[nodiscard]] ROCKING_API std::string_view schema(std::string_view name);
+[[nodiscard]] ROCKING_API std::string schema(std::string_view name);
 
 }  // namespace rocking

@@ -14,8 +14,8 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/read_hazard.hpp"
+#include "rocking/output/comparison.hpp"
 #include "rocking/output/write_bifurcation.hpp"
-#include "rocking/output/write_comparison.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/scene/check_condition.hpp"
@@ -209,7 +209,7 @@ std::string orbits(const Experiment& experiment, int longest, const Execution& e
   return orbits(experiment, OrbitsRequest{.longest = longest}, execution);
 }
 
-std::vector<ConditionComparison> compare(const StoredRun& first, const StoredRun& second) {
+Comparison compare(const StoredRun& first, const StoredRun& second) {
   const Experiment& experiment = first.experiment;
   if (second.experiment.seed != experiment.seed) {
     refuse("/seed", std::to_string(second.experiment.seed),
@@ -223,15 +223,11 @@ std::vector<ConditionComparison> compare(const StoredRun& first, const StoredRun
   }
   std::vector<double> confidences;
   for (const Condition& condition : experiment.conditions) confidences.push_back(condition.confidence);
-  return compare(store_of(first.run), store_of(second.run), confidences);
+  return comparison_of(with_text(experiment), with_text(second.experiment),
+                       compare(store_of(first.run), store_of(second.run), confidences));
 }
 
-std::string comparison(const StoredRun& first, const StoredRun& second) {
-  auto conditions = compare(first, second);
-  const Experiment one = with_text(first.experiment);
-  const Experiment other = with_text(second.experiment);
-  return comparison_text({.first = &one, .second = &other, .conditions = std::move(conditions)});
-}
+std::string comparison_text(const Comparison& found) { return comparison_document().text(found); }
 
 std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
   expect("realisation", realisation, std::uint64_t{0}, largest_realisation);

@@ -121,13 +121,13 @@ struct OrbitStudy {
 /// line of a fault, and std::system_error where the file cannot be read.
 [[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file);
 
-/// Compares two runs of the same seed, realisation by realisation with common random numbers: one entry for each
-/// condition, with the confidence of the first run's. Realisations that only one run has are left out. Throws
-/// base::InputError if the seeds or the numbers of conditions differ.
-[[nodiscard]] ROCKING_API std::vector<ConditionComparison> compare(const StoredRun& first, const StoredRun& second);
+/// Compares two runs of the same seed, realisation by realisation with common random numbers: the settings that differ
+/// and one entry for each condition, with the confidence of the first run's. Realisations that only one run has are left
+/// out. Throws base::InputError if the seeds or the numbers of conditions differ.
+[[nodiscard]] ROCKING_API Comparison compare(const StoredRun& first, const StoredRun& second);
 
-/// The same as JSON text (`rocking.comparison/1`), with the settings that differ.
-[[nodiscard]] ROCKING_API std::string comparison(const StoredRun& first, const StoredRun& second);
+/// The same as JSON text (`rocking.comparison/1`).
+[[nodiscard]] ROCKING_API std::string comparison_text(const Comparison& found);
 
 /// Bifurcation diagrams of one realisation: for each combination of values of the sweep's entries after the first, the
 /// responses along the first, from the initial state and from the end of the step before, upwards and downwards. Strobe

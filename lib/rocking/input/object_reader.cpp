@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "rocking/input/spelling.hpp"
+#include "rocking/text/spelling.hpp"
 
 namespace rocking {
 namespace {

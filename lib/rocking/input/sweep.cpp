@@ -7,7 +7,7 @@
 #include <optional>
 #include <string_view>
 
-#include "rocking/input/spelling.hpp"
+#include "rocking/text/spelling.hpp"
 
 namespace rocking {
 namespace {

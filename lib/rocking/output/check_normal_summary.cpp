@@ -40,9 +40,9 @@ TextRow tail_row(const stats::TailCount& tail) {
 // How often a perfect sampler has a moment as near to that of the law.
 std::string nearness_line(const std::string& name, const stats::ShapeTest& shape) {
   const auto per_cent = [](const stats::Nearness& near) { return fixed_point(100.0 * near.probability, 0) + " %"; };
-  return name + " within " + significant(shape.near.distance, 3) + ": expected in " + per_cent(shape.near) +
-         " of normal samples of this size; within " + significant(shape.observed.distance, 3) + ", as found here: in " +
-         per_cent(shape.observed) + '\n';
+  return name + " within " + significant(shape.nearness[0].distance, 3) + ": expected in " +
+         per_cent(shape.nearness[0]) + " of normal samples of this size; within " +
+         significant(shape.nearness[1].distance, 3) + ", as found here: in " + per_cent(shape.nearness[1]) + '\n';
 }
 
 // The table of lib/docs/methods.md, section 4: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rocking/output/write_check_normal.hpp"
+#include "rocking/output/check_normal_fields.hpp"
 
 namespace rocking {
 

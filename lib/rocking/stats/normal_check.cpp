@@ -34,8 +34,7 @@ ShapeTest tested_shape(const Moment& moment, double value_of_law, NormalScore sc
     return {distance, normal_cdf(high) - normal_cdf(low)};
   };
   return {.test = tested_by_score(moment, score(moment.value, n)),
-          .near = near(0.01),
-          .observed = near(std::abs(moment.value - value_of_law))};
+          .nearness = {near(0.01), near(std::abs(moment.value - value_of_law))}};
 }
 
 std::vector<CorrelationTest> correlations(const NormalSamples& samples, const NormalLaw& law) {

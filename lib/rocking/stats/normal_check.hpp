@@ -37,8 +37,8 @@ struct Nearness {
 /// A shape parameter: skewness (0 for a normal law) or kurtosis (3).
 struct ShapeTest {
   MomentTest test;
-  Nearness near;      ///< for the distance 0.01, "no more than 0.01" in Jeong & Yang (2012)
-  Nearness observed;  ///< for the observed distance
+  /// For the distance 0.01, "no more than 0.01" in Jeong & Yang (2012), and for the observed distance.
+  std::array<Nearness, 2> nearness;
 };
 
 struct CorrelationTest {

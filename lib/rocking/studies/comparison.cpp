@@ -29,12 +29,12 @@ ConditionComparison compared(const Table& table, double confidence) {
   result.confidence = confidence;
   for (const auto& [modes, count] : table) {
     result.realisations += count;
-    if (modes.first != modes.second) result.changed.successes += count;
+    if (modes.first != modes.second) result.changed.counts.successes += count;
     result.modes[modes.first];
     result.modes[modes.second];
   }
-  result.changed.trials = result.realisations;
-  result.changed_interval = stats::clopper_pearson(result.changed, confidence);
+  result.changed.counts.trials = result.realisations;
+  result.changed.interval = stats::clopper_pearson(result.changed.counts, confidence);
   for (auto& [mode, comparison] : result.modes) {
     stats::PairedCounts& counts = comparison.counts;
     for (const auto& [modes, count] : table) {

@@ -4,8 +4,10 @@
 #include <map>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "rocking/scene/experiment.hpp"
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/paired.hpp"
@@ -26,13 +28,26 @@ struct ModeComparison {
   std::optional<double> variance_reduction;  ///< by common random numbers; absent where no two realisations differ
 };
 
+/// Realisations whose response modes differ.
+struct ChangedModes {
+  stats::Proportion counts;
+  stats::Interval interval;  ///< Clopper-Pearson
+};
+
 /// One condition under two settings, realisation by realisation with common random numbers.
 struct ConditionComparison {
-  double confidence = 0.95;                               ///< of the intervals
-  std::uint64_t realisations = 0;                         ///< that both runs hold
-  stats::Proportion changed;                              ///< those of them whose response modes differ
-  stats::Interval changed_interval;                       ///< Clopper-Pearson
+  std::vector<Parameter> parameters = {};  ///< swept values of the first run; set by the caller
+  double confidence = 0.95;                ///< of the intervals
+  std::uint64_t realisations = 0;          ///< that both runs hold
+  ChangedModes changed;
   std::map<section::ResponseMode, ModeComparison> modes;  ///< those that occurred in either run
+};
+
+/// Two runs, compared realisation by realisation.
+struct Comparison {
+  std::vector<std::string> settings;  ///< that differ, in words
+  std::optional<double> confidence;   ///< of all intervals; absent where it is swept
+  std::vector<ConditionComparison> conditions;
 };
 
 /// Compares realisations of equal key. One entry for each condition; `confidences` has one number for each. The caller

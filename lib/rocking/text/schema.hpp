@@ -9,11 +9,9 @@ namespace rocking {
 /// Value of `format` in a report.
 inline constexpr std::string_view report_format = "rocking.report/1";
 
-/// A JSON Schema (draft 07) of one of our formats, as in reports/schemas.
+/// A JSON Schema (draft 07) that is written by hand, in reports/schemas.
 struct Schema {
-  std::string_view
-      name;  ///< `experiment`, `report`, `trajectory`, `check_normal`, `comparison`, `bifurcation`, `cost`,
-             ///< `fragility`, `motion`, `orbits`, `rare`
+  std::string_view name;  ///< `experiment`, `report`, `trajectory`, `bifurcation`, `cost`, `fragility`, `motion`, ...
   std::string_view text;
 };
 

@@ -26,6 +26,11 @@ TEST(GnuplotText, IsValidUtf8OnOneLine) {
   EXPECT_EQ(printable("\xEF\xBF\xBE"), "\uFFFD");
 }
 
+TEST(GnuplotText, ShowsControlsOfWritingDirection) {
+  EXPECT_EQ(printable("a\u202e2ta.exe"), "a\\u202e2ta.exe");
+  EXPECT_EQ(gnuplot_quoted("\u2066x"), R"("\134u2066x")");
+}
+
 TEST(GnuplotText, IsCutBetweenLetters) {
   EXPECT_EQ(cut("ψψψψ", 4), "ψψψψ");
   EXPECT_EQ(cut("ψψψψψ", 4), "ψψψ…");

@@ -159,12 +159,12 @@ TEST(Bifurcation, OfNothingIsEmptyNotAnError) {
 }
 
 TEST(NormalHistogram, HasTheCountsAndACurveOfTheSameArea) {
-  const Json json =
-      Json::parse(R"({ "format": "rocking.check_normal/1", "sampler": "box-muller", "seed": "0x1", "n": 1000,
-    "law": { "mean": 0.5, "sigma": 0.1 }, "mean": { "value": 0.5 }, "standard_deviation": { "value": 0.1 },
-    "skewness": { "value": 0.0 }, "kurtosis": { "value": 3.0 },
-    "histogram": { "edges": [0.1, 0.3, 0.5, 0.7, 0.9], "counts": [20, 480, 477, 23], "expected": [22, 477, 477, 22] } })");
-  const Figure figure = normal_histogram(json);
+  rocking::SamplerCheck check{.sampler = "box-muller", .seed = 1, .found = {}};
+  check.found.n = 1000;
+  check.found.law = {.mean = 0.5, .sigma = 0.1};
+  check.found.histogram = {
+      .edges = {0.1, 0.3, 0.5, 0.7, 0.9}, .counts = {20, 480, 477, 23}, .expected = {22, 477, 477, 22}};
+  const Figure figure = normal_histogram(check);
   EXPECT_THAT(figure.tables[0].rows[1], ElementsAre(Cell(0.3), Cell(0.5), Cell(0.0), Cell(480.0), Cell(477.0)));
   double area = 0.0;  // as counts: the curve is given for bins of 0.2
   const auto& curve = figure.tables[1].rows;

@@ -143,6 +143,8 @@ TEST(Page, LoadsNothingAndNeedsNothingThatItsPolicyForbids) {
 TEST(Page, HoldsNumbersForItsChartsThatEndNoScript) {
   Json report = quick_report();
   EXPECT_EQ(json_for_script({{"a", "</script><!--"}}), "{\"a\":\"\\u003c/script>\\u003c!--\"}");
+  EXPECT_EQ(json_for_script({{"a", "b\u202ec"}}), R"({"a":"b\\u202ec"})");
+  EXPECT_EQ(escaped("a<\u202eb\u061c"), "a&lt;\\u202eb\\u061c");
   EXPECT_THAT(between(page_of(report), "<script type=\"application/json\"", "</script>"), Not(IsEmpty()));
 }
 

@@ -135,10 +135,10 @@ TEST_F(Interface, StopsATrajectoryAtARequest) {
 
 TEST_F(Interface, ComparesRunsInMemory) {
   const StoredRun first{.experiment = small_experiment(), .run = run(small_experiment())};
-  const auto compared = compare(first, first);
+  const auto compared = compare(first, first).conditions;
   ASSERT_EQ(compared.size(), 1U);
   EXPECT_EQ(compared[0].realisations, 12U);
-  EXPECT_EQ(compared[0].changed.successes, 0U);
+  EXPECT_EQ(compared[0].changed.counts.successes, 0U);
 }
 
 TEST_F(Interface, RefusesAnExperimentWithoutConditions) {
@@ -169,7 +169,6 @@ TEST_F(Interface, RefusesARunThatNoCallHasReturned) {
   const std::vector<std::function<void()>> calls{[&] { static_cast<void>(verify(none)); },
                                                  [&] { static_cast<void>(replay(none)); },
                                                  [&] { static_cast<void>(compare(none, none)); },
-                                                 [&] { static_cast<void>(comparison(none, none)); },
                                                  [&] { static_cast<void>(fragility_curves(swept, none.run)); },
                                                  [&] { static_cast<void>(fragility(swept, none.run)); },
                                                  [&] { static_cast<void>(report(swept, none.run)); },

@@ -5,8 +5,8 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/check_normal_summary.hpp"
-#include "rocking/output/write_check_normal.hpp"
 #include "rocking/output/write_report.hpp"
 #include "rocking/output/write_trajectory.hpp"
 #include "support/experiment_text.hpp"
@@ -204,7 +204,7 @@ SamplerCheck example_check() {
 }
 
 TEST(SamplerCheck, KeepsToItsSchema) {
-  const Json json = Json::parse(check_normal_text(example_check()));
+  const Json json = Json::parse(check_normal_document().text(example_check()));
   EXPECT_EQ(objections("check_normal", json.dump()), "");
   for (const auto& [pointer, value] : {std::pair{"/skewness/p_value", "1.5"}, std::pair{"/skewness/nearness", "[]"},
                                        std::pair{"/correlations/0/between", "\"friends\""}, std::pair{"/refuted", "0"},
@@ -215,9 +215,9 @@ TEST(SamplerCheck, KeepsToItsSchema) {
 
 TEST(SamplerCheck, WritesWhatWasFound) {
   const SamplerCheck check = example_check();
-  const Json json = Json::parse(check_normal_text(check));
+  const Json json = Json::parse(check_normal_document().text(check));
   EXPECT_EQ(json["n"], 200);
-  EXPECT_EQ(json["kurtosis"]["nearness"][1]["probability"], check.found.kurtosis.observed.probability);
+  EXPECT_EQ(json["kurtosis"]["nearness"][1]["probability"], check.found.kurtosis.nearness[1].probability);
   EXPECT_EQ(json["standard_deviation"]["p_value"], check.found.standard_deviation.p_value);
   EXPECT_EQ(json["correlations"].size(), 7U);
   EXPECT_EQ(json["correlations"][2]["between"], "lag_1");

@@ -45,16 +45,16 @@ TEST(NormalCheck, TestsTheStandardDeviationByItsExactLaw) {
 // which uses the fourth moment too, gives 1.5e-4 more. For the kurtosis erf(0.01/0.03463/sqrt 2) = 0.2272.
 TEST(NormalCheck, SaysHowOftenATrueSampleIsAsNear) {
   const NormalCheck check = checked(20000);
-  EXPECT_EQ(check.skewness.near.distance, 0.01);
-  EXPECT_NEAR(check.skewness.near.probability, 0.4363, 3e-4);
-  EXPECT_NEAR(check.kurtosis.near.probability, 0.2272, 3e-3);
+  EXPECT_EQ(check.skewness.nearness[0].distance, 0.01);
+  EXPECT_NEAR(check.skewness.nearness[0].probability, 0.4363, 3e-4);
+  EXPECT_NEAR(check.kurtosis.nearness[0].probability, 0.2272, 3e-3);
   for (const ShapeTest& shape : {check.skewness, check.kurtosis}) {
-    EXPECT_GT(shape.observed.probability, 0.0);
-    EXPECT_LT(shape.observed.probability, 1.0);
+    EXPECT_GT(shape.nearness[1].probability, 0.0);
+    EXPECT_LT(shape.nearness[1].probability, 1.0);
   }
-  EXPECT_EQ(check.skewness.observed.distance, std::abs(check.skewness.test.moment.value));
-  EXPECT_NEAR(check.skewness.observed.probability, 1.0 - check.skewness.test.p_value, 1e-14);
-  EXPECT_EQ(check.kurtosis.observed.distance, std::abs(check.kurtosis.test.moment.value - 3.0));
+  EXPECT_EQ(check.skewness.nearness[1].distance, std::abs(check.skewness.test.moment.value));
+  EXPECT_NEAR(check.skewness.nearness[1].probability, 1.0 - check.skewness.test.p_value, 1e-14);
+  EXPECT_EQ(check.kurtosis.nearness[1].distance, std::abs(check.kurtosis.test.moment.value - 3.0));
 }
 
 TEST(NormalCheck, NamesItsCorrelations) {

@@ -43,8 +43,8 @@ TEST(Comparison, CountsForEachModeWhereItWasMet) {
                                 store_of({{one, three, chaotic, three, chaotic, three}}), std::array{0.95});
   ASSERT_EQ(compared.size(), 1U);
   EXPECT_EQ(compared[0].realisations, 6U);
-  EXPECT_EQ(compared[0].changed.successes, 3U);
-  EXPECT_EQ(compared[0].changed.trials, 6U);
+  EXPECT_EQ(compared[0].changed.counts.successes, 3U);
+  EXPECT_EQ(compared[0].changed.counts.trials, 6U);
   ASSERT_EQ(compared[0].modes.size(), 3U);
   expect_counts(compared[0].modes.at(one).counts, {1, 2, 0, 3});
   expect_counts(compared[0].modes.at(three).counts, {1, 0, 2, 3});
@@ -57,7 +57,7 @@ TEST(Comparison, TakesOnlyWhatBothRunsHold) {
   const auto compared = compare(store_of({{one, one, one}, {one}}), store_of({{one, chaotic}, {}, {one}}), confidences);
   ASSERT_EQ(compared.size(), 2U);
   EXPECT_EQ(compared[0].realisations, 2U);
-  EXPECT_EQ(compared[0].changed.successes, 1U);
+  EXPECT_EQ(compared[0].changed.counts.successes, 1U);
   EXPECT_EQ(compared[1].realisations, 0U);
   EXPECT_TRUE(compared[1].modes.empty());
 }
@@ -77,7 +77,7 @@ TEST(Comparison, StatesEachConditionAtItsOwnConfidence) {
   for (std::size_t i = 0; i < compared.size(); ++i) {
     const double confidence = confidences[i];
     EXPECT_EQ(compared[i].confidence, confidence);
-    expect_interval(compared[i].changed_interval, stats::clopper_pearson({.successes = 3, .trials = 5}, confidence));
+    expect_interval(compared[i].changed.interval, stats::clopper_pearson({.successes = 3, .trials = 5}, confidence));
     const ModeComparison& mode = compared[i].modes.at(one);
     const stats::PairedCounts counts{.both = 2, .first_only = 2, .second_only = 1, .neither = 0};
     EXPECT_EQ(mode.in_first, 0.8);

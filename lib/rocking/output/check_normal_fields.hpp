@@ -2,14 +2,11 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
+#include "rocking/fields/document.hpp"
 #include "rocking/stats/normal_check.hpp"
 
 namespace rocking {
-
-/// Value of `format` in the output of `rocking check-normal --json`.
-inline constexpr std::string_view check_normal_format = "rocking.check_normal/1";
 
 /// The check of a sampler against its law.
 struct SamplerCheck {
@@ -18,6 +15,9 @@ struct SamplerCheck {
   stats::NormalCheck found;
 };
 
-[[nodiscard]] std::string check_normal_text(const SamplerCheck& check);
+[[nodiscard]] const StructType& fields_of(const SamplerCheck*);
+
+/// The output of `rocking check-normal --json`.
+[[nodiscard]] const DocumentOf<SamplerCheck>& check_normal_document();
 
 }  // namespace rocking

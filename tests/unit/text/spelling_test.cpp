@@ -1,4 +1,4 @@
-#include "rocking/input/spelling.hpp"
+#include "rocking/text/spelling.hpp"
 
 #include <vector>
 

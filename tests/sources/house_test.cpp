@@ -41,11 +41,14 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
      {"base", "random", "stats", "dynamics", "integrate", "lanes", "section", "scene", "realisation", "store",
       "ensemble"}},
     {"text", {"base", "stats"}},  // its intervals
+    {"fields", {"base", "text"}},
     {"input", {"base", "dynamics", "section", "text", "scene"}},
     {"output",
-     {"base", "stats", "dynamics", "section", "text", "scene", "realisation", "store", "ensemble", "studies"}},
+     {"base", "stats", "dynamics", "section", "text", "fields", "scene", "realisation", "store", "ensemble",
+      "studies"}},
     {"api",
-     {"base", "stats", "section", "scene", "realisation", "store", "ensemble", "studies", "text", "input", "output"}},
+     {"base", "stats", "section", "scene", "realisation", "store", "ensemble", "studies", "text", "fields", "input",
+      "output"}},
 };
 
 /// Rooms whose code affects the bits of the result of a realisation.

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "rocking/fields/struct_type.hpp"
+
+namespace rocking {
+
+/// A kind of file that rocking writes: its `format`, what it is, and the list of its keys.
+class Document {
+ public:
+  Document(std::string_view format, std::string_view sentence, const ValueType& type)
+      : format_(format), sentence_(sentence), type_(&type) {}
+
+  [[nodiscard]] std::string_view format() const { return format_; }
+  /// JSON Schema, draft 7, as `rocking schema` prints it.
+  [[nodiscard]] std::string schema_text() const;
+  /// The keys after `format` as a table in Markdown.
+  [[nodiscard]] std::string table() const;
+
+ protected:
+  /// A name of a file may be no UTF-8: its other bytes become U+FFFD.
+  [[nodiscard]] std::string text_of(const void* value) const;
+  void read_into(void* value, const Json& json, std::vector<base::Problem>& problems) const;
+
+ private:
+  std::string_view format_;
+  std::string_view sentence_;
+  const ValueType* type_;
+};
+
+/// The same of files whose content is a T.
+template <HasFields T>
+class DocumentOf : public Document {
+ public:
+  /// Reports what in a value contradicts itself.
+  using Check = void (*)(const T& value, const ReadingPlace& place);
+
+  DocumentOf(std::string_view format, std::string_view sentence, Check check = nullptr)
+      : Document(format, sentence, type_of<T>()), check_(check) {}
+
+  /// The file's content: equal values give equal bytes.
+  [[nodiscard]] std::string text(const T& value) const { return text_of(&value); }
+
+  /// Throws base::InputError with every fault: its place, the value, and what would do.
+  [[nodiscard]] T read(const Json& json) const {
+    T value{};
+    std::vector<base::Problem> problems;
+    read_into(&value, json, problems);
+    if (problems.empty() && check_ != nullptr) check_(value, {.pointer = "", .problems = &problems});
+    if (!problems.empty()) throw base::InputError(std::move(problems));
+    return value;
+  }
+
+ private:
+  Check check_;
+};
+
+}  // namespace rocking

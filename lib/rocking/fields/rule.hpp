@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+namespace rocking {
+
+/// What a value in a document must be, beside its type: bounds of a number, or the texts that may stand there.
+struct Rule {
+  std::optional<double> least = {};                ///< inclusive
+  std::optional<double> above = {};                ///< exclusive
+  std::optional<double> most = {};                 ///< inclusive
+  std::optional<double> below = {};                ///< exclusive
+  std::span<const std::string_view> choices = {};  ///< of a text; empty: any
+
+  [[nodiscard]] bool allows(double number) const {
+    return !(least && number < *least) && !(above && number <= *above) && !(most && number > *most) &&
+           !(below && number >= *below);
+  }
+};
+
+namespace rule {
+
+inline constexpr Rule none{};
+inline constexpr Rule not_negative{.least = 0.0};
+inline constexpr Rule positive{.above = 0.0};
+inline constexpr Rule share{.least = 0.0, .most = 1.0};
+inline constexpr Rule difference_of_shares{.least = -1.0, .most = 1.0};
+inline constexpr Rule confidence{.above = 0.0, .below = 1.0};
+
+}  // namespace rule
+}  // namespace rocking

@@ -1,0 +1,129 @@
+#pragma once
+
+#include <functional>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "rocking/fields/value_type.hpp"
+
+namespace rocking {
+
+/// How a field without a value stands in a document.
+enum class WithoutValue : std::uint8_t { null, omitted };
+
+/// A field of a struct: its key, what it means in one sentence, and how to reach it.
+struct Field {
+  std::string_view key;
+  std::string_view sentence;
+  Rule rule = {};
+  WithoutValue without_value = WithoutValue::null;
+  const ValueType* type = nullptr;
+  void* (*member)(void* owner) = nullptr;         ///< null: derived
+  Json (*derive)(const void* owner) = nullptr;    ///< from other members; written, and not read
+  std::vector<void* (*)(void*)> inlined_by = {};  ///< members on the way to the owner, from the outermost on
+
+  /// The same field, written and read in another way than its type is elsewhere.
+  [[nodiscard]] Field as(const ValueType& other) const;
+  [[nodiscard]] Json json(const void* outermost) const;
+  void read(const Json& json, const ReadingPlace& place, void* outermost) const;
+};
+
+/// The list of a struct's fields, in the order in which they are written.
+class StructType final : public ValueType {
+ public:
+  StructType(std::initializer_list<Field> fields);
+
+  [[nodiscard]] Json json(const void* value) const override;
+  void read(const Json& json, const ReadingPlace& place, void* value) const override;
+  [[nodiscard]] Json schema(const Rule& rule) const override;
+  void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override;
+
+ private:
+  void reject_unknown(const std::string& key, const Json& value, const ReadingPlace& place) const;
+
+  std::vector<Field> fields_;
+};
+
+/// A struct has a list of fields where `fields_of(const T*)` returns it, a function beside the struct or in a source that
+/// includes its header.
+template <class T>
+concept HasFields = requires(const T* type) {
+  { fields_of(type) } -> std::same_as<const StructType&>;
+};
+
+template <HasFields T>
+struct TypeOf<T> {
+  static const ValueType& get() { return fields_of(static_cast<const T*>(nullptr)); }
+};
+
+namespace detail {
+
+template <class T>
+struct OwnerOf;
+template <class T, class Value>
+struct OwnerOf<Value T::*> {
+  using Type = T;
+};
+template <class F>
+requires requires { &F::operator(); }
+struct OwnerOf<F> : OwnerOf<decltype(&F::operator())> {};
+template <class F, class Value, class T>
+struct OwnerOf<Value (F::*)(const T&) const> {
+  using Type = T;
+};
+
+template <class Owner, auto first, auto... rest>
+decltype(auto) reach(Owner& owner) {
+  if constexpr (sizeof...(rest) == 0) {
+    return (owner.*first);
+  } else {
+    auto& inner = owner.*first;
+    return reach<std::remove_reference_t<decltype(inner)>, rest...>(inner);
+  }
+}
+
+}  // namespace detail
+
+/// A field that is a member, or a member of a member: `field<&Outer::inner, &Inner::number>("number", ...)`.
+template <auto first, auto... rest>
+[[nodiscard]] Field field(std::string_view key, std::string_view sentence, const Rule& rule = {},
+                          WithoutValue without_value = WithoutValue::null) {
+  using Owner = typename detail::OwnerOf<decltype(first)>::Type;
+  using Value = std::remove_cvref_t<decltype(detail::reach<Owner, first, rest...>(std::declval<Owner&>()))>;
+  return {.key = key,
+          .sentence = sentence,
+          .rule = rule,
+          .without_value = without_value,
+          .type = &type_of<Value>(),
+          .member = [](void* owner) -> void* {
+            return &detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
+          }};
+}
+
+/// The fields of a member stand among those of its owner, without a key of their own.
+template <auto member>
+[[nodiscard]] Field inlined() {
+  return field<member>("", "");
+}
+
+/// A field that follows from others: `derived<[](const Outer& outer) { return ...; }>("ratio", ...)`.
+template <auto get>
+[[nodiscard]] Field derived(std::string_view key, std::string_view sentence, const Rule& rule = {},
+                            WithoutValue without_value = WithoutValue::null) {
+  using Owner = typename detail::OwnerOf<decltype(get)>::Type;
+  using Value = std::remove_cvref_t<decltype(get(std::declval<const Owner&>()))>;
+  return {.key = key,
+          .sentence = sentence,
+          .rule = rule,
+          .without_value = without_value,
+          .type = &type_of<Value>(),
+          .derive = [](const void* owner) {
+            const Value value = get(*static_cast<const Owner*>(owner));
+            return type_of<Value>().json(&value);
+          }};
+}
+
+}  // namespace rocking

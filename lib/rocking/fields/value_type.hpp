@@ -1,0 +1,74 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/base/error.hpp"
+#include "rocking/fields/rule.hpp"
+#include "rocking/text/json.hpp"
+
+namespace rocking {
+
+/// Where a value is read from, and what becomes of its faults.
+struct ReadingPlace {
+  std::string pointer;  ///< JSON pointer
+  Rule rule = {};       ///< of the numbers and texts there
+  std::vector<base::Problem>* problems;
+
+  void reject(const Json& value, std::string reason, std::string remedy = "") const;
+  [[nodiscard]] ReadingPlace at(std::string_view key) const;
+};
+
+/// A row of a table of keys.
+struct KeyRow {
+  std::string key;  ///< as `conditions[i].modes`
+  std::string_view sentence;
+};
+
+/// A C++ type as it stands in documents: how it is written, read and described. Objects are passed without their type,
+/// so that a new type costs few instantiations.
+class ValueType {
+ public:
+  ValueType() = default;
+  ValueType(const ValueType&) = delete;
+  ValueType& operator=(const ValueType&) = delete;
+  virtual ~ValueType() = default;
+
+  [[nodiscard]] virtual Json json(const void* value) const = 0;
+  /// Sets the value, or reports every fault and leaves the value valid.
+  virtual void read(const Json& json, const ReadingPlace& place, void* value) const = 0;
+  /// JSON Schema, draft 7.
+  [[nodiscard]] virtual Json schema(const Rule& rule) const = 0;
+  /// Appends a row for each key within a value at `prefix`; none for a type without keys.
+  virtual void describe(const std::string& prefix, std::vector<KeyRow>& rows) const;
+};
+
+/// The schema of a value that may be null instead.
+[[nodiscard]] Json or_null(Json schema);
+
+/// `TypeOf<T>::get()` is the ValueType of T.
+template <class T>
+struct TypeOf;
+
+template <class T>
+[[nodiscard]] const ValueType& type_of() {
+  return TypeOf<T>::get();
+}
+
+template <class T>
+concept SimpleValue = std::same_as<T, double> || std::same_as<T, std::uint64_t> || std::same_as<T, std::int64_t> ||
+    std::same_as<T, int> || std::same_as<T, unsigned> || std::same_as<T, bool> || std::same_as<T, std::string> ||
+    std::same_as<T, Json>;
+
+template <SimpleValue T>
+[[nodiscard]] const ValueType& simple_type();
+
+template <SimpleValue T>
+struct TypeOf<T> {
+  static const ValueType& get() { return simple_type<T>(); }
+};
+
+}  // namespace rocking

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/fields/document.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/studies/comparison.hpp"
+
+namespace rocking {
+
+[[nodiscard]] const StructType& fields_of(const Comparison*);
+
+/// The output of `rocking compare --json`.
+[[nodiscard]] const DocumentOf<Comparison>& comparison_document();
+
+/// The comparison of two runs with their experiments, which have the same number of conditions.
+[[nodiscard]] Comparison comparison_of(const Experiment& first, const Experiment& second,
+                                       std::vector<ConditionComparison> conditions);
+
+/// The comparison as text: differences between the experiments, then a line for each condition and mode. `first`: the
+/// experiment of the first run.
+[[nodiscard]] std::string comparison_table(const Comparison& found, const Experiment& first);
+
+}  // namespace rocking

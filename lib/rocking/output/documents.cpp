@@ -1,0 +1,39 @@
+#include "rocking/output/documents.hpp"
+
+#include "rocking/output/check_normal_fields.hpp"
+#include "rocking/output/comparison.hpp"
+#include "rocking/text/schema.hpp"
+
+namespace rocking {
+
+std::vector<const Document*> documents() { return {&check_normal_document(), &comparison_document()}; }
+
+std::string name_of(const Document& document) {
+  const std::string_view format = document.format();
+  const std::size_t start = format.find('.') + 1;
+  return std::string(format.substr(start, format.find('/') - start));
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names;
+  for (const Schema& schema : schemas()) names.emplace_back(schema.name);
+  for (const Document* document : documents()) names.push_back(name_of(*document));
+  return names;
+}
+
+std::optional<std::string> keys_of(std::string_view name) {
+  for (const Document* document : documents()) {
+    if (name_of(*document) == name) return document->table();
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> schema_of(std::string_view name) {
+  for (const Document* document : documents()) {
+    if (name_of(*document) == name) return document->schema_text();
+  }
+  const auto text = schema_text(name);
+  return text ? std::optional(std::string(*text)) : std::nullopt;
+}
+
+}  // namespace rocking

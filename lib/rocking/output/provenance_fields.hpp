@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/base/build_info.hpp"
+#include "rocking/fields/struct_type.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/section/response_mode.hpp"
+
+/// How the origin of a result, and the names of its parts, stand in documents.
+namespace rocking {
+
+/// 64 bits as text: `0x2012`.
+[[nodiscard]] const ValueType& seed_type();
+
+/// The name of a response mode, as `(1,3)`.
+template <>
+struct TypeOf<section::ResponseMode> {
+  static const ValueType& get();
+};
+
+/// The values of a point of the sweep: an object of JSON pointers and values.
+template <>
+struct TypeOf<std::vector<Parameter>> {
+  static const ValueType& get();
+};
+
+}  // namespace rocking

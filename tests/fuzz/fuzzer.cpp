@@ -1,0 +1,11 @@
+// A libFuzzer target for the function ROCKING_FUZZED of fuzz/targets.hpp; how to run it: lib/docs/fuzzing.md.
+
+#include <cstddef>
+#include <cstdint>
+
+#include "fuzz/targets.hpp"
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
+  rocking::fuzz::ROCKING_FUZZED({reinterpret_cast<const char*>(bytes), size});
+  return 0;
+}

@@ -1,0 +1,27 @@
+// The experiments of this repository can be read, and their canonical texts are their own.
+
+#include <filesystem>
+
+#include <gtest/gtest.h>
+
+#include "rocking/input/read_experiment.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+TEST(PublishedExperiment, IsValidAndItsCanonicalTextIsItsOwn) {
+  int found = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(ROCKING_SOURCE_DIR "/experiments")) {
+    if (entry.path().extension() != ".json") continue;
+    const auto experiment = read_experiment_file(entry.path());
+    const Surroundings beside_it{.files = files_seen_from(entry.path().parent_path())};
+    EXPECT_EQ(read_experiment(experiment.canonical_text, {}, beside_it).canonical_text, experiment.canonical_text)
+        << entry.path();
+    ++found;
+  }
+  EXPECT_GE(found, 10);
+}
+
+}  // namespace
+}  // namespace rocking

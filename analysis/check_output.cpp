@@ -101,18 +101,6 @@ void check_fragility(const Json& output, Problems& problems) {
   }
 }
 
-void check_motion(const Json& output, Problems& problems) {
-  for (std::size_t i = 0; i < output["motions"].size(); ++i) {
-    const Json& motion = output["motions"][i];
-    if (!motion.contains("series")) continue;
-    const Json& series = motion["series"];
-    for (const char* key : {"acceleration_g", "velocity_m_s", "displacement_m"}) {
-      if (series[key].size() == series["time_s"].size()) continue;
-      reject(problems, "/motions/" + std::to_string(i) + "/series/" + key, "differs in length from time_s");
-    }
-  }
-}
-
 bool is_in_si_units(const Json& trajectory) { return trajectory.value("units", "normalised") == "si"; }
 
 /// Every state must have the units that the file names, and the scales of the block must be there to convert them.
@@ -159,8 +147,7 @@ void check_output(const Json& output) {
                                                      {"rocking.bifurcation/1", {"bifurcation", check_bifurcation}},
                                                      {"rocking.orbits/1", {"orbits", check_orbits_output}},
                                                      {"rocking.cost/1", {"cost", check_cost}},
-                                                     {"rocking.fragility/1", {"fragility", check_fragility}},
-                                                     {"rocking.motion/1", {"motion", check_motion}}};
+                                                     {"rocking.fragility/1", {"fragility", check_fragility}}};
   const auto format = formats.find(format_of(output));
   if (format == formats.end()) return;
   Problems problems;

@@ -3,13 +3,12 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "rocking/text/json.hpp"
+#include "rocking/output/motion_report.hpp"
 
 namespace rocking::analysis {
 
-/// Figures of the output of `rocking motion --series`: for each motion its acceleration, velocity and displacement
-/// (`ground_motion`), and the response spectra of all of them (`response_spectra`). None for an output without series.
-/// Throws base::InputError where the output is of another form.
-[[nodiscard]] std::vector<Figure> motion_figures(const Json& output);
+/// Figures of ground motions: for each motion with a series its acceleration, velocity and displacement
+/// (`ground_motion`), and the response spectra of all of them (`response_spectra`). None without series.
+[[nodiscard]] std::vector<Figure> motion_figures(const MotionReport& report);
 
 }  // namespace rocking::analysis

@@ -17,6 +17,7 @@
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/output/check_normal_fields.hpp"
+#include "rocking/output/motion_report.hpp"
 #include "rocking/text/locate.hpp"
 
 namespace rocking::analysis {
@@ -62,7 +63,7 @@ void collect(const OutputFile& file, Collection& found) {
     for (Figure& figure : fragility_figures(output)) found.figures.push_back(std::move(figure));
     for (Figure& figure : incremental_figures(output)) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.motion/1") {
-    std::vector<Figure> figures = motion_figures(output);
+    std::vector<Figure> figures = motion_figures(motion_document().read(output));
     if (figures.empty()) {
       throw base::InputError({.place = "/motions/0/series",
                               .value = "",

@@ -12,7 +12,7 @@
 #include "output.hpp"
 #include "rocking/api/ground_motions.hpp"
 #include "rocking/input/record_unit.hpp"
-#include "rocking/output/write_motion.hpp"
+#include "rocking/output/motion_report.hpp"
 #include "rocking/scene/rules.hpp"
 #include "usage.hpp"
 
@@ -74,17 +74,19 @@ ExitCode motion(const MotionRequest& request) {
   if (!request.loudness.quiet) tell_warnings(motions);
   WrittenFigures written;
   if (!request.figures.empty()) {
-    const Json output = Json::parse(motion_text(motions, question, MotionDetail::series));
-    std::vector<analysis::Figure> figures = analysis::motion_figures(output);
+    std::vector<analysis::Figure> figures =
+        analysis::motion_figures(motion_report(motions, question, MotionDetail::series));
     for (std::size_t i = 0; i + 1 < figures.size() && motions.size() > 1; ++i) {
       figures[i].name += fmt::format("_{}", i + 1);
     }
     written = write_figures(figures, request.figures, look);
   }
+  const MotionDetail detail = request.series ? MotionDetail::series : MotionDetail::measures;
+  const MotionReport report = motion_report(motions, question, detail);
   if (request.loudness.json) {
-    print_result(motion_text(motions, question, request.series ? MotionDetail::series : MotionDetail::measures));
+    print_result(motion_document().text(report));
   } else {
-    std::string text = motion_table(motions, question);
+    std::string text = motion_table(report);
     if (!written.files.empty()) text += fmt::format("\n{}\n", fmt::join(written.files, "\n"));
     print_result(base::printable(text));
   }

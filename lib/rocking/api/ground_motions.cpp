@@ -9,7 +9,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/input/ground_motion_files.hpp"
-#include "rocking/output/write_motion.hpp"
+#include "rocking/output/motion_report.hpp"
 #include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/files.hpp"
@@ -72,8 +72,8 @@ std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
 }
 
 std::string motion(const GroundMotionRequest& request) {
-  return motion_text(ground_motions(request), request.question,
-                     request.series ? MotionDetail::series : MotionDetail::measures);
+  return motion_document().text(motion_report(ground_motions(request), request.question,
+                                              request.series ? MotionDetail::series : MotionDetail::measures));
 }
 
 }  // namespace rocking

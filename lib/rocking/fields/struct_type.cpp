@@ -21,8 +21,9 @@ Field Field::as(const ValueType& other) const {
   return changed;
 }
 
-Json Field::json(const void* outermost) const {
+std::optional<Json> Field::json(const void* outermost) const {
   void* owner = owner_of(inlined_by, const_cast<void*>(outermost));  // only read through
+  if (without_value == WithoutValue::omitted && has_value != nullptr && !has_value(owner)) return std::nullopt;
   return member == nullptr ? derive(owner) : type->json(member(owner));
 }
 
@@ -46,9 +47,7 @@ StructType::StructType(std::initializer_list<Field> fields) {
 Json StructType::json(const void* value) const {
   Json object = Json::object();
   for (const Field& field : fields_) {
-    Json json = field.json(value);
-    if (json.is_null() && field.without_value == WithoutValue::omitted) continue;
-    object[std::string(field.key)] = std::move(json);
+    if (auto json = field.json(value)) object[std::string(field.key)] = *std::move(json);
   }
   return object;
 }

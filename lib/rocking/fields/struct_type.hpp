@@ -1,10 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rocking/fields/value_type.hpp"
@@ -21,13 +22,15 @@ struct Field {
   Rule rule = {};
   WithoutValue without_value = WithoutValue::null;
   const ValueType* type = nullptr;
-  void* (*member)(void* owner) = nullptr;         ///< null: derived
-  Json (*derive)(const void* owner) = nullptr;    ///< from other members; written, and not read
-  std::vector<void* (*)(void*)> inlined_by = {};  ///< members on the way to the owner, from the outermost on
+  void* (*member)(void* owner) = nullptr;          ///< null: derived
+  bool (*has_value)(const void* owner) = nullptr;  ///< of an optional member
+  Json (*derive)(const void* owner) = nullptr;     ///< from other members; written, and not read
+  std::vector<void* (*)(void*)> inlined_by = {};   ///< members on the way to the owner, from the outermost on
 
   /// The same field, written and read in another way than its type is elsewhere.
   [[nodiscard]] Field as(const ValueType& other) const;
-  [[nodiscard]] Json json(const void* outermost) const;
+  /// Absent: the field is omitted.
+  [[nodiscard]] std::optional<Json> json(const void* outermost) const;
   void read(const Json& json, const ReadingPlace& place, void* outermost) const;
 };
 
@@ -75,6 +78,11 @@ struct OwnerOf<Value (F::*)(const T&) const> {
   using Type = T;
 };
 
+template <class T>
+inline constexpr bool is_optional = false;
+template <class T>
+inline constexpr bool is_optional<std::optional<T>> = true;
+
 template <class Owner, auto first, auto... rest>
 decltype(auto) reach(Owner& owner) {
   if constexpr (sizeof...(rest) == 0) {
@@ -93,14 +101,20 @@ template <auto first, auto... rest>
                           WithoutValue without_value = WithoutValue::null) {
   using Owner = typename detail::OwnerOf<decltype(first)>::Type;
   using Value = std::remove_cvref_t<decltype(detail::reach<Owner, first, rest...>(std::declval<Owner&>()))>;
-  return {.key = key,
-          .sentence = sentence,
-          .rule = rule,
-          .without_value = without_value,
-          .type = &type_of<Value>(),
-          .member = [](void* owner) -> void* {
-            return &detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
-          }};
+  Field made{.key = key,
+             .sentence = sentence,
+             .rule = rule,
+             .without_value = without_value,
+             .type = &type_of<Value>(),
+             .member = [](void* owner) -> void* {
+               return &detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
+             }};
+  if constexpr (detail::is_optional<Value>) {
+    made.has_value = [](const void* owner) {
+      return detail::reach<const Owner, first, rest...>(*static_cast<const Owner*>(owner)).has_value();
+    };
+  }
+  return made;
 }
 
 /// The fields of a member stand among those of its owner, without a key of their own.

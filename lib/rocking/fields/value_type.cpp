@@ -110,6 +110,7 @@ Json or_null(Json schema) {
   if (schema.contains("enum") || !schema.contains("type")) {
     return {{"anyOf", Json::array({std::move(schema), {{"type", "null"}}})}};
   }
+  if (schema["type"].is_array()) return schema;  // it may be null already
   schema["type"] = Json::array({schema["type"], "null"});
   return schema;
 }

@@ -2,11 +2,14 @@
 
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/comparison.hpp"
+#include "rocking/output/motion_report.hpp"
 #include "rocking/text/schema.hpp"
 
 namespace rocking {
 
-std::vector<const Document*> documents() { return {&check_normal_document(), &comparison_document()}; }
+std::vector<const Document*> documents() {
+  return {&check_normal_document(), &comparison_document(), &motion_document()};
+}
 
 std::string name_of(const Document& document) {
   const std::string_view format = document.format();

@@ -33,6 +33,7 @@ struct Everything {
   bool is_on = false;
   int number = 0;
   std::optional<std::string> note;
+  std::optional<std::optional<double>> scale;
 };
 
 static const StructType& fields_of(const Inner*) {
@@ -56,6 +57,7 @@ static const StructType& fields_of(const Everything*) {
       field<&Everything::is_on>("is_on", "whether it is on"),
       field<&Everything::number>("number", "any whole number"),
       field<&Everything::note>("note", "in words", {}, WithoutValue::omitted),
+      field<&Everything::scale>("scale", "null where none will do", rule::positive, WithoutValue::omitted),
   };
   return fields;
 }
@@ -132,6 +134,13 @@ TEST(Fields, AreReadAsTheyWereWritten) {
   EXPECT_EQ(document().text(document().read(json_of(document().text(all)))), document().text(all));
   all.note = "a note";
   EXPECT_EQ(document().read(json_of(document().text(all))).note, "a note");
+}
+
+TEST(Fields, ThatAreOmittedDifferFromThoseThatAreNull) {
+  Everything all = example();
+  all.scale.emplace();
+  EXPECT_TRUE(json_of(document().text(all)).at("scale").is_null());
+  EXPECT_EQ(json_of(document().schema_text())["properties"]["scale"]["type"], Json::array({"number", "null"}));
 }
 
 TEST(Fields, ReportEveryFaultWithItsPlaceAndRemedy) {

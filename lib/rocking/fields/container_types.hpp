@@ -30,67 +30,50 @@ struct TypeOf<std::optional<T>> {
       type_of<T>().describe(prefix, rows);
     }
   };
-  static const ValueType& get() {
-    static const Type type;
-    return type;
+  static const ValueType& get() { return the_only<Type>(); }
+};
+
+/// A list of any length, or of `size` entries.
+template <class List, std::size_t size = 0>
+class ListType final : public ValueType {
+  using Item = typename List::value_type;
+
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    Json list = Json::array();
+    for (const Item& item : *static_cast<const List*>(value)) list.push_back(type_of<Item>().json(&item));
+    return list;
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    auto& list = *static_cast<List*>(value);
+    if constexpr (size > 0) {
+      if (!json.is_array() || json.size() != size) {
+        return place.reject(json, "must be a list of " + std::to_string(size) + " entries");
+      }
+    } else {
+      if (!json.is_array()) return place.reject(json, "must be a list");
+      list.assign(json.size(), Item{});
+    }
+    for (std::size_t i = 0; i < list.size(); ++i) type_of<Item>().read(json[i], place.at(std::to_string(i)), &list[i]);
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override {
+    Json schema = {{"type", "array"}, {"items", type_of<Item>().schema(rule)}};
+    if (size > 0) schema.update({{"minItems", size}, {"maxItems", size}});
+    return schema;
+  }
+  void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
+    type_of<Item>().describe(prefix + "[i]", rows);
   }
 };
 
 template <class T>
 struct TypeOf<std::vector<T>> {
-  class Type final : public ValueType {
-   public:
-    [[nodiscard]] Json json(const void* value) const override {
-      Json list = Json::array();
-      for (const T& item : *static_cast<const std::vector<T>*>(value)) list.push_back(type_of<T>().json(&item));
-      return list;
-    }
-    void read(const Json& json, const ReadingPlace& place, void* value) const override {
-      if (!json.is_array()) return place.reject(json, "must be a list");
-      auto& list = *static_cast<std::vector<T>*>(value);
-      list.assign(json.size(), T{});
-      for (std::size_t i = 0; i < list.size(); ++i) type_of<T>().read(json[i], place.at(std::to_string(i)), &list[i]);
-    }
-    [[nodiscard]] Json schema(const Rule& rule) const override {
-      return {{"type", "array"}, {"items", type_of<T>().schema(rule)}};
-    }
-    void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
-      type_of<T>().describe(prefix + "[i]", rows);
-    }
-  };
-  static const ValueType& get() {
-    static const Type type;
-    return type;
-  }
+  static const ValueType& get() { return the_only<ListType<std::vector<T>>>(); }
 };
 
 template <class T, std::size_t size>
 struct TypeOf<std::array<T, size>> {
-  class Type final : public ValueType {
-   public:
-    [[nodiscard]] Json json(const void* value) const override {
-      Json list = Json::array();
-      for (const T& item : *static_cast<const std::array<T, size>*>(value)) list.push_back(type_of<T>().json(&item));
-      return list;
-    }
-    void read(const Json& json, const ReadingPlace& place, void* value) const override {
-      if (!json.is_array() || json.size() != size) {
-        return place.reject(json, "must be a list of " + std::to_string(size) + " entries");
-      }
-      auto& list = *static_cast<std::array<T, size>*>(value);
-      for (std::size_t i = 0; i < size; ++i) type_of<T>().read(json[i], place.at(std::to_string(i)), &list[i]);
-    }
-    [[nodiscard]] Json schema(const Rule& rule) const override {
-      return {{"type", "array"}, {"items", type_of<T>().schema(rule)}, {"minItems", size}, {"maxItems", size}};
-    }
-    void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
-      type_of<T>().describe(prefix + "[i]", rows);
-    }
-  };
-  static const ValueType& get() {
-    static const Type type;
-    return type;
-  }
+  static const ValueType& get() { return the_only<ListType<std::array<T, size>, size>>(); }
 };
 
 /// Keys are values that stand in documents as texts.
@@ -126,10 +109,7 @@ struct TypeOf<std::map<Key, T>> {
       type_of<T>().describe(prefix + ".NAME", rows);
     }
   };
-  static const ValueType& get() {
-    static const Type type;
-    return type;
-  }
+  static const ValueType& get() { return the_only<Type>(); }
 };
 
 }  // namespace rocking

@@ -119,8 +119,7 @@ void ValueType::describe(const std::string&, std::vector<KeyRow>&) const {}
 
 template <SimpleValue T>
 const ValueType& simple_type() {
-  static const std::conditional_t<std::is_same_v<T, Json>, AnyType, SimpleType<T>> type;
-  return type;
+  return the_only<std::conditional_t<std::is_same_v<T, Json>, AnyType, SimpleType<T>>>();
 }
 
 template const ValueType& simple_type<double>();

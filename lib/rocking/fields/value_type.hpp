@@ -49,6 +49,13 @@ class ValueType {
 /// The schema of a value that may be null instead.
 [[nodiscard]] Json or_null(Json schema);
 
+/// The one object of a type without members.
+template <class Type>
+[[nodiscard]] const ValueType& the_only() {
+  static const Type type;
+  return type;
+}
+
 /// `TypeOf<T>::get()` is the ValueType of T.
 template <class T>
 struct TypeOf;

@@ -6,6 +6,17 @@
 #include "rocking/text/schema.hpp"
 
 namespace rocking {
+namespace {
+
+/// Null: none has this name.
+const Document* document_named(std::string_view name) {
+  for (const Document* document : documents()) {
+    if (name_of(*document) == name) return document;
+  }
+  return nullptr;
+}
+
+}  // namespace
 
 std::vector<const Document*> documents() {
   return {&check_normal_document(), &comparison_document(), &motion_document()};
@@ -25,16 +36,12 @@ std::vector<std::string> format_names() {
 }
 
 std::optional<std::string> keys_of(std::string_view name) {
-  for (const Document* document : documents()) {
-    if (name_of(*document) == name) return document->table();
-  }
-  return std::nullopt;
+  const Document* document = document_named(name);
+  return document == nullptr ? std::nullopt : std::optional(document->table());
 }
 
 std::optional<std::string> schema_of(std::string_view name) {
-  for (const Document* document : documents()) {
-    if (name_of(*document) == name) return document->schema_text();
-  }
+  if (const Document* document = document_named(name)) return document->schema_text();
   const auto text = schema_text(name);
   return text ? std::optional(std::string(*text)) : std::nullopt;
 }

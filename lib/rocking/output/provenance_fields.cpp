@@ -58,19 +58,10 @@ class ParametersType final : public ValueType {
 
 }  // namespace
 
-const ValueType& seed_type() {
-  static const SeedType type;
-  return type;
-}
+const ValueType& seed_type() { return the_only<SeedType>(); }
 
-const ValueType& TypeOf<section::ResponseMode>::get() {
-  static const ResponseModeType type;
-  return type;
-}
+const ValueType& TypeOf<section::ResponseMode>::get() { return the_only<ResponseModeType>(); }
 
-const ValueType& TypeOf<std::vector<Parameter>>::get() {
-  static const ParametersType type;
-  return type;
-}
+const ValueType& TypeOf<std::vector<Parameter>>::get() { return the_only<ParametersType>(); }
 
 }  // namespace rocking

@@ -25,9 +25,6 @@ class IntervalType final : public ValueType {
 
 }  // namespace
 
-const ValueType& TypeOf<stats::Interval>::get() {
-  static const IntervalType type;
-  return type;
-}
+const ValueType& TypeOf<stats::Interval>::get() { return the_only<IntervalType>(); }
 
 }  // namespace rocking

@@ -56,7 +56,7 @@ Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
   Table table{.name = name,
               .columns = {{"period", "excitation periods since the start"},
                           {"share", "share of pairs that have diverged by then"},
-                          {"parted", "pairs that have diverged by then"},
+                          {"diverged", "pairs that have diverged by then"},
                           {"pairs", "number of pairs"}},
               .rows = {}};
   const auto count = static_cast<double>(pairs.count);
@@ -77,7 +77,7 @@ std::optional<Figure> divergence_times(const RunReport& report, const Store& sto
   const std::vector<Pairs> all = pairs_of(report, store);
   if (all.empty()) return std::nullopt;
   Figure figure;
-  figure.name = "parting_times";
+  figure.name = "divergence_times";
   figure.title = "Share of diverged pairs of equal runs against time";
   figure.subtitle = report.title;
   Panel panel{.title = "",

@@ -44,7 +44,7 @@ Table divergence_table(const RunReport& report, const SweepView& view, const Sli
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"pairs", "pairs of runs"},
-                          {"parted", "number of them that diverged before the horizon"},
+                          {"diverged", "number of them that diverged before the horizon"},
                           {"median", "median of the divergence time [periods]"},
                           {"lower", "lower quartile [periods]"},
                           {"upper", "upper quartile [periods]"},
@@ -121,7 +121,7 @@ std::optional<Figure> divergence_quartiles(const RunReport& report) {
   if (!has_differences(report)) return std::nullopt;
   const SweepView view = view_of(report);
   Figure figure = empty_figure(report, view);
-  figure.name = "parting_quartiles";
+  figure.name = "divergence_quartiles";
   figure.title = "Divergence time of two equal runs";
   figure.panels.front().y = {
       .quantity = "divergence time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true};

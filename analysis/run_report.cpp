@@ -26,7 +26,7 @@ std::optional<double> number_from(const Json& json) {
 Divergence divergence_from(const Json& json) {
   const Json& quartiles = json.at("quartiles_periods");
   return {.pairs = json.at("pairs"),
-          .diverged = json.at("parted"),
+          .diverged = json.at("diverged"),
           .lower_quartile = number_from(quartiles.at(0)),
           .median = number_from(quartiles.at(1)),
           .upper_quartile = number_from(quartiles.at(2))};
@@ -37,8 +37,8 @@ std::optional<Difference> difference_from(const Json& json) {
   return Difference{.differ = json.at("differ"),
                     .interval = interval_from(json.at("differ_interval")),
                     .entropy = json.at("entropy_nat"),
-                    .by_friction = divergence_from(json.at("parting_by_friction")),
-                    .by_arithmetic = divergence_from(json.at("parting_by_arithmetic"))};
+                    .by_friction = divergence_from(json.at("divergence_by_friction")),
+                    .by_arithmetic = divergence_from(json.at("divergence_by_tolerance"))};
 }
 
 std::vector<stats::QuantileEstimate> levels_from(const Json& json) {
@@ -130,8 +130,7 @@ std::optional<IncidenceReport> incidence_from(const Json& condition) {
   if (median != found.settling_periods.end()) found.settling.median = *median;
   const Json& interval = json.at("at_horizon").at("differ_interval");
   if (!interval.is_null()) found.differ_interval = interval_from(interval);
-  const char* divergence = json.contains("divergence_by_friction") ? "divergence_by_friction" : "parting_by_friction";
-  found.divergence = curve_from(json.at(divergence));
+  found.divergence = curve_from(json.at("divergence_by_friction"));
   if (json.contains("divergence_periods")) found.divergence_periods = levels_from(json.at("divergence_periods"));
   return found;
 }

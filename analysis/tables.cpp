@@ -95,7 +95,8 @@ std::string modes_csv(const RunReport& report) {
 
 std::string non_recurrence_csv(const RunReport& report) {
   const CsvStart start(report);
-  std::string text = start.head() + ",differ,low,high,entropy_nat,pairs,parted,lower_quartile,median,upper_quartile\n";
+  std::string text =
+      start.head() + ",differ,low,high,entropy_nat,pairs,diverged,lower_quartile,median,upper_quartile\n";
   for (const ConditionReport& condition : report.conditions) {
     text += start.of(condition);
     if (!condition.difference) {

@@ -133,7 +133,7 @@ std::string tables_html(const RunReport& report, const Figure& figure) {
       report.conditions, [](const ConditionReport& condition) { return condition.realisations > 1; });
   if (figure.name == "mode_probabilities") return mode_table_html(report);
   if (figure.name == "mode_bands") return has_probabilities ? "" : mode_table_html(report);  // not twice
-  if (figure.name == "parting_times") return data_table_html(side_by_side(figure.tables), figure.title);
+  if (figure.name == "divergence_times") return data_table_html(side_by_side(figure.tables), figure.title);
   std::string text;
   for (std::size_t i = 0; i < std::min(most_charts, figure.tables.size()); ++i) {
     const Table& table = figure.tables[i];

@@ -140,7 +140,7 @@ Check clamped(const RunReport& report) {
 
 Check arithmetic(const RunReport& report) {
   Check check{.name = "sensitivity to tolerance", .rating = Rating::note, .finding = {}, .where = {}};
-  const Json& floor = report.text.at("result").at("noise_floor");
+  const Json& floor = report.text.at("result").at("tolerance_sensitivity");
   if (floor.is_null()) {
     check.finding = "Not measured: no realisation was rerun at another tolerance.";
     return check;

@@ -91,7 +91,7 @@ def row(folder, scene):
         raise SystemExit("a block overturned: its periods are not 300")
     periods = 300.0 * realisations
     numbers = [counts["steps"], counts["slip_steps"], counts["root_isolations"], sum(counts["draws"].values()),
-               counts["record_segments"], counts["companion_periods"]]
+               counts["ground_motion_segments"], counts["exponent_periods"]]
     cells = [f"{number / periods:.2f}" if number else "0" for number in numbers]
     return cells + ([f"{instructions(folder, scene) / 1000.0:.1f}"] if shutil.which("valgrind") else ["-"])
 

@@ -34,7 +34,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds between_commits(100);
 
 /// How a run ended, and how long it took.
-struct Stretch {
+struct TimeSlice {
   RunEnd end;
   double duration_s = 0.0;
 };
@@ -56,10 +56,10 @@ RunOptions options_of(const Store& store, const ExecutionOptions& execution) {
   return options;
 }
 
-Stretch work(const RunFolder& folder, const Experiment& experiment, Store& store, const ExecutionOptions& execution) {
+TimeSlice work(const RunFolder& folder, const Experiment& experiment, Store& store, const ExecutionOptions& execution) {
   Progress progress(suitable_progress_style(execution.loudness), "realisations");
   RunningEstimate estimate(experiment);
-  Stretch stretch{};
+  TimeSlice slice{};
   ProgressFile file(folder.progress_path());
   RunOptions options = options_of(store, execution);
   options.on_realisations = [&](std::size_t condition, const auto& summaries) { estimate.add(condition, summaries); };
@@ -70,15 +70,15 @@ Stretch work(const RunFolder& folder, const Experiment& experiment, Store& store
   std::optional<TimeLimit> limit;
   if (execution.max_time) limit.emplace(*execution.max_time);
   try {
-    stretch.end = run(experiment, store, options);
+    slice.end = run(experiment, store, options);
   } catch (const std::system_error&) {
     print_notice(
         fmt::format("stored realisations are kept; when the cause is removed, `rocking resume {}` continues the run",
                     folder.name()));
     throw;
   }
-  stretch.duration_s = progress.elapsed();
-  return stretch;
+  slice.duration_s = progress.elapsed();
+  return slice;
 }
 
 ExitCode explain_stop(const RunFolder& folder, const Completeness& reached) {
@@ -156,8 +156,8 @@ ExperimentResult complete_result(const RunFolder& folder, const Experiment& expe
                   folder.store_path().string(), folder.name()));
 }
 
-ExitCode conclude(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
-                  const Conclusion& how) {
+ExitCode write_results(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
+                       const ResultWriting& how) {
   const auto write = [&](const TextSink& sink) { write_report(sink, experiment, result, how.system); };
   std::exception_ptr failure;
   DrawingFailures failures;
@@ -193,8 +193,7 @@ SystemFacts system_facts(unsigned threads) {
   return {.build = base::build_info(), .machine = machine_description(), .start = utc_now(), .threads = threads};
 }
 
-ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& store,
-                       const ExecutionOptions& execution) {
+ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& store, const ExecutionOptions& execution) {
   SystemFacts system = system_facts(execution.threads * execution.pool.processes);
   if (store.journalling() == Journalling::rollback) {
     print_notice(
@@ -202,20 +201,20 @@ ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& s
                     "used, and commands that read the run may have to wait for a moment",
                     folder.name()));
   }
-  const Stretch stretch = work(folder, experiment, store, execution);
-  if (stretch.end == RunEnd::stopped) {
+  const TimeSlice slice = work(folder, experiment, store, execution);
+  if (slice.end == RunEnd::stopped) {
     return explain_stop(folder, completeness(experiment, store));
   }
   if (const auto& shard = store.identity().shard) return explain_shard(folder, *shard);
-  system.duration_s = stretch.duration_s;
+  system.duration_s = slice.duration_s;
   std::optional<ExperimentResult> result;
   try {
     result = complete_result(folder, experiment, store);
   } catch (const base::Stopped&) {
     return explain_stop(folder, completeness(experiment, store));
   }
-  const ExitCode code =
-      conclude(folder, experiment, *result, {.system = system, .loudness = execution.loudness, .page = execution.page});
+  const ExitCode code = write_results(folder, experiment, *result,
+                                      {.system = system, .loudness = execution.loudness, .page = execution.page});
   if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
   }

@@ -36,11 +36,11 @@ void add_page_choice(CLI::App& command, PageChoice& page);
 
 /// Runs the realisations that the store lacks. If all are then present, writes the report and prints the table;
 /// otherwise prints how to continue.
-[[nodiscard]] ExitCode carry_through(RunFolder& folder, const Experiment& experiment, Store& store,
-                                     const ExecutionOptions& execution);
+[[nodiscard]] ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& store,
+                                  const ExecutionOptions& execution);
 
 /// The `system` part of a report, how much is printed, and whether there is a page.
-struct Conclusion {
+struct ResultWriting {
   SystemFacts system;
   Loudness loudness;
   PageChoice page = PageChoice::drawn;
@@ -56,7 +56,7 @@ struct Conclusion {
 
 /// Writes the report and its page, replaces an earlier run by them, and prints the table. Without a page, that of an
 /// earlier report in the folder is removed.
-[[nodiscard]] ExitCode conclude(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
-                                const Conclusion& how);
+[[nodiscard]] ExitCode write_results(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
+                                     const ResultWriting& how);
 
 }  // namespace rocking::program

@@ -27,7 +27,7 @@ struct FinishedRun {
 };
 
 FinishedRun finished_run(const std::string& folder) {
-  Store store = RunFolder(folder).open_sound_store();
+  Store store = RunFolder(folder).open_valid_store();
   Experiment experiment = experiment_of(store.identity());
   return {std::move(store), std::move(experiment)};
 }

@@ -37,7 +37,7 @@ void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
 
 std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report) {
   if (!folder.has_store()) return analysis::run_figures(report);
-  const Store store = folder.open_sound_store();
+  const Store store = folder.open_valid_store();
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store);
   if (pages::is_suite(report.swept)) add_suite(store, figures);
   return figures;

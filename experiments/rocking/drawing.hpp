@@ -19,7 +19,7 @@
 namespace rocking::program {
 
 /// The figures of a run, with its realisations if its folder has them; of a suite also its fragility and incremental
-/// dynamic analysis. Throws as RunFolder::open_sound_store does.
+/// dynamic analysis. Throws as RunFolder::open_valid_store does.
 [[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
 
 /// The importance of a picture to a command. The purpose of `report` and `figure` is to draw, so that they fail without

@@ -69,7 +69,7 @@ std::optional<HazardCurve> hazard_of(const FragilityRequest& request) {
 
 RunFragility fragility_of(const std::string& name, const FragilityQuestion& question, const Loudness& loudness) {
   const RunFolder folder(name);
-  const Store store = folder.open_sound_store();
+  const Store store = folder.open_valid_store();
   const Experiment experiment = experiment_of(store.identity());
   check_run(experiment, name);
   std::vector<StripeGroup> groups;

@@ -36,7 +36,7 @@ struct Source {
 std::vector<Source> open_sources(const MergeRequest& request) {
   std::vector<Source> sources;
   for (const std::string& name : request.shards) {
-    sources.push_back({name, RunFolder(name).open_sound_store()});
+    sources.push_back({name, RunFolder(name).open_valid_store()});
   }
   return sources;
 }
@@ -53,7 +53,7 @@ void expect_current_results(const Source& source) {
                                  : "merge with that program"));
 }
 
-void expect_kin(const Source& first, const Source& other) {
+void check_same_run(const Source& first, const Source& other) {
   if (other.store.identity().experiment != first.store.identity().experiment) {
     throw InTheWay(fmt::format("{}: belongs to another experiment than {} (a setting or the seed differs)", other.name,
                                first.name));
@@ -130,7 +130,7 @@ ExitCode explain_missing(RunFolder& folder, const Completeness& found) {
 
 ExitCode merge(const MergeRequest& request) {
   const std::vector<Source> sources = open_sources(request);
-  for (const Source& source : sources) expect_kin(sources.front(), source);
+  for (const Source& source : sources) check_same_run(sources.front(), source);
   expect_shards_elsewhere(request);
   RunFolder folder(request.folder);
   folder.claim();
@@ -147,8 +147,8 @@ ExitCode merge(const MergeRequest& request) {
   const Experiment experiment = experiment_of(identity);
   const auto found = completeness(experiment, whole);
   if (found.done < found.all) return explain_missing(folder, found);
-  return conclude(folder, experiment, complete_result(folder, experiment, whole),
-                  {.system = system, .loudness = request.loudness, .page = request.page});
+  return write_results(folder, experiment, complete_result(folder, experiment, whole),
+                       {.system = system, .loudness = request.loudness, .page = request.page});
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ ExitCode replay(const ReplayRequest& request) {
   const Experiment experiment = experiment_of(store.identity());
   const auto stored = condition_number < experiment.conditions.size() ? store.find(request.key) : std::nullopt;
   if (!stored) {
-    static_cast<void>(folder.open_sound_store());  // in a damaged store a row may be there and not be found
+    static_cast<void>(folder.open_valid_store());  // in a damaged store a row may be there and not be found
     throw UsageError(fmt::format("{} contains no realisation {} of condition {}; both numbers start at 0",
                                  request.folder, number, condition_number));
   }

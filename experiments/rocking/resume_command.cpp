@@ -121,7 +121,7 @@ ExitCode resume(const ResumeRequest& request) {
   if (is_extension) {
     store = extended_store(folder, experiment, wanted, std::move(store), request.execution.loudness);
   }
-  return carry_through(folder, wanted, store, request.execution);
+  return run_to_end(folder, wanted, store, request.execution);
 }
 
 }  // namespace

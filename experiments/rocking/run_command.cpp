@@ -117,7 +117,7 @@ ExitCode run(const RunRequest& request) {
                                      .code = code_identity(),
                                      .files = folder_of(request.file),
                                      .shard = shard});
-  return carry_through(folder, experiment, store, request.execution);
+  return run_to_end(folder, experiment, store, request.execution);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ Store RunFolder::open_store(sqlite::Access access) const {
   return Store::open(store_path(), access);
 }
 
-Store RunFolder::open_sound_store() const {
+Store RunFolder::open_valid_store() const {
   Store store = open_store(sqlite::Access::read);
   if (const auto damage = store.damage()) {
     throw sqlite::UnusableFile(

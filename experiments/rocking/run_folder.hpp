@@ -54,7 +54,7 @@ class RunFolder {
   /// Opens the store. Throws MissingInput if there is none, otherwise as Store does.
   [[nodiscard]] Store open_store(sqlite::Access access) const;
   /// Opens it for reading after a check of every page and row; throws sqlite::UnusableFile if one is damaged.
-  [[nodiscard]] Store open_sound_store() const;
+  [[nodiscard]] Store open_valid_store() const;
   /// Result of renewing a store.
   enum class FormerFile : std::uint8_t { kept, removed };
   struct Renewal {

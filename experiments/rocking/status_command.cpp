@@ -49,7 +49,7 @@ Standing standing_of(RunFolder& folder) {
   const bool running = folder.is_at_work();
   if (folder.has_replacement()) folder.enter_replacement();
   // The running process checked the store when it started.
-  const Store store = running ? folder.open_store(sqlite::Access::read) : folder.open_sound_store();
+  const Store store = running ? folder.open_store(sqlite::Access::read) : folder.open_valid_store();
   Standing standing;
   standing.replaces = folder.is_replacement();
   if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);

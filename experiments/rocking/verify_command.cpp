@@ -70,7 +70,7 @@ class Verifier {
     check_input();
     if (!findings_.wrong.empty()) return findings_;  // the experiment itself may be wrong, so nothing is run
     if (folder_.has_store()) {
-      check_with_store(folder_.open_sound_store());
+      check_with_store(folder_.open_valid_store());
     } else if (request_->sample) {
       throw UsageError(folder_.store_path().string() +
                        ": is missing, so there are no realisations for --sample; omit --sample");

@@ -25,11 +25,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-analysis::RunReport report_of(const StoredRun& stored, const Occasion& occasion = {}) {
+analysis::RunReport report_of(const StoredRun& stored, const Provenance& provenance = {}) {
   if (stored.experiment.canonical_text.empty()) {
     refuse("experiment", "", "was made in C++ and has no text; read it from a file or from text");
   }
-  return analysis::read_run_report(report(stored.experiment, stored.run, occasion));
+  return analysis::read_run_report(report(stored.experiment, stored.run, provenance));
 }
 
 std::vector<analysis::Figure> figures_of(const StoredRun& stored, const analysis::RunReport& report) {
@@ -74,9 +74,9 @@ Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& 
 
 }  // namespace
 
-Written write_page(const StoredRun& stored, const fs::path& file, const Occasion& occasion,
+Written write_page(const StoredRun& stored, const fs::path& file, const Provenance& provenance,
                    const Execution& execution) {
-  const analysis::RunReport report = report_of(stored, occasion);
+  const analysis::RunReport report = report_of(stored, provenance);
   Written written;
   std::vector<analysis::DrawnFigure> drawn;
   for (analysis::Figure& figure : figures_of(stored, report)) {

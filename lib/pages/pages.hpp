@@ -32,7 +32,7 @@ struct Written {
 /// base::InputError if its experiment was made in C++ (the page shows the text of the experiment), base::Stopped if it is
 /// asked to stop, and std::system_error with the path where the file cannot be written.
 [[nodiscard]] ROCKING_API Written write_page(const StoredRun& stored, const std::filesystem::path& file,
-                                             const Occasion& occasion = {}, const Execution& execution = {});
+                                             const Provenance& provenance = {}, const Execution& execution = {});
 
 /// Draws the figures of a complete run in a folder, which is created if necessary: data (tsv), gnuplot's script (gp) and
 /// pictures (svg, png, pdf). Otherwise as write_page.

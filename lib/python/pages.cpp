@@ -33,10 +33,10 @@ py::tuple write_watched(const Write& write) {
 void add_pages(py::module_& module) {
   module.def("write_page", [](const Experiment& experiment, const RunResult& run, const std::string& file,
                               std::string machine, std::string start, double duration, unsigned threads) {
-    const Occasion occasion{
+    const Provenance provenance{
         .machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads};
     return write_watched([&](const Execution& execution) {
-      return write_page({experiment, run}, file, occasion, execution);
+      return write_page({experiment, run}, file, provenance, execution);
     });
   });
   module.def(

@@ -288,9 +288,9 @@ describe('the page', () => {
     await close();
   });
 
-  it('shows by when equal runs have parted, on a logarithmic axis that zooms and moves', async () => {
+  it('shows by when equal runs have diverged, on a logarithmic axis that zooms and moves', async () => {
     const { page, close } = await open();
-    const figure = page.locator('#parting_times');
+    const figure = page.locator('#divergence_times');
     const panel = figure.locator('.panel');
     await assertDrawn(panel.locator('.plot'), 'parting times', within);
     const frame = panel.locator('.frame');

@@ -137,7 +137,7 @@ TEST_F(Command, RunFindsAGroundMotionFromTheFolderOfItsExperiment) {
   EXPECT_EQ(report["result"]["conditions"][0]["counts"]["rest"], 1) << "below the threshold";
   EXPECT_EQ(report["result"]["conditions"][1]["counts"]["rest"], 1) << "rocks and comes to rest";
   EXPECT_EQ(report["result"]["conditions"][2]["counts"]["overturned"], 1);
-  EXPECT_GT(report["internal"]["conditions"][1]["record_segments"], 4);
+  EXPECT_GT(report["internal"]["conditions"][1]["ground_motion_segments"], 4);
 }
 
 TEST_F(Command, TrajectoryKeepsToItsSchema) {

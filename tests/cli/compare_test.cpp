@@ -74,7 +74,7 @@ TEST_F(Compare, HasTheConfidenceOfEachCondition) {
   EXPECT_NEAR(upper_end(1), 1.0 - std::pow(0.0005, 0.25), 1e-12);
   EXPECT_THAT(rocking("compare a a").output, HasSubstr("interval at the confidence of each condition"));
 
-  const Json floor = Json::parse(read("a/report.json"))["result"]["noise_floor"];
+  const Json floor = Json::parse(read("a/report.json"))["result"]["tolerance_sensitivity"];
   ASSERT_EQ(floor["of"], 2);
   ASSERT_EQ(floor["flips"], 0);
   EXPECT_NEAR(floor["interval"][1].get<double>(), 1.0 - std::pow(0.0005, 0.5), 1e-12)

@@ -89,7 +89,7 @@ TEST_F(Figures, OfARunShowSomethingAndAreDrawnWithoutRunning) {
   const Outcome outcome = rocking("report out --format gnuplot,csv,latex");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
   expect_pictures(outcome.output);
-  EXPECT_THAT(outcome.output, AllOf(HasSubstr("out/figures/parting_times.svg"), HasSubstr("out/figures/scene.pdf"),
+  EXPECT_THAT(outcome.output, AllOf(HasSubstr("out/figures/divergence_times.svg"), HasSubstr("out/figures/scene.pdf"),
                                     HasSubstr("out/tables/modes.tex"), HasSubstr("out/tables/non_recurrence.csv")));
   EXPECT_EQ(read("out/report.json"), report);
   const std::string bands = read("out/figures/mode_bands.svg");

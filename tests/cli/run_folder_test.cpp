@@ -220,10 +220,10 @@ TEST_F(RunFolder, HoldsAPageThatIsWrittenAgainWithTheSameBytes) {
 
 TEST_F(RunFolder, HoldsAPageThatShowsPartingTimesWhereTheStoreIsThere) {
   ASSERT_EQ(rocking("run quick.json -q -o out").exit_code, 0);
-  EXPECT_THAT(read("out/report.html"), HasSubstr("<figure id=\"parting_times\""));
+  EXPECT_THAT(read("out/report.html"), HasSubstr("<figure id=\"divergence_times\""));
   std::filesystem::remove(folder_ / "out/realisations.sqlite");
   ASSERT_EQ(rocking("report out --format html").exit_code, 0);
-  EXPECT_THAT(read("out/report.html"), AllOf(HasSubstr("</html>"), Not(HasSubstr("id=\"parting_times\""))));
+  EXPECT_THAT(read("out/report.html"), AllOf(HasSubstr("</html>"), Not(HasSubstr("id=\"divergence_times\""))));
 }
 
 TEST_F(RunFolder, HasATableThatIsPrintedAgain) {

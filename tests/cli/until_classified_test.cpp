@@ -132,22 +132,6 @@ TEST_F(UntilClassified, QualifiesTheEndWhereAResponseWasHeldForOneWindow) {
   EXPECT_THAT(read("one/tables/settling.tex"), HasSubstr("may be left again later"));
 }
 
-TEST_F(UntilClassified, ReadsAReportOfBeforeTheCurvesWereNamed) {
-  run_quietly("run until.json -o whole");
-  Json report = Json::parse(read("whole/report.json"));
-  for (Json& condition : report["result"]["conditions"]) {
-    Json& incidence = condition["incidence"];
-    incidence["parting_by_friction"] = incidence["divergence_by_friction"];
-    for (const char* key : {"divergence_by_friction", "divergence_periods", "any_mode", "nearly_all"}) {
-      incidence.erase(key);
-    }
-  }
-  write("whole/report.json", report.dump());
-  const auto outcome = rocking("report whole --format html,csv,latex -q");
-  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
-  EXPECT_THAT(read("whole/report.html"), HasSubstr("<figure id=\"incidence\""));
-}
-
 // Another 60 periods of the excitation without a limit: the scene is too short for most responses.
 TEST_F(UntilClassified, IsProposedWhereAFixedHorizonIsTooShort) {
   Json experiment = Json::parse(read("until.json"));

@@ -25,11 +25,11 @@ class Result:
     the experiment.
     """
 
-    def __init__(self, experiment: Experiment, core: _core.Run, occasion: tuple, folder: Optional[str]) -> None:
+    def __init__(self, experiment: Experiment, core: _core.Run, provenance: tuple, folder: Optional[str]) -> None:
         self.experiment: Experiment = experiment
         self.folder: Optional[str] = folder
         self._core = core
-        self._occasion = occasion
+        self._occasion = provenance
 
     @property
     def done(self) -> int:

@@ -74,8 +74,8 @@ def run(
     start = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
     began = time.perf_counter()
     core, interrupted = _core.run(checked._core, threads, where or "", checked._files, shard, progress)
-    occasion = (platform.platform(), start, time.perf_counter() - began, threads)
-    result = Result(checked, core, occasion, where)
+    provenance = (platform.platform(), start, time.perf_counter() - began, threads)
+    result = Result(checked, core, provenance, where)
     if interrupted and result.done < result.all:
         raise Interrupted(result)
     if interrupted:
@@ -152,8 +152,8 @@ def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:
     """
     where = os.fspath(folder)
     core_experiment, core = _core.open_run(where)
-    occasion = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
-    return Result(Experiment(core_experiment, where), core, occasion, where)
+    provenance = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
+    return Result(Experiment(core_experiment, where), core, provenance, where)
 
 
 def merge(
@@ -180,5 +180,5 @@ def merge(
     """
     where = os.fspath(folder)
     core_experiment, core = _core.merge(where, [os.fspath(part) for part in parts])
-    occasion = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
-    return Result(Experiment(core_experiment, where), core, occasion, where)
+    provenance = (platform.platform(), "1970-01-01T00:00:00Z", 0.0, 1)
+    return Result(Experiment(core_experiment, where), core, provenance, where)

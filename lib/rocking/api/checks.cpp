@@ -37,7 +37,7 @@ std::string text_of(const Difference& difference) {
 
 RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, const Execution& execution) {
   if (sample == 0) refuse("sample", "0", "must be at least 1");
-  const AskedOptions asked(execution);
+  const OptionsOfExecution asked(execution);
   const Verification found = verify(stored.experiment, store_of(stored.run), sample, asked.options());
   asked.stop().check();
   RunCheck check{
@@ -58,7 +58,7 @@ RunCheck verify_report(std::string_view text, const std::filesystem::path& files
   const ReportClaims claims = read_report(text);
   if (!has_stated_digest(claims)) return {.findings = {std::string(wrong_digest_of_experiment)}};
   const Experiment experiment = read_experiment(claims.experiment, Overrides{}, {.files = files_seen_from(files)});
-  const AskedOptions asked(execution);
+  const OptionsOfExecution asked(execution);
   const ReportRerun again = rerun_report(text, experiment, asked.options());
   if (again.was_stopped) throw base::Stopped();
   return {.checked = again.checked, .findings = again.differences};

@@ -49,14 +49,14 @@ Cost cost(const Experiment& experiment, const CostRequest& request, const Execut
   auto found = cost_within(experiment, tolerances, {.seconds = request.seconds, .sample = request.sample},
                            {.elapsed_seconds = [&] { return request.elapsed_seconds() - start; },
                             .processor_seconds = request.processor_seconds},
-                           AskedOptions(execution).options());
+                           OptionsOfExecution(execution).options());
   if (!found) throw base::Stopped();
   return std::move(*found);
 }
 
-std::string cost_text(const Experiment& experiment, const Cost& cost, const Occasion& occasion) {
+std::string cost_text(const Experiment& experiment, const Cost& cost, const Provenance& provenance) {
   const Experiment told = with_text(experiment);
-  return cost_text({.experiment = &told, .cost = cost, .system = facts_of(occasion)});
+  return cost_text({.experiment = &told, .cost = cost, .system = facts_of(provenance)});
 }
 
 }  // namespace rocking

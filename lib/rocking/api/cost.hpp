@@ -39,6 +39,6 @@ struct CostRequest {
 
 /// A measured cost as JSON text (`rocking.cost/1`); all but `system` is the same for equal tolerances and samples.
 [[nodiscard]] ROCKING_API std::string cost_text(const Experiment& experiment, const Cost& cost,
-                                                const Occasion& occasion = {});
+                                                const Provenance& provenance = {});
 
 }  // namespace rocking

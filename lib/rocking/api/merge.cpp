@@ -39,7 +39,7 @@ class UnfinishedWhole {
   fs::path path_;
 };
 
-void expect_kin(const Identity& first, const Identity& other, const fs::path& part) {
+void check_same_run(const Identity& first, const Identity& other, const fs::path& part) {
   if (other.experiment != first.experiment) {
     throw refused(part, "belongs to another experiment than the first part (a setting or the seed differs)",
                   "merge the parts of one experiment");
@@ -67,9 +67,9 @@ void join(Store& whole, const Store& part, const fs::path& name) {
 StoredRun merge(const fs::path& folder, const std::vector<fs::path>& parts) {
   if (parts.empty()) refuse("parts", "", "are missing: give at least one folder");
   std::vector<Store> stores;
-  for (const fs::path& part : parts) stores.push_back(sound_store(part));
+  for (const fs::path& part : parts) stores.push_back(valid_store(part));
   Identity identity = stores.front().identity();
-  for (std::size_t i = 0; i < parts.size(); ++i) expect_kin(identity, stores[i].identity(), parts[i]);
+  for (std::size_t i = 0; i < parts.size(); ++i) check_same_run(identity, stores[i].identity(), parts[i]);
   const FolderLock lock = claimed(folder);
   if (has_store(folder)) throw refused(folder, "already contains a run", "choose another folder for the whole");
   const UnfinishedWhole unfinished(folder);

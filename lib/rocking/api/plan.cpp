@@ -17,7 +17,7 @@ Plan plan(const Experiment& experiment, const std::function<double()>& elapsed_s
   const Means means{.threads = std::max(1U, execution.threads), .shard = execution.shard};
   Plan found = plan_of(experiment, means);
   if (!elapsed_seconds) return found;
-  const AskedOptions asked(execution);
+  const OptionsOfExecution asked(execution);
   found.time = estimate_time(experiment, means, {.elapsed_seconds = elapsed_seconds, .stop = asked.stop()});
   asked.stop().check();
   return found;

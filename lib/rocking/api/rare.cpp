@@ -26,9 +26,9 @@ void check(const RareRequest& request) {
 }
 
 /// Progress by condition as progress of all.
-class AddedUp {
+class TotalProgress {
  public:
-  explicit AddedUp(const RunOptions& options) : options_(&options) {}
+  explicit TotalProgress(const RunOptions& options) : options_(&options) {}
 
   void tell(std::size_t condition, std::size_t done, std::size_t planned) {
     if (condition != condition_) earlier_ += last_;
@@ -50,8 +50,8 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
                                              const Execution& execution) {
   check(request);
   check_rare(experiment);
-  const AskedOptions asked(execution);
-  AddedUp progress(asked.options());
+  const OptionsOfExecution asked(execution);
+  TotalProgress progress(asked.options());
   RareSettings settings{
       .particles = request.particles, .score = request.score, .threads = asked.options().threads, .stop = asked.stop()};
   settings.seconds = request.seconds;

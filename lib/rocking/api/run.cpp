@@ -103,7 +103,7 @@ RunResult run(const Experiment& experiment, const Execution& execution) {
   std::optional<FolderLock> lock;
   if (!execution.folder.empty()) lock.emplace(claimed(execution.folder));
   Store store = store_for(experiment, execution);
-  const AskedOptions asked(execution);
+  const OptionsOfExecution asked(execution);
   // Whether it ended or was stopped follows from the rows.
   static_cast<void>(run(experiment, store, asked.options()));
   if (!execution.folder.empty()) store.close_up();
@@ -111,7 +111,7 @@ RunResult run(const Experiment& experiment, const Execution& execution) {
 }
 
 StoredRun open_run(const std::filesystem::path& folder) {
-  Store store = sound_store(folder);
+  Store store = valid_store(folder);
   const Identity& identity = store.identity();
   StoredRun stored{
       .experiment = read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)}),
@@ -120,8 +120,8 @@ StoredRun open_run(const std::filesystem::path& folder) {
   return stored;
 }
 
-std::string report(const Experiment& experiment, const RunResult& run, const Occasion& occasion) {
-  return report_text(with_text(experiment), complete(experiment, run), facts_of(occasion));
+std::string report(const Experiment& experiment, const RunResult& run, const Provenance& provenance) {
+  return report_text(with_text(experiment), complete(experiment, run), facts_of(provenance));
 }
 
 std::string table(const Experiment& experiment, const RunResult& run, std::size_t width) {

@@ -80,7 +80,7 @@ struct StoredRun {
                                           const std::vector<std::filesystem::path>& parts);
 
 /// What the report says of the machine and the time, which the library does not read itself.
-struct Occasion {
+struct Provenance {
   std::string machine = "unknown";             ///< processor and operating system
   std::string start = "1970-01-01T00:00:00Z";  ///< ISO 8601 in UTC
   double duration_s = 0.0;                     ///< [s]
@@ -90,7 +90,7 @@ struct Occasion {
 /// The report of a complete run as JSON text (`rocking.report/1`). All but `system` has the same bytes as that of the
 /// program; `input.experiment` of an experiment made in C++ is null. Throws std::invalid_argument if the run is not complete.
 [[nodiscard]] ROCKING_API std::string report(const Experiment& experiment, const RunResult& run,
-                                             const Occasion& occasion = {});
+                                             const Provenance& provenance = {});
 
 /// A complete run as text for a terminal, as the program prints it: a row for each condition, a column for each response
 /// mode that occurs with its estimate and interval in per cent, then a line on each that needs attention. Lines have at

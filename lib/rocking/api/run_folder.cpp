@@ -25,7 +25,7 @@ FolderLock claimed(const fs::path& folder) {
       folder.string() + ": another run is at work in this folder; wait for it, or choose another folder");
 }
 
-Store sound_store(const fs::path& folder) {
+Store valid_store(const fs::path& folder) {
   if (!has_store(folder)) {
     throw std::system_error(std::make_error_code(std::errc::no_such_file_or_directory),
                             folder.string() + ": contains no run (there is no realisations.sqlite)");

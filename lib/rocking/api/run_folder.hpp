@@ -21,7 +21,7 @@ namespace rocking {
 
 /// Opens the store for reading after a check of every page and row. Throws std::system_error with the path where there
 /// is none, sqlite::UnusableFile if it is damaged.
-[[nodiscard]] Store sound_store(const std::filesystem::path& folder);
+[[nodiscard]] Store valid_store(const std::filesystem::path& folder);
 
 /// The error of a folder that cannot be used as asked.
 [[nodiscard]] base::InputError refused(const std::filesystem::path& folder, std::string reason, std::string remedy);

@@ -10,9 +10,10 @@
 namespace rocking {
 
 /// What an execution asks for, as options of a run. Must outlive the run, which looks at its flag.
-class AskedOptions {
+class OptionsOfExecution {
  public:
-  explicit AskedOptions(const Execution& execution) : stop_(execution.stop != nullptr ? execution.stop : &own_flag_) {
+  explicit OptionsOfExecution(const Execution& execution)
+      : stop_(execution.stop != nullptr ? execution.stop : &own_flag_) {
     options_.threads = std::max(1U, execution.threads);
     options_.stop_requested = stop_;
     if (!execution.on_progress) return;
@@ -20,8 +21,8 @@ class AskedOptions {
       if (execution.on_progress(done, all) == Decision::stop) *stop = true;
     };
   }
-  AskedOptions(const AskedOptions&) = delete;
-  AskedOptions& operator=(const AskedOptions&) = delete;
+  OptionsOfExecution(const OptionsOfExecution&) = delete;
+  OptionsOfExecution& operator=(const OptionsOfExecution&) = delete;
 
   [[nodiscard]] const RunOptions& options() const { return options_; }
   [[nodiscard]] base::StopRequest stop() const { return stop_; }

@@ -73,7 +73,8 @@ std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& t
 
 namespace {
 
-std::vector<OrbitsOfCondition> found_orbits(const Experiment& experiment, int longest, const AskedOptions& asked) {
+std::vector<OrbitsOfCondition> found_orbits(const Experiment& experiment, int longest,
+                                            const OptionsOfExecution& asked) {
   expect("longest", longest, 1, static_cast<int>(section::longest_period));
   check_has_conditions(experiment);
   check_orbits(experiment);
@@ -161,7 +162,7 @@ FoundOrbits told(const Experiment& experiment, const OrbitStudy& study) {
 std::vector<std::vector<PeriodicOrbit>> periodic_orbits(const Experiment& experiment, int longest,
                                                         const Execution& execution) {
   std::vector<std::vector<PeriodicOrbit>> all;
-  for (const OrbitsOfCondition& condition : found_orbits(experiment, longest, AskedOptions(execution))) {
+  for (const OrbitsOfCondition& condition : found_orbits(experiment, longest, OptionsOfExecution(execution))) {
     auto& here = all.emplace_back();
     for (const Orbit& orbit : condition.orbits) {
       PeriodicOrbit& found = here.emplace_back();
@@ -181,7 +182,7 @@ OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& reques
   expect("most_points", request.most_points, std::uint64_t{2}, std::uint64_t{1'000'000});
   expect("most_branches", request.most_branches, std::uint64_t{1}, std::uint64_t{100'000});
   expect("most_curve_points", request.most_curve_points, std::uint64_t{1}, std::uint64_t{1'000'000});
-  const AskedOptions asked(execution);
+  const OptionsOfExecution asked(execution);
   OrbitStudy study{.longest = request.longest, .conditions = {}};
   if (!request.second.empty()) study.curves = curve_request(experiment, request);
   study.conditions = found_orbits(experiment, request.longest, asked);
@@ -232,7 +233,7 @@ std::string comparison_text(const Comparison& found) { return comparison_documen
 std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
   expect("realisation", realisation, std::uint64_t{0}, largest_realisation);
   check_has_conditions(experiment);
-  auto found = bifurcation(experiment, realisation, AskedOptions(execution).options());
+  auto found = bifurcation(experiment, realisation, OptionsOfExecution(execution).options());
   if (!found) throw base::Stopped();
   return std::move(*found);
 }
@@ -258,7 +259,7 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
     if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
   return run_fragility(experiment, stripes_of(experiment, store_of(run), needs_peak_tilts(question)), question,
-                       AskedOptions(execution).options());
+                       OptionsOfExecution(execution).options());
 }
 
 std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,

@@ -7,12 +7,12 @@
 namespace rocking {
 
 /// What a file says of the system.
-[[nodiscard]] inline SystemFacts facts_of(const Occasion& occasion) {
+[[nodiscard]] inline SystemFacts facts_of(const Provenance& provenance) {
   return {.build = base::build_info(),
-          .machine = occasion.machine,
-          .start = occasion.start,
-          .duration_s = occasion.duration_s,
-          .threads = occasion.threads};
+          .machine = provenance.machine,
+          .start = provenance.start,
+          .duration_s = provenance.duration_s,
+          .threads = provenance.threads};
 }
 
 }  // namespace rocking

@@ -30,7 +30,7 @@ class ReportChecker {
   Problems check() {
     check_experiment();
     if (!problems_.empty()) return std::move(problems_);
-    check_tolerance_sensitivity(report_["result"]["noise_floor"]);
+    check_tolerance_sensitivity(report_["result"]["tolerance_sensitivity"]);
     check_grid();
     const Json& conditions = report_["result"]["conditions"];
     for (std::size_t i = 0; i < conditions.size() && problems_.size() < most_report_problems; ++i) {
@@ -232,10 +232,10 @@ class ReportChecker {
 
   void check_non_recurrence(const Json& found, std::uint64_t n) {
     check_interval(found["differ_interval"], "/non_recurrence/differ_interval");
-    for (const char* key : {"parting_by_friction", "parting_by_arithmetic"}) {
+    for (const char* key : {"divergence_by_friction", "divergence_by_tolerance"}) {
       const std::string place = std::string("/non_recurrence/") + key;
       const auto pairs = at_most(found[key]["pairs"], n, place + "/pairs");
-      if (pairs) static_cast<void>(at_most(found[key]["parted"], *pairs, place + "/parted"));
+      if (pairs) static_cast<void>(at_most(found[key]["diverged"], *pairs, place + "/diverged"));
     }
     const Json& flips = found["arithmetic_flips"];
     check_interval(flips["interval"], "/non_recurrence/arithmetic_flips/interval");
@@ -264,7 +264,7 @@ class ReportChecker {
 
   void check_tolerance_sensitivity(const Json& floor) {
     if (floor.is_null()) return;
-    place_ = "/result/noise_floor";
+    place_ = "/result/tolerance_sensitivity";
     check_interval(floor["interval"], "/interval");
     const auto of = whole(floor["of"], "/of");
     if (of) static_cast<void>(at_most(floor["flips"], *of, "/flips"));

@@ -68,7 +68,7 @@ Json probabilities_json(const ConditionResult& result) {
 Json divergence_json(const DivergenceTimes& times) {
   Json divergence = Json::object();
   divergence["pairs"] = times.pairs;
-  divergence["parted"] = times.diverged;
+  divergence["diverged"] = times.diverged;
   divergence["quartiles_periods"] = Json::array(
       {optional_number(times.lower_quartile), optional_number(times.median), optional_number(times.upper_quartile)});
   return divergence;
@@ -81,8 +81,8 @@ Json non_recurrence_json(const ConditionResult& result) {
   json["differ"] = number(found.differ);
   json["differ_interval"] = interval_json(found.differ_interval);
   json["entropy_nat"] = number(found.entropy);
-  json["parting_by_friction"] = divergence_json(found.friction);
-  json["parting_by_arithmetic"] = divergence_json(found.arithmetic);
+  json["divergence_by_friction"] = divergence_json(found.friction);
+  json["divergence_by_tolerance"] = divergence_json(found.arithmetic);
   json["arithmetic_tolerance"] = number(found.arithmetic_tolerance);
   json["arithmetic_flips"] = {{"count", found.arithmetic_flips.successes},
                               {"of", found.arithmetic_flips.trials},
@@ -256,8 +256,8 @@ Json operation_counts_json(const OperationCounts& operations, const Clamps& clam
   json["steps"] = operations.steps;
   json["slip_steps"] = operations.slip_steps;
   json["root_isolations"] = operations.root_isolations;
-  json["record_segments"] = operations.ground_motion_segments;
-  json["companion_periods"] = operations.perturbed_pair_periods;
+  json["ground_motion_segments"] = operations.ground_motion_segments;
+  json["exponent_periods"] = operations.perturbed_pair_periods;
   Json& draws = json["draws"] = Json::object();
   draws["static_friction"] = operations.static_friction_draws;
   draws["kinetic_friction"] = operations.kinetic_friction_draws;

@@ -18,7 +18,7 @@ namespace rocking {
 /// One entry of `result.conditions`.
 [[nodiscard]] Json condition_json(const Condition& condition, const ConditionResult& result);
 
-/// `result.noise_floor`; null if nothing was rerun.
+/// `result.tolerance_sensitivity`; null if nothing was rerun.
 [[nodiscard]] Json tolerance_sensitivity_json(const std::optional<ToleranceSensitivity>& floor);
 
 /// One entry of `internal.conditions`, or `internal.total`: operation counts by effect.

@@ -28,7 +28,7 @@ Json departure_json(const Departure& departure) {
   json["error"] = {{"of", departure.moving},
                    {"median", or_null(departure.median_error)},
                    {"largest", or_null(departure.largest_error)}};
-  json["parted"] = departure.diverged;
+  json["diverged"] = departure.diverged;
   json["flips"] = {{"count", departure.flips.successes},
                    {"of", departure.flips.trials},
                    {"interval", interval_json(departure.flips_interval)}};

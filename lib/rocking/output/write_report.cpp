@@ -12,7 +12,7 @@ namespace {
 void write_result(JsonWriter& out, const Experiment& experiment, const ExperimentResult& result) {
   out.begin_object("result");
   out.member("digest", base::to_hex(result.digest));
-  out.member("noise_floor", tolerance_sensitivity_json(result.tolerance_sensitivity));
+  out.member("tolerance_sensitivity", tolerance_sensitivity_json(result.tolerance_sensitivity));
   out.begin_list("conditions");
   for (std::size_t i = 0; i < result.conditions.size(); ++i) {
     out.element(condition_json(experiment.conditions[i], result.conditions[i]));
@@ -59,7 +59,7 @@ Json report_frame(const Experiment& experiment, const ExperimentResult& result, 
   frame["format"] = report_format;
   frame["input"] = input_json(experiment);
   frame["result"]["digest"] = base::to_hex(result.digest);
-  frame["result"]["noise_floor"] = tolerance_sensitivity_json(result.tolerance_sensitivity);
+  frame["result"]["tolerance_sensitivity"] = tolerance_sensitivity_json(result.tolerance_sensitivity);
   frame["system"] = system_json(system);
   return frame;
 }

@@ -236,15 +236,16 @@ TEST(Page, ChecksWhatCouldMakeAResultUntrue) {
 TEST(Page, TellsTheSensitivityToToleranceAsTheReportDoes) {
   const Json floor = {
       {"flips", 3}, {"of", 40}, {"interval", {0.01, 0.2}}, {"half_width", 0.05}, {"arithmetic_noise", "small"}};
-  Json report = changed("/result/noise_floor", floor);
+  Json report = changed("/result/tolerance_sensitivity", floor);
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::fine);
-  report["result"]["noise_floor"]["arithmetic_noise"] = "undecided";
+  report["result"]["tolerance_sensitivity"]["arithmetic_noise"] = "undecided";
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::note);
-  report["result"]["noise_floor"]["arithmetic_noise"] = "not_small";
+  report["result"]["tolerance_sensitivity"]["arithmetic_noise"] = "not_small";
   EXPECT_EQ(check_named(report, "sensitivity to tolerance").rating, Rating::look);
   EXPECT_THAT(check_named(report, "sensitivity to tolerance").finding,
               AllOf(HasSubstr("3 of 40 response modes"), HasSubstr("set /accuracy/tolerance to")));
-  EXPECT_EQ(check_named(changed("/result/noise_floor", nullptr), "sensitivity to tolerance").rating, Rating::note);
+  EXPECT_EQ(check_named(changed("/result/tolerance_sensitivity", nullptr), "sensitivity to tolerance").rating,
+            Rating::note);
 }
 
 TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {

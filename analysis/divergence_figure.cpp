@@ -18,11 +18,11 @@ struct Pairs {
   std::map<std::int64_t, std::uint64_t> diverged;  ///< number of pairs that diverged, by period
 };
 
-std::vector<Pairs> pairs_of(const RunReport& report, const Store& store) {
+std::vector<Pairs> pairs_of(const Report& report, const Store& store) {
   std::vector<Pairs> all(report.conditions.size());
   store.for_each([&](const RealisationKey& key, const Summary& summary) {
     if (key.condition >= all.size()) return;
-    const std::uint64_t whole = report.conditions[key.condition].realisations / 2 * 2;
+    const std::uint64_t whole = report.conditions[key.condition].result.realisations / 2 * 2;
     if (key.realisation % 2 != 0 || key.realisation >= whole) return;
     Pairs& pairs = all[key.condition];
     pairs.condition = key.condition;
@@ -31,7 +31,7 @@ std::vector<Pairs> pairs_of(const RunReport& report, const Store& store) {
   });
   std::erase_if(all, [](const Pairs& pairs) { return pairs.count == 0; });
   const auto differ = [&report](const Pairs& pairs) {
-    const auto& difference = report.conditions[pairs.condition].difference;
+    const auto& difference = report.conditions[pairs.condition].result.non_recurrence;
     return difference ? difference->differ : 0.0;
   };
   std::stable_sort(all.begin(), all.end(), [&](const Pairs& a, const Pairs& b) { return differ(a) > differ(b); });
@@ -41,7 +41,7 @@ std::vector<Pairs> pairs_of(const RunReport& report, const Store& store) {
 }
 
 /// The horizon; if conditions have different horizons, the period in which the last pair diverged.
-double last_period(const RunReport& report, const std::vector<Pairs>& all) {
+double last_period(const Report& report, const std::vector<Pairs>& all) {
   if (const auto periods = report.periods()) return static_cast<double>(*periods);
   std::int64_t last = 0;
   for (const Pairs& pairs : all) {
@@ -73,13 +73,13 @@ Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
 
 }  // namespace
 
-std::optional<Figure> divergence_times(const RunReport& report, const Store& store) {
+std::optional<Figure> divergence_times(const Report& report, const Store& store) {
   const std::vector<Pairs> all = pairs_of(report, store);
   if (all.empty()) return std::nullopt;
   Figure figure;
   figure.name = "divergence_times";
   figure.title = "Share of diverged pairs of equal runs against time";
-  figure.subtitle = report.title;
+  figure.subtitle = report.title();
   Panel panel{.title = "",
               .x = {.quantity = "time", .symbol = "", .unit = "excitation periods", .low = 1.0, .logarithmic = true},
               .y = {.quantity = "share of pairs that have diverged", .symbol = "", .unit = "", .low = 0.0, .high = 1.0},

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/store/store.hpp"
 
 namespace rocking::analysis {
@@ -13,6 +13,6 @@ namespace rocking::analysis {
 /// `divergence_times`: the share of pairs of runs that have diverged by each period, a curve for each condition with
 /// pairs. Of more than seven conditions, the seven are shown in which two runs differ most often in response mode. It
 /// needs the realisations, which a report does not contain. Absent if there are no pairs.
-[[nodiscard]] std::optional<Figure> divergence_times(const RunReport& report, const Store& store);
+[[nodiscard]] std::optional<Figure> divergence_times(const Report& report, const Store& store);
 
 }  // namespace rocking::analysis

@@ -9,6 +9,7 @@
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/settling_table.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -21,13 +22,13 @@ constexpr std::size_t most_incidence_modes = 5;
 constexpr double linear_ratio = 10.0;
 
 /// The conditions that are shown, ascending.
-std::vector<std::size_t> shown_conditions(const RunReport& report) {
+std::vector<std::size_t> shown_conditions(const Report& report) {
   std::vector<std::size_t> shown;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    if (report.conditions[i].incidence) shown.push_back(i);
+    if (report.conditions[i].result.settling) shown.push_back(i);
   }
   const auto share = [&report](std::size_t i) {
-    const SettlingRow& row = report.conditions[i].incidence->settling;
+    const SettlingRow row = settling_row(report, report.conditions[i]).value();
     return static_cast<double>(row.unresolved_at_horizon) / static_cast<double>(row.realisations);
   };
   std::ranges::stable_sort(shown, std::greater{}, share);
@@ -37,7 +38,7 @@ std::vector<std::size_t> shown_conditions(const RunReport& report) {
 }
 
 /// The modes that are drawn; unresolved is none in which a response settles.
-std::vector<ResponseMode> drawn_modes(const RunReport& report) {
+std::vector<ResponseMode> drawn_modes(const Report& report) {
   auto occurring = report.occurring();
   occurring.erase(ResponseMode{});
   return modes_to_show(occurring, most_incidence_modes);
@@ -51,18 +52,18 @@ struct Span {
 
 /// From a little before the first change, or before the first fixed horizon if nothing changes, to the end of the
 /// longest observation.
-Span span_of(const RunReport& report, const std::vector<std::size_t>& shown) {
+Span span_of(const Report& report, const std::vector<std::size_t>& shown) {
   double first = HUGE_VAL;
   double horizon = HUGE_VAL;
   double last = 0.0;
   for (const std::size_t i : shown) {
-    const IncidenceReport& incidence = *report.conditions[i].incidence;
-    const SettlingRow row = settling_row(report, i).value();
+    const SettlingResult& incidence = *report.conditions[i].result.settling;
+    const SettlingRow row = settling_row(report, report.conditions[i]).value();
     if (row.fixed_horizon) horizon = std::min(horizon, static_cast<double>(*row.fixed_horizon));
-    for (const auto& [mode, curve] : incidence.modes) {
-      if (curve.periods.empty()) continue;
-      first = std::min(first, curve.periods.front());
-      last = std::max(last, curve.periods.back());
+    for (const auto& [mode, curve] : incidence.incidence) {
+      if (curve.empty()) continue;
+      first = std::min(first, static_cast<double>(curve.front().time));
+      last = std::max(last, static_cast<double>(curve.back().time));
     }
     if (row.censored > 0 && row.limit) last = std::max(last, static_cast<double>(*row.limit));
   }
@@ -71,28 +72,30 @@ Span span_of(const RunReport& report, const std::vector<std::size_t>& shown) {
   return {.low = low, .high = std::max(last, low + 1.0)};
 }
 
-/// Values of a step function, of which `rise` has the levels, at `period`; `before` before its first change.
-template <class Value>
-Value level_at(const IncidenceCurve& curve, const std::vector<Value>& levels, double period, const Value& before) {
-  const auto after = std::ranges::upper_bound(curve.periods, period);
-  if (after == curve.periods.begin()) return before;
-  return levels[static_cast<std::size_t>(after - curve.periods.begin()) - 1];
+using Curve = std::vector<stats::Incidence>;
+
+/// The point of a step function that holds at `period`; zeros before its first change.
+stats::Incidence point_at(const Curve& curve, double period) {
+  const auto time = [](const stats::Incidence& point) { return static_cast<double>(point.time); };
+  const auto after = std::ranges::upper_bound(curve, period, {}, time);
+  return after == curve.begin() ? stats::Incidence{} : *std::prev(after);
 }
 
-constexpr stats::Interval nothing{.low = 0.0, .high = 0.0};
-
-std::set<double> places_of(const IncidenceReport& incidence, const Span& span) {
+std::set<double> places_of(const SettlingResult& incidence, const Span& span) {
   std::set<double> places{span.low, span.high};
-  for (const auto& [mode, curve] : incidence.modes) places.insert(curve.periods.begin(), curve.periods.end());
-  if (incidence.any_mode) places.insert(incidence.any_mode->periods.begin(), incidence.any_mode->periods.end());
+  const auto add = [&places](const Curve& curve) {
+    for (const stats::Incidence& point : curve) places.insert(static_cast<double>(point.time));
+  };
+  for (const auto& [mode, curve] : incidence.incidence) add(curve);
+  add(incidence.times.any_mode);
   return places;
 }
 
 constexpr std::size_t columns_per_mode = 5;
 
 /// Columns: period, not_settled, then five of each mode: estimate, pointwise low and high, simultaneous low and high.
-Table table_of_incidence(const RunReport& report, const IncidenceReport& incidence,
-                         const std::vector<ResponseMode>& modes, const std::string& name, const Span& span) {
+Table table_of_incidence(const Report& report, const SettlingResult& incidence, const std::vector<ResponseMode>& modes,
+                         const std::string& name, const Span& span) {
   const std::string level = report.level();
   Table table{.name = name,
               .columns = {{"period", "excitation periods since the start"},
@@ -107,19 +110,16 @@ Table table_of_incidence(const RunReport& report, const IncidenceReport& inciden
     table.columns.push_back({of + "_band_high", "upper edge of it"});
   }
   for (const double place : places_of(incidence, span)) {
-    std::vector<Cell> row{place, Cell()};
-    if (const auto& any = incidence.any_mode) row[1] = 1.0 - level_at(*any, any->estimate, place, 0.0);
+    std::vector<Cell> row{place, 1.0 - point_at(incidence.times.any_mode, place).estimate};
     for (const ResponseMode& mode : modes) {
-      const auto found = incidence.modes.find(mode);
-      if (found == incidence.modes.end()) {
+      const auto found = incidence.incidence.find(mode);
+      if (found == incidence.incidence.end()) {
         row.resize(row.size() + columns_per_mode);
         continue;
       }
-      const IncidenceCurve& curve = found->second;
-      const stats::Interval pointwise = level_at(curve, curve.pointwise, place, nothing);
-      const stats::Interval band = level_at(curve, curve.simultaneous, place, nothing);
-      row.insert(row.end(),
-                 {level_at(curve, curve.estimate, place, 0.0), pointwise.low, pointwise.high, band.low, band.high});
+      const stats::Incidence point = point_at(found->second, place);
+      row.insert(row.end(), {point.estimate, point.pointwise.low, point.pointwise.high, point.simultaneous.low,
+                             point.simultaneous.high});
     }
     table.rows.push_back(std::move(row));
   }
@@ -167,16 +167,16 @@ void add_horizon(std::int64_t horizon, const Span& span, Figure& figure) {
 }
 
 /// Of several swept parameters the values, `0.35/0.3, 6`: a panel is too narrow for their names, which the caption has.
-std::string title_of(const RunReport& report, const ConditionReport& condition) {
+std::string title_of(const Report& report, const ReportedCondition& condition) {
   if (report.swept.size() < 2) return name_of_condition(report, condition);
   std::string title;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
-    title += (title.empty() ? "" : ", ") + short_value(report.swept[i], condition.parameters[i]);
+    title += (title.empty() ? "" : ", ") + short_value(condition.parameters[i]);
   }
   return title;
 }
 
-std::string names_of_swept(const RunReport& report) {
+std::string names_of_swept(const Report& report) {
   std::string names;
   for (const std::string& pointer : report.swept) {
     names += (names.empty() ? "" : ", ") + label_of(axis_of_parameter(pointer));
@@ -184,9 +184,9 @@ std::string names_of_swept(const RunReport& report) {
   return names;
 }
 
-void add_panel(const RunReport& report, std::size_t condition, const std::vector<ResponseMode>& modes, const Span& span,
+void add_panel(const Report& report, std::size_t condition, const std::vector<ResponseMode>& modes, const Span& span,
                Figure& figure) {
-  const IncidenceReport& incidence = *report.conditions[condition].incidence;
+  const SettlingResult& incidence = *report.conditions[condition].result.settling;
   const std::string name = name_of_condition(report, report.conditions[condition]);
   const std::size_t table = figure.tables.size();
   figure.tables.push_back(
@@ -198,24 +198,23 @@ void add_panel(const RunReport& report, std::size_t condition, const std::vector
   panel.x.logarithmic = span.high > linear_ratio * span.low;
   panel.x.high = panel.x.logarithmic ? 1.2 * span.high : span.high + 0.04 * (span.high - span.low);
   figure.panels.push_back(std::move(panel));
-  if (const auto horizon = settling_row(report, condition)->fixed_horizon) add_horizon(*horizon, span, figure);
+  if (const auto horizon = settling_row(report, report.conditions[condition])->fixed_horizon)
+    add_horizon(*horizon, span, figure);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!incidence.modes.contains(modes[m])) continue;
+    if (!incidence.incidence.contains(modes[m])) continue;
     const std::size_t first = 2 + columns_per_mode * m;
     add_band(table, first + 3, style_of(modes[m]), 0.1, figure);
     add_band(table, first + 1, style_of(modes[m]), 0.2, figure);
   }
   auto& layers = figure.panels.back().layers;
-  if (incidence.any_mode) {
-    Style style = style_of(ResponseMode{});
-    style.colour = "#707070";
-    style.dash = 5;
-    style.width = 1.2;
-    layers.push_back(
-        {.kind = LayerKind::steps, .table = table, .columns = {0, 1}, .style = style, .legend = "not yet settled"});
-  }
+  Style style = style_of(ResponseMode{});
+  style.colour = "#707070";
+  style.dash = 5;
+  style.width = 1.2;
+  layers.push_back(
+      {.kind = LayerKind::steps, .table = table, .columns = {0, 1}, .style = style, .legend = "not yet settled"});
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    if (!incidence.modes.contains(modes[m])) continue;
+    if (!incidence.incidence.contains(modes[m])) continue;
     layers.push_back({.kind = LayerKind::steps,
                       .table = table,
                       .columns = {0, 2 + columns_per_mode * m},
@@ -226,7 +225,7 @@ void add_panel(const RunReport& report, std::size_t condition, const std::vector
 
 }  // namespace
 
-std::optional<Figure> incidence_figure(const RunReport& report) {
+std::optional<Figure> incidence_figure(const Report& report) {
   const std::vector<std::size_t> shown = shown_conditions(report);
   if (shown.empty()) return std::nullopt;
   const std::vector<ResponseMode> modes = drawn_modes(report);
@@ -234,7 +233,7 @@ std::optional<Figure> incidence_figure(const RunReport& report) {
   Figure figure;
   figure.name = "incidence";
   figure.title = "Which response, and by when";
-  figure.subtitle = report.title;
+  figure.subtitle = report.title();
   for (const std::size_t i : shown) add_panel(report, i, modes, span, figure);
   figure.caption =
       "Probability that a realisation has settled in a response mode by a time (cumulative incidence), with its " +

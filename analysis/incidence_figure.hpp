@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
@@ -13,6 +13,6 @@ inline constexpr std::size_t most_incidence_panels = 6;
 
 /// Which response, and by when: the cumulative incidence of the most frequent response modes against time, with
 /// pointwise and simultaneous bands, a panel for each condition. Absent unless the run has `until_classified`.
-[[nodiscard]] std::optional<Figure> incidence_figure(const RunReport& report);
+[[nodiscard]] std::optional<Figure> incidence_figure(const Report& report);
 
 }  // namespace rocking::analysis

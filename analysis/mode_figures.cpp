@@ -23,10 +23,10 @@ Cell high_of(const AnyShare& share) { return share.interval ? Cell(share.interva
 std::string table_name(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
 
 /// Parts common to all figures of a run.
-Figure figure_of(const RunReport& report, const SweepView& view, std::string name) {
+Figure figure_of(const Report& report, const SweepView& view, std::string name) {
   Figure figure;
   figure.name = std::move(name);
-  figure.subtitle = report.title;
+  figure.subtitle = report.title();
   for (const Slice& slice : view.slices) {
     figure.panels.push_back({.title = slice.name,
                              .x = slice.axis,
@@ -43,7 +43,7 @@ void set_range(const SweepView& view, const std::vector<Stretch>& stretches, Pan
 }
 
 /// Words of a caption of a run with `until_classified`.
-std::string in_the_end(const RunReport& report) { return settling_rows(report).empty() ? "" : " in the end"; }
+std::string in_the_end(const Report& report) { return report.has_settling() ? " in the end" : ""; }
 
 std::vector<double> places_of(const SweepView& view, const Slice& slice) {
   std::vector<double> places;
@@ -52,7 +52,7 @@ std::vector<double> places_of(const SweepView& view, const Slice& slice) {
 }
 
 // Columns: x, x_low, x_high, n, then from and to of each mode, then of the others.
-Table band_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+Table band_table(const Report& report, const SweepView& view, const Slice& slice) {
   const auto modes = shown_modes(report);
   Table table{.name = table_name(slice),
               .columns = {view.column,
@@ -68,8 +68,8 @@ Table band_table(const RunReport& report, const SweepView& view, const Slice& sl
   table.columns.push_back({"others_to", "its upper edge: 1"});
   const auto stretches = stretches_of(places_of(view, slice));
   for (std::size_t i = 0; i < slice.conditions.size(); ++i) {
-    const ConditionReport& condition = report.conditions[slice.conditions[i]];
-    const double n = number(condition.realisations);
+    const ReportedCondition& condition = report.conditions[slice.conditions[i]];
+    const double n = number(condition.result.realisations);
     std::vector<Cell> row{view.x[slice.conditions[i]], stretches[i].low, stretches[i].high, n};
     std::uint64_t below = 0;
     for (const ResponseMode& mode : modes) {
@@ -85,7 +85,7 @@ Table band_table(const RunReport& report, const SweepView& view, const Slice& sl
 }
 
 // Columns: x, n, then count, estimate, low, high of each mode.
-Table probability_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+Table probability_table(const Report& report, const SweepView& view, const Slice& slice) {
   const std::string level = report.level() + " simultaneous interval";
   Table table{.name = table_name(slice), .columns = {view.column, {"n", "realisations"}}, .rows = {}};
   const auto modes = shown_modes(report);
@@ -97,8 +97,8 @@ Table probability_table(const RunReport& report, const SweepView& view, const Sl
     table.columns.push_back({name + "_high", "upper end of its " + level});
   }
   for (const std::size_t i : slice.conditions) {
-    const ConditionReport& condition = report.conditions[i];
-    std::vector<Cell> row{view.x[i], number(condition.realisations)};
+    const ReportedCondition& condition = report.conditions[i];
+    std::vector<Cell> row{view.x[i], number(condition.result.realisations)};
     for (const ResponseMode& mode : modes) {
       const AnyShare share = share_of(condition, mode);
       for (const Cell& cell : {Cell(number(share.count)), Cell(share.estimate), low_of(share), high_of(share)}) {
@@ -138,7 +138,7 @@ void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Fi
 }
 
 /// Rows of one condition for bars: one for each mode.
-Table bar_table(const RunReport& report, const ConditionReport& condition, const std::string& name) {
+Table bar_table(const Report& report, const ReportedCondition& condition, const std::string& name) {
   const std::string level = report.level() + " simultaneous interval";
   Table table{.name = name,
               .columns = {{"place", "position of the middle of the bar"},
@@ -156,13 +156,13 @@ Table bar_table(const RunReport& report, const ConditionReport& condition, const
   for (const ResponseMode& mode : shown_modes(report)) {
     const AnyShare share = share_of(condition, mode);
     table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, low_of(share), high_of(share),
-                          number(share.count), number(condition.realisations), to_string(mode)});
+                          number(share.count), number(condition.result.realisations), to_string(mode)});
     place += 1.0;
   }
   return table;
 }
 
-Panel bar_panel(const RunReport& report, std::size_t table, const std::string& title) {
+Panel bar_panel(const Report& report, std::size_t table, const std::string& title) {
   Panel panel{.title = title,
               .x = {.quantity = "response mode", .symbol = "", .unit = ""},
               .y = {.quantity = "probability", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
@@ -180,21 +180,21 @@ Panel bar_panel(const RunReport& report, std::size_t table, const std::string& t
 
 }  // namespace
 
-std::vector<ResponseMode> shown_modes(const RunReport& report) { return modes_to_show(report.occurring(), most_shown); }
+std::vector<ResponseMode> shown_modes(const Report& report) { return modes_to_show(report.occurring(), most_shown); }
 
-std::string spoken_realisations(const RunReport& report) {
-  std::uint64_t least = report.conditions.front().realisations;
+std::string spoken_realisations(const Report& report) {
+  std::uint64_t least = report.conditions.front().result.realisations;
   std::uint64_t most = least;
-  for (const ConditionReport& condition : report.conditions) {
-    least = std::min(least, condition.realisations);
-    most = std::max(most, condition.realisations);
+  for (const ReportedCondition& condition : report.conditions) {
+    least = std::min(least, condition.result.realisations);
+    most = std::max(most, condition.result.realisations);
   }
   const std::string range =
       least == most ? std::to_string(most) : std::to_string(least) + " to " + std::to_string(most);
   return range + (most == 1 ? " realisation" : " realisations") + (report.conditions.size() > 1 ? " each" : "");
 }
 
-Figure mode_bands(const RunReport& report) {
+Figure mode_bands(const Report& report) {
   const SweepView view = view_of(report);
   Figure figure = figure_of(report, view, "mode_bands");
   figure.title = "Probability of each response mode";
@@ -247,11 +247,11 @@ void add_bars(const std::vector<ResponseMode>& modes, Figure& figure) {
 }
 
 /// A panel for each condition with a bar for each mode.
-Figure mode_bars(const RunReport& report, const SweepView& view) {
+Figure mode_bars(const Report& report, const SweepView& view) {
   Figure figure;
   figure.name = "mode_probabilities";
   figure.title = "Probability of each response mode, with intervals";
-  figure.subtitle = report.title;
+  figure.subtitle = report.title();
   for (const Slice& slice : view.slices) {
     for (const std::size_t i : slice.conditions) {
       const std::string name = name_of_condition(report, report.conditions[i]);
@@ -267,7 +267,7 @@ Figure mode_bars(const RunReport& report, const SweepView& view) {
 
 }  // namespace
 
-Figure mode_probabilities(const RunReport& report) {
+Figure mode_probabilities(const Report& report) {
   const SweepView view = view_of(report);
   if (!view.is_line) return mode_bars(report, view);
   Figure figure = figure_of(report, view, "mode_probabilities");

@@ -13,14 +13,14 @@ namespace {
 
 Cell cell_of(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
-bool has_differences(const RunReport& report) {
+bool has_differences(const Report& report) {
   return std::any_of(report.conditions.begin(), report.conditions.end(),
-                     [](const ConditionReport& condition) { return condition.difference.has_value(); });
+                     [](const ReportedCondition& condition) { return condition.result.non_recurrence.has_value(); });
 }
 
 std::string name_of(const Slice& slice) { return slice.name.empty() ? "all conditions" : slice.name; }
 
-Table difference_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+Table difference_table(const Report& report, const SweepView& view, const Slice& slice) {
   const std::string level = report.level() + " interval";
   Table table{.name = name_of(slice),
               .columns = {view.column,
@@ -31,16 +31,16 @@ Table difference_table(const RunReport& report, const SweepView& view, const Sli
                           {"entropy", "entropy of the response modes [nat]"}},
               .rows = {}};
   for (const std::size_t i : slice.conditions) {
-    const ConditionReport& condition = report.conditions[i];
-    if (!condition.difference) continue;
-    const Difference& found = *condition.difference;
-    table.rows.push_back({view.x[i], static_cast<double>(condition.realisations), found.differ, found.interval.low,
-                          found.interval.high, found.entropy});
+    const ReportedCondition& condition = report.conditions[i];
+    if (!condition.result.non_recurrence) continue;
+    const NonRecurrence& found = *condition.result.non_recurrence;
+    table.rows.push_back({view.x[i], static_cast<double>(condition.result.realisations), found.differ,
+                          found.differ_interval.low, found.differ_interval.high, found.entropy});
   }
   return table;
 }
 
-Table divergence_table(const RunReport& report, const SweepView& view, const Slice& slice) {
+Table divergence_table(const Report& report, const SweepView& view, const Slice& slice) {
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"pairs", "pairs of runs"},
@@ -53,8 +53,8 @@ Table divergence_table(const RunReport& report, const SweepView& view, const Sli
   const auto periods = report.periods();
   const Cell end = periods ? Cell(static_cast<double>(*periods)) : Cell();
   for (const std::size_t i : slice.conditions) {
-    if (!report.conditions[i].difference) continue;
-    const Divergence& divergence = report.conditions[i].difference->by_friction;
+    if (!report.conditions[i].result.non_recurrence) continue;
+    const DivergenceTimes& divergence = report.conditions[i].result.non_recurrence->friction;
     if (divergence.pairs == 0) continue;
     const Cell drawn = !divergence.lower_quartile  ? Cell()
                        : divergence.upper_quartile ? Cell(*divergence.upper_quartile)
@@ -87,9 +87,9 @@ void add_curve(const SweepView& view, std::size_t number, const std::array<std::
                           .legend = name_of(slice)});
 }
 
-Figure empty_figure(const RunReport& report, const SweepView& view) {
+Figure empty_figure(const Report& report, const SweepView& view) {
   Figure figure;
-  figure.subtitle = report.title;
+  figure.subtitle = report.title();
   Panel panel{.title = "", .x = view.axis, .y = {}, .layers = {}};
   set_range(view, panel);
   figure.panels.push_back(std::move(panel));
@@ -98,7 +98,7 @@ Figure empty_figure(const RunReport& report, const SweepView& view) {
 
 }  // namespace
 
-std::optional<Figure> non_recurrence(const RunReport& report) {
+std::optional<Figure> non_recurrence(const Report& report) {
   if (!has_differences(report)) return std::nullopt;
   const SweepView view = view_of(report);
   Figure figure = empty_figure(report, view);
@@ -117,7 +117,7 @@ std::optional<Figure> non_recurrence(const RunReport& report) {
   return figure;
 }
 
-std::optional<Figure> divergence_quartiles(const RunReport& report) {
+std::optional<Figure> divergence_quartiles(const Report& report) {
   if (!has_differences(report)) return std::nullopt;
   const SweepView view = view_of(report);
   Figure figure = empty_figure(report, view);

@@ -7,23 +7,24 @@ namespace rocking::analysis {
 
 using section::ResponseMode;
 
-std::uint64_t realisations_of(const RunReport& report) {
+std::uint64_t realisations_of(const Report& report) {
   std::uint64_t sum = 0;
-  for (const ConditionReport& condition : report.conditions) sum += condition.realisations;
+  for (const ReportedCondition& condition : report.conditions) sum += condition.result.realisations;
   return sum;
 }
 
-std::map<ResponseMode, Prevalence> prevalences_of(const RunReport& report) {
+std::map<ResponseMode, Prevalence> prevalences_of(const Report& report) {
   std::map<ResponseMode, Prevalence> found;
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     const ResponseMode* most = nullptr;
     std::uint64_t highest = 0;
-    for (const auto& [mode, share] : condition.modes) {
-      if (share.count == 0) continue;
+    for (const auto& [mode, probability] : condition.result.modes) {
+      const std::uint64_t count = probability.counts.successes;
+      if (count == 0) continue;
       found[mode].occurs += 1;
-      found[mode].realisations += share.count;
-      if (share.count > highest) {
-        highest = share.count;
+      found[mode].realisations += count;
+      if (count > highest) {
+        highest = count;
         most = &mode;
       }
     }
@@ -32,37 +33,42 @@ std::map<ResponseMode, Prevalence> prevalences_of(const RunReport& report) {
   return found;
 }
 
-Extreme extreme_of(const RunReport& report, const ResponseMode& mode) {
-  Extreme extreme;
+std::size_t extreme_of(const Report& report, const ResponseMode& mode) {
+  std::size_t where = 0;
+  double highest = 0.0;
+  double highest_bound = 0.0;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto found = report.conditions[i].modes.find(mode);
-    if (found == report.conditions[i].modes.end()) continue;
-    const ModeShare& share = found->second;
-    const bool more = share.count > 0 ? share.estimate > extreme.share.estimate
-                                      : extreme.share.count == 0 && share.interval.high > extreme.share.interval.high;
-    if (more) extreme = {.condition = i, .share = share};
+    const Estimate* found = report.conditions[i].result.estimate_of(mode);
+    if (found == nullptr) continue;
+    const bool occurs = found->counts.successes > 0;
+    const bool more = occurs ? found->estimate > highest : highest == 0.0 && found->quoted().high > highest_bound;
+    if (!more) continue;
+    where = i;
+    highest = found->estimate;
+    highest_bound = found->quoted().high;
   }
-  return extreme;
+  return where;
 }
 
-Repeatability repeatability_of(const RunReport& report) {
+Repeatability repeatability_of(const Report& report) {
   Repeatability found;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto& difference = report.conditions[i].difference;
+    const auto& difference = report.conditions[i].result.non_recurrence;
     if (!difference) continue;
     ++found.compared;
     if (difference->differ == 0.0) ++found.alike;
-    if (!found.least || difference->differ > report.conditions[*found.least].difference->differ) found.least = i;
+    if (!found.least || difference->differ > report.conditions[*found.least].result.non_recurrence->differ)
+      found.least = i;
   }
   return found;
 }
 
-PooledDivergence pooled_divergence(const RunReport& report, Divergence Difference::*cause) {
+PooledDivergence pooled_divergence(const Report& report, DivergenceTimes NonRecurrence::*cause) {
   PooledDivergence pooled;
   std::vector<double> medians;
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.difference) continue;
-    const Divergence& divergence = *condition.difference.*cause;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (!condition.result.non_recurrence) continue;
+    const DivergenceTimes& divergence = *condition.result.non_recurrence.*cause;
     pooled.pairs += divergence.pairs;
     pooled.diverged += divergence.diverged;
     if (divergence.median) medians.push_back(*divergence.median);
@@ -73,15 +79,15 @@ PooledDivergence pooled_divergence(const RunReport& report, Divergence Differenc
   return pooled;
 }
 
-UnresolvedResponses unresolved_responses(const RunReport& report) {
+UnresolvedResponses unresolved_responses(const Report& report) {
   const ResponseMode mode{.kind = section::ResponseKind::unresolved};
   UnresolvedResponses unresolved;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto found = report.conditions[i].modes.find(mode);
-    if (found == report.conditions[i].modes.end()) continue;
-    unresolved.count += found->second.count;
-    if (found->second.estimate > unresolved.largest_share) {
-      unresolved.largest_share = found->second.estimate;
+    const Estimate* found = report.conditions[i].result.estimate_of(mode);
+    if (found == nullptr) continue;
+    unresolved.count += found->counts.successes;
+    if (found->estimate > unresolved.largest_share) {
+      unresolved.largest_share = found->estimate;
       unresolved.where = i;
     }
   }
@@ -90,11 +96,12 @@ UnresolvedResponses unresolved_responses(const RunReport& report) {
   return unresolved;
 }
 
-double widest_half_width(const RunReport& report) {
+double widest_half_width(const Report& report) {
   double widest = 0.0;
-  for (const ConditionReport& condition : report.conditions) {
-    for (const auto& [mode, share] : condition.modes) {
-      widest = std::max(widest, 0.5 * (share.interval.high - share.interval.low));
+  for (const ReportedCondition& condition : report.conditions) {
+    for (const ModeEstimate& each : condition.result.modes) {
+      const stats::Interval& interval = each.probability.quoted();
+      widest = std::max(widest, 0.5 * (interval.high - interval.low));
     }
   }
   return widest;

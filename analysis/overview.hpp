@@ -5,13 +5,13 @@
 #include <map>
 #include <optional>
 
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 /// Numbers about all conditions of a report together, which the page and its tables write.
 namespace rocking::analysis {
 
 /// Realisations of all conditions.
-[[nodiscard]] std::uint64_t realisations_of(const RunReport& report);
+[[nodiscard]] std::uint64_t realisations_of(const Report& report);
 
 /// How common a response mode is.
 struct Prevalence {
@@ -22,16 +22,10 @@ struct Prevalence {
 };
 
 /// Of each mode that occurs.
-[[nodiscard]] std::map<section::ResponseMode, Prevalence> prevalences_of(const RunReport& report);
+[[nodiscard]] std::map<section::ResponseMode, Prevalence> prevalences_of(const Report& report);
 
-/// The condition in which a mode is most frequent.
-struct Extreme {
-  std::size_t condition = 0;
-  ModeShare share;
-};
-
-/// If the mode never occurs, the condition in which its interval reaches highest.
-[[nodiscard]] Extreme extreme_of(const RunReport& report, const section::ResponseMode& mode);
+/// The condition in which a mode is most frequent; if it never occurs, the one in which its interval reaches highest.
+[[nodiscard]] std::size_t extreme_of(const Report& report, const section::ResponseMode& mode);
 
 /// How repeatable responses are.
 struct Repeatability {
@@ -39,7 +33,7 @@ struct Repeatability {
   std::uint64_t alike = 0;           ///< those of them in which all realisations have the same mode
   std::optional<std::size_t> least;  ///< the condition whose runs differ most often; absent if none is compared
 };
-[[nodiscard]] Repeatability repeatability_of(const RunReport& report);
+[[nodiscard]] Repeatability repeatability_of(const Report& report);
 
 /// Pairs of runs of all conditions.
 struct PooledDivergence {
@@ -47,7 +41,7 @@ struct PooledDivergence {
   std::uint64_t diverged = 0;
   std::optional<double> median;  ///< over the conditions, of their median divergence times [periods]; the upper of two
 };
-[[nodiscard]] PooledDivergence pooled_divergence(const RunReport& report, Divergence Difference::*cause);
+[[nodiscard]] PooledDivergence pooled_divergence(const Report& report, DivergenceTimes NonRecurrence::*cause);
 
 /// Unresolved responses of all conditions.
 struct UnresolvedResponses {
@@ -56,9 +50,9 @@ struct UnresolvedResponses {
   double largest_share = 0.0;  ///< of the realisations of one condition
   std::size_t where = 0;       ///< that condition
 };
-[[nodiscard]] UnresolvedResponses unresolved_responses(const RunReport& report);
+[[nodiscard]] UnresolvedResponses unresolved_responses(const Report& report);
 
 /// Half-width of the widest interval of any mode in any condition.
-[[nodiscard]] double widest_half_width(const RunReport& report);
+[[nodiscard]] double widest_half_width(const Report& report);
 
 }  // namespace rocking::analysis

@@ -16,7 +16,8 @@ namespace {
 
 /// A quantity whose quantiles are drawn.
 struct Drawn {
-  const char* key;  ///< in a report
+  const char* key;                                                    ///< in a report, and of the figure
+  std::optional<Quantiles> (*quantiles)(const PeakQuantiles& peaks);  ///< absent: there are none
   const char* title;
   const char* quantity;
   const char* symbol;
@@ -25,12 +26,21 @@ struct Drawn {
   const char* meaning;
 };
 
+std::optional<Quantiles> metres_of(const std::optional<PeakQuantiles::Slip>& slip) {
+  if (!slip) return std::nullopt;
+  Quantiles quantiles = slip->over_half_diagonal;
+  quantiles.levels = slip->metres;
+  return quantiles;
+}
+
 constexpr std::array drawn_quantities{
-    Drawn{"peak_tilt", "How far does the block tilt?", "largest tilt", "|Θ|", "", false,
-          "Largest |Θ| = |θ|/ψ of a realisation"},
-    Drawn{"peak_slip", "How far does the block slip at most?", "largest slip", "", "m", false,
+    Drawn{"peak_tilt", [](const PeakQuantiles& peaks) { return std::optional(peaks.tilt); },
+          "How far does the block tilt?", "largest tilt", "|Θ|", "", false, "Largest |Θ| = |θ|/ψ of a realisation"},
+    Drawn{"peak_slip", [](const PeakQuantiles& peaks) { return metres_of(peaks.slip); },
+          "How far does the block slip at most?", "largest slip", "", "m", false,
           "Largest distance of a realisation's block from its place on the base"},
-    Drawn{"final_slip", "Where does the block end up?", "slip at the end", "", "m", true,
+    Drawn{"final_slip", [](const PeakQuantiles& peaks) { return metres_of(peaks.final_slip); },
+          "Where does the block end up?", "slip at the end", "", "m", true,
           "Distance of the block from its place on the base at the horizon, to the right > 0"},
 };
 
@@ -39,10 +49,6 @@ constexpr double highest = 0.95;
 
 Cell quantile_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
-const std::vector<stats::QuantileEstimate>& levels_of(const QuantileReport& quantiles, const Drawn& drawn) {
-  return drawn.unit[0] == '\0' ? quantiles.levels : quantiles.levels_m;
-}
-
 stats::QuantileEstimate at_level(const std::vector<stats::QuantileEstimate>& levels, double level) {
   const auto found = std::ranges::find(levels, level, &stats::QuantileEstimate::level);
   return found == levels.end() ? stats::QuantileEstimate{} : *found;
@@ -50,7 +56,7 @@ stats::QuantileEstimate at_level(const std::vector<stats::QuantileEstimate>& lev
 
 std::string percent_of(double level) { return significant(100.0 * level, 4); }
 
-Table quantile_table(const RunReport& report, const SweepView& view, const Slice& slice, const Drawn& drawn) {
+Table quantile_table(const Report& report, const SweepView& view, const Slice& slice, const Drawn& drawn) {
   const std::string unit = drawn.unit[0] == '\0' ? "" : std::string(" [") + drawn.unit + ']';
   Table table{.name = slice.name.empty() ? "all conditions" : slice.name,
               .columns = {view.column,
@@ -67,12 +73,11 @@ Table quantile_table(const RunReport& report, const SweepView& view, const Slice
     table.columns.push_back({"q" + percent + "_high", "upper end of it" + unit});
   }
   for (const std::size_t i : slice.conditions) {
-    const auto found = report.conditions[i].quantiles.find(drawn.key);
-    if (found == report.conditions[i].quantiles.end()) continue;
-    std::vector<Cell> row{view.x[i], static_cast<double>(found->second.realisations),
-                          static_cast<double>(found->second.beyond)};
+    const auto found = drawn.quantiles(report.conditions[i].result.peaks);
+    if (!found) continue;
+    std::vector<Cell> row{view.x[i], static_cast<double>(found->realisations), static_cast<double>(found->beyond)};
     for (const double level : {0.5, lowest, highest}) {
-      const stats::QuantileEstimate quantile = at_level(levels_of(found->second, drawn), level);
+      const stats::QuantileEstimate quantile = at_level(found->levels, level);
       for (const auto& value : {quantile.value, quantile.low, quantile.high}) row.push_back(quantile_cell(value));
     }
     table.rows.push_back(std::move(row));
@@ -139,21 +144,21 @@ void add_quantile_curves(const SweepView& view, std::size_t number, const Drawn&
                           .legend = name + (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile")});
 }
 
-bool has_values(const RunReport& report, const Drawn& drawn) {
-  return std::ranges::any_of(report.conditions, [&](const ConditionReport& condition) {
-    const auto found = condition.quantiles.find(drawn.key);
-    if (found == condition.quantiles.end()) return false;
+bool has_values(const Report& report, const Drawn& drawn) {
+  return std::ranges::any_of(report.conditions, [&](const ReportedCondition& condition) {
+    const auto found = drawn.quantiles(condition.result.peaks);
+    if (!found) return false;
     const auto is_there = [](const stats::QuantileEstimate& quantile) { return quantile.value.has_value(); };
-    return std::ranges::any_of(levels_of(found->second, drawn), is_there);
+    return std::ranges::any_of(found->levels, is_there);
   });
 }
 
-Figure quantile_figure(const RunReport& report, const Drawn& drawn) {
+Figure quantile_figure(const Report& report, const Drawn& drawn) {
   const SweepView view = view_of(report);
   Figure figure;
   figure.name = drawn.key;
   figure.title = drawn.title;
-  figure.subtitle = report.title;
+  figure.subtitle = report.title();
   Panel panel{.title = "",
               .x = view.axis,
               .y = {.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit},
@@ -177,7 +182,7 @@ Figure quantile_figure(const RunReport& report, const Drawn& drawn) {
 
 }  // namespace
 
-std::vector<Figure> quantile_figures(const RunReport& report) {
+std::vector<Figure> quantile_figures(const Report& report) {
   std::vector<Figure> figures;
   for (const Drawn& drawn : drawn_quantities) {
     if (has_values(report, drawn)) figures.push_back(quantile_figure(report, drawn));

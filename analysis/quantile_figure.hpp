@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 /// How far the block tilts and slips, as quantiles over the realisations of each condition.
 namespace rocking::analysis {
 
 /// `peak_tilt` and, where the block can slide, `peak_slip` and `final_slip`: median with its interval, and the outer
 /// quantiles, against the swept parameter. Empty for reports without them.
-[[nodiscard]] std::vector<Figure> quantile_figures(const RunReport& report);
+[[nodiscard]] std::vector<Figure> quantile_figures(const Report& report);
 
 }  // namespace rocking::analysis

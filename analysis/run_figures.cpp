@@ -11,10 +11,11 @@
 
 namespace rocking::analysis {
 
-std::vector<Figure> run_figures(const RunReport& report, const Store* store) {
+std::vector<Figure> run_figures(const Report& report, const Store* store) {
   std::vector<Figure> figures{mode_bands(report)};
-  const bool several = std::any_of(report.conditions.begin(), report.conditions.end(),
-                                   [](const ConditionReport& condition) { return condition.realisations > 1; });
+  const bool several =
+      std::any_of(report.conditions.begin(), report.conditions.end(),
+                  [](const ReportedCondition& condition) { return condition.result.realisations > 1; });
   if (several) figures.push_back(mode_probabilities(report));
   const auto add = [&figures](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));

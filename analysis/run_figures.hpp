@@ -3,13 +3,13 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/store/store.hpp"
 
 namespace rocking::analysis {
 
 /// All figures for which a report has the numbers, in reading order. With the store of its realisations, also those
 /// that need more than the report.
-[[nodiscard]] std::vector<Figure> run_figures(const RunReport& report, const Store* store = nullptr);
+[[nodiscard]] std::vector<Figure> run_figures(const Report& report, const Store* store = nullptr);
 
 }  // namespace rocking::analysis

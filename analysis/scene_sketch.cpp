@@ -157,7 +157,7 @@ std::string spoken_scene(const Json& experiment, const std::optional<Shaking>& s
   return text;
 }
 
-Figure scene_sketch(const RunReport& report) {
+Figure scene_sketch(const Report& report) {
   const Json experiment = experiment_of(report, 0);
   const double width = number_at(experiment, "/block/width_m");
   const double height = number_at(experiment, "/block/height_m");

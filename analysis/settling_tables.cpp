@@ -13,22 +13,17 @@
 namespace rocking::analysis {
 namespace {
 
-bool has_incidence(const RunReport& report) {
-  return std::ranges::any_of(report.conditions,
-                             [](const ConditionReport& condition) { return condition.incidence.has_value(); });
-}
-
 std::string csv_whole(const std::optional<std::int64_t>& number) { return number ? std::to_string(*number) : ""; }
 
 std::string csv_interval(const std::optional<stats::Interval>& interval) {
   return interval ? ',' + number_text(interval->low) + ',' + number_text(interval->high) : ",,";
 }
 
-std::string curve_lines(const std::string& start, const IncidenceCurve& curve) {
+std::string curve_lines(const std::string& start, const std::vector<stats::Incidence>& curve) {
   std::string text;
-  for (std::size_t i = 0; i < curve.periods.size(); ++i) {
-    text += start + ',' + number_text(curve.periods[i]) + ',' + number_text(curve.estimate[i]) +
-            csv_interval(curve.pointwise[i]) + csv_interval(curve.simultaneous[i]) + '\n';
+  for (const stats::Incidence& point : curve) {
+    text += start + ',' + std::to_string(point.time) + ',' + number_text(point.estimate) +
+            csv_interval(point.pointwise) + csv_interval(point.simultaneous) + '\n';
   }
   return text;
 }
@@ -58,60 +53,60 @@ std::string latex_period(std::string text) {
 
 }  // namespace
 
-std::string settling_csv(const RunReport& report) {
-  if (!has_incidence(report)) return "";
+std::string settling_csv(const Report& report) {
+  if (!report.has_settling()) return "";
   const CsvStart start(report);
   std::string text =
       start.head() +
       ",unresolved_at_horizon,not_classified,lower_quartile,lower_quartile_low,lower_quartile_high,median,median_low,"
       "median_high,upper_quartile,upper_quartile_low,upper_quartile_high,99_percent,99_percent_low,99_percent_high,"
       "99_percent_basis,differ_at_horizon,differ_at_horizon_low,differ_at_horizon_high,differ,differ_low,differ_high\n";
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.incidence) continue;
-    const IncidenceReport& incidence = *condition.incidence;
-    const SettlingRow& row = incidence.settling;
-    text += start.of(condition) + ',' + std::to_string(row.unresolved_at_horizon) + ',' + std::to_string(row.censored);
-    for (const stats::QuantileEstimate& quartile : incidence.settling_periods) {
+  for (const ReportedCondition& condition : report.conditions) {
+    const auto row = settling_row(report, condition);
+    if (!row) continue;
+    const SettlingResult& settling = *condition.result.settling;
+    text +=
+        start.of(condition) + ',' + std::to_string(row->unresolved_at_horizon) + ',' + std::to_string(row->censored);
+    for (const stats::QuantileEstimate& quartile : settling.times.quartiles) {
       text += ',' + csv_number(quartile.value) + ',' + csv_number(quartile.low) + ',' + csv_number(quartile.high);
     }
-    if (const auto& found = row.all_but_one_per_cent) {
-      text += ',' + csv_whole(found->time) + ',' + csv_whole(found->low) + ',' + csv_whole(found->high) +
-              (found->is_observed ? ",observed"
-               : found->time      ? ",extrapolated"
-                                  : ",unknown");
-    } else {
-      text += ",,,,";
-    }
-    text += ',' + csv_number(row.differ_at_horizon) + csv_interval(incidence.differ_interval) + ',' +
-            csv_number(row.differ_in_the_end) +
-            csv_interval(condition.difference ? std::optional(condition.difference->interval) : std::nullopt) + '\n';
+    const stats::TimeToShare& found = row->all_but_one_per_cent;
+    text += ',' + csv_whole(found.time) + ',' + csv_whole(found.low) + ',' + csv_whole(found.high) +
+            (found.is_observed ? ",observed"
+             : found.time      ? ",extrapolated"
+                               : ",unknown");
+    const auto& difference = condition.result.non_recurrence;
+    text += ',' + csv_number(row->differ_at_horizon) + csv_interval(settling.differ_interval) + ',' +
+            csv_number(row->differ_in_the_end) +
+            csv_interval(difference ? std::optional(difference->differ_interval) : std::nullopt) + '\n';
   }
   return text;
 }
 
-std::string incidence_csv(const RunReport& report) {
-  if (!has_incidence(report)) return "";
+std::string incidence_csv(const Report& report) {
+  if (!report.has_settling()) return "";
   const CsvStart start(report);
   std::string text = start.head() + ",mode,period,estimate,low,high,band_low,band_high\n";
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.incidence) continue;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (!condition.result.settling) continue;
     const std::string first = start.of(condition);
-    for (const auto& [mode, curve] : condition.incidence->modes) {
+    for (const auto& [mode, curve] : condition.result.settling->incidence) {
       text += curve_lines(first + ',' + csv_field(to_string(mode)), curve);
     }
-    if (condition.incidence->any_mode) text += curve_lines(first + ",any", *condition.incidence->any_mode);
-    text += curve_lines(first + ",diverged", condition.incidence->divergence);
+    text += curve_lines(first + ",any", condition.result.settling->times.any_mode);
+    text += curve_lines(first + ",diverged", condition.result.settling->divergence);
   }
   return text;
 }
 
-std::string leaving_csv(const RunReport& report) {
-  if (!has_incidence(report)) return "";
+std::string leaving_csv(const Report& report) {
+  if (!report.has_settling()) return "";
   const CsvStart start(report);
   std::string text = start.head() + ",mode,left,watched_periods,per_1000_periods,low,high\n";
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.incidence) continue;
-    for (const LeftMode& found : condition.incidence->settling.leaving) {
+  for (const ReportedCondition& condition : report.conditions) {
+    const auto row = settling_row(report, condition);
+    if (!row) continue;
+    for (const LeftMode& found : row->leaving) {
       text += start.of(condition) + ',' + csv_field(to_string(found.mode)) + ',' + std::to_string(found.left) + ',' +
               std::to_string(found.watched_periods) + ',' +
               number_text(1000.0 * static_cast<double>(found.left) / static_cast<double>(found.watched_periods)) +
@@ -121,13 +116,13 @@ std::string leaving_csv(const RunReport& report) {
   return text;
 }
 
-std::string settling_latex(const RunReport& report) {
-  if (!has_incidence(report)) return "";
+std::string settling_latex(const Report& report) {
+  if (!report.has_settling()) return "";
   const std::vector<ParameterColumn> columns = parameter_columns(report);
   const std::string proviso = end_proviso(settling_rows(report));
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
   text +=
-      "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
+      "  \\caption{" + latex_text(report.title()) + (report.title().empty() ? "" : " ") +
       "Realisations in per cent that are unresolved at the fixed horizon and in the end, median settling period "
       "with its " +
       latex_text(report.level()) +
@@ -139,7 +134,7 @@ std::string settling_latex(const RunReport& report) {
   for (const ParameterColumn& column : columns) text += latex_symbol(column.pointer) + " & ";
   text += "$n$ & unresolved & in the end & settled by & differ & in the end \\\\\n    \\midrule\n";
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, i);
+    const auto row = settling_row(report, report.conditions[i]);
     if (!row) continue;
     text += "    ";
     for (const ParameterColumn& column : columns) text += latex_text(column.values[i]) + " & ";
@@ -150,12 +145,13 @@ std::string settling_latex(const RunReport& report) {
   return text + "    \\bottomrule\n  \\end{tabular}\n\\end{table}\n";
 }
 
-std::string long_run_csv(const RunReport& report) {
+std::string long_run_csv(const Report& report) {
   const CsvStart start(report);
   std::string lines;
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.incidence || !condition.incidence->settling.long_runs) continue;
-    const LongRunRow& runs = *condition.incidence->settling.long_runs;
+  for (const ReportedCondition& condition : report.conditions) {
+    const auto row = settling_row(report, condition);
+    if (!row || !row->long_runs) continue;
+    const LongRunRow& runs = *row->long_runs;
     for (const LongRunShare& found : runs.shares) {
       lines += start.of(condition) + ',' + csv_field(to_string(found.mode)) + ',' + std::to_string(runs.realisations) +
                ',' + std::to_string(runs.windows) + ',' + number_text(found.share) + csv_interval(found.interval) +
@@ -165,12 +161,12 @@ std::string long_run_csv(const RunReport& report) {
   return lines.empty() ? "" : start.head() + ",mode,long_runs,windows,share,low,high\n" + lines;
 }
 
-std::string long_run_latex(const RunReport& report) {
+std::string long_run_latex(const Report& report) {
   const auto modes = long_run_modes(settling_rows(report), most_long_run_columns);
   if (modes.empty()) return "";
   const std::vector<ParameterColumn> columns = parameter_columns(report);
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
-  text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
+  text += "  \\caption{" + latex_text(report.title()) + (report.title().empty() ? "" : " ") +
           "Long-run shares of time: windows of realisations with a long run by response mode, in per cent, with " +
           latex_text(report.level()) + " intervals of each mode alone; $<$: no window, upper bound. " +
           long_run_meaning + ".}\n";
@@ -180,7 +176,7 @@ std::string long_run_latex(const RunReport& report) {
   for (const section::ResponseMode& mode : modes) text += " & " + to_string(mode);
   text += " & others \\\\\n    \\midrule\n";
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, i);
+    const auto row = settling_row(report, report.conditions[i]);
     if (!row || !row->long_runs) continue;
     text += "    ";
     for (const ParameterColumn& column : columns) text += latex_text(column.values[i]) + " & ";

@@ -7,7 +7,9 @@
 #include <string_view>
 #include <utility>
 
+#include "rocking/base/error.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/shaking_fields.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -15,16 +17,17 @@ namespace rocking::analysis {
 namespace {
 
 /// How many numbers an entry of the sweep takes; 0 if it takes anything else.
-std::size_t numbers_taken(const RunReport& report, std::size_t entry) {
+std::size_t numbers_taken(const Report& report, std::size_t entry) {
   std::set<double> numbers;
-  for (const ConditionReport& condition : report.conditions) {
-    if (!condition.parameters[entry].is_number()) return 0;
-    numbers.insert(condition.parameters[entry].get<double>());
+  for (const ReportedCondition& condition : report.conditions) {
+    const Json value = value_of(condition.parameters[entry]);
+    if (!value.is_number()) return 0;
+    numbers.insert(value.get<double>());
   }
   return numbers.size();
 }
 
-std::size_t shown_entry(const RunReport& report) {
+std::size_t shown_entry(const Report& report) {
   std::size_t shown = report.swept.size() - 1;
   for (std::size_t i = report.swept.size(); i-- > 0;) {
     if (numbers_taken(report, i) > numbers_taken(report, shown)) shown = i;
@@ -49,13 +52,13 @@ std::string other_form(const Shaking& shaking, std::string_view key) {
 }
 
 /// `other_forms`: also of a shaking.
-std::string name_of_others(const RunReport& report, const ConditionReport& condition, std::size_t shown,
+std::string name_of_others(const Report& report, const ReportedCondition& condition, std::size_t shown,
                            bool other_forms) {
   std::string name;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     if (i == shown) continue;
     const Axis axis = axis_of_parameter(report.swept[i]);
-    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + short_value(report.swept[i], condition.parameters[i]);
+    name += (name.empty() ? "" : ", ") + axis.quantity + ' ' + rocking::short_value(condition.parameters[i]);
     if (!axis.unit.empty()) name += ' ' + axis.unit;
     const std::string_view key = shaking_key(report.swept[i], condition.shaking);
     if (other_forms && !key.empty()) name += " = " + other_form(*condition.shaking, key);
@@ -64,7 +67,7 @@ std::string name_of_others(const RunReport& report, const ConditionReport& condi
 }
 
 /// With the other forms, if they are the same for all conditions of the slice.
-std::string name_of_slice(const RunReport& report, const Slice& slice, std::size_t shown) {
+std::string name_of_slice(const Report& report, const Slice& slice, std::size_t shown) {
   const auto name_of = [&](std::size_t condition, bool other_forms) {
     return name_of_others(report, report.conditions[condition], shown, other_forms);
   };
@@ -97,21 +100,23 @@ std::string conversion_text(std::string_view key, Shakings shakings) {
 }
 
 /// Positions 0, 1, ... for values that are not numbers, with their names as ticks.
-void place_by_name(const RunReport& report, std::size_t shown, SweepView& view) {
+void place_by_name(const Report& report, std::size_t shown, SweepView& view) {
   std::map<std::string, double> places;
-  for (const ConditionReport& condition : report.conditions) {
-    const Json& value = condition.parameters[shown];
-    const auto [found, is_new] = places.try_emplace(value.dump(), static_cast<double>(places.size()));
-    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = short_value(report.swept[shown], value)});
+  for (const ReportedCondition& condition : report.conditions) {
+    const Parameter& parameter = condition.parameters[shown];
+    const auto [found, is_new] = places.try_emplace(parameter.value, static_cast<double>(places.size()));
+    if (is_new) view.axis.ticks.push_back({.place = found->second, .text = rocking::short_value(parameter)});
     view.x.push_back(found->second);
   }
 }
 
 /// The values of all parameters but the shown one, in full: short names may be equal where values differ.
-std::string others_in_full(const ConditionReport& condition, std::size_t shown) {
-  Json values = condition.parameters;
-  values.erase(shown);
-  return values.dump();
+std::string others_in_full(const ReportedCondition& condition, std::size_t shown) {
+  std::string values;
+  for (std::size_t i = 0; i < condition.parameters.size(); ++i) {
+    if (i != shown) values += condition.parameters[i].value + ' ';
+  }
+  return values;
 }
 
 /// Numbers the slices whose short names are equal.
@@ -122,7 +127,7 @@ void tell_apart(std::vector<Slice>& slices) {
   }
 }
 
-SweepView view_without_sweep(const RunReport& report) {
+SweepView view_without_sweep(const Report& report) {
   SweepView view;
   view.axis = {.quantity = "the only condition", .symbol = "", .unit = "", .ticks = {{.place = 0.0, .text = " "}}};
   view.column = {"condition", "number of the condition"};
@@ -132,7 +137,7 @@ SweepView view_without_sweep(const RunReport& report) {
 }
 
 /// As that of all conditions, unless the slice alone has a common conversion.
-Axis axis_of_slice(const RunReport& report, const Slice& slice, std::size_t shown, Axis axis) {
+Axis axis_of_slice(const Report& report, const Slice& slice, std::size_t shown, Axis axis) {
   std::vector<std::optional<Shaking>> shakings;
   for (const std::size_t i : slice.conditions) shakings.push_back(report.conditions[i].shaking);
   axis.unit = axis_of_parameter(report.swept[shown], shakings).unit;
@@ -196,35 +201,38 @@ Axis axis_of_parameter(const std::string& pointer, Shakings shakings) {
   return axis;
 }
 
-std::vector<std::optional<Shaking>> shakings_of(const RunReport& report) {
+std::vector<std::optional<Shaking>> shakings_of(const Report& report) {
   std::vector<std::optional<Shaking>> shakings;
-  for (const ConditionReport& condition : report.conditions) shakings.push_back(condition.shaking);
+  for (const ReportedCondition& condition : report.conditions) shakings.push_back(condition.shaking);
   return shakings;
 }
 
 std::vector<std::optional<Shaking>> shakings_in(const Json& list) {
   std::vector<std::optional<Shaking>> shakings;
+  std::vector<base::Problem> problems;
   for (const Json& each : list) {
     if (!each.contains("shaking")) return {};
-    shakings.emplace_back(shaking_from(each.at("shaking")));
+    type_of<Shaking>().read(each.at("shaking"), {.pointer = "", .problems = &problems},
+                            &shakings.emplace_back().emplace());
   }
+  if (!problems.empty()) throw base::InputError(std::move(problems));
   return shakings;
 }
 
-std::vector<ParameterColumn> parameter_columns(const RunReport& report) {
+std::vector<ParameterColumn> parameter_columns(const Report& report) {
   std::vector<ParameterColumn> columns;
   for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
     const std::string& pointer = report.swept[entry];
     ParameterColumn column{.pointer = pointer, .axis = axis_of_parameter(pointer), .values = {}};
-    for (const ConditionReport& condition : report.conditions) {
-      column.values.push_back(short_value(pointer, condition.parameters[entry]));
+    for (const ReportedCondition& condition : report.conditions) {
+      column.values.push_back(rocking::short_value(condition.parameters[entry]));
     }
     columns.push_back(std::move(column));
   }
   for (const std::string_view key : shaking_columns(report.swept, shakings_of(report))) {
     const std::string pointer = std::string(excitation_place) + std::string(key);
     ParameterColumn column{.pointer = pointer, .axis = axis_of_parameter(pointer), .values = {}};
-    for (const ConditionReport& condition : report.conditions) {
+    for (const ReportedCondition& condition : report.conditions) {
       column.values.push_back(column_cell(condition.shaking, key));
     }
     columns.push_back(std::move(column));
@@ -232,32 +240,32 @@ std::vector<ParameterColumn> parameter_columns(const RunReport& report) {
   return columns;
 }
 
-Json experiment_of(const RunReport& report, std::size_t condition) {
-  Json experiment = report.experiment;
+Json experiment_of(const Report& report, std::size_t condition) {
+  Json experiment = report.input.experiment;
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
-    experiment[Json::json_pointer(report.swept[i])] = report.conditions[condition].parameters[i];
+    experiment[Json::json_pointer(report.swept[i])] = value_of(report.conditions[condition].parameters[i]);
   }
   return experiment;
 }
 
-Json value_at(const RunReport& report, const ConditionReport& condition, const std::string& pointer) {
+Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer) {
   const auto at = [](const Json& document, const std::string& place) {
     const Json::json_pointer found(place);
     return document.contains(found) ? document.at(found) : Json();
   };
-  Json value = at(report.experiment, pointer);
+  Json value = at(report.input.experiment, pointer);
   for (std::size_t i = 0; i < report.swept.size(); ++i) {
     const std::string& swept = report.swept[i];
     if (pointer == swept || pointer.starts_with(swept + '/')) {
-      value = at(condition.parameters[i], pointer.substr(swept.size()));
+      value = at(value_of(condition.parameters[i]), pointer.substr(swept.size()));
     } else if (swept.starts_with(pointer + '/')) {
-      value[Json::json_pointer(swept.substr(pointer.size()))] = condition.parameters[i];
+      value[Json::json_pointer(swept.substr(pointer.size()))] = value_of(condition.parameters[i]);
     }
   }
   return value;
 }
 
-std::string name_of_condition(const RunReport& report, const ConditionReport& condition) {
+std::string name_of_condition(const Report& report, const ReportedCondition& condition) {
   return name_of_others(report, condition, report.swept.size(), true);
 }
 
@@ -303,7 +311,7 @@ void add_bars(const SweepView& view, const Table& table, const CategoryBars& bar
       {.kind = LayerKind::points, .table = number, .columns = {0, 1}, .style = bars.style, .legend = bars.legend});
 }
 
-SweepView view_of(const RunReport& report) {
+SweepView view_of(const Report& report) {
   if (report.swept.empty()) return view_without_sweep(report);
   SweepView view;
   const std::size_t shown = shown_entry(report);
@@ -312,8 +320,8 @@ SweepView view_of(const RunReport& report) {
   view.column = {last_key(report.swept[shown]), label_of(view.axis)};
   view.is_line = numbers_taken(report, shown) > 1;
   if (numbers_taken(report, shown) > 0) {
-    for (const ConditionReport& condition : report.conditions) {
-      view.x.push_back(condition.parameters[shown].get<double>());
+    for (const ReportedCondition& condition : report.conditions) {
+      view.x.push_back(value_of(condition.parameters[shown]).get<double>());
     }
   } else {
     place_by_name(report, shown, view);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/output/shaking_text.hpp"
 
 /// Selection of the swept parameter on the x axis, and of the curves or panels.
@@ -34,7 +34,7 @@ struct SweepView {
 
 /// Shows the entry of the sweep with the most numeric values; among equals the last one. If no entry has numbers, the
 /// last one is shown with positions.
-[[nodiscard]] SweepView view_of(const RunReport& report);
+[[nodiscard]] SweepView view_of(const Report& report);
 
 /// Sets the range of the axis of a panel to that of the shown parameter, with a margin.
 void set_range(const SweepView& view, Panel& panel);
@@ -61,7 +61,7 @@ void add_bars(const SweepView& view, const Table& table, const CategoryBars& bar
 [[nodiscard]] std::string with_greek(std::string text);
 
 /// The shaking of each condition.
-[[nodiscard]] std::vector<std::optional<Shaking>> shakings_of(const RunReport& report);
+[[nodiscard]] std::vector<std::optional<Shaking>> shakings_of(const Report& report);
 
 /// That of each object of a list; empty if one of them has none, as in files of earlier versions.
 [[nodiscard]] std::vector<std::optional<Shaking>> shakings_in(const Json& list);
@@ -75,17 +75,17 @@ struct ParameterColumn {
 
 /// The swept parameters, and beside them the other form of the shaking where it differs between conditions. What is
 /// common to all conditions: common_shaking(report.swept, shakings_of(report)).
-[[nodiscard]] std::vector<ParameterColumn> parameter_columns(const RunReport& report);
+[[nodiscard]] std::vector<ParameterColumn> parameter_columns(const Report& report);
 
 /// The canonical experiment of one condition: the values of its parameters stand in their places.
-[[nodiscard]] Json experiment_of(const RunReport& report, std::size_t condition);
+[[nodiscard]] Json experiment_of(const Report& report, std::size_t condition);
 
 /// What stands at a place of the canonical experiment of one condition; null if nothing does.
-[[nodiscard]] Json value_at(const RunReport& report, const ConditionReport& condition, const std::string& pointer);
+[[nodiscard]] Json value_at(const Report& report, const ReportedCondition& condition, const std::string& pointer);
 
 /// The values of all swept parameters of a condition, those of its shaking in both forms: `friction 0.35/0.3, base
 /// amplitude 4.5 = 1.1 g`; empty if nothing is swept.
-[[nodiscard]] std::string name_of_condition(const RunReport& report, const ConditionReport& condition);
+[[nodiscard]] std::string name_of_condition(const Report& report, const ReportedCondition& condition);
 
 /// Short text of the value of a parameter: `0.35/0.3` for friction.
 [[nodiscard]] std::string short_value(const std::string& pointer, const Json& value);

@@ -19,25 +19,27 @@ std::string csv_field(const std::string& text) {
 
 std::string csv_number(const std::optional<double>& number) { return number ? number_text(*number) : ""; }
 
-CsvStart::CsvStart(const RunReport& report) {
-  for (const std::string& pointer : report.swept) head_ += csv_field(pointer) + ',';
+CsvStart::CsvStart(const Report& report) {
+  const std::vector<std::string> swept = report.swept;
+  for (const std::string& pointer : swept) head_ += csv_field(pointer) + ',';
   for (const std::string_view key : shown_forms(shakings_of(report))) {
-    if (std::ranges::find(report.swept, "/excitation/" + std::string(key)) != report.swept.end()) continue;
+    if (std::ranges::find(swept, "/excitation/" + std::string(key)) != swept.end()) continue;
     shaking_.push_back(key);
     head_ += std::string(key) + ',';
   }
   head_ += 'n';
 }
 
-std::string CsvStart::of(const ConditionReport& condition) const {
+std::string CsvStart::of(const ReportedCondition& condition) const {
   std::string text;
-  for (const Json& value : condition.parameters) {
+  for (const Parameter& parameter : condition.parameters) {
+    const Json value = value_of(parameter);
     text += csv_field(value.is_string() ? value.get<std::string>() : value.dump()) + ',';
   }
   for (const std::string_view key : shaking_) {
     text += (condition.shaking ? number_text(number_of(*condition.shaking, key)) : "") + ',';
   }
-  return text + std::to_string(condition.realisations);
+  return text + std::to_string(condition.result.realisations);
 }
 
 std::string latex_text(std::string text) {

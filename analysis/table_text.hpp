@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 /// Pieces of tables in CSV and LaTeX.
 namespace rocking::analysis {
@@ -20,10 +20,10 @@ namespace rocking::analysis {
 /// they differ between conditions or not; n.
 class CsvStart {
  public:
-  explicit CsvStart(const RunReport& report);
+  explicit CsvStart(const Report& report);
 
   [[nodiscard]] const std::string& head() const { return head_; }
-  [[nodiscard]] std::string of(const ConditionReport& condition) const;
+  [[nodiscard]] std::string of(const ReportedCondition& condition) const;
 
  private:
   std::vector<std::string_view> shaking_;

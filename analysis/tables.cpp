@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "analysis/data_file.hpp"
@@ -12,6 +13,7 @@
 #include "analysis/sweep_view.hpp"
 #include "analysis/table_text.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/settling_table.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
@@ -29,7 +31,7 @@ std::string end_of(const AnyShare& share, double stats::Interval::*end) {
 }
 
 /// The quantiles of a quantity in one unit.
-std::string quantile_lines(const std::string& start, const QuantileReport& quantiles,
+std::string quantile_lines(const std::string& start, const Quantiles& quantiles,
                            const std::vector<stats::QuantileEstimate>& levels) {
   std::string text;
   for (const stats::QuantileEstimate& quantile : levels) {
@@ -60,17 +62,17 @@ std::string latex_shaking(std::string text) {
 }
 
 /// The row after its parameters.
-std::string latex_row(const ConditionReport& condition, const std::vector<ResponseMode>& modes, bool with_others) {
+std::string latex_row(const ReportedCondition& condition, const std::vector<ResponseMode>& modes, bool with_others) {
   std::string text;
-  text += std::to_string(condition.realisations);
-  std::uint64_t rest = condition.realisations;
+  text += std::to_string(condition.result.realisations);
+  std::uint64_t rest = condition.result.realisations;
   for (const ResponseMode& mode : modes) {
     const AnyShare share = share_of(condition, mode);
     rest -= share.count;
-    text += " & " + latex_share(share, condition.realisations);
+    text += " & " + latex_share(share, condition.result.realisations);
   }
   if (with_others) {
-    const std::uint64_t all = condition.realisations;
+    const std::uint64_t all = condition.result.realisations;
     text += " & " + (rest == 0 ? "--" : per_cent_of(rest, all) + count_if_open(rest, all));
   }
   return text + " \\\\\n";
@@ -78,11 +80,11 @@ std::string latex_row(const ConditionReport& condition, const std::vector<Respon
 
 }  // namespace
 
-std::string modes_csv(const RunReport& report) {
+std::string modes_csv(const Report& report) {
   const CsvStart start(report);
   std::string text = start.head() + ",mode,count,estimate,low,high\n";
   const std::set<ResponseMode> listed = report.listed();
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     for (const ResponseMode& mode : listed) {
       const AnyShare share = share_of(condition, mode);
       text += start.of(condition) + ',' + csv_field(to_string(mode)) + ',' + std::to_string(share.count) + ',' +
@@ -93,21 +95,21 @@ std::string modes_csv(const RunReport& report) {
   return text;
 }
 
-std::string non_recurrence_csv(const RunReport& report) {
+std::string non_recurrence_csv(const Report& report) {
   const CsvStart start(report);
   std::string text =
       start.head() + ",differ,low,high,entropy_nat,pairs,diverged,lower_quartile,median,upper_quartile\n";
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     text += start.of(condition);
-    if (!condition.difference) {
+    if (!condition.result.non_recurrence) {
       text += ",,,,,,,,,\n";
       continue;
     }
-    const Difference& found = *condition.difference;
-    for (const double value : {found.differ, found.interval.low, found.interval.high, found.entropy}) {
+    const NonRecurrence& found = *condition.result.non_recurrence;
+    for (const double value : {found.differ, found.differ_interval.low, found.differ_interval.high, found.entropy}) {
       text += ',' + number_text(value);
     }
-    const Divergence& divergence = found.by_friction;
+    const DivergenceTimes& divergence = found.friction;
     text += ',' + std::to_string(divergence.pairs) + ',' + std::to_string(divergence.diverged);
     for (const auto& value : {divergence.lower_quartile, divergence.median, divergence.upper_quartile}) {
       text += ',' + csv_number(value);
@@ -117,20 +119,26 @@ std::string non_recurrence_csv(const RunReport& report) {
   return text;
 }
 
-std::string quantiles_csv(const RunReport& report) {
+std::string quantiles_csv(const Report& report) {
   const CsvStart start(report);
   std::string text = start.head() + ",quantity,unit,of,beyond,level,value,low,high\n";
-  for (const ConditionReport& condition : report.conditions) {
-    for (const auto& [key, quantiles] : condition.quantiles) {
-      const std::string first = start.of(condition) + ',' + key;
-      text += quantile_lines(first + (quantiles.levels_m.empty() ? ",1" : ",R"), quantiles, quantiles.levels);
-      text += quantile_lines(first + ",m", quantiles, quantiles.levels_m);
+  for (const ReportedCondition& condition : report.conditions) {
+    const std::string first = start.of(condition);
+    const PeakQuantiles& peaks = condition.result.peaks;
+    for (const auto& [key, slip] :
+         {std::pair(",final_slip", &peaks.final_slip), std::pair(",peak_slip", &peaks.slip)}) {
+      if (!*slip) continue;
+      const Quantiles& quantiles = (*slip)->over_half_diagonal;
+      text += quantile_lines(first + key + ",R", quantiles, quantiles.levels);
+      text += quantile_lines(first + key + ",m", quantiles, (*slip)->metres);
     }
+    text += quantile_lines(first + ",peak_tilt,1", peaks.tilt, peaks.tilt.levels);
+    text += quantile_lines(first + ",peak_tilt_rate,1", peaks.tilt_rate, peaks.tilt_rate.levels);
   }
   return text;
 }
 
-std::string modes_latex(const RunReport& report) {
+std::string modes_latex(const Report& report) {
   const std::vector<ResponseMode> modes = modes_to_show(report.occurring(), most_modes);
   const bool with_others = report.occurring().size() > modes.size();
   const std::vector<ParameterColumn> columns = parameter_columns(report);
@@ -138,8 +146,8 @@ std::string modes_latex(const RunReport& report) {
   const std::string proviso = end_proviso(settling_rows(report));
   const std::size_t leading = columns.size() + 1;
   std::string text = "% Needs \\usepackage{booktabs}; of a long table, longtable.\n\\begin{table}\n  \\centering\n";
-  text += "  \\caption{" + latex_text(report.title) + (report.title.empty() ? "" : " ") +
-          (report.is_random() ? std::string("Response modes") + (settling_rows(report).empty() ? "" : " in the end") +
+  text += "  \\caption{" + latex_text(report.title()) + (report.title().empty() ? "" : " ") +
+          (report.is_random() ? std::string("Response modes") + (report.has_settling() ? " in the end" : "") +
                                     " in per cent of $n$ realisations, with " + latex_text(report.level()) +
                                     " simultaneous intervals for all modes of a condition; $<$: did not occur, upper "
                                     "end of the interval" +

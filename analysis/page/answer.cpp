@@ -31,20 +31,22 @@ struct Range {
 /// The conditions of a slice, with their names as positions along the sweep.
 class Along {
  public:
-  Along(const RunReport& report, const SweepView& view, const Slice& slice)
+  Along(const Report& report, const SweepView& view, const Slice& slice)
       : report_(&report), slice_(&slice), entry_(view.entry) {}
 
   [[nodiscard]] std::size_t size() const { return slice_->conditions.size(); }
-  [[nodiscard]] const ConditionReport& at(std::size_t place) const {
+  [[nodiscard]] const ReportedCondition& at(std::size_t place) const {
     return report_->conditions[slice_->conditions[place]];
   }
   /// `A_h = 4.5`, as HTML.
   [[nodiscard]] std::string name(std::size_t place) const {
-    return place_html(report_->swept[entry_], at(place).parameters[entry_]);
+    const Parameter& parameter = at(place).parameters[entry_];
+    return place_html(parameter.pointer, value_of(parameter));
   }
   /// The value only, where the quantity has been named.
   [[nodiscard]] std::string value(std::size_t place) const {
-    return place_value_html(report_->swept[entry_], at(place).parameters[entry_]);
+    const Parameter& parameter = at(place).parameters[entry_];
+    return place_value_html(parameter.pointer, value_of(parameter));
   }
   [[nodiscard]] std::string name(const Range& range) const {
     if (range.first == range.last) return name(range.first);
@@ -66,30 +68,31 @@ class Along {
   }
 
  private:
-  const RunReport* report_;
+  const Report* report_;
   const Slice* slice_;
   std::size_t entry_;
 };
 
-bool overturns(const ConditionReport& condition) { return share_of(condition, overturned).count > 0; }
+bool overturns(const ReportedCondition& condition) { return share_of(condition, overturned).count > 0; }
 
-std::string level_of(const ConditionReport& condition) { return level_text(condition.confidence) + " %"; }
+std::string level_of(const ReportedCondition& condition) { return level_text(condition.confidence) + " %"; }
 
 /// `(at most 2.8 % there, 95 %)`; empty if the report has no bound.
-std::string bound_at(const ConditionReport& condition) {
+std::string bound_at(const ReportedCondition& condition) {
   const AnyShare share = share_of(condition, overturned);
   if (!share.interval) return "";
   return fmt::format(" (at most {} % there, {})", per_cent(share.interval->high), level_of(condition));
 }
 
-std::string probability_at(const ConditionReport& condition, const ResponseMode& mode) {
+std::string probability_at(const ReportedCondition& condition, const ResponseMode& mode) {
   const AnyShare share = share_of(condition, mode);
   return share.interval ? probability_text(share.estimate, *share.interval) : per_cent(share.estimate) + " %";
 }
 
 /// `, 48 of 300000 realisations`.
-std::string count_at(const ConditionReport& condition, const ResponseMode& mode) {
-  return fmt::format(", {} of {}", share_of(condition, mode).count, counted(condition.realisations, "realisation"));
+std::string count_at(const ReportedCondition& condition, const ResponseMode& mode) {
+  return fmt::format(", {} of {}", share_of(condition, mode).count,
+                     counted(condition.result.realisations, "realisation"));
 }
 
 std::string list_of(const std::vector<std::string>& parts) {
@@ -116,7 +119,7 @@ std::string where_it_overturns(const Along& along) {
 
 std::string never_overturns(const Along& along) {
   const std::size_t last = along.size() - 1;
-  const bool random = along.at(last).is_random;
+  const bool random = along.at(last).result.is_random();
   if (last == 0) return (random ? "None seen at " : "Does not overturn at ") + along.name(0) + bound_at(along.at(0));
   if (!random) return "Does not overturn from " + along.name(Range{0, last});
   return "No overturning seen up to " + along.name(last) + bound_at(along.at(last));
@@ -132,7 +135,7 @@ std::string overturning_along(const Along& along) {
   for (std::size_t i = 0; i < along.size(); ++i) {
     if (share_of(along.at(i), overturned).estimate > share_of(along.at(most), overturned).estimate) most = i;
   }
-  if (!along.at(most).is_random) {
+  if (!along.at(most).result.is_random()) {
     return (first > 0 ? "Does not overturn up to " + along.name(first - 1) + "; overturns " : "Overturns ") +
            where_it_overturns(along);
   }
@@ -145,7 +148,7 @@ std::string overturning_along(const Along& along) {
 
 /// `; the least base amplitude is at friction 0.4/0.35, base amplitude 6`: the first condition along the sweep that
 /// overturns; empty if the sweep has no order.
-std::string least_place(const RunReport& report) {
+std::string least_place(const Report& report) {
   const SweepView view = view_of(report);
   if (!view.is_line) return "";
   std::optional<std::size_t> least;
@@ -158,9 +161,9 @@ std::string least_place(const RunReport& report) {
 }
 
 /// All conditions together, where they are too many or have no order.
-std::string overturning_anywhere(const RunReport& report) {
-  const Extreme worst = extreme_of(report, overturned);
-  const ConditionReport& condition = report.conditions[worst.condition];
+std::string overturning_anywhere(const Report& report) {
+  const std::size_t worst = extreme_of(report, overturned);
+  const ReportedCondition& condition = report.conditions[worst];
   const auto number = std::ranges::count_if(report.conditions, overturns);
   if (number == 0 && !report.is_random()) return "The block does not overturn";
   if (number == 0) {
@@ -171,21 +174,21 @@ std::string overturning_anywhere(const RunReport& report) {
     return text + fmt::format(": at most {} %{} ({} confidence)", per_cent(share.interval->high),
                               report.conditions.size() > 1 ? " in each condition" : "", level_of(condition));
   }
-  const std::string place = with_symbols(condition_name(report, worst.condition));
+  const std::string place = with_symbols(condition_name(report, worst));
   if (report.conditions.size() == 1) {
-    if (!condition.is_random) return "The block overturns";
+    if (!condition.result.is_random()) return "The block overturns";
     return fmt::format("Probability <strong>{}</strong>{}", probability_at(condition, overturned),
                        count_at(condition, overturned));
   }
   const std::string where =
       fmt::format("in {} of {} conditions{}", number, report.conditions.size(), least_place(report));
-  if (!condition.is_random) return "The block overturns " + where;
+  if (!condition.result.is_random()) return "The block overturns " + where;
   return fmt::format("Seen {}; most likely at {}: <strong>{}</strong>{}", where, place,
                      probability_at(condition, overturned), count_at(condition, overturned));
 }
 
 /// A sentence for each slice, after its name.
-std::string by_slice(const RunReport& report, const SweepView& view,
+std::string by_slice(const Report& report, const SweepView& view,
                      const std::function<std::string(const Along&)>& sentence) {
   if (view.slices.size() == 1) return "<p>" + sentence(Along(report, view, view.slices.front())) + ".</p>\n";
   std::string text = "<ul>\n";
@@ -198,12 +201,12 @@ std::string by_slice(const RunReport& report, const SweepView& view,
 bool has_few_slices(const SweepView& view) { return view.is_line && view.slices.size() <= most_answers; }
 
 /// The most frequent mode of a condition; of equally frequent ones the first.
-ResponseMode most_likely(const ConditionReport& condition) {
+ResponseMode most_likely(const ReportedCondition& condition) {
   ResponseMode mode;
   std::uint64_t highest = 0;
-  for (const auto& [each, share] : condition.modes) {
-    if (share.count <= highest) continue;
-    highest = share.count;
+  for (const auto& [each, probability] : condition.result.modes) {
+    if (probability.counts.successes <= highest) continue;
+    highest = probability.counts.successes;
     mode = each;
   }
   return mode;
@@ -224,7 +227,7 @@ std::string probability_along(const Along& along, const Range& range, const Resp
     const double estimate = share_of(along.at(i), mode).estimate;
     least = std::min(least, estimate);
     most = std::max(most, estimate);
-    random = random || along.at(i).is_random;
+    random = random || along.at(i).result.is_random();
   }
   if (!random) return "";
   if (range.first == range.last) return ", " + probability_at(along.at(range.first), mode);
@@ -250,11 +253,11 @@ std::string responses_along(const Along& along) {
 }
 
 /// In how many conditions each mode is the most likely one.
-std::string responses_anywhere(const RunReport& report) {
+std::string responses_anywhere(const Report& report) {
   if (report.conditions.size() == 1) {
     std::string text;
-    for (const auto& [mode, share] : report.conditions.front().modes) {
-      if (share.count == 0) continue;
+    for (const auto& [mode, probability] : report.conditions.front().result.modes) {
+      if (probability.counts.successes == 0) continue;
       text += (text.empty() ? "" : "; ") + spoken_mode(mode) +
               (report.is_random() ? ": " + probability_at(report.conditions.front(), mode) : "");
     }
@@ -273,7 +276,7 @@ std::string responses_anywhere(const RunReport& report) {
   return text;
 }
 
-std::string divergences(const RunReport& report, const char* cause, Divergence Difference::*member) {
+std::string divergences(const Report& report, const char* cause, DivergenceTimes NonRecurrence::*member) {
   const PooledDivergence pooled = pooled_divergence(report, member);
   if (pooled.pairs == 0) return "";
   std::string text = fmt::format("{}: {} of {} diverge", cause, pooled.diverged, counted(pooled.pairs, "pair"));
@@ -284,7 +287,7 @@ std::string divergences(const RunReport& report, const char* cause, Divergence D
   return "<li>" + text + ".</li>\n";
 }
 
-std::string repeatability(const RunReport& report) {
+std::string repeatability(const Report& report) {
   const Repeatability found = repeatability_of(report);
   if (!report.is_random()) return "<p>Nothing is random: the same shaking gives the same response.</p>\n";
   if (found.compared == 0) return "<p>There is one realisation per condition, so that none can be compared.</p>\n";
@@ -292,12 +295,12 @@ std::string repeatability(const RunReport& report) {
     return fmt::format("<p>All realisations of {} have the same response mode.</p>\n",
                        found.compared == 1 ? "the condition" : "each condition");
   }
-  const Difference& worst = *report.conditions[*found.least].difference;
+  const NonRecurrence& worst = *report.conditions[*found.least].result.non_recurrence;
   const bool lone = report.conditions.size() == 1;
   return fmt::format(
       "<p>{}wo runs under the same shaking respond differently with probability <strong>{}</strong>{}.</p>\n",
       lone ? "T" : fmt::format("Least repeatable at {}: t", with_symbols(condition_name(report, *found.least))),
-      probability_text(worst.differ, worst.interval),
+      probability_text(worst.differ, worst.differ_interval),
       lone ? ""
            : fmt::format(". In {} of {} all realisations have the same response mode", found.alike,
                          counted(found.compared, "condition")));
@@ -305,28 +308,28 @@ std::string repeatability(const RunReport& report) {
 
 }  // namespace
 
-std::string overturning_in_brief(const RunReport& report) {
+std::string overturning_in_brief(const Report& report) {
   const SweepView view = view_of(report);
   if (has_few_slices(view)) return by_slice(report, view, overturning_along);
   return "<p>" + overturning_anywhere(report) + ".</p>\n";
 }
 
-std::string responses_in_brief(const RunReport& report) {
+std::string responses_in_brief(const Report& report) {
   const SweepView view = view_of(report);
   if (has_few_slices(view)) return by_slice(report, view, responses_along);
   return "<p>" + responses_anywhere(report) + ".</p>\n";
 }
 
-std::string recurrence_in_brief(const RunReport& report) {
+std::string recurrence_in_brief(const Report& report) {
   if (repeatability_of(report).compared == 0) return repeatability(report);
   return "<p>Two runs under the same shaking have diverged when tilt and tilt rate, compared once a period, differ by "
          "more "
          "than 0.01. With</p>\n<ul>\n" +
-         divergences(report, "independent random numbers", &Difference::by_friction) +
-         divergences(report, "common random numbers and another tolerance", &Difference::by_arithmetic) + "</ul>\n";
+         divergences(report, "independent random numbers", &NonRecurrence::friction) +
+         divergences(report, "common random numbers and another tolerance", &NonRecurrence::arithmetic) + "</ul>\n";
 }
 
-std::string modes_in_brief(const RunReport& report) {
+std::string modes_in_brief(const Report& report) {
   std::string entries;
   bool has_periodic = false;
   for (const ResponseMode& mode : modes_to_show(report.occurring(), most_stretches)) {
@@ -343,7 +346,7 @@ std::string modes_in_brief(const RunReport& report) {
                    : "");
 }
 
-std::string answer_in_brief(const RunReport& report) {
+std::string answer_in_brief(const Report& report) {
   return fmt::format(
       "<dl class=\"short\">\n<dt>Overturning</dt><dd>{}</dd>\n<dt>{}</dt><dd>{}{}</dd>\n"
       "<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",

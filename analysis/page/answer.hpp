@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
@@ -12,18 +12,18 @@ inline constexpr std::size_t most_answers = 6;
 inline constexpr std::size_t most_stretches = 6;
 
 /// HTML: whether the block overturns, how likely, and from which to which value of the swept parameter.
-[[nodiscard]] std::string overturning_in_brief(const RunReport& report);
+[[nodiscard]] std::string overturning_in_brief(const Report& report);
 
 /// HTML: the most likely response in each stretch of the swept parameter.
-[[nodiscard]] std::string responses_in_brief(const RunReport& report);
+[[nodiscard]] std::string responses_in_brief(const Report& report);
 
 /// HTML: how many runs of a condition diverge, and after which time; or why none can be compared.
-[[nodiscard]] std::string recurrence_in_brief(const RunReport& report);
+[[nodiscard]] std::string recurrence_in_brief(const Report& report);
 
 /// HTML: the response modes that occur, each in words and with a schematic drawing.
-[[nodiscard]] std::string modes_in_brief(const RunReport& report);
+[[nodiscard]] std::string modes_in_brief(const Report& report);
 
 /// HTML: the first part of a page, made of the above.
-[[nodiscard]] std::string answer_in_brief(const RunReport& report);
+[[nodiscard]] std::string answer_in_brief(const Report& report);
 
 }  // namespace rocking::analysis

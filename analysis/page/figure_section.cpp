@@ -128,9 +128,9 @@ std::string picture_html(const DrawnFigure& drawn, bool charted) {
                      data_address(drawn.svg));
 }
 
-std::string tables_html(const RunReport& report, const Figure& figure) {
+std::string tables_html(const Report& report, const Figure& figure) {
   const bool has_probabilities = std::ranges::any_of(
-      report.conditions, [](const ConditionReport& condition) { return condition.realisations > 1; });
+      report.conditions, [](const ReportedCondition& condition) { return condition.result.realisations > 1; });
   if (figure.name == "mode_probabilities") return mode_table_html(report);
   if (figure.name == "mode_bands") return has_probabilities ? "" : mode_table_html(report);  // not twice
   if (figure.name == "divergence_times") return data_table_html(side_by_side(figure.tables), figure.title);
@@ -144,7 +144,7 @@ std::string tables_html(const RunReport& report, const Figure& figure) {
 
 }  // namespace
 
-std::string figure_html(const RunReport& report, const DrawnFigure& drawn) {
+std::string figure_html(const Report& report, const DrawnFigure& drawn) {
   const Figure& figure = drawn.figure;
   std::size_t rows = 0;
   for (const Table& table : figure.tables) rows += table.rows.size();

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
@@ -22,6 +22,6 @@ struct DrawnFigure {
 
 /// HTML of a figure: charts for the script of the page; the picture for printing and for pages without scripts; a
 /// description in words for readers who see neither; and the numbers as a table.
-[[nodiscard]] std::string figure_html(const RunReport& report, const DrawnFigure& drawn);
+[[nodiscard]] std::string figure_html(const Report& report, const DrawnFigure& drawn);
 
 }  // namespace rocking::analysis

@@ -55,7 +55,7 @@ std::string section(const char* id, const char* heading, const std::string& cont
 }
 
 /// Figures by part: each goes to the first part that has a beginning of its name.
-std::map<std::string, std::string> figures_by_part(const RunReport& report, const std::vector<DrawnFigure>& figures) {
+std::map<std::string, std::string> figures_by_part(const Report& report, const std::vector<DrawnFigure>& figures) {
   std::map<std::string, std::string> content;
   for (const DrawnFigure& drawn : figures) {
     const auto part = std::ranges::find_if(parts(), [&](const Part& each) { return belongs(each, drawn.figure); });
@@ -74,9 +74,8 @@ std::string animations_section(const ShownAnimations& shown) {
 
 }  // namespace
 
-std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures,
-                      const ShownAnimations& motions) {
-  const std::string title = report.title.empty() ? "A rocking block" : report.title;
+std::string page_text(const Report& report, const std::vector<DrawnFigure>& figures, const ShownAnimations& motions) {
+  const std::string title = report.title().empty() ? "A rocking block" : report.title();
   const auto checks = checks_of(report);
   auto content = figures_by_part(report, figures);
   if (const std::string settling = settling_html(report); !settling.empty()) {

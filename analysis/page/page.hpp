@@ -5,7 +5,7 @@
 
 #include "analysis/page/animation.hpp"
 #include "analysis/page/figure_section.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
@@ -19,7 +19,7 @@ struct ShownAnimations {
 /// style, given by their hashes, and embedded pictures. Equal reports and pictures give equal bytes.
 ///
 /// The page says what it omits: rows of tables beyond `most_rows`, charts beyond `most_charts`.
-[[nodiscard]] std::string page_text(const RunReport& report, const std::vector<DrawnFigure>& figures,
+[[nodiscard]] std::string page_text(const Report& report, const std::vector<DrawnFigure>& figures,
                                     const ShownAnimations& motions = {});
 
 }  // namespace rocking::analysis

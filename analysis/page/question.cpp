@@ -46,18 +46,18 @@ Shape shape_of(const Json& block) {
 }
 
 /// A number of the mean block of each condition.
-Spread of_blocks(const RunReport& report, double (Shape::*number)() const) {
+Spread of_blocks(const Report& report, double (Shape::*number)() const) {
   std::vector<double> numbers;
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     numbers.push_back((shape_of(value_at(report, condition, "/block")).*number)());
   }
   return spread_of(numbers);
 }
 
 /// What impacts leave of the tilt rate.
-std::string impacts_in_brief(const RunReport& report) {
+std::string impacts_in_brief(const Report& report) {
   std::vector<ReportedImpact> impacts;
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     const Shape shape = shape_of(value_at(report, condition, "/block"));
     impacts.push_back(
         {.width_m = shape.width, .height_m = shape.height, .restitution = value_at(report, condition, "/restitution")});
@@ -65,20 +65,20 @@ std::string impacts_in_brief(const RunReport& report) {
   return escaped(impacts_text(impacts));
 }
 
-bool is_swept(const RunReport& report, const std::string& pointer) {
+bool is_swept(const Report& report, const std::string& pointer) {
   for (const std::string& swept : report.swept) {
     if (swept == pointer || pointer.starts_with(swept + '/')) return true;
   }
   return false;
 }
 
-std::string swept_mark(const RunReport& report, const std::string& pointer) {
+std::string swept_mark(const Report& report, const std::string& pointer) {
   return is_swept(report, pointer) ? " (swept)" : "";
 }
 
 /// Whether each realisation draws what stands at a place, in some condition.
-bool is_random(const RunReport& report, const std::string& pointer) {
-  const auto has_law = [&](const ConditionReport& condition) {
+bool is_random(const Report& report, const std::string& pointer) {
+  const auto has_law = [&](const ReportedCondition& condition) {
     return value_at(report, condition, pointer).is_object();
   };
   return is_swept(report, pointer) ? std::ranges::any_of(report.conditions, has_law)
@@ -86,9 +86,9 @@ bool is_random(const RunReport& report, const std::string& pointer) {
 }
 
 /// A form of the shaking over all conditions; absent if one of them has none.
-std::optional<Spread> shaking_spread(const RunReport& report, std::string_view key) {
+std::optional<Spread> shaking_spread(const Report& report, std::string_view key) {
   std::vector<double> numbers;
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     if (!condition.shaking) return std::nullopt;
     numbers.push_back(number_of(*condition.shaking, key));
   }
@@ -106,11 +106,11 @@ std::string form_html(std::string_view key, const Spread& spread, int digits) {
 
 /// The amplitude or the frequency as the file gives it, with the other form: `A_h = 4.5 (1.1 g)`. Empty if conditions
 /// differ in the kind of their shaking, or a report of an earlier version has none.
-std::string both_forms_html(const RunReport& report, std::string_view Shaking::*given) {
+std::string both_forms_html(const Report& report, std::string_view Shaking::*given) {
   const auto& first = report.conditions.front().shaking;
   if (!first) return "";
   const std::string_view key = (*first).*given;
-  const auto is_given = [&](const ConditionReport& each) { return each.shaking && (*each.shaking).*given == key; };
+  const auto is_given = [&](const ReportedCondition& each) { return each.shaking && (*each.shaking).*given == key; };
   if (!std::ranges::all_of(report.conditions, is_given)) return "";
   const std::string_view other = other_form_of(key);
   return fmt::format("{} ({})", form_html(key, shaking_spread(report, key).value(), 6),
@@ -118,18 +118,18 @@ std::string both_forms_html(const RunReport& report, std::string_view Shaking::*
 }
 
 /// Whether each realisation has a block of its own size, so that one of the forms is that of the mean block.
-bool has_random_block(const RunReport& report) {
+bool has_random_block(const Report& report) {
   return is_random(report, "/block/width_m") || is_random(report, "/block/height_m");
 }
 
 /// `0.5 to 2 m wide (swept)`: a side of the blocks of all conditions.
-std::string side_in_brief(const RunReport& report, const std::string& pointer, std::string_view word) {
+std::string side_in_brief(const Report& report, const std::string& pointer, std::string_view word) {
   const auto spoken = [&](const std::string& size) {
     return fmt::format("{} m {}{}", size, word, swept_mark(report, pointer));
   };
   const Json first = value_at(report, report.conditions.front(), pointer);
   std::vector<double> numbers;
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     const Json side = value_at(report, condition, pointer);
     if (!side.is_number()) return spoken(spoken_quantity(first));
     numbers.push_back(side);
@@ -137,8 +137,8 @@ std::string side_in_brief(const RunReport& report, const std::string& pointer, s
   return spoken(spoken_spread(spread_of(numbers), 6));
 }
 
-std::string shaking_in_brief(const RunReport& report) {
-  const Json& excitation = report.experiment.at("excitation");
+std::string shaking_in_brief(const Report& report) {
+  const Json& excitation = report.input.experiment.at("excitation");
   const auto kind = excitation.at("kind").get<std::string>();
   std::string text = fmt::format("on a base that {}", excitation_in_words(kind));
   if (excitation.contains("file")) return text + " in " + escaped(excitation.at("file").get<std::string>());
@@ -164,12 +164,12 @@ std::string shaking_in_brief(const RunReport& report) {
 }
 
 /// The values of a setting in all conditions: `0.8 to 1.2`, or the first few; if it is not swept, its value.
-std::string setting_text(const RunReport& report, const std::string& pointer, const Json& value) {
+std::string setting_text(const Report& report, const std::string& pointer, const Json& value) {
   const auto text_of = [](const Json& one) { return one.is_string() ? one.get<std::string>() : brief(one); };
   if (!is_swept(report, pointer)) return text_of(value);
   std::vector<double> numbers;
   std::vector<std::string> texts;
-  for (const ConditionReport& condition : report.conditions) {
+  for (const ReportedCondition& condition : report.conditions) {
     const Json own = value_at(report, condition, pointer);
     if (own.is_null()) continue;
     if (own.is_number()) numbers.push_back(own);
@@ -183,10 +183,10 @@ std::string setting_text(const RunReport& report, const std::string& pointer, co
 }
 
 /// What each realisation draws, `friction with &sigma; = 0.03, phase`; empty if nothing is random.
-std::string random_in_brief(const RunReport& report) {
+std::string random_in_brief(const Report& report) {
   std::string what;
   const auto add = [&what](const std::string& words) { what += (what.empty() ? "" : ", ") + words; };
-  const Json sources = report.experiment.value("fluctuation", Json::object());
+  const Json sources = report.input.experiment.value("fluctuation", Json::object());
   for (const auto& [name, scatter] : sources.items()) {
     std::string words = name;
     std::ranges::replace(words, '_', ' ');
@@ -212,8 +212,8 @@ std::string random_in_brief(const RunReport& report) {
   return what;
 }
 
-std::string friction_in_brief(const RunReport& report) {
-  const Json& experiment = report.experiment;
+std::string friction_in_brief(const Report& report) {
+  const Json& experiment = report.input.experiment;
   std::string text;
   if (!experiment.contains("friction")) {
     text = "It cannot slide.";
@@ -230,17 +230,17 @@ std::string friction_in_brief(const RunReport& report) {
 }
 
 /// The distinct values of an entry of the sweep, in order.
-std::vector<Json> values_of(const RunReport& report, std::size_t entry) {
+std::vector<Json> values_of(const Report& report, std::size_t entry) {
   std::vector<Json> values;
   std::set<std::string> seen;
-  for (const ConditionReport& condition : report.conditions) {
-    const Json& value = condition.parameters[entry];
-    if (seen.insert(value.dump()).second) values.push_back(value);
+  for (const ReportedCondition& condition : report.conditions) {
+    const Parameter& parameter = condition.parameters[entry];
+    if (seen.insert(parameter.value).second) values.push_back(value_of(parameter));
   }
   return values;
 }
 
-std::string sweep_in_brief(const RunReport& report) {
+std::string sweep_in_brief(const Report& report) {
   std::string text;
   for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
     const std::string& pointer = report.swept[entry];
@@ -271,7 +271,7 @@ std::string row(const std::string& name, const std::string& value) {
 }
 
 /// Adds a row for every setting below a place of the experiment.
-void add_settings(const RunReport& report, const std::string& pointer, const Json& value, std::string& rows) {
+void add_settings(const Report& report, const std::string& pointer, const Json& value, std::string& rows) {
   if (value.is_object()) {
     for (const auto& [key, part] : value.items()) {
       add_settings(report, child_pointer(pointer, key), part, rows);
@@ -281,9 +281,9 @@ void add_settings(const RunReport& report, const std::string& pointer, const Jso
   rows += row(pointer, escaped(setting_text(report, pointer, value)) + swept_mark(report, pointer));
 }
 
-std::string horizon_in_brief(const RunReport& report) {
+std::string horizon_in_brief(const Report& report) {
   if (!report.periods()) return "each as long as the base moves, and until the block has come to rest";
-  const Json& horizon = report.experiment.at("horizon");
+  const Json& horizon = report.input.experiment.at("horizon");
   return fmt::format("{} of transient, then {} sampled",
                      counted(horizon.at("transient_periods").get<std::uint64_t>(), "period"),
                      number(horizon.at("sampled_periods")));
@@ -291,14 +291,14 @@ std::string horizon_in_brief(const RunReport& report) {
 
 }  // namespace
 
-std::string question_in_brief(const RunReport& report) {
+std::string question_in_brief(const Report& report) {
   std::string text = fmt::format(
       "<p>A block {} and {} stands {}. {}</p>\n", side_in_brief(report, "/block/width_m", "wide"),
       side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report), friction_in_brief(report));
   text += fmt::format("<p>{}.</p>\n", impacts_in_brief(report));
   const std::string sweep = sweep_in_brief(report);
   if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
-  if (report.experiment.at("excitation").contains("suite")) {
+  if (report.input.experiment.at("excitation").contains("suite")) {
     text +=
         "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the "
         "differences "
@@ -308,7 +308,7 @@ std::string question_in_brief(const RunReport& report) {
                             counted(realisations_of(report), "realisation"), horizon_in_brief(report));
 }
 
-std::string question_in_full(const RunReport& report) {
+std::string question_in_full(const Report& report) {
   const auto spoken = [&](double (Shape::*number)() const) { return spoken_spread(of_blocks(report, number), 4); };
   std::string rows;
   rows += row("shape angle", fmt::format("&psi; = {} rad", spoken(&Shape::shape_angle)));
@@ -318,7 +318,7 @@ std::string question_in_full(const RunReport& report) {
   const std::string frequency = both_forms_html(report, &Shaking::given_frequency);
   if (!amplitude.empty()) rows += row("amplitude of the base", amplitude);
   if (!frequency.empty()) rows += row("frequency of the base", frequency);
-  for (const auto& [key, value] : report.experiment.items()) {
+  for (const auto& [key, value] : report.input.experiment.items()) {
     if (key != "format" && key != "title" && key != "sweep") {
       add_settings(report, child_pointer("", key), value, rows);
     }
@@ -326,7 +326,7 @@ std::string question_in_full(const RunReport& report) {
   return fmt::format(
       "<dl class=\"settings\">\n{}</dl>\n<details><summary>The experiment file, with every default written "
       "out</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
-      rows, escaped(report.experiment.dump(2)));
+      rows, escaped(report.input.experiment.dump(2)));
 }
 
 }  // namespace rocking::analysis

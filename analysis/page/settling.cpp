@@ -33,8 +33,8 @@ std::string difference_text(const std::optional<double>& differ, const std::opti
   return per_cent(*differ) + (interval ? ' ' + per_cent(*interval) : "");
 }
 
-std::string divergence_text(const IncidenceReport& incidence) {
-  const auto& quartiles = incidence.divergence_periods;
+std::string divergence_text(const SettlingResult& settling) {
+  const auto& quartiles = settling.times.divergence_quartiles;
   const auto median = std::ranges::find(quartiles, 0.5, &stats::QuantileEstimate::level);
   if (median == quartiles.end()) return "none";
   std::string text = period_text(*median, std::nullopt);
@@ -42,21 +42,21 @@ std::string divergence_text(const IncidenceReport& incidence) {
 }
 
 /// The first columns of a table: the swept parameters, or the only condition.
-void add_parameters(const RunReport& report, Table& table) {
+void add_parameters(const Report& report, Table& table) {
   if (report.swept.empty()) table.columns.push_back({"condition", "condition"});
   for (const ParameterColumn& column : parameter_columns(report)) {
     table.columns.push_back({"parameter", label_of(column.axis)});
   }
 }
 
-std::vector<Cell> parameter_cells(const RunReport& report, std::size_t condition) {
+std::vector<Cell> parameter_cells(const Report& report, std::size_t condition) {
   if (report.swept.empty()) return {text_cell("the only one")};
   std::vector<Cell> cells;
   for (const ParameterColumn& column : parameter_columns(report)) cells.push_back(text_cell(column.values[condition]));
   return cells;
 }
 
-Table settling_table(const RunReport& report) {
+Table settling_table(const Report& report) {
   Table table;
   add_parameters(report, table);
   for (const char* heading :
@@ -66,17 +66,18 @@ Table settling_table(const RunReport& report) {
     table.columns.push_back({"value", heading});
   }
   for (std::size_t i = 0; i < std::min(report.conditions.size(), most_rows + 1); ++i) {
-    const auto row = settling_row(report, i);
+    const auto row = settling_row(report, report.conditions[i]);
     if (!row) continue;
-    const ConditionReport& condition = report.conditions[i];
+    const ReportedCondition& condition = report.conditions[i];
     std::vector<Cell> cells = parameter_cells(report, i);
-    const auto interval = condition.difference ? std::optional(condition.difference->interval) : std::nullopt;
+    const auto interval = condition.result.non_recurrence
+                              ? std::optional(condition.result.non_recurrence->differ_interval)
+                              : std::nullopt;
     for (std::string text :
          {share_of_row(row->unresolved_at_horizon, *row), share_of_row(row->censored, *row),
-          period_text(row->median, row->limit),
-          row->all_but_one_per_cent ? horizon_text(*row->all_but_one_per_cent) : std::string("none"),
-          difference_text(row->differ_at_horizon, condition.incidence->differ_interval),
-          difference_text(row->differ_in_the_end, interval), divergence_text(*condition.incidence)}) {
+          period_text(row->median, row->limit), horizon_text(row->all_but_one_per_cent),
+          difference_text(row->differ_at_horizon, condition.result.settling->differ_interval),
+          difference_text(row->differ_in_the_end, interval), divergence_text(*condition.result.settling)}) {
       cells.push_back(text_cell(std::move(text)));
     }
     table.rows.push_back(std::move(cells));
@@ -84,14 +85,14 @@ Table settling_table(const RunReport& report) {
   return table;
 }
 
-Table leaving_table(const RunReport& report) {
+Table leaving_table(const Report& report) {
   Table table;
   add_parameters(report, table);
   for (const char* heading : {"response mode", "left", "watched periods", "left per 1000 periods"}) {
     table.columns.push_back({"value", heading});
   }
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, i);
+    const auto row = settling_row(report, report.conditions[i]);
     if (!row) continue;
     for (const LeftMode& found : row->leaving) {
       std::vector<Cell> cells = parameter_cells(report, i);
@@ -105,10 +106,10 @@ Table leaving_table(const RunReport& report) {
   return table;
 }
 
-std::string remedies_html(const RunReport& report) {
+std::string remedies_html(const Report& report) {
   std::string entries;
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, i);
+    const auto row = settling_row(report, report.conditions[i]);
     if (!row) continue;
     const std::string remedy = limit_remedy(*row, name_of_condition(report, report.conditions[i]));
     if (!remedy.empty()) entries += "<li>" + with_symbols(remedy) + ".</li>\n";
@@ -116,7 +117,7 @@ std::string remedies_html(const RunReport& report) {
   return entries.empty() ? "" : "<p>The limit is too short:</p>\n<ul>\n" + entries + "</ul>\n";
 }
 
-std::string leaving_html(const RunReport& report) {
+std::string leaving_html(const Report& report) {
   const Table table = leaving_table(report);
   if (table.rows.empty()) {
     return "<p>Settled responses were not watched, so that it is not known how often they are left again. "
@@ -141,7 +142,7 @@ std::string leaving_html(const RunReport& report) {
                                            " intervals of the rate");
 }
 
-Table long_run_table(const RunReport& report, const std::vector<ResponseMode>& modes) {
+Table long_run_table(const Report& report, const std::vector<ResponseMode>& modes) {
   Table table;
   add_parameters(report, table);
   table.columns.push_back({"value", "realisations with a long run"});
@@ -149,7 +150,7 @@ Table long_run_table(const RunReport& report, const std::vector<ResponseMode>& m
   for (const ResponseMode& mode : modes) table.columns.push_back({"value", to_string(mode) + " [%]"});
   table.columns.push_back({"value", "others [%]"});
   for (std::size_t i = 0; i < report.conditions.size(); ++i) {
-    const auto row = settling_row(report, i);
+    const auto row = settling_row(report, report.conditions[i]);
     if (!row || !row->long_runs) continue;
     std::vector<Cell> cells = parameter_cells(report, i);
     cells.emplace_back(static_cast<double>(row->long_runs->realisations));
@@ -161,7 +162,7 @@ Table long_run_table(const RunReport& report, const std::vector<ResponseMode>& m
   return table;
 }
 
-std::string long_run_html(const RunReport& report) {
+std::string long_run_html(const Report& report) {
   const std::vector<SettlingRow> rows = settling_rows(report);
   const std::vector<ResponseMode> modes = long_run_modes(rows, most_long_run_modes);
   if (modes.empty()) return "";
@@ -173,7 +174,7 @@ std::string long_run_html(const RunReport& report) {
 
 }  // namespace
 
-std::string settling_html(const RunReport& report) {
+std::string settling_html(const Report& report) {
   const std::vector<SettlingRow> rows = settling_rows(report);
   if (rows.empty()) return "";
   std::uint64_t realisations = 0;

@@ -2,12 +2,12 @@
 
 #include <string>
 
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
 /// HTML: when the responses of a run with `until_classified` settled: a table with a row for each condition, which limit
 /// would do where it was too short, and the rates at which settled responses were left. Empty for another run.
-[[nodiscard]] std::string settling_html(const RunReport& report);
+[[nodiscard]] std::string settling_html(const Report& report);
 
 }  // namespace rocking::analysis

@@ -59,7 +59,7 @@ std::string html_of(const PageTable& table) {
   return text;
 }
 
-PageCell mode_cell(const ConditionReport& condition, const section::ResponseMode& mode) {
+PageCell mode_cell(const ReportedCondition& condition, const section::ResponseMode& mode) {
   const AnyShare share = share_of(condition, mode);
   if (share.count == 0) {
     if (!share.interval) return {.html = "0", .value = {}};
@@ -68,14 +68,14 @@ PageCell mode_cell(const ConditionReport& condition, const section::ResponseMode
   const std::string estimate = per_cent(share.estimate);
   if (!share.interval) return {.html = estimate, .value = {}};
   return {.html = fmt::format("{} <span class=\"interval\">{}</span>{}", estimate, per_cent(*share.interval),
-                              count_if_open(share.count, condition.realisations)),
+                              count_if_open(share.count, condition.result.realisations)),
           .value = {}};
 }
 
 /// The response of a condition that is not random.
-std::string response_of(const ConditionReport& condition) {
-  for (const auto& [mode, share] : condition.modes) {
-    if (share.count > 0) return escaped(to_string(mode));
+std::string response_of(const ReportedCondition& condition) {
+  for (const auto& [mode, probability] : condition.result.modes) {
+    if (probability.counts.successes > 0) return escaped(to_string(mode));
   }
   return "<span class=\"none\">none</span>";
 }
@@ -93,7 +93,7 @@ std::string cell_html(const Cell& cell) {
 
 }  // namespace
 
-std::string mode_table_html(const RunReport& report) {
+std::string mode_table_html(const Report& report) {
   PageTable table;
   table.label = "Table: response modes";
   table.caption = "Response of each condition. Nothing is random: one realisation is the response";
@@ -103,8 +103,7 @@ std::string mode_table_html(const RunReport& report) {
         "Response modes{} in per cent of the realisations [{} interval, simultaneous for all modes of a condition]; "
         "&lt; "
         "<i>x</i>: did not occur, <i>x</i> is the upper end of its interval{}",
-        settling_rows(report).empty() ? "" : " in the end", escaped(report.level()),
-        count_legend(report.most_realisations()));
+        report.has_settling() ? " in the end" : "", escaped(report.level()), count_legend(report.most_realisations()));
   }
   if (report.swept.empty()) table.head.emplace_back("condition");
   const std::vector<ParameterColumn> columns = parameter_columns(report);
@@ -118,12 +117,12 @@ std::string mode_table_html(const RunReport& report) {
   }
   table.all_rows = report.conditions.size();
   for (std::size_t i = 0; i < std::min(most_rows, report.conditions.size()); ++i) {
-    const ConditionReport& condition = report.conditions[i];
+    const ReportedCondition& condition = report.conditions[i];
     std::vector<PageCell> row;
     if (report.swept.empty()) row.push_back(cell_of("the only one"));
     for (const ParameterColumn& column : columns) row.push_back(cell_of(escaped(column.values[i])));
     if (random) {
-      row.push_back(cell_of(std::to_string(condition.realisations)));
+      row.push_back(cell_of(std::to_string(condition.result.realisations)));
       for (const auto& [mode, count] : modes) row.push_back(mode_cell(condition, mode));
     } else {
       row.push_back(cell_of(response_of(condition)));

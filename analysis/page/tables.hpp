@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
@@ -13,7 +13,7 @@ inline constexpr std::size_t most_rows = 2000;
 
 /// A sortable table with a row for each condition and a column for each response mode that occurs, in per cent with
 /// intervals; `< 2.8` where it does not occur. If nothing is random, one column with the response instead.
-[[nodiscard]] std::string mode_table_html(const RunReport& report);
+[[nodiscard]] std::string mode_table_html(const Report& report);
 
 /// Joins step functions into one table. The first column of each table is a place, the second a level that holds until
 /// the next place. The result has a row for each place of any table, in order, and a column for each table, with its

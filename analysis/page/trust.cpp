@@ -8,7 +8,9 @@
 #include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/words.hpp"
+#include "rocking/base/digest.hpp"
 #include "rocking/output/alarms.hpp"
+#include "rocking/output/settling_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -16,28 +18,25 @@ namespace rocking::analysis {
 namespace {
 
 /// Realisations with some property, of all conditions.
-struct Cases {
+struct AllCases {
   std::uint64_t count = 0;
   std::string first;  ///< HTML; empty if there is none
 };
 
-Cases cases_of(const RunReport& report, const std::string& kind) {
-  Cases cases;
-  const Json& conditions = report.text.at("result").at("conditions");
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const Json& validity = conditions[i].at("validity");
-    const auto count = validity.at(kind).get<std::uint64_t>();
-    if (count > 0 && cases.count == 0) {
-      cases.first = fmt::format("First: <code>--condition {} --realisation {}</code>.", i,
-                                validity.at("first_realisations").at(kind).at(0).get<std::uint64_t>());
+AllCases cases_of(const Report& report, Cases Validity::*kind) {
+  AllCases all;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const Cases& cases = report.conditions[i].result.validity.*kind;
+    if (cases.count > 0 && all.count == 0) {
+      all.first = fmt::format("First: <code>--condition {} --realisation {}</code>.", i, cases.first.front());
     }
-    cases.count += count;
+    all.count += cases.count;
   }
-  return cases;
+  return all;
 }
 
 struct Kind {
-  const char* key;
+  Cases Validity::*cases;
   const char* name;
   const char* none;  ///< the finding if there is none
   const char* some;  ///< text after the number if there are some
@@ -45,21 +44,22 @@ struct Kind {
 };
 
 constexpr Kind kinds[] = {
-    {"painleve", "Painlev&eacute;&#39;s paradox", "Did not occur.", "ended because of it.", Rating::look},
-    {"stopped", "event budget", "Every realisation reached its horizon or overturned.",
+    {&Validity::painleve, "Painlev&eacute;&#39;s paradox", "Did not occur.", "ended because of it.", Rating::look},
+    {&Validity::stopped, "event budget", "Every realisation reached its horizon or overturned.",
      "ended because of too many events or a vanishing step.", Rating::look},
-    {"contradictions", "sticking and slipping", "At every instant one of the two was consistent with the equations.",
+    {&Validity::contradictions, "sticking and slipping",
+     "At every instant one of the two was consistent with the equations.",
      "had an instant at which neither is consistent with the equations.", Rating::look},
-    {"in_transient", "settled at the horizon", "Every response had settled at the horizon.",
+    {&Validity::in_transient, "settled at the horizon", "Every response had settled at the horizon.",
      "had not settled at the horizon.", Rating::look},
-    {"settled_late", "settled within the sampled periods", "No response settled late.",
+    {&Validity::settled_late, "settled within the sampled periods", "No response settled late.",
      "settled within the sampled periods and are classified by the part after that.", Rating::note},
-    {"past_balance", "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.",
+    {&Validity::past_balance, "beyond the balance point", "|&Theta;| was below 1 throughout.", "passed |&Theta;| = 1.",
      Rating::note},
 };
 
-Check check_of(const RunReport& report, const Kind& kind) {
-  const Cases cases = cases_of(report, kind.key);
+Check check_of(const Report& report, const Kind& kind) {
+  const AllCases cases = cases_of(report, kind.cases);
   if (cases.count == 0) return {.name = kind.name, .rating = Rating::fine, .finding = kind.none, .where = {}};
   return {.name = kind.name,
           .rating = kind.rating,
@@ -68,21 +68,20 @@ Check check_of(const RunReport& report, const Kind& kind) {
 }
 
 /// A loss of contact in the final fall of a block that overturns cannot change its response; one before it can.
-Check contact(const RunReport& report) {
-  const Cases all = cases_of(report, "left_ground");
+Check contact(const Report& report) {
+  const AllCases all = cases_of(report, &Validity::left_ground);
   Check check{.name = "contact with the base", .rating = Rating::fine, .finding = {}, .where = all.first};
   if (all.count == 0) {
     check.finding = "The normal force was positive throughout.";
     return check;
   }
-  const Json& first = report.text.at("result").at("conditions").at(0).at("validity");
-  const bool tells = first.contains("left_ground_before_fall");  // reports of earlier versions do not
-  const Cases before = tells ? cases_of(report, "left_ground_before_fall") : all;
+  const AllCases before = cases_of(report, &Validity::left_ground_before_fall);
   if (before.count > 0) {
     check.rating = Rating::look;
     check.where = before.first;
-    check.finding = fmt::format("{} met a normal force of zero or less{}, where the model is not valid.",
-                                counted(before.count, "realisation"), tells ? " before any final fall" : "");
+    check.finding =
+        fmt::format("{} met a normal force of zero or less before any final fall, where the model is not valid.",
+                    counted(before.count, "realisation"));
   }
   if (all.count > before.count) {
     check.finding += fmt::format("{}{} lost contact only in the final fall of a block that overturned.",
@@ -91,29 +90,8 @@ Check contact(const RunReport& report) {
   return check;
 }
 
-/// The key of the most frequent kind of clamp.
-std::string commonest_clamp(const Json& clamps) {
-  std::string commonest;
-  std::uint64_t most = 0;
-  for (const auto& [key, count] : clamps.items()) {
-    if (count.get<std::uint64_t>() <= most) continue;
-    most = count.get<std::uint64_t>();
-    commonest = key;
-  }
-  return commonest;
-}
-
-ClampedShare clamped_share(const ConditionReport& condition, const Json& validity) {
-  ClampedShare share{.realisations = validity.at("clamped").get<std::uint64_t>(),
-                     .of_realisations = condition.realisations,
-                     .draws = 0,
-                     .of_draws = validity.value("draws", std::uint64_t{0})};
-  for (const auto& [key, count] : validity.at("clamped_draws").items()) share.draws += count.get<std::uint64_t>();
-  return share;
-}
-
-Check clamped(const RunReport& report) {
-  const Cases cases = cases_of(report, "clamped");
+Check clamped(const Report& report) {
+  const AllCases cases = cases_of(report, &Validity::clamped);
   Check check{.name = "clamped random numbers", .rating = Rating::fine, .finding = {}, .where = cases.first};
   if (cases.count == 0) {
     check.finding = "No random number was clamped.";
@@ -121,55 +99,43 @@ Check clamped(const RunReport& report) {
   }
   check.rating = Rating::note;
   check.finding = fmt::format("{} had a random number clamped to its range.", counted(cases.count, "realisation"));
-  const Json& conditions = report.text.at("result").at("conditions");
-  std::optional<std::size_t> worst;
-  ClampedShare largest;
-  for (std::size_t i = 0; i < conditions.size(); ++i) {
-    const ClampedShare here = clamped_share(report.conditions[i], conditions[i].at("validity"));
-    if (!here.is_alarming() || (worst && here.share_of_draws() <= largest.share_of_draws())) continue;
-    worst = i;
-    largest = here;
-  }
+  const auto worst = worst_clamps(report);
   if (!worst) return check;
   check.rating = Rating::look;
-  const std::string commonest = commonest_clamp(conditions[*worst].at("validity").at("clamped_draws"));
-  check.finding += fmt::format(" Most at {}: {}; mostly {}.", with_symbols(condition_name(report, *worst)),
-                               spoken(largest), escaped(std::string(clamp_remedy(commonest))));
+  check.finding += fmt::format(" Most at {}: {}; mostly {}.", with_symbols(condition_name(report, worst->condition)),
+                               in_words(worst->share), escaped(std::string(worst->remedy)));
   return check;
 }
 
-Check arithmetic(const RunReport& report) {
+Check arithmetic(const Report& report) {
   Check check{.name = "sensitivity to tolerance", .rating = Rating::note, .finding = {}, .where = {}};
-  const Json& floor = report.text.at("result").at("tolerance_sensitivity");
-  if (floor.is_null()) {
+  const auto& found = report.tolerance_sensitivity;
+  if (!found) {
     check.finding = "Not measured: no realisation was rerun at another tolerance.";
     return check;
   }
-  const std::string noise = floor.at("arithmetic_noise");
-  const Json& interval = floor.at("interval");
   check.finding = fmt::format("{} of {} response modes change at a hundred times tighter tolerance {} %, ",
-                              floor.at("flips").get<std::uint64_t>(), floor.at("of").get<std::uint64_t>(),
-                              per_cent({.low = interval.at(0), .high = interval.at(1)}));
-  const std::string half_width = per_cent(floor.at("half_width").get<double>()) + " %.";
-  if (noise == "small") {
-    check.rating = Rating::fine;
-    check.finding += "small compared with the narrowest half-width of an interval, " + half_width;
-  } else if (noise == "not_small") {
-    check.rating = Rating::look;
-    check.finding += "<strong>not</strong> small compared with the narrowest half-width of an interval, " + half_width;
-    const Json& tolerance = report.experiment.at("accuracy").at("tolerance");
-    check.finding += " Remedy: " + escaped(tolerance_remedy(tolerance.get<double>())) + '.';
-  } else {
-    check.finding += "too few reruns to compare with the narrowest half-width of an interval, " + half_width;
+                              found->flips.successes, found->flips.trials, per_cent(found->interval));
+  const std::string half_width = per_cent(found->half_width) + " %.";
+  switch (found->noise) {
+    case NumericalError::small:
+      check.rating = Rating::fine;
+      check.finding += "small compared with the narrowest half-width of an interval, " + half_width;
+      break;
+    case NumericalError::not_small:
+      check.rating = Rating::look;
+      check.finding +=
+          "<strong>not</strong> small compared with the narrowest half-width of an interval, " + half_width +
+          " Remedy: " + escaped(tolerance_remedy(report.input.experiment.at("accuracy").at("tolerance"))) + '.';
+      break;
+    case NumericalError::undecided:
+      check.finding += "too few reruns to compare with the narrowest half-width of an interval, " + half_width;
+      break;
   }
   return check;
 }
 
-/// Unresolved responses are not a failure, but their modes are unknown. Above this share of a condition they are
-/// marked.
-constexpr double worrying_share = 0.05;
-
-Check unresolved(const RunReport& report) {
+Check unresolved(const Report& report) {
   const UnresolvedResponses found = unresolved_responses(report);
   if (found.count == 0)
     return {.name = "unresolved responses",
@@ -178,7 +144,7 @@ Check unresolved(const RunReport& report) {
             .where = {}};
   const std::string remedy = unresolved_remedy(report);
   return {.name = "unresolved responses",
-          .rating = found.largest_share > worrying_share ? Rating::look : Rating::note,
+          .rating = found.largest_share > worrying_unresolved_share ? Rating::look : Rating::note,
           .finding = fmt::format("{} of {} ({} %); most at {}: {} %.", found.count,
                                  counted(realisations_of(report), "realisation"), per_cent(found.share),
                                  with_symbols(condition_name(report, found.where)), per_cent(found.largest_share)) +
@@ -186,7 +152,7 @@ Check unresolved(const RunReport& report) {
           .where = {}};
 }
 
-Check enough(const RunReport& report) {
+Check enough(const Report& report) {
   if (!report.is_random()) {
     return {.name = "enough realisations",
             .rating = Rating::fine,
@@ -194,8 +160,8 @@ Check enough(const RunReport& report) {
             .where = {}};
   }
   std::uint64_t short_of = 0;
-  for (const Json& condition : report.text.at("result").at("conditions")) {
-    if (condition.at("stopped_because") == "at_most_reached") ++short_of;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (condition.result.stopped_because == StoppedBecause::at_most_reached) ++short_of;
   }
   const std::string width =
       fmt::format("The half-width of the widest interval is {} %.", per_cent(widest_half_width(report)));
@@ -225,7 +191,7 @@ std::string badge(Rating rating) {
 
 }  // namespace
 
-std::vector<Check> checks_of(const RunReport& report) {
+std::vector<Check> checks_of(const Report& report) {
   std::vector<Check> checks{arithmetic(report), unresolved(report), enough(report), contact(report)};
   for (const Kind& kind : kinds) checks.push_back(check_of(report, kind));
   checks.push_back(clamped(report));
@@ -258,9 +224,8 @@ std::string trust_in_full(const std::vector<Check>& checks) {
          "in full.</p>\n";
 }
 
-std::string provenance(const RunReport& report) {
-  const Json& system = report.text.at("system");
-  const auto text = [&system](const char* key) { return escaped(system.at(key).get<std::string>()); };
+std::string provenance(const Report& report) {
+  const SystemFacts& system = report.system;
   return fmt::format(
       "<p>The same experiment file gives the same numbers on every machine: <code>rocking verify</code> runs it again "
       "and "
@@ -269,12 +234,10 @@ std::string provenance(const RunReport& report) {
       "</dt><dd>rocking {} {}</dd>\n<dt>built with</dt><dd>{} "
       "{}</dd>\n<dt>machine</dt><dd>{}</dd>\n<dt>begun</dt><dd>{}"
       "</dd>\n<dt>time</dt><dd>{} s on {}</dd>\n</dl>\n",
-      escaped(report.experiment.at("seed").get<std::string>()),
-      escaped(report.text.at("input").at("sha256").get<std::string>()),
-      escaped(report.text.at("result").at("digest").get<std::string>()), text("version"), text("revision"),
-      text("compiler"), text("flags"), text("machine"), text("start"),
-      significant(system.at("duration_s").get<double>(), 3),
-      counted(system.at("threads").get<std::uint64_t>(), "thread"));
+      escaped(report.input.experiment.at("seed").get<std::string>()), escaped(report.input.sha256),
+      base::to_hex(report.digest), escaped(system.build.version), escaped(system.build.revision),
+      escaped(system.build.compiler), escaped(system.build.flags), escaped(system.machine), escaped(system.start),
+      significant(system.duration_s, 3), counted(system.threads, "thread"));
 }
 
 }  // namespace rocking::analysis

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 namespace rocking::analysis {
 
@@ -20,7 +20,7 @@ struct Check {
 
 /// All checks for which the report has numbers: numerical error, unresolved responses, departures from the model,
 /// clamped draws, responses still in the transient, precision.
-[[nodiscard]] std::vector<Check> checks_of(const RunReport& report);
+[[nodiscard]] std::vector<Check> checks_of(const Report& report);
 
 /// HTML: how many checks have no finding, and those that need attention.
 [[nodiscard]] std::string trust_in_brief(const std::vector<Check>& checks);
@@ -29,6 +29,6 @@ struct Check {
 [[nodiscard]] std::string trust_in_full(const std::vector<Check>& checks);
 
 /// How to repeat the run and where it came from: seed, digest, version, machine.
-[[nodiscard]] std::string provenance(const RunReport& report);
+[[nodiscard]] std::string provenance(const Report& report);
 
 }  // namespace rocking::analysis

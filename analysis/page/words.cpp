@@ -48,7 +48,7 @@ std::string place_html(const std::string& pointer, const Json& value) {
   return name + place_value_html(pointer, value);
 }
 
-std::string condition_name(const RunReport& report, std::size_t condition) {
+std::string condition_name(const Report& report, std::size_t condition) {
   const std::string name = name_of_condition(report, report.conditions[condition]);
   return name.empty() ? "the only condition" : name;
 }

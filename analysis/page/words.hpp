@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 
 /// Numbers and names as a page writes them. Only the names of conditions need escaping.
 namespace rocking::analysis {
@@ -22,6 +22,6 @@ namespace rocking::analysis {
 [[nodiscard]] std::string place_html(const std::string& pointer, const Json& value);
 
 /// `friction 0.35/0.3, base amplitude 4.5`, or `the only condition`.
-[[nodiscard]] std::string condition_name(const RunReport& report, std::size_t condition);
+[[nodiscard]] std::string condition_name(const Report& report, std::size_t condition);
 
 }  // namespace rocking::analysis

@@ -19,7 +19,6 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/output/run_table.hpp"
-#include "rocking/output/write_report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "running_estimate.hpp"
@@ -108,7 +107,7 @@ void write_unless_stopped(const std::filesystem::path& path, const std::function
 }
 
 /// Announces the page and the time that it took, because a user may wonder what a finished run still does.
-DrawingFailures draw_page(const RunFolder& folder, const analysis::RunReport& report, const Loudness& loudness) {
+DrawingFailures draw_page(const RunFolder& folder, const Report& report, const Loudness& loudness) {
   if (!loudness.quiet) print_notice("drawing the page; --no-page omits it");
   const Clock::time_point start = Clock::now();
   DrawingFailures failures = write_page(folder, report);
@@ -156,16 +155,17 @@ ExperimentResult complete_result(const RunFolder& folder, const Experiment& expe
                   folder.store_path().string(), folder.name()));
 }
 
-ExitCode write_results(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
+ExitCode write_results(RunFolder& folder, const Experiment& experiment, ExperimentResult result,
                        const ResultWriting& how) {
-  const auto write = [&](const TextSink& sink) { write_report(sink, experiment, result, how.system); };
+  const Report report = report_of(experiment, std::move(result), how.system);
+  const auto write = [&](const TextSink& sink) { report_document().write(sink, report); };
   std::exception_ptr failure;
   DrawingFailures failures;
   try {
     write_unless_stopped(folder.report_path(), write);
     failure = failure_of([&] {
       if (how.page == PageChoice::drawn) {
-        failures = draw_page(folder, analysis::run_report_of(experiment, result, how.system), how.loudness);
+        failures = draw_page(folder, report, how.loudness);
       } else {
         std::filesystem::remove(folder.page_path());
       }
@@ -183,7 +183,7 @@ ExitCode write_results(RunFolder& folder, const Experiment& experiment, const Ex
   } else {
     std::string where = fmt::format("report: {}\n", folder.report_path().string());
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
-    print_result(base::printable(run_table(experiment, result, table_look()) + where));
+    print_result(base::printable(run_table(experiment, report, table_look()) + where));
   }
   if (failure) std::rethrow_exception(failure);
   return failures.tell(no_page_picture, PictureRole::addition);
@@ -213,7 +213,7 @@ ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& stor
   } catch (const base::Stopped&) {
     return explain_stop(folder, completeness(experiment, store));
   }
-  const ExitCode code = write_results(folder, experiment, *result,
+  const ExitCode code = write_results(folder, experiment, *std::move(result),
                                       {.system = system, .loudness = execution.loudness, .page = execution.page});
   if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));

@@ -9,7 +9,7 @@
 #include "output.hpp"
 #include "process_pool.hpp"
 #include "rocking/ensemble/result.hpp"
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/store.hpp"
 #include "run_folder.hpp"
@@ -56,7 +56,7 @@ struct ResultWriting {
 
 /// Writes the report and its page, replaces an earlier run by them, and prints the table. Without a page, that of an
 /// earlier report in the folder is removed.
-[[nodiscard]] ExitCode write_results(RunFolder& folder, const Experiment& experiment, const ExperimentResult& result,
+[[nodiscard]] ExitCode write_results(RunFolder& folder, const Experiment& experiment, ExperimentResult result,
                                      const ResultWriting& how);
 
 }  // namespace rocking::program

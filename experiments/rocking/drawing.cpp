@@ -35,7 +35,7 @@ void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
 
 }  // namespace
 
-std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report) {
+std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report) {
   if (!folder.has_store()) return analysis::run_figures(report);
   const Store store = folder.open_valid_store();
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store);

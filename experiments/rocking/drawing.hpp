@@ -12,15 +12,15 @@
 #include "analysis/figure.hpp"
 #include "analysis/gnuplot.hpp"
 #include "analysis/look.hpp"
-#include "analysis/run_report.hpp"
 #include "exit_code.hpp"
+#include "rocking/output/report.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 
 /// The figures of a run, with its realisations if its folder has them; of a suite also its fragility and incremental
 /// dynamic analysis. Throws as RunFolder::open_valid_store does.
-[[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const analysis::RunReport& report);
+[[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report);
 
 /// The importance of a picture to a command. The purpose of `report` and `figure` is to draw, so that they fail without
 /// it. For `run`, `resume` and `merge` it is an addition: the results are complete, and a cluster would run them again

@@ -74,7 +74,7 @@ RunFragility fragility_of(const std::string& name, const FragilityQuestion& ques
   check_run(experiment, name);
   std::vector<StripeGroup> groups;
   try {
-    groups = stripes_of(experiment, store, needs_peak_tilts(question));
+    groups = stripes_of(experiment, store);
   } catch (const base::InputError& error) {
     throw MissingInput(fmt::format("{}: {}", name, error.what()));
   }

@@ -45,12 +45,10 @@ std::vector<Source> open_sources(const MergeRequest& request) {
 void expect_current_results(const Source& source) {
   const Identity& identity = source.store.identity();
   if (identity.results == results_version) return;
-  const bool is_former = is_former_version(identity.results);
-  throw InTheWay(fmt::format("{}: was run by rocking {}, and this is {}, which may give other results; {}", source.name,
-                             identity.code, code_identity(),
-                             is_former
-                                 ? fmt::format("`rocking resume {}` runs again what differs, then merge", source.name)
-                                 : "merge with that program"));
+  throw InTheWay(
+      fmt::format("{}: was run by rocking {}, and this is {}, which may give other results; merge with that "
+                  "program",
+                  source.name, identity.code, code_identity()));
 }
 
 void check_same_run(const Source& first, const Source& other) {

@@ -18,7 +18,7 @@ namespace rocking::program {
 namespace {
 
 /// The motions in the page of a run; none without its store and the files that its experiment names.
-analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis::RunReport& report) {
+analysis::ShownAnimations animations_of(const RunFolder& folder, const Report& report) {
   if (!folder.has_store()) return pages::no_animations("realisations.sqlite was not beside the report");
   const Store store = folder.open_store(sqlite::Access::read);
   std::optional<Experiment> experiment;
@@ -34,7 +34,7 @@ analysis::ShownAnimations animations_of(const RunFolder& folder, const analysis:
 
 }  // namespace
 
-DrawingFailures write_page(const RunFolder& folder, const analysis::RunReport& report) {
+DrawingFailures write_page(const RunFolder& folder, const Report& report) {
   std::vector<analysis::DrawnFigure> figures;
   DrawingFailures failures;
   for (analysis::Figure& figure : figures_of(folder, report)) {

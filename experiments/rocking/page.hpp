@@ -1,13 +1,13 @@
 #pragma once
 
-#include "analysis/run_report.hpp"
 #include "drawing.hpp"
+#include "rocking/output/report.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 
 /// Writes the page of a report into its folder. Returns which pictures could not be drawn; the page omits them.
 /// Throws base::Stopped when a signal asks to stop, std::system_error where the page cannot be written.
-[[nodiscard]] DrawingFailures write_page(const RunFolder& folder, const analysis::RunReport& report);
+[[nodiscard]] DrawingFailures write_page(const RunFolder& folder, const Report& report);
 
 }  // namespace rocking::program

@@ -17,6 +17,7 @@
 #include "output.hpp"
 #include "page.hpp"
 #include "rocking/output/mode_table.hpp"
+#include "rocking/output/settling_table.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
@@ -39,7 +40,7 @@ struct ReportRequest {
   Loudness loudness;
 };
 
-analysis::RunReport load_report(const RunFolder& folder) {
+Report load_report(const RunFolder& folder) {
   folder.expect_installed();
   if (!folder.has_report()) {
     throw MissingInput(
@@ -54,40 +55,22 @@ analysis::RunReport load_report(const RunFolder& folder) {
     throw MissingInput(error.what());
   }
   try {
-    return analysis::read_run_report(text);
+    return parse_report(text);
   } catch (const base::InputError& error) {
     throw located(error, text, folder.report_path().string());
   }
 }
 
 /// The table that the run printed.
-std::string table_again(const analysis::RunReport& report) {
-  std::vector<TableRow> rows;
-  for (const analysis::ConditionReport& condition : report.conditions) {
-    TableRow row{.parameters = {},
-                 .realisations = condition.realisations,
-                 .modes = {},
-                 .is_random = condition.is_random,
-                 .shaking = condition.shaking};
-    for (std::size_t i = 0; i < report.swept.size(); ++i) {
-      row.parameters.push_back({.pointer = report.swept[i], .value = condition.parameters[i].dump()});
-    }
-    for (const auto& mode : report.listed()) {
-      const analysis::AnyShare share = share_of(condition, mode);
-      row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
-    }
-    const auto tilt = condition.quantiles.find("peak_tilt");
-    if (tilt != condition.quantiles.end()) row.peak_tilt = peak_tilt_cell(tilt->second.levels);
-    rows.push_back(std::move(row));
-  }
+std::string table_again(const Report& report) {
   const std::string settling = settling_text(settling_rows(report), table_look().width);
-  return mode_table(rows, table_look()) + (settling.empty() ? "" : '\n' + settling);
+  return mode_table(table_rows(report), table_look()) + (settling.empty() ? "" : '\n' + settling);
 }
 
 ExitCode report_again(const ReportRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
   const RunFolder folder(request.folder);
-  const analysis::RunReport report = load_report(folder);
+  const Report report = load_report(folder);
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
   std::vector<std::string> written;
   DrawingFailures of_the_page;
@@ -109,20 +92,22 @@ ExitCode report_again(const ReportRequest& request) {
   };
   if (formats.contains("csv") || formats.contains("latex")) ensure_writable(tables);
   if (formats.contains("csv")) {
-    write("modes.csv", modes_csv(report));
-    write("non_recurrence.csv", non_recurrence_csv(report));
-    write("quantiles.csv", quantiles_csv(report));
-    if (!settling_rows(report).empty()) {
-      write("settling.csv", settling_csv(report));
-      write("incidence.csv", incidence_csv(report));
-      write("leaving.csv", leaving_csv(report));
-      if (const std::string shares = long_run_csv(report); !shares.empty()) write("long_run_shares.csv", shares);
+    write("modes.csv", analysis::modes_csv(report));
+    write("non_recurrence.csv", analysis::non_recurrence_csv(report));
+    write("quantiles.csv", analysis::quantiles_csv(report));
+    if (report.has_settling()) {
+      write("settling.csv", analysis::settling_csv(report));
+      write("incidence.csv", analysis::incidence_csv(report));
+      write("leaving.csv", analysis::leaving_csv(report));
+      if (const std::string shares = analysis::long_run_csv(report); !shares.empty())
+        write("long_run_shares.csv", shares);
     }
   }
   if (formats.contains("latex")) {
-    write("modes.tex", modes_latex(report));
-    if (!settling_rows(report).empty()) write("settling.tex", settling_latex(report));
-    if (const std::string shares = long_run_latex(report); !shares.empty()) write("long_run_shares.tex", shares);
+    write("modes.tex", analysis::modes_latex(report));
+    if (report.has_settling()) write("settling.tex", analysis::settling_latex(report));
+    if (const std::string shares = analysis::long_run_latex(report); !shares.empty())
+      write("long_run_shares.tex", shares);
   }
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})

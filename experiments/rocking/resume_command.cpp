@@ -33,34 +33,26 @@ bool holds_run(const RunFolder& folder) {
 }
 
 // Realisations of another results version are not mixed with this program's: the bits could differ.
-void expect_known_results(const RunFolder& folder, const Identity& identity) {
-  if (1 <= identity.results && identity.results <= results_version) return;
+void expect_same_results(const RunFolder& folder, const Identity& identity) {
+  if (identity.results == results_version) return;
   throw InTheWay(fmt::format(
       "{}: was begun by rocking {}, this is {}, which may give different results; finish it with the former, "
       "or start again in another folder",
       folder.name(), identity.code, code_identity()));
 }
 
-// Damage is found before rows are added. A store of an earlier layout or results version is renewed.
-Store usable_store(const RunFolder& folder, const Experiment& experiment, Store store, const Loudness& loudness) {
+// Damage is found before rows are added.
+Store mended_store(const RunFolder& folder, const Experiment& experiment, Store store) {
   const auto damage = store.damage();
-  const bool is_current = store.is_of_current_layout() && store.identity().results == results_version;
-  if (!damage && is_current) return store;
-  const auto file = damage ? RunFolder::FormerFile::kept : RunFolder::FormerFile::removed;
-  const RunFolder::Renewal renewal = folder.renew_store(std::move(store), experiment, file);
-  Store renewed = folder.open_store(sqlite::Access::write);
-  if (!damage) {
-    if (loudness.quiet) return renewed;
-    print_notice(fmt::format("{}: was written in an earlier layout or by an earlier program; {} converted",
-                             folder.store_path().string(), counted(renewal.realisations, "realisation")));
-    return renewed;
-  }
-  const auto missing = missing_realisations(experiment, renewed);
+  if (!damage) return store;
+  const RunFolder::Repair repair = folder.mend_store(std::move(store), experiment);
+  Store mended = folder.open_store(sqlite::Access::write);
+  const auto missing = missing_realisations(experiment, mended);
   print_notice(fmt::format("{}; {} in it {} intact and kept, the rest is run again: {}. The damaged file is now {}",
-                           *damage, counted(renewal.realisations, "realisation"),
-                           renewal.realisations == 1 ? "is" : "are", listed_realisations(missing),
-                           renewal.former_file.string()));
-  return renewed;
+                           *damage, counted(repair.realisations, "realisation"),
+                           repair.realisations == 1 ? "is" : "are", listed_realisations(missing),
+                           repair.damaged_file.string()));
+  return mended;
 }
 
 void expect_extensible(const RunFolder& folder, const Store& store, const Experiment& extension) {
@@ -104,9 +96,9 @@ ExitCode resume(const ResumeRequest& request) {
   if (folder.has_replacement()) folder.enter_replacement();
   count_pages_again(folder.store_path());
   Store store = folder.open_store(sqlite::Access::write);
-  expect_known_results(folder, store.identity());
+  expect_same_results(folder, store.identity());
   const Experiment experiment = experiment_of(store.identity());
-  store = usable_store(folder, experiment, std::move(store), request.execution.loudness);
+  store = mended_store(folder, experiment, std::move(store));
   const Experiment wanted = request.realisations
                                 ? experiment_of(store.identity(), {.seed = {}, .realisations = request.realisations})
                                 : experiment;

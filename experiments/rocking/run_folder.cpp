@@ -100,15 +100,12 @@ Store RunFolder::open_valid_store() const {
   return store;
 }
 
-RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experiment, FormerFile file) const {
-  Renewal renewal;
+RunFolder::Repair RunFolder::mend_store(Store damaged, const Experiment& experiment) const {
+  Repair repair;
   {
-    Identity identity = former.identity();
-    identity.results = results_version;
-    Store store = Store::create(mended_store_in(files_.folder), identity);
-    renewal.realisations = salvage(experiment, former, store);
-    const bool same_results = former.identity().results == identity.results;
-    if (renewal.realisations == 0 && same_results && has_rows(former)) {
+    Store store = Store::create(mended_store_in(files_.folder), damaged.identity());
+    repair.realisations = salvage(experiment, damaged, store);
+    if (repair.realisations == 0 && has_rows(damaged)) {
       throw sqlite::UnusableFile(
           fmt::format("{}: is damaged: none of its realisations belongs to its experiment, which may be "
                       "that of another store; run the experiment again, with --overwrite",
@@ -116,11 +113,11 @@ RunFolder::Renewal RunFolder::renew_store(Store former, const Experiment& experi
     }
     store.close_up();
   }
-  { const Store closed = std::move(former); }
-  if (file == FormerFile::kept) renewal.former_file = keep_store_file();
+  { const Store closed = std::move(damaged); }
+  repair.damaged_file = keep_store_file();
   sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
   fs::rename(mended_store_in(files_.folder), store_path());
-  return renewal;
+  return repair;
 }
 
 void RunFolder::extend_store(Store former, const Experiment& experiment, const Experiment& extension) const {

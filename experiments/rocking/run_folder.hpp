@@ -55,16 +55,13 @@ class RunFolder {
   [[nodiscard]] Store open_store(sqlite::Access access) const;
   /// Opens it for reading after a check of every page and row; throws sqlite::UnusableFile if one is damaged.
   [[nodiscard]] Store open_valid_store() const;
-  /// Result of renewing a store.
-  enum class FormerFile : std::uint8_t { kept, removed };
-  struct Renewal {
-    std::uint64_t realisations = 0;     ///< taken over
-    std::filesystem::path former_file;  ///< where the former file is now, if it is kept
+  struct Repair {
+    std::uint64_t realisations = 0;      ///< taken over
+    std::filesystem::path damaged_file;  ///< where it is now
   };
-  /// Replaces a store by one of the current layout and results version. It has those rows of the former store that are
-  /// sound and have the bits of this program. Throws sqlite::UnusableFile if no row is sound, because the identity may
-  /// then be wrong too.
-  Renewal renew_store(Store former, const Experiment& experiment, FormerFile file) const;
+  /// Replaces a damaged store by one with its undamaged rows. Throws sqlite::UnusableFile if there is no such row,
+  /// because the identity may then be wrong too.
+  [[nodiscard]] Repair mend_store(Store damaged, const Experiment& experiment) const;
   /// Replaces the store by one of an extension of its experiment, with the realisations that the two have in common.
   void extend_store(Store former, const Experiment& experiment, const Experiment& extension) const;
 

@@ -12,12 +12,11 @@
 #include "machine.hpp"
 #include "progress.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/input/read_report.hpp"
+#include "rocking/input/report_claims.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/report_rerun.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/store/results_version.hpp"
 #include "rocking/studies/verification.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
@@ -37,8 +36,6 @@ struct VerifyRequest {
 struct Findings {
   std::vector<std::string> wrong;  ///< empty: no finding
   std::uint64_t checked = 0;       ///< realisations that were run again
-  std::uint64_t not_compared = 0;  ///< realisations of a former results version, of which this program gives other bits
-  std::string why_not_compared;    ///< empty: there are none
 };
 
 std::string text_of(const std::filesystem::path& path) {
@@ -51,7 +48,7 @@ std::string text_of(const std::filesystem::path& path) {
 
 ReportClaims claims_in(const std::string& text, const std::filesystem::path& path) {
   try {
-    return read_report(text);
+    return claims_of_report(text);
   } catch (const base::InputError& error) {
     throw located(error, text, path.string());
   }
@@ -106,8 +103,6 @@ class Verifier {
     }
     const auto again = verify(experiment, store, request_->sample, options());
     findings_.checked = again.checked;
-    findings_.not_compared = again.not_compared;
-    if (again.not_compared > 0) findings_.why_not_compared = explain_not_compared(again.not_compared, identity);
     for (const auto& [key, fields] : again.differences) {
       findings_.wrong.push_back(
           fmt::format("condition {}, realisation {}: the new result differs from realisations.sqlite in {}",
@@ -116,15 +111,6 @@ class Verifier {
     if (again.different > again.differences.size()) {
       findings_.wrong.push_back(fmt::format("{} realisations differ in all", again.different));
     }
-  }
-
-  [[nodiscard]] std::string explain_not_compared(std::uint64_t number, const Identity& identity) const {
-    return fmt::format(
-        "{} not compared: rocking {} stored the run under results version {}, which gave other bits for motions that "
-        "leave the "
-        "ground than this program does (version {}). `rocking resume {}` runs what may differ again",
-        number == 1 ? "1 realisation was" : counted(number, "realisation") + " were", identity.code, identity.results,
-        results_version, request_->folder);
   }
 
   void check_without_store() {
@@ -167,15 +153,11 @@ ExitCode verify(const VerifyRequest& request) {
   }
   const bool right = findings.wrong.empty();
   if (request.execution.loudness.json) {
-    print_result(facts_text(std::vector<Fact>{{"verified", right},
-                                              {"realisations_run_again", findings.checked},
-                                              {"realisations_not_compared", findings.not_compared},
-                                              {"findings", findings.wrong}}));
+    print_result(facts_text(std::vector<Fact>{
+        {"verified", right}, {"realisations_run_again", findings.checked}, {"findings", findings.wrong}}));
   } else if (right) {
-    print_result(base::printable(
-        fmt::format("{}: {} run again, all with the same bits; the report follows from {}\n{}{}", request.folder,
-                    counted(findings.checked, "realisation"), findings.not_compared == 0 ? "them" : "the store",
-                    findings.why_not_compared, findings.not_compared == 0 ? "" : "\n")));
+    print_result(base::printable(fmt::format("{}: {} run again, all with the same bits; the report follows from them\n",
+                                             request.folder, counted(findings.checked, "realisation"))));
   } else {
     print_result(
         base::printable(fmt::format("{}: not verified\n  {}\n", request.folder, fmt::join(findings.wrong, "\n  "))));

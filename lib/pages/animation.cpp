@@ -91,18 +91,17 @@ std::optional<Choice> first_with(const Store& store, std::size_t condition, std:
     const RealisationKey key{.condition = condition, .realisation = number};
     const auto row = store.find(key);
     if (!row || row->mode != mode) continue;
-    if (!store.has_current_bits(key, *row)) return std::nullopt;
     return Choice{.key = key, .mode = mode};
   }
   return std::nullopt;
 }
 
 /// Of each mode of a condition.
-std::vector<Choice> choices_within(const Store& store, const analysis::RunReport& report, std::size_t condition) {
+std::vector<Choice> choices_within(const Store& store, const Report& report, std::size_t condition) {
   std::vector<Choice> choices;
-  for (const auto& [mode, share] : report.conditions[condition].modes) {
-    if (share.count == 0 || choices.size() == most_motions) continue;
-    if (auto choice = first_with(store, condition, report.conditions[condition].realisations, mode)) {
+  for (const auto& [mode, probability] : report.conditions[condition].result.modes) {
+    if (probability.counts.successes == 0 || choices.size() == most_motions) continue;
+    if (auto choice = first_with(store, condition, report.conditions[condition].result.realisations, mode)) {
       choices.push_back(std::move(*choice));
     }
   }
@@ -110,7 +109,7 @@ std::vector<Choice> choices_within(const Store& store, const analysis::RunReport
 }
 
 /// Of each mode of the run, where it is most frequent; of equal conditions the last one, which is usually shaken most.
-std::vector<Choice> choices_across(const Store& store, const analysis::RunReport& report) {
+std::vector<Choice> choices_across(const Store& store, const Report& report) {
   std::vector<Choice> choices;
   for (const auto& [mode, count] : report.occurring()) {
     std::size_t where = 0;
@@ -119,7 +118,7 @@ std::vector<Choice> choices_across(const Store& store, const analysis::RunReport
       if (share_of(report.conditions[i], mode).estimate >= best) where = i;
     }
     if (choices.size() == most_motions) break;
-    if (auto choice = first_with(store, where, report.conditions[where].realisations, mode)) {
+    if (auto choice = first_with(store, where, report.conditions[where].result.realisations, mode)) {
       choices.push_back(std::move(*choice));
     }
   }
@@ -175,11 +174,10 @@ analysis::ShownAnimations no_animations(const std::string& reason) {
   return {.explanation = "No realisation is shown: " + reason + '.', .motions = {}};
 }
 
-analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store,
-                                        const analysis::RunReport& report) {
+analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store, const Report& report) {
   analysis::ShownAnimations shown;
   const auto least = analysis::repeatability_of(report).least;
-  const bool divided = least && report.conditions[*least].difference->differ > 0.0;
+  const bool divided = least && report.conditions[*least].result.non_recurrence->differ > 0.0;
   const std::vector<Choice> choices = divided ? choices_within(store, report, *least) : choices_across(store, report);
   for (const Choice& choice : choices) {
     const std::int64_t periods = horizon_of(experiment.conditions.at(choice.key.condition));

@@ -38,6 +38,6 @@ struct AnimationExtent {
 /// condition has different responses, one of each response mode of the run. If this program does not give the bits of the
 /// store, there are none, and the explanation says why.
 [[nodiscard]] analysis::ShownAnimations animations_of(const Experiment& experiment, const Store& store,
-                                                      const analysis::RunReport& report);
+                                                      const Report& report);
 
 }  // namespace rocking::pages

@@ -9,14 +9,15 @@
 #include "analysis/output_figures.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
-#include "analysis/run_report.hpp"
 #include "analysis/tables.hpp"
 #include "pages/animation.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_store.hpp"
+#include "rocking/api/system_facts.hpp"
 #include "rocking/api/trajectory_extent.hpp"
 #include "rocking/base/stop_request.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/files.hpp"
 
@@ -25,14 +26,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-analysis::RunReport report_of(const StoredRun& stored, const Provenance& provenance = {}) {
+Report report_of(const StoredRun& stored, const Provenance& provenance = {}) {
   if (stored.experiment.canonical_text.empty()) {
     refuse("experiment", "", "was made in C++ and has no text; read it from a file or from text");
   }
-  return analysis::read_run_report(report(stored.experiment, stored.run, provenance));
+  return report_of(stored.experiment, complete_result(stored.experiment, stored.run), facts_of(provenance));
 }
 
-std::vector<analysis::Figure> figures_of(const StoredRun& stored, const analysis::RunReport& report) {
+std::vector<analysis::Figure> figures_of(const StoredRun& stored, const Report& report) {
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store_of(stored.run));
   if (!pages::is_suite(report.swept)) return figures;
   for (analysis::Figure& figure : pages::suite_figures(stored.experiment, store_of(stored.run))) {
@@ -76,7 +77,7 @@ Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& 
 
 Written write_page(const StoredRun& stored, const fs::path& file, const Provenance& provenance,
                    const Execution& execution) {
-  const analysis::RunReport report = report_of(stored, provenance);
+  const Report report = report_of(stored, provenance);
   Written written;
   std::vector<analysis::DrawnFigure> drawn;
   for (analysis::Figure& figure : figures_of(stored, report)) {
@@ -96,7 +97,7 @@ Written write_figures(const StoredRun& stored, const fs::path& folder, Column co
 }
 
 Written write_tables(const StoredRun& stored, const fs::path& folder) {
-  const analysis::RunReport report = report_of(stored);
+  const Report report = report_of(stored);
   ensure_writable(folder);
   Written written;
   const auto write = [&](const char* name, const std::string& text) {

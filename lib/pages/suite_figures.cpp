@@ -16,7 +16,7 @@ std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const 
   const FragilityQuestion question{.incremental = true};
   RunOptions options;
   options.threads = threads;
-  const RunFragility run = run_fragility(experiment, stripes_of(experiment, store, true), question, options);
+  const RunFragility run = run_fragility(experiment, stripes_of(experiment, store), question, options);
   if (run.suites.empty()) return {};
   const Json output = Json::parse(fragility_text({run}));
   std::vector<analysis::Figure> figures = analysis::fragility_figures(output);

@@ -18,7 +18,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// ((checked, different, not compared, findings) or None, whether Ctrl-C stopped it).
+/// ((checked, different, findings) or None, whether Ctrl-C stopped it).
 py::tuple verify_watched(const Experiment& experiment, const RunResult& run, std::optional<std::uint64_t> sample,
                          unsigned threads, py::object on_progress) {
   Watched<RunCheck> watched(std::move(on_progress));
@@ -26,7 +26,7 @@ py::tuple verify_watched(const Experiment& experiment, const RunResult& run, std
     return verify({experiment, run}, sample, execution);
   });
   py::object told = py::none();
-  if (found) told = py::make_tuple(found->checked, found->different, found->not_compared, found->findings);
+  if (found) told = py::make_tuple(found->checked, found->different, found->findings);
   return py::make_tuple(std::move(told), watched.was_interrupted());
 }
 
@@ -37,7 +37,7 @@ py::tuple verify_report_watched(const std::string& report, const std::string& fi
   const auto found = watched.run({.threads = threads},
                                  [&](const Execution& execution) { return verify_report(report, files, execution); });
   py::object told = py::none();
-  if (found) told = py::make_tuple(found->checked, found->different, found->not_compared, found->findings);
+  if (found) told = py::make_tuple(found->checked, found->different, found->findings);
   return py::make_tuple(std::move(told), watched.was_interrupted());
 }
 

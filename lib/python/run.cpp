@@ -2,7 +2,6 @@
 #include <cmath>
 #include <ctime>
 #include <functional>
-#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -23,7 +22,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// A stored realisation, as a row of an array. Numbers that a row of a former layout lacks are NaN.
+/// A stored realisation, as a row of an array.
 struct RealisationRow {
   std::uint64_t condition;
   std::uint64_t realisation;
@@ -40,8 +39,6 @@ struct RealisationRow {
   double final_slip_m;
 };
 
-double or_nan(const std::optional<double>& number) { return number.value_or(std::numeric_limits<double>::quiet_NaN()); }
-
 /// (names of the modes, array of rows); the array takes the rows over.
 py::tuple rows_of(const RunResult& run) {
   auto rows = std::make_unique<std::vector<RealisationRow>>();
@@ -57,7 +54,7 @@ py::tuple rows_of(const RunResult& run) {
   run.store->for_each([&](const RealisationKey& key, const Summary& summary) {
     const auto place = places.find(summary.mode);
     if (place == places.end()) return;  // beyond the realisations of the experiment
-    const StoredPeaks& peaks = summary.peaks;
+    const PeakValues& peaks = summary.peaks;
     rows->push_back({.condition = key.condition,
                      .realisation = key.realisation,
                      .mode = place->second,
@@ -65,12 +62,12 @@ py::tuple rows_of(const RunResult& run) {
                      .left_ground = summary.left_ground,
                      .past_balance = summary.was_past_balance,
                      .margin = summary.margin,
-                     .peak_tilt = or_nan(peaks.tilt),
-                     .peak_tilt_rate = or_nan(peaks.tilt_rate),
-                     .peak_slip = or_nan(peaks.slip),
-                     .peak_slip_m = or_nan(peaks.slip_m),
-                     .final_slip = or_nan(peaks.final_slip),
-                     .final_slip_m = or_nan(peaks.final_slip_m)});
+                     .peak_tilt = peaks.tilt,
+                     .peak_tilt_rate = peaks.tilt_rate,
+                     .peak_slip = peaks.slip,
+                     .peak_slip_m = peaks.slip_m,
+                     .final_slip = peaks.final_slip,
+                     .final_slip_m = peaks.final_slip_m});
   });
   const py::capsule owner(rows.get(), [](void* held) { delete static_cast<std::vector<RealisationRow>*>(held); });
   const std::vector<RealisationRow>& kept = *rows.release();

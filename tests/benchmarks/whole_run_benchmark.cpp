@@ -87,7 +87,7 @@ void write_experiment(const std::string& path, const Task& task, int realisation
   if (task.scene.slides) file << R"("friction": { "static": 0.40, "kinetic": 0.35 }, )";
   if (task.scene.sigma > 0.0) file << R"("fluctuation": { "friction": { "sigma": )" << task.scene.sigma << " } }, ";
   file << R"("horizon": { "transient_periods": )" << task.horizon.transient << R"(, "sampled_periods": )"
-       << task.horizon.sampled << R"( }, "accuracy": { "tolerance": )" << task.tolerance << R"(, "repeat_every": )"
+       << task.horizon.sampled << R"( }, "accuracy": { "tolerance": )" << task.tolerance << R"(, "rerun_every": )"
        << (reruns == Reruns::usual ? 10 : 0) << R"( }, "realisations": )" << realisations << " }\n";
 }
 

@@ -162,13 +162,13 @@ TEST_F(DamagedRun, IsRefusedWhereItHoldsMoreThanItsTables) {
   }
 }
 
-TEST_F(DamagedRun, OfALaterLayoutIsRefusedWithTheVersionThatWroteIt) {
+TEST_F(DamagedRun, OfAnotherLayoutIsRefusedWithTheVersionThatWroteIt) {
   const std::string next = std::to_string(rocking::current_layout + 1);
   change_store("PRAGMA user_version = " + next + "; UPDATE identity SET code = '0.9.0 fedcba987654'");
   const Outcome refused = plainly("resume out");
   EXPECT_EQ(refused.exit_code, 65);
   EXPECT_THAT(refused.errors, AllOf(HasSubstr("was written by rocking 0.9.0 fedcba987654 in layout " + next),
-                                    HasSubstr("layouts up to " + std::to_string(rocking::current_layout))));
+                                    HasSubstr("reads layout " + std::to_string(rocking::current_layout))));
 }
 
 TEST_F(DamagedRun, DoesNotGrowWhereItsHeaderCountsTooManyPages) {

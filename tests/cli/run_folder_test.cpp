@@ -103,7 +103,7 @@ TEST_F(RunFolder, IsResumedByAnotherVersionWhereItsResultsAreTheSame) {
   const std::filesystem::path path = folder_ / "out/realisations.sqlite";
   auto identity = rocking::Store::open(path, rocking::sqlite::Access::read).identity();
   identity.code = "0.0.9 old";
-  for (const std::uint64_t results : {std::uint64_t{0}, rocking::results_version + 1}) {
+  for (const std::uint64_t results : {rocking::results_version - 1, rocking::results_version + 1}) {
     identity.results = results;
     std::filesystem::remove(path);
     rocking::Store::create(path, identity).close_up();

@@ -11,10 +11,10 @@
 #include "analysis/output_figures.hpp"
 #include "analysis/page/page.hpp"
 #include "analysis/run_figures.hpp"
-#include "analysis/run_report.hpp"
 #include "analysis/tables.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/input/read_report.hpp"
+#include "rocking/input/report_claims.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
 
 /// Reading of files that rocking wrote and that may have been changed, as in the commands, without drawing and without
@@ -26,7 +26,7 @@ enum class Reading : std::uint8_t { used, refused };
 /// As `rocking report` with every format. Rethrows any exception that is not a refusal.
 inline Reading try_report(std::string_view text) {
   try {
-    const analysis::RunReport report = analysis::read_run_report(text);
+    const Report report = parse_report(text);
     std::vector<analysis::DrawnFigure> drawn;
     for (analysis::Figure& figure : analysis::run_figures(report)) {
       static_cast<void>(analysis::script_text(figure));
@@ -48,7 +48,7 @@ inline Reading try_report(std::string_view text) {
 /// Reads a report as `rocking verify` does before it runs anything.
 inline Reading try_claims(std::string_view text) {
   try {
-    static_cast<void>(read_report(text));
+    static_cast<void>(claims_of_report(text));
     return Reading::used;
   } catch (const base::InputError&) {
     return Reading::refused;

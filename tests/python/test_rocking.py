@@ -336,7 +336,7 @@ class AgainstTheProgram(unittest.TestCase):
             told = []
             found = rocking.verify(source, progress=lambda done, all: told.append((done, all)))
             self.assertTrue(found.is_verified)
-            self.assertEqual((found.checked, found.different, found.not_compared), (60, 0, 0))
+            self.assertEqual((found.checked, found.different), (60, 0))
             self.assertEqual(told[-1][0], told[-1][1])
         self.assertLess(rocking.verify(self.out, sample=4).checked, 10)
         report = os.path.join(self.out, "report.json")

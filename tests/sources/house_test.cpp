@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
     {"fields", {"base", "text"}},
     {"input", {"base", "dynamics", "section", "text", "scene"}},
     {"output",
-     {"base", "stats", "dynamics", "section", "text", "fields", "scene", "realisation", "store", "ensemble",
+     {"base", "stats", "dynamics", "section", "text", "fields", "scene", "input", "realisation", "store", "ensemble",
       "studies"}},
     {"api",
      {"base", "stats", "section", "scene", "realisation", "store", "ensemble", "studies", "text", "fields", "input",

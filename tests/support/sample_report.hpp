@@ -7,7 +7,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/text/json.hpp"
 
 namespace rocking::support {

@@ -17,10 +17,9 @@ __all__ = ["RunCheck", "check_normal", "doctor", "replay", "verify"]
 class RunCheck:
     """What a check of a run has found."""
 
-    def __init__(self, checked: int, different: int, not_compared: int, findings: List[str]) -> None:
+    def __init__(self, checked: int, different: int, findings: List[str]) -> None:
         self.checked = checked  #: realisations that were run again
         self.different = different  #: of them, with another result
-        self.not_compared = not_compared  #: stored by a former version, of which this one computes other bits
         self.findings = findings  #: what differs, in words: the first few
 
     @property
@@ -61,7 +60,8 @@ def verify(
         found, interrupted = _core.verify_report(text, os.fspath(source), threads or processors(), progress)
         if interrupted or found is None:
             raise KeyboardInterrupt
-        return RunCheck(*found[:3], [f"report.json: {each}" for each in found[3]])
+        checked, different, findings = found
+        return RunCheck(checked, different, [f"report.json: {each}" for each in findings])
     result = source if isinstance(source, Result) else open_run(source)
     faults: List[str] = []
     report = None if isinstance(source, Result) else os.path.join(os.fspath(source), "report.json")
@@ -75,8 +75,8 @@ def verify(
     )
     if interrupted or found is None:
         raise KeyboardInterrupt
-    checked, different, not_compared, findings = found
-    return RunCheck(checked, different, not_compared, faults + findings)
+    checked, different, findings = found
+    return RunCheck(checked, different, faults + findings)
 
 
 def _has_only_a_report(folder: Union[str, "os.PathLike[str]"]) -> bool:

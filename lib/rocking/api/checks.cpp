@@ -9,7 +9,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/input/read_report.hpp"
+#include "rocking/input/report_claims.hpp"
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/report_differences.hpp"
 #include "rocking/output/report_rerun.hpp"
@@ -40,14 +40,13 @@ RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, co
   const OptionsOfExecution asked(execution);
   const Verification found = verify(stored.experiment, store_of(stored.run), sample, asked.options());
   asked.stop().check();
-  RunCheck check{
-      .checked = found.checked, .different = found.different, .not_compared = found.not_compared, .findings = {}};
+  RunCheck check{.checked = found.checked, .different = found.different, .findings = {}};
   for (const Difference& difference : found.differences) check.findings.push_back(text_of(difference));
   return check;
 }
 
 std::vector<std::string> report_faults(std::string_view text, const StoredRun& stored) {
-  const ReportClaims claims = read_report(text);
+  const ReportClaims claims = claims_of_report(text);
   if (!has_stated_digest(claims)) return {std::string(wrong_digest_of_experiment)};
   std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
   if (!faults.empty()) return faults;  // other numbers follow from that
@@ -55,7 +54,7 @@ std::vector<std::string> report_faults(std::string_view text, const StoredRun& s
 }
 
 RunCheck verify_report(std::string_view text, const std::filesystem::path& files, const Execution& execution) {
-  const ReportClaims claims = read_report(text);
+  const ReportClaims claims = claims_of_report(text);
   if (!has_stated_digest(claims)) return {.findings = {std::string(wrong_digest_of_experiment)}};
   const Experiment experiment = read_experiment(claims.experiment, Overrides{}, {.files = files_seen_from(files)});
   const OptionsOfExecution asked(execution);

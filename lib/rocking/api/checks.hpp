@@ -23,9 +23,8 @@ class DifferentBits : public std::runtime_error {
 
 /// What a check of a run has found.
 struct RunCheck {
-  std::uint64_t checked = 0;       ///< realisations that were run again
-  std::uint64_t different = 0;     ///< of them
-  std::uint64_t not_compared = 0;  ///< stored by a former version, of which this one computes other bits
+  std::uint64_t checked = 0;    ///< realisations that were run again
+  std::uint64_t different = 0;  ///< of them
   /// What differs, in words: of the first few realisations.
   std::vector<std::string> findings;
 };

@@ -46,7 +46,7 @@ void check_same_run(const Identity& first, const Identity& other, const fs::path
   }
   if (other.results != results_version) {
     throw refused(part, "was run by rocking " + other.code + ", which may give other results than this version",
-                  "`rocking resume` runs again what differs");
+                  "merge it with that version");
   }
 }
 

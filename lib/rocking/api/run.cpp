@@ -6,6 +6,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_folder.hpp"
 #include "rocking/api/run_options.hpp"
+#include "rocking/api/run_store.hpp"
 #include "rocking/api/shard.hpp"
 #include "rocking/api/system_facts.hpp"
 #include "rocking/api/written_experiment.hpp"
@@ -14,8 +15,8 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/output/run_table.hpp"
-#include "rocking/output/write_report.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/files.hpp"
@@ -50,8 +51,8 @@ Store store_for(const Experiment& experiment, const Execution& execution) {
   if (store.identity().shard != execution.shard) {
     throw refused(folder, "has another part of the experiment", "choose another folder");
   }
-  if (!store.is_of_current_layout() || store.identity().results != results_version) {
-    throw refused(folder, "was written by another version", "`rocking resume` brings it up to date");
+  if (store.identity().results != results_version) {
+    throw refused(folder, "was written by a version that may give other results", "choose another folder");
   }
   return store;
 }
@@ -70,18 +71,6 @@ RunResult look_at(const Experiment& experiment, Store store, base::StopRequest s
   }
   run.store = std::make_shared<Store>(std::move(store));
   return run;
-}
-
-const ExperimentResult& complete(const RunResult& run) {
-  if (!run.result) throw std::invalid_argument("the run is not complete: it was stopped before its end");
-  return *run.result;
-}
-
-/// The result of a run of this experiment.
-const ExperimentResult& complete(const Experiment& experiment, const RunResult& run) {
-  const ExperimentResult& result = complete(run);
-  if (result.conditions.size() == experiment.conditions.size()) return result;
-  throw std::invalid_argument("the run is of another experiment: it has another number of conditions");
 }
 
 }  // namespace
@@ -121,13 +110,14 @@ StoredRun open_run(const std::filesystem::path& folder) {
 }
 
 std::string report(const Experiment& experiment, const RunResult& run, const Provenance& provenance) {
-  return report_text(with_text(experiment), complete(experiment, run), facts_of(provenance));
+  return report_text(with_text(experiment), complete_result(experiment, run), facts_of(provenance));
 }
 
 std::string table(const Experiment& experiment, const RunResult& run, std::size_t width) {
-  return run_table(experiment, complete(experiment, run), {.width = width});
+  return run_table(experiment, report_of(with_text(experiment), complete_result(experiment, run), {}),
+                   {.width = width});
 }
 
-std::string digest_of(const RunResult& run) { return base::to_hex(complete(run).digest); }
+std::string digest_of(const RunResult& run) { return base::to_hex(complete_result(run).digest); }
 
 }  // namespace rocking

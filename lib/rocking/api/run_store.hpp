@@ -12,4 +12,17 @@ namespace rocking {
   return *run.store;
 }
 
+/// The result of a complete run. Throws std::invalid_argument if it is not complete.
+[[nodiscard]] inline const ExperimentResult& complete_result(const RunResult& run) {
+  if (!run.result) throw std::invalid_argument("the run is not complete: it was stopped before its end");
+  return *run.result;
+}
+
+/// The same of a run of this experiment.
+[[nodiscard]] inline const ExperimentResult& complete_result(const Experiment& experiment, const RunResult& run) {
+  const ExperimentResult& result = complete_result(run);
+  if (result.conditions.size() == experiment.conditions.size()) return result;
+  throw std::invalid_argument("the run is of another experiment: it has another number of conditions");
+}
+
 }  // namespace rocking

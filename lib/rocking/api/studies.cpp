@@ -258,7 +258,7 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
   for (const double tilt : question.peak_tilts) {
     if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
-  return run_fragility(experiment, stripes_of(experiment, store_of(run), needs_peak_tilts(question)), question,
+  return run_fragility(experiment, stripes_of(experiment, store_of(run)), question,
                        OptionsOfExecution(execution).options());
 }
 

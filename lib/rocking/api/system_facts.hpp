@@ -2,7 +2,7 @@
 
 #include "rocking/api/run.hpp"
 #include "rocking/base/build_info.hpp"
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/provenance.hpp"
 
 namespace rocking {
 

@@ -5,7 +5,9 @@
 #define OPENSSL_SUPPRESS_DEPRECATED
 
 #include <bit>
+#include <charconv>
 #include <cstring>
+#include <system_error>
 
 #include <openssl/sha.h>
 
@@ -96,6 +98,19 @@ std::string to_hex(const Sha256& digest) {
     text += digits[value & 15U];
   }
   return text;
+}
+
+std::optional<Sha256> sha256_from_hex(std::string_view digits) {
+  Sha256 digest{};
+  if (digits.size() != 2 * digest.size()) return std::nullopt;
+  for (std::size_t i = 0; i < digest.size(); ++i) {
+    unsigned value = 0;
+    const char* const end = digits.data() + 2 * i + 2;
+    const auto [rest, error] = std::from_chars(digits.data() + 2 * i, end, value, 16);
+    if (error != std::errc() || rest != end) return std::nullopt;
+    digest[i] = std::byte{static_cast<unsigned char>(value)};
+  }
+  return to_hex(digest) == digits ? std::optional(digest) : std::nullopt;
 }
 
 }  // namespace rocking::base

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -14,6 +15,9 @@ using Sha256 = std::array<std::byte, 32>;
 
 /// Lower-case hexadecimal, 64 characters.
 [[nodiscard]] std::string to_hex(const Sha256& digest);
+
+/// The digest of 64 such digits; absent if they are not.
+[[nodiscard]] std::optional<Sha256> sha256_from_hex(std::string_view digits);
 
 /// Computes the SHA-256 (FIPS 180-4) of the data added to it. Numbers are added as their bytes in little-endian order,
 /// so that a digest is the same on every machine; -0.0 and 0.0 give different digests.

@@ -17,22 +17,19 @@ Quantiles quantiles_of(std::vector<double> values, std::uint64_t beyond, double 
 }  // namespace
 
 void PeakTally::add(const Summary& summary) {
-  is_complete_ = is_complete_ && summary.peaks.are_present();
-  if (!is_complete_) return;
   if (summary.termination != dynamics::Termination::reached_horizon) {
     ++ended_before_;
     return;
   }
-  tilt_.push_back(*summary.peaks.tilt);
-  tilt_rate_.push_back(*summary.peaks.tilt_rate);
-  slip_.push_back(*summary.peaks.slip);
-  slip_m_.push_back(*summary.peaks.slip_m);
-  final_slip_.push_back(*summary.peaks.final_slip);
-  final_slip_m_.push_back(*summary.peaks.final_slip_m);
+  tilt_.push_back(summary.peaks.tilt);
+  tilt_rate_.push_back(summary.peaks.tilt_rate);
+  slip_.push_back(summary.peaks.slip);
+  slip_m_.push_back(summary.peaks.slip_m);
+  final_slip_.push_back(summary.peaks.final_slip);
+  final_slip_m_.push_back(summary.peaks.final_slip_m);
 }
 
-std::optional<PeakQuantiles> PeakTally::quantiles(const Condition& condition) const {
-  if (!is_complete_) return std::nullopt;
+PeakQuantiles PeakTally::quantiles(const Condition& condition) const {
   const double confidence = condition.confidence;
   PeakQuantiles result{.tilt = quantiles_of(tilt_, ended_before_, confidence),
                        .tilt_rate = quantiles_of(tilt_rate_, ended_before_, confidence),
@@ -40,9 +37,9 @@ std::optional<PeakQuantiles> PeakTally::quantiles(const Condition& condition) co
                        .final_slip = {}};
   if (!condition.scene.friction) return result;
   result.slip = {.over_half_diagonal = quantiles_of(slip_, ended_before_, confidence),
-                 .metres = quantiles_of(slip_m_, ended_before_, confidence)};
+                 .metres = quantiles_of(slip_m_, ended_before_, confidence).levels};
   result.final_slip = {.over_half_diagonal = quantiles_of(final_slip_, 0, confidence),
-                       .metres = quantiles_of(final_slip_m_, 0, confidence)};
+                       .metres = quantiles_of(final_slip_m_, 0, confidence).levels};
   return result;
 }
 

@@ -28,7 +28,7 @@ struct PeakQuantiles {
   Quantiles tilt_rate;
   struct Slip {
     Quantiles over_half_diagonal;
-    Quantiles metres;
+    std::vector<stats::QuantileEstimate> metres;  ///< of the same realisations
   };
   std::optional<Slip> slip;        ///< absent without friction
   std::optional<Slip> final_slip;  ///< absent without friction
@@ -39,13 +39,11 @@ class PeakTally {
  public:
   void add(const Summary& summary);
 
-  /// Absent if a row of a former layout has no peaks.
-  [[nodiscard]] std::optional<PeakQuantiles> quantiles(const Condition& condition) const;
+  [[nodiscard]] PeakQuantiles quantiles(const Condition& condition) const;
 
  private:
   std::vector<double> tilt_, tilt_rate_, slip_, slip_m_, final_slip_, final_slip_m_;
   std::uint64_t ended_before_ = 0;  ///< realisations that did not reach the horizon
-  bool is_complete_ = true;
 };
 
 }  // namespace rocking

@@ -55,7 +55,7 @@ void Reduction::count(const Summary& summary) {
 void Reduction::add_to_validity(const Summary& summary) {
   const std::uint64_t number = realisations_;
   if (summary.left_ground) validity_.left_ground.add(number);
-  if (summary.left_ground_before_fall.value_or(summary.left_ground)) validity_.left_ground_before_fall.add(number);
+  if (summary.left_ground_before_fall) validity_.left_ground_before_fall.add(number);
   if (summary.termination == dynamics::Termination::painleve) validity_.painleve.add(number);
   if (summary.termination == dynamics::Termination::stopped) validity_.stopped.add(number);
   if (summary.in_transient) validity_.in_transient.add(number);
@@ -135,12 +135,12 @@ ConditionResult Reduction::result() const {
   result.realisations = realisations_;
   result.modes = estimate_modes(listed_modes(), condition_->confidence);
   if (realisations_ >= 2) result.non_recurrence = non_recurrence();
-  result.peaks = is_complete() ? peak_quantiles_ : peaks_.quantiles(*condition_);
+  result.peaks = peak_quantiles_ ? *peak_quantiles_ : peaks_.quantiles(*condition_);
   if (!settling_.is_empty()) {
     const DivergenceTimes times = by_friction_.times();
     const std::uint64_t later = times.pairs - times.diverged;
     result.settling = settling_.result(*condition_, by_friction_.by_period(), later);
-    result.response_times = response_times_.result(*condition_, by_friction_.by_period(), later);
+    result.settling->times = response_times_.result(*condition_, by_friction_.by_period(), later);
   }
   result.validity = validity_;
   result.operations = operations_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -8,7 +9,6 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/ensemble/peak_tally.hpp"
-#include "rocking/ensemble/response_times.hpp"
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/ensemble/tolerance_sensitivity.hpp"
@@ -35,8 +35,7 @@ struct Cases {
 /// Realisations that left the range of the model or whose classification is uncertain.
 struct Validity {
   Cases left_ground;  ///< reached N <= 0
-  /// Of these, the ones that reached it before their final fall (Automaton::losses_before_fall). Rows of former layouts
-  /// do not tell; they count here.
+  /// Of these, the ones that reached it before their final fall (Automaton::losses_before_fall).
   Cases left_ground_before_fall;
   Cases painleve;           ///< ended because D <= 0 or 1 + 3q <= 0
   Cases stopped;            ///< ended because the budget of events or steps was exhausted
@@ -70,6 +69,9 @@ struct Estimate {
   /// With `until`: covers for all modes at once, also if the data determined when to stop.
   std::optional<stats::Interval> anytime = std::nullopt;
   std::optional<Corrected> corrected = std::nullopt;  ///< present if labels were checked
+
+  /// The interval to state: the simultaneous one; with `until` the one that is valid whenever the run stops.
+  [[nodiscard]] const stats::Interval& quoted() const { return anytime ? *anytime : simultaneous; }
 };
 
 struct ModeEstimate {
@@ -101,14 +103,23 @@ struct ConditionResult {
   std::uint64_t realisations = 0;
   std::vector<ModeEstimate> modes;              ///< in order; (1,1), (1,3), chaotic and overturned are always present
   std::optional<NonRecurrence> non_recurrence;  ///< absent for fewer than two realisations
-  /// Absent if the store has rows of a layout without them.
-  std::optional<PeakQuantiles> peaks = std::nullopt;
-  /// Absent at a fixed horizon.
-  std::optional<SettlingResult> settling = std::nullopt;
-  std::optional<ResponseTimes> response_times = std::nullopt;  ///< likewise
+  PeakQuantiles peaks;
+  std::optional<SettlingResult> settling = std::nullopt;  ///< absent at a fixed horizon
   Validity validity;
   OperationCounts operations;
   StoppedBecause stopped_because = StoppedBecause::all_realisations_done;
+
+  /// Otherwise the single realisation is the response, and intervals have no meaning.
+  [[nodiscard]] bool is_random() const { return stopped_because != StoppedBecause::deterministic; }
+  /// Whether the number of realisations depends on their results (`until`).
+  [[nodiscard]] bool is_stopped_by_data() const {
+    return std::ranges::any_of(modes, [](const ModeEstimate& each) { return each.probability.anytime.has_value(); });
+  }
+  /// Of a listed mode; otherwise null.
+  [[nodiscard]] const Estimate* estimate_of(const section::ResponseMode& mode) const {
+    const auto found = std::ranges::find(modes, mode, &ModeEstimate::mode);
+    return found == modes.end() ? nullptr : &found->probability;
+  }
 };
 
 struct ExperimentResult {

@@ -75,9 +75,8 @@ SettlingResult SettlingTally::result(const Condition& condition, const std::map<
   }
   if (realisations >= 2) {
     result.differ = stats::probability_of_difference(counts);
-    result.differ_interval = stats::clopper_pearson(differing_pairs_, confidence);
-    result.differ_interval.low = std::min(result.differ_interval.low, *result.differ);
-    result.differ_interval.high = std::max(result.differ_interval.high, *result.differ);
+    const stats::Interval exact = stats::clopper_pearson(differing_pairs_, confidence);
+    result.differ_interval = {.low = std::min(exact.low, *result.differ), .high = std::max(exact.high, *result.differ)};
   }
   std::map<section::ResponseMode, std::size_t> events;
   for (const auto& [end, count] : ends_) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/ensemble/mode_family.hpp"
+#include "rocking/ensemble/response_times.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/mean_share.hpp"
@@ -43,15 +44,16 @@ struct LongRuns {
 struct SettlingResult {
   static constexpr std::size_t most_times = 200;
 
-  ModeTally at_horizon;             ///< modes at the fixed horizon
-  std::optional<double> differ;     ///< probability that two runs differ there; absent for fewer than two
-  stats::Interval differ_interval;  ///< Clopper-Pearson on disjoint pairs
-  std::uint64_t censored = 0;       ///< realisations that were not classified
+  ModeTally at_horizon;          ///< modes at the fixed horizon
+  std::optional<double> differ;  ///< probability that two runs differ there; absent for fewer than two
+  std::optional<stats::Interval> differ_interval;  ///< Clopper-Pearson on disjoint pairs; likewise
+  std::uint64_t censored = 0;                      ///< realisations that were not classified
   /// By mode, thinned to `most_times` times.
   std::map<section::ResponseMode, std::vector<stats::Incidence>> incidence;
   std::map<section::ResponseMode, Leaving> leaving;  ///< empty unless settled responses are watched
   std::vector<stats::Incidence> divergence;          ///< of pairs, censored at the fixed horizon
   std::optional<LongRuns> long_runs;                 ///< absent unless asked for
+  ResponseTimes times;
 };
 
 /// Collects the settling of the realisations of a condition. Memory is proportional to the number of distinct periods.

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -43,6 +44,13 @@ class ListType final : public ValueType {
     Json list = Json::array();
     for (const Item& item : *static_cast<const List*>(value)) list.push_back(type_of<Item>().json(&item));
     return list;
+  }
+  void write(const void* value, std::string_view key, JsonWriter& out) const override {
+    const auto& list = *static_cast<const List*>(value);
+    if (list.empty()) return out.member(key, Json::array());
+    out.begin_list(key);
+    for (const Item& item : list) out.element(type_of<Item>().json(&item));
+    out.end();
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
     auto& list = *static_cast<List*>(value);

@@ -7,10 +7,13 @@ constexpr std::size_t most_problems = 20;
 
 }  // namespace
 
-std::string Document::text_of(const void* value) const {
-  Json document = {{"format", format_}};
-  document.update(type_->json(value));
-  return document.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
+void Document::write_to(const TextSink& sink, const void* value) const {
+  JsonWriter out(sink);
+  out.begin_object();
+  out.member("format", format_);
+  fields_->write_members(value, out);
+  out.end();
+  sink("\n");
 }
 
 void Document::read_into(void* value, const Json& json, std::vector<base::Problem>& problems) const {
@@ -20,7 +23,7 @@ void Document::read_into(void* value, const Json& json, std::vector<base::Proble
   }
   Json rest = json;
   rest.erase("format");
-  type_->read(rest, place, value);
+  fields_->read(rest, place, value);
   if (problems.size() > most_problems) problems.resize(most_problems);
 }
 
@@ -32,7 +35,7 @@ std::string Document::schema_text() const {
                  {"properties", {{"format", {{"const", format_}}}}},
                  {"required", Json::array({"format"})},
                  {"additionalProperties", false}};
-  const Json fields = type_->schema({});
+  const Json fields = fields_->schema({});
   schema["properties"].update(fields["properties"]);
   for (const Json& key : fields["required"]) schema["required"].push_back(key);
   return schema.dump(2) + '\n';
@@ -40,7 +43,7 @@ std::string Document::schema_text() const {
 
 std::string Document::table() const {
   std::vector<KeyRow> rows;
-  type_->describe("", rows);
+  fields_->describe("", rows);
   std::string table = "| key | meaning |\n| --- | --- |\n";
   for (const KeyRow& row : rows) table += "| `" + row.key + "` | " + std::string(row.sentence) + " |\n";
   return table;

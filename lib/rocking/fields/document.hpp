@@ -12,8 +12,8 @@ namespace rocking {
 /// A kind of file that rocking writes: its `format`, what it is, and the list of its keys.
 class Document {
  public:
-  Document(std::string_view format, std::string_view sentence, const ValueType& type)
-      : format_(format), sentence_(sentence), type_(&type) {}
+  Document(std::string_view format, std::string_view sentence, const StructType& fields)
+      : format_(format), sentence_(sentence), fields_(&fields) {}
 
   [[nodiscard]] std::string_view format() const { return format_; }
   /// JSON Schema, draft 7, as `rocking schema` prints it.
@@ -22,14 +22,13 @@ class Document {
   [[nodiscard]] std::string table() const;
 
  protected:
-  /// A name of a file may be no UTF-8: its other bytes become U+FFFD.
-  [[nodiscard]] std::string text_of(const void* value) const;
+  void write_to(const TextSink& sink, const void* value) const;
   void read_into(void* value, const Json& json, std::vector<base::Problem>& problems) const;
 
  private:
   std::string_view format_;
   std::string_view sentence_;
-  const ValueType* type_;
+  const StructType* fields_;
 };
 
 /// The same of files whose content is a T.
@@ -40,10 +39,16 @@ class DocumentOf : public Document {
   using Check = void (*)(const T& value, const ReadingPlace& place);
 
   DocumentOf(std::string_view format, std::string_view sentence, Check check = nullptr)
-      : Document(format, sentence, type_of<T>()), check_(check) {}
+      : Document(format, sentence, fields_of(static_cast<const T*>(nullptr))), check_(check) {}
 
-  /// The file's content: equal values give equal bytes.
-  [[nodiscard]] std::string text(const T& value) const { return text_of(&value); }
+  /// Writes the file's content piece by piece: equal values give equal bytes. A name of a file may be no UTF-8: its
+  /// other bytes become U+FFFD.
+  void write(const TextSink& sink, const T& value) const { write_to(sink, &value); }
+  [[nodiscard]] std::string text(const T& value) const {
+    std::string text;
+    write([&text](std::string_view piece) { text += piece; }, value);
+    return text;
+  }
 
   /// Throws base::InputError with every fault: its place, the value, and what would do.
   [[nodiscard]] T read(const Json& json) const {

@@ -8,27 +8,31 @@
 namespace rocking {
 namespace {
 
-void* owner_of(const std::vector<void* (*)(void*)>& path, void* outermost) {
-  for (void* (*const member)(void*) : path) outermost = member(outermost);
-  return outermost;
+void* owner_of(const Field& field, const void* outermost) {
+  void* owner = const_cast<void*>(outermost);  // written to only by Field::read
+  for (void* (*const member)(void*) : field.inlined_by) owner = member(owner);
+  return owner;
 }
 
 }  // namespace
 
-Field Field::as(const ValueType& other) const {
-  Field changed = *this;
-  changed.type = &other;
-  return changed;
+bool Field::is_omitted(const void* outermost) const {
+  return without_value == WithoutValue::omitted && has_value != nullptr && !has_value(owner_of(*this, outermost));
 }
 
-std::optional<Json> Field::json(const void* outermost) const {
-  void* owner = owner_of(inlined_by, const_cast<void*>(outermost));  // only read through
-  if (without_value == WithoutValue::omitted && has_value != nullptr && !has_value(owner)) return std::nullopt;
+Json Field::json(const void* outermost) const {
+  void* owner = owner_of(*this, outermost);
   return member == nullptr ? derive(owner) : type->json(member(owner));
 }
 
+void Field::write(const void* outermost, JsonWriter& out) const {
+  void* owner = owner_of(*this, outermost);
+  if (member == nullptr) return out.member(key, derive(owner));
+  type->write(member(owner), key, out);
+}
+
 void Field::read(const Json& json, const ReadingPlace& place, void* outermost) const {
-  if (member != nullptr) type->read(json, place, member(owner_of(inlined_by, outermost)));
+  if (member != nullptr) type->read(json, place, member(owner_of(*this, outermost)));
 }
 
 StructType::StructType(std::initializer_list<Field> fields) {
@@ -47,9 +51,21 @@ StructType::StructType(std::initializer_list<Field> fields) {
 Json StructType::json(const void* value) const {
   Json object = Json::object();
   for (const Field& field : fields_) {
-    if (auto json = field.json(value)) object[std::string(field.key)] = *std::move(json);
+    if (!field.is_omitted(value)) object[std::string(field.key)] = field.json(value);
   }
   return object;
+}
+
+void StructType::write(const void* value, std::string_view key, JsonWriter& out) const {
+  out.begin_object(key);
+  write_members(value, out);
+  out.end();
+}
+
+void StructType::write_members(const void* value, JsonWriter& out) const {
+  for (const Field& field : fields_) {
+    if (!field.is_omitted(value)) field.write(value, out);
+  }
 }
 
 void StructType::read(const Json& json, const ReadingPlace& place, void* value) const {

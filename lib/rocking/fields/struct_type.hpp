@@ -27,10 +27,9 @@ struct Field {
   Json (*derive)(const void* owner) = nullptr;     ///< from other members; written, and not read
   std::vector<void* (*)(void*)> inlined_by = {};   ///< members on the way to the owner, from the outermost on
 
-  /// The same field, written and read in another way than its type is elsewhere.
-  [[nodiscard]] Field as(const ValueType& other) const;
-  /// Absent: the field is omitted.
-  [[nodiscard]] std::optional<Json> json(const void* outermost) const;
+  [[nodiscard]] bool is_omitted(const void* outermost) const;
+  [[nodiscard]] Json json(const void* outermost) const;
+  void write(const void* outermost, JsonWriter& out) const;
   void read(const Json& json, const ReadingPlace& place, void* outermost) const;
 };
 
@@ -40,6 +39,9 @@ class StructType final : public ValueType {
   StructType(std::initializer_list<Field> fields);
 
   [[nodiscard]] Json json(const void* value) const override;
+  void write(const void* value, std::string_view key, JsonWriter& out) const override;
+  /// Writes the fields into the innermost object.
+  void write_members(const void* value, JsonWriter& out) const;
   void read(const Json& json, const ReadingPlace& place, void* value) const override;
   [[nodiscard]] Json schema(const Rule& rule) const override;
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override;
@@ -93,23 +95,28 @@ decltype(auto) reach(Owner& owner) {
   }
 }
 
+/// Type of the member that is reached.
+template <auto first, auto... rest>
+using Reached = std::remove_cvref_t<decltype(reach<typename OwnerOf<decltype(first)>::Type, first, rest...>(
+    std::declval<typename OwnerOf<decltype(first)>::Type&>()))>;
+
 }  // namespace detail
 
-/// A field that is a member, or a member of a member: `field<&Outer::inner, &Inner::number>("number", ...)`.
+/// A field that is a member, or a member of a member, written and read as `type` says:
+/// `field<&Outer::inner, &Inner::number>("number", "...", seed_type())`.
 template <auto first, auto... rest>
-[[nodiscard]] Field field(std::string_view key, std::string_view sentence, const Rule& rule = {},
+[[nodiscard]] Field field(std::string_view key, std::string_view sentence, const ValueType& type, const Rule& rule = {},
                           WithoutValue without_value = WithoutValue::null) {
   using Owner = typename detail::OwnerOf<decltype(first)>::Type;
-  using Value = std::remove_cvref_t<decltype(detail::reach<Owner, first, rest...>(std::declval<Owner&>()))>;
   Field made{.key = key,
              .sentence = sentence,
              .rule = rule,
              .without_value = without_value,
-             .type = &type_of<Value>(),
+             .type = &type,
              .member = [](void* owner) -> void* {
                return &detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
              }};
-  if constexpr (detail::is_optional<Value>) {
+  if constexpr (detail::is_optional<detail::Reached<first, rest...>>) {
     made.has_value = [](const void* owner) {
       return detail::reach<const Owner, first, rest...>(*static_cast<const Owner*>(owner)).has_value();
     };
@@ -117,10 +124,24 @@ template <auto first, auto... rest>
   return made;
 }
 
+/// The same, written and read as its C++ type is everywhere.
+template <auto first, auto... rest>
+[[nodiscard]] Field field(std::string_view key, std::string_view sentence, const Rule& rule = {},
+                          WithoutValue without_value = WithoutValue::null) {
+  return field<first, rest...>(key, sentence, type_of<detail::Reached<first, rest...>>(), rule, without_value);
+}
+
 /// The fields of a member stand among those of its owner, without a key of their own.
 template <auto member>
 [[nodiscard]] Field inlined() {
   return field<member>("", "");
+}
+
+/// A field whose value is made of several members of its owner; `type` is that of the whole owner.
+template <class Owner>
+[[nodiscard]] Field of_owner(std::string_view key, std::string_view sentence, const ValueType& type,
+                             const Rule& rule = {}) {
+  return {.key = key, .sentence = sentence, .rule = rule, .type = &type, .member = [](void* owner) { return owner; }};
 }
 
 /// A field that follows from others: `derived<[](const Outer& outer) { return ...; }>("ratio", ...)`.

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 
 namespace rocking {
@@ -38,7 +39,11 @@ std::string in_words(const Rule& rule) {
 template <class T>
 class SimpleType final : public ValueType {
  public:
-  [[nodiscard]] Json json(const void* value) const override { return *static_cast<const T*>(value); }
+  [[nodiscard]] Json json(const void* value) const override {
+    const T& written = *static_cast<const T*>(value);
+    if constexpr (std::is_same_v<T, double>) ROCKING_EXPECT(std::isfinite(written));
+    return written;
+  }
 
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
     if (!fits(json)) return place.reject(json, std::string("must be ") + kind);

@@ -9,6 +9,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/fields/rule.hpp"
 #include "rocking/text/json.hpp"
+#include "rocking/text/json_writer.hpp"
 
 namespace rocking {
 
@@ -38,6 +39,9 @@ class ValueType {
   virtual ~ValueType() = default;
 
   [[nodiscard]] virtual Json json(const void* value) const = 0;
+  /// Writes the value as the next member of an object, with this key. Objects and lists are written piece by piece, so
+  /// that a long document never stands in memory as a whole.
+  virtual void write(const void* value, std::string_view key, JsonWriter& out) const { out.member(key, json(value)); }
   /// Sets the value, or reports every fault and leaves the value valid.
   virtual void read(const Json& json, const ReadingPlace& place, void* value) const = 0;
   /// JSON Schema, draft 7.

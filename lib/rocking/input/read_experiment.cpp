@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "rocking/input/former_keys.hpp"
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
@@ -61,6 +62,7 @@ class ExperimentBuilder {
 
   Experiment build(const Overrides& overrides) {
     apply(overrides, document_);
+    const bool has_former_keys = rename_former_keys(document_);
     Problems found;
     take_strength_from_sweep(document_);
     suite_ = take_suite(document_, matches_, files_, found);
@@ -75,6 +77,7 @@ class ExperimentBuilder {
     const bool is_readable = !is_hopeless && !is_bad_suite && document_.is_object();
     if (is_readable && problems_.size() < most_problems) build_conditions();
     name_flags(overrides, problems_);
+    if (has_former_keys) name_former_keys(problems_);
     if (problems_.size() > most_problems) problems_.resize(most_problems);
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
     if (swept) base.canonical["sweep"] = canonical_sweep();

@@ -179,8 +179,8 @@ Question read_question(const Json& document, GroundMotionFiles& files, Problems&
       read_horizon(in, condition.scene, unless_swept(sweep, horizon_follows_from(condition.scene.excitation)));
   in.object("accuracy", [&condition](ObjectReader& keys) {
     condition.tolerance = keys.number("tolerance", rules::tolerance.with_default(condition.tolerance));
-    condition.rerun_every = static_cast<std::uint64_t>(
-        keys.integer("repeat_every", rules::rerun_every.with_default(condition.rerun_every)));
+    condition.rerun_every =
+        static_cast<std::uint64_t>(keys.integer("rerun_every", rules::rerun_every.with_default(condition.rerun_every)));
   });
   if (sweep != nullptr) in.write("sweep", *sweep);
   read_realisations(in, condition);

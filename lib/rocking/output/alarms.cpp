@@ -24,11 +24,11 @@ std::string_view commonest_clamp(const Clamps& clamps) {
   return found->key;
 }
 
-std::optional<std::string> contact_alarm(const ExperimentResult& result) {
+std::optional<std::string> contact_alarm(const Report& report) {
   std::uint64_t count = 0;
   std::string first;
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    const Cases& cases = result.conditions[i].validity.left_ground_before_fall;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const Cases& cases = report.conditions[i].result.validity.left_ground_before_fall;
     if (cases.count > 0 && count == 0) {
       first = "first: --condition " + std::to_string(i) + " --realisation " + std::to_string(cases.first.front());
     }
@@ -41,23 +41,11 @@ std::optional<std::string> contact_alarm(const ExperimentResult& result) {
          first + "). Do not rely on the response modes of these realisations";
 }
 
-std::optional<std::string> clamp_alarm(const ExperimentResult& result) {
-  std::optional<std::size_t> worst;
-  ClampedShare found;
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    const ConditionResult& condition = result.conditions[i];
-    const ClampedShare here{.realisations = condition.validity.clamped.count,
-                            .of_realisations = condition.realisations,
-                            .draws = condition.validity.clamps.all(),
-                            .of_draws = condition.operations.draws()};
-    if (!here.is_alarming() || (worst && here.share_of_draws() <= found.share_of_draws())) continue;
-    worst = i;
-    found = here;
-  }
+std::optional<std::string> clamp_alarm(const Report& report) {
+  const auto worst = worst_clamps(report);
   if (!worst) return std::nullopt;
-  return "random numbers were clamped in " + spoken(found) + " of condition " + std::to_string(*worst) +
-         ", the most of any; mostly " +
-         std::string(clamp_remedy(commonest_clamp(result.conditions[*worst].validity.clamps)));
+  return "random numbers were clamped in " + in_words(worst->share) + " of condition " +
+         std::to_string(worst->condition) + ", the most of any; mostly " + std::string(worst->remedy);
 }
 
 struct Remedy {
@@ -79,6 +67,11 @@ constexpr std::array remedies{
            "width or height of the block outside of its bounds: reduce the sigma of /block/width_m or /block/height_m"},
 };
 
+std::string_view clamp_remedy(std::string_view key) {
+  const auto* const found = std::ranges::find(remedies, key, &Remedy::key);
+  return found == remedies.end() ? std::string_view("another kind") : found->text;
+}
+
 }  // namespace
 
 double ClampedShare::share_of_realisations() const { return share(realisations, of_realisations); }
@@ -87,15 +80,23 @@ bool ClampedShare::is_alarming() const {
   return share_of_realisations() > tolerable_clamped_share || share_of_draws() > tolerable_clamped_share;
 }
 
-std::string spoken(const ClampedShare& share) {
-  std::string text = per_cent(share.share_of_realisations()) + " % of the realisations";
-  if (share.of_draws > 0) text += " and " + per_cent(share.share_of_draws()) + " % of the draws";
-  return text;
+std::string in_words(const ClampedShare& share) {
+  return per_cent(share.share_of_realisations()) + " % of the realisations and " + per_cent(share.share_of_draws()) +
+         " % of the draws";
 }
 
-std::string_view clamp_remedy(std::string_view key) {
-  const auto found = std::ranges::find(remedies, key, &Remedy::key);
-  return found == remedies.end() ? std::string_view("another kind") : found->text;
+std::optional<WorstClamps> worst_clamps(const Report& report) {
+  std::optional<WorstClamps> worst;
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
+    const ConditionResult& result = report.conditions[i].result;
+    const ClampedShare here{.realisations = result.validity.clamped.count,
+                            .of_realisations = result.realisations,
+                            .draws = result.validity.clamps.all(),
+                            .of_draws = result.operations.draws()};
+    if (!here.is_alarming() || (worst && here.share_of_draws() <= worst->share.share_of_draws())) continue;
+    worst = {.condition = i, .share = here, .remedy = clamp_remedy(commonest_clamp(result.validity.clamps))};
+  }
+  return worst;
 }
 
 std::string tolerance_remedy(double tolerance) {
@@ -107,18 +108,12 @@ std::string tolerance_remedy(double tolerance) {
   return "set /accuracy/tolerance to " + base::significant(finer, 2) + " and run again";
 }
 
-std::vector<std::string> alarms_of(const ExperimentResult& result) {
+std::vector<std::string> alarms_of(const Report& report) {
   std::vector<std::string> alarms;
-  for (auto& alarm : {contact_alarm(result), clamp_alarm(result)}) {
+  for (auto& alarm : {contact_alarm(report), clamp_alarm(report)}) {
     if (alarm) alarms.push_back(*alarm);
   }
   return alarms;
-}
-
-double tightest_tolerance(const Experiment& experiment) {
-  double tightest = 1.0;
-  for (const Condition& condition : experiment.conditions) tightest = std::min(tightest, condition.tolerance);
-  return tightest;
 }
 
 }  // namespace rocking

@@ -1,13 +1,13 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "rocking/ensemble/result.hpp"
-#include "rocking/scene/experiment.hpp"
+#include "rocking/output/report.hpp"
 
 /// What a reader of a result must know before using it, and what to do about it.
 namespace rocking {
@@ -21,27 +21,31 @@ struct ClampedShare {
   std::uint64_t realisations = 0;
   std::uint64_t of_realisations = 0;
   std::uint64_t draws = 0;
-  std::uint64_t of_draws = 0;  ///< 0: not known, as in reports of earlier versions
+  std::uint64_t of_draws = 0;
 
   [[nodiscard]] double share_of_realisations() const;
   [[nodiscard]] double share_of_draws() const;
   [[nodiscard]] bool is_alarming() const;
 };
 
-/// `12.0 % of the realisations, 0.8 % of the draws`.
-[[nodiscard]] std::string spoken(const ClampedShare& share);
+/// `12.0 % of the realisations and 0.8 % of the draws`.
+[[nodiscard]] std::string in_words(const ClampedShare& share);
 
-/// What a clamp of this kind (the key of a report, `kinetic_friction_at_static`) means and what would avoid it.
-[[nodiscard]] std::string_view clamp_remedy(std::string_view key);
+/// The condition with the largest alarming share of clamped draws.
+struct WorstClamps {
+  std::size_t condition = 0;
+  ClampedShare share;
+  std::string_view remedy;  ///< what the most frequent kind of clamp means, and what would avoid it
+};
+
+/// Absent if no condition has an alarming share.
+[[nodiscard]] std::optional<WorstClamps> worst_clamps(const Report& report);
 
 /// What to do if response modes change with the tolerance: the key and its value, or what is left if `tolerance` is at
 /// the limit of double precision.
 [[nodiscard]] std::string tolerance_remedy(double tolerance);
 
 /// The alarms of a run, each a sentence or two: contact lost before a final fall, clamped draws.
-[[nodiscard]] std::vector<std::string> alarms_of(const ExperimentResult& result);
-
-/// The tightest tolerance of an experiment.
-[[nodiscard]] double tightest_tolerance(const Experiment& experiment);
+[[nodiscard]] std::vector<std::string> alarms_of(const Report& report);
 
 }  // namespace rocking

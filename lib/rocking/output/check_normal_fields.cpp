@@ -119,7 +119,7 @@ const StructType& fields_of(const SamplerCheck*) {
   static constexpr std::array<std::string_view, 3> samplers{"box-muller", "ziggurat", "inverse-cdf"};
   static const StructType fields{
       field<&SamplerCheck::sampler>("sampler", "that generated the numbers", {.choices = samplers}),
-      field<&SamplerCheck::seed>("seed", "of the random numbers, as text").as(seed_type()),
+      field<&SamplerCheck::seed>("seed", "of the random numbers, as text", seed_type()),
       inlined<&SamplerCheck::found>(),
   };
   return fields;

@@ -3,6 +3,7 @@
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/comparison.hpp"
 #include "rocking/output/motion_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/text/schema.hpp"
 
 namespace rocking {
@@ -19,7 +20,7 @@ const Document* document_named(std::string_view name) {
 }  // namespace
 
 std::vector<const Document*> documents() {
-  return {&check_normal_document(), &comparison_document(), &motion_document()};
+  return {&check_normal_document(), &comparison_document(), &motion_document(), &report_document()};
 }
 
 std::string name_of(const Document& document) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"

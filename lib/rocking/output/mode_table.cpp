@@ -151,23 +151,6 @@ std::string name_of(const TableRow& condition) {
   return name.empty() ? "the only condition" : name;
 }
 
-/// Adds the modes that occur in other conditions only.
-void complete(const Experiment& experiment, std::vector<TableRow>& rows) {
-  const ModeTally occurring = occurring_modes(rows);
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    const Condition& condition = experiment.conditions[i];
-    for (const auto& [mode, count] : occurring) {
-      if (std::ranges::find(rows[i].modes, mode, &TableEntry::mode) != rows[i].modes.end()) continue;
-      TableEntry entry{.mode = mode, .count = 0, .estimate = 0.0, .interval = {}};
-      if (rows[i].is_random && !condition.until) {
-        const stats::Proportion none{.successes = 0, .trials = rows[i].realisations};
-        entry.interval = simultaneous_interval(mode, none, condition.confidence);
-      }
-      rows[i].modes.push_back(std::move(entry));
-    }
-  }
-}
-
 std::size_t width_of(const std::vector<TextRow>& rows) {
   const std::string text = aligned(rows);
   return letters_in(text.substr(0, text.find('\n')));
@@ -251,25 +234,23 @@ std::vector<ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most
   return most_frequent(weighted, most);
 }
 
-std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result) {
+std::vector<TableRow> table_rows(const Report& report) {
+  const auto modes = report.listed();
   std::vector<TableRow> rows;
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    const ConditionResult& condition = result.conditions[i];
-    TableRow row{.parameters = experiment.conditions[i].parameters,
-                 .realisations = condition.realisations,
+  for (const ReportedCondition& condition : report.conditions) {
+    TableRow row{.parameters = condition.parameters,
+                 .realisations = condition.result.realisations,
                  .modes = {},
-                 .is_random = is_random(experiment.conditions[i].scene),
-                 .shaking = shaking_of(experiment.conditions[i].scene)};
-    for (const auto& [mode, probability] : condition.modes) {
-      TableEntry entry{
-          .mode = mode, .count = probability.counts.successes, .estimate = probability.estimate, .interval = {}};
-      if (row.is_random) entry.interval = probability.anytime.value_or(probability.simultaneous);
-      row.modes.push_back(std::move(entry));
+                 .is_random = condition.result.is_random(),
+                 .shaking = condition.shaking};
+    const auto& tilts = condition.result.peaks.tilt.levels;
+    if (!tilts.empty()) row.peak_tilt = peak_tilt_cell(tilts);
+    for (const section::ResponseMode& mode : modes) {
+      const AnyShare share = share_of(condition, mode);
+      row.modes.push_back({.mode = mode, .count = share.count, .estimate = share.estimate, .interval = share.interval});
     }
-    if (condition.peaks) row.peak_tilt = peak_tilt_cell(condition.peaks->tilt.levels);
     rows.push_back(std::move(row));
   }
-  complete(experiment, rows);
   return rows;
 }
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "rocking/ensemble/mode_family.hpp"
-#include "rocking/ensemble/result.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/output/share_bar.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/shaking.hpp"
@@ -56,7 +56,7 @@ struct TableRow {
 [[nodiscard]] std::vector<section::ResponseMode> modes_to_show(const ModeTally& tally, std::size_t most);
 
 /// A row for each condition of a run. Each row lists the modes that occur in any condition.
-[[nodiscard]] std::vector<TableRow> table_rows(const Experiment& experiment, const ExperimentResult& result);
+[[nodiscard]] std::vector<TableRow> table_rows(const Report& report);
 
 /// The response modes of every condition as text for a terminal: a row for each condition, a column for each swept
 /// parameter, for the shaking in its other form where that differs between conditions (a last line has what is common

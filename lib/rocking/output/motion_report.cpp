@@ -91,7 +91,8 @@ const StructType& fields_of(const MotionReport*) {
   static const StructType fields{
       field<&MotionReport::gravity_m_s2>("gravity_m_s2", "1 g [m/s^2]", rule::positive),
       field<&MotionReport::damping>("damping", "ratio, of the response spectra", {.least = 0.0, .below = 1.0}),
-      field<&MotionReport::block>("block", "whose least scale of uplift was asked for", {}, WithoutValue::omitted),
+      field<&MotionReport::block>("block", "whose least scale of uplift was asked for", rule::none,
+                                  WithoutValue::omitted),
       field<&MotionReport::motions>("motions", "one for each file"),
   };
   return fields;

@@ -1,6 +1,8 @@
 #include "rocking/output/provenance_fields.hpp"
 
+#include <algorithm>
 #include <cstdint>
+#include <string_view>
 #include <utility>
 
 #include "rocking/text/seed_text.hpp"
@@ -34,7 +36,7 @@ class ResponseModeType final : public ValueType {
     *static_cast<section::ResponseMode*>(value) = *mode;
   }
   [[nodiscard]] Json schema(const Rule&) const override {
-    return {{"type", "string"}, {"pattern", "^(\\([0-9]{1,10},[0-9]{1,10}\\)|[a-z]+(-[a-z]+)*)$"}};
+    return {{"type", "string"}, {"pattern", "^(\\([0-9]{1,10},[0-9]{1,10}\\)|chaotic|overturned|rest|unresolved)$"}};
   }
 };
 
@@ -56,7 +58,71 @@ class ParametersType final : public ValueType {
   [[nodiscard]] Json schema(const Rule&) const override { return {{"type", "object"}}; }
 };
 
+/// `2012-02-01T12:00:00Z`, a text in C++ too.
+class InstantType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override { return *static_cast<const std::string*>(value); }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    constexpr std::string_view form = "0000-00-00T00:00:00Z";
+    const std::string text = json.is_string() ? json.get<std::string>() : "";
+    const auto fits = [](char c, char model) { return model == '0' ? '0' <= c && c <= '9' : c == model; };
+    if (!std::ranges::equal(text, form, fits)) {
+      return place.reject(json, "must be an instant in UTC", "for example \"2012-02-01T12:00:00Z\"");
+    }
+    *static_cast<std::string*>(value) = text;
+  }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    return {{"type", "string"}, {"pattern", "^[0-9]{4}-[0-9]{2}-[0-9]{2}T[0-9]{2}:[0-9]{2}:[0-9]{2}Z$"}};
+  }
+};
+
+class DigestType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    return base::to_hex(*static_cast<const base::Sha256*>(value));
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    const auto digest = json.is_string() ? base::sha256_from_hex(json.get<std::string>()) : std::nullopt;
+    if (!digest) return place.reject(json, "must be a SHA-256 of 64 hexadecimal digits");
+    *static_cast<base::Sha256*>(value) = *digest;
+  }
+  [[nodiscard]] Json schema(const Rule&) const override { return {{"type", "string"}, {"pattern", "^[0-9a-f]{64}$"}}; }
+};
+
 }  // namespace
+
+const ValueType& TypeOf<base::Sha256>::get() { return the_only<DigestType>(); }
+
+const StructType& fields_of(const InputFacts*) {
+  static const StructType fields{
+      field<&InputFacts::experiment>("experiment", "the canonical experiment"),
+      field<&InputFacts::sha256>("sha256", "of its text, as `rocking validate --json` prints it"),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const SystemFacts*) {
+  using base::BuildInfo;
+  using System = SystemFacts;
+  static const StructType fields{
+      field<&System::build, &BuildInfo::version>("version", "of rocking"),
+      field<&System::build, &BuildInfo::revision>("revision", "of its source"),
+      field<&System::build, &BuildInfo::compiler>("compiler", "its name and version"),
+      field<&System::build, &BuildInfo::flags>("flags", "of the compiler that affect numerical results"),
+      field<&System::build, &BuildInfo::build_type>("build_type", "as `Release`"),
+      field<&System::machine>("machine", "processor and operating system"),
+      field<&System::start>("start", "ISO 8601, UTC", the_only<InstantType>()),
+      field<&System::duration_s>("duration_s", "wall-clock time [s]", rule::not_negative),
+      field<&System::threads>("threads", "number of threads", Rule{.least = 1.0}),
+  };
+  return fields;
+}
+
+InputFacts input_of(const Experiment& experiment) {
+  const std::string& text = experiment.canonical_text;
+  return {.experiment = text.empty() ? Json() : Json::parse(text),
+          .sha256 = base::to_hex(base::sha256(experiment.canonical_text))};
+}
 
 const ValueType& seed_type() { return the_only<SeedType>(); }
 

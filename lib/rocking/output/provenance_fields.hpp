@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "rocking/base/build_info.hpp"
+#include "rocking/base/digest.hpp"
 #include "rocking/fields/struct_type.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/response_mode.hpp"
 
@@ -13,6 +14,15 @@ namespace rocking {
 
 /// 64 bits as text: `0x2012`.
 [[nodiscard]] const ValueType& seed_type();
+
+/// A digest in hexadecimal digits.
+template <>
+struct TypeOf<base::Sha256> {
+  static const ValueType& get();
+};
+
+[[nodiscard]] const StructType& fields_of(const InputFacts*);
+[[nodiscard]] const StructType& fields_of(const SystemFacts*);
 
 /// The name of a response mode, as `(1,3)`.
 template <>

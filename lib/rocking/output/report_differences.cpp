@@ -23,31 +23,6 @@ void list_differences(const Json& claimed, const Json& right, std::vector<std::s
   }
 }
 
-/// Reports of programs before layout 4 of a store have no peaks, no alarms that depend on a fall, no number of draws.
-void drop_what_earlier_reports_lack(const Json& claimed, Json& right) {
-  if (!claimed.contains("result") || !claimed["result"].contains("conditions")) return;
-  const Json& before = claimed["result"]["conditions"];
-  Json& after = right["result"]["conditions"];
-  for (std::size_t i = 0; i < before.size() && i < after.size(); ++i) {
-    if (before[i].contains("peak_tilt")) continue;
-    for (const char* key : {"peak_tilt", "peak_tilt_rate", "peak_slip", "final_slip"}) after[i].erase(key);
-    Json& validity = after[i]["validity"];
-    for (const char* key : {"left_ground_before_fall", "draws"}) validity.erase(key);
-    validity["first_realisations"].erase("left_ground_before_fall");
-  }
-}
-
-/// Earlier versions wrote conditions without `shaking`: where it is absent, it is not missed.
-void forget_absent_shaking(const Json& claimed, Json& right) {
-  static const Json::json_pointer conditions("/result/conditions");
-  if (!claimed.contains(conditions) || !right.contains(conditions)) return;
-  const Json& of_claim = claimed.at(conditions);
-  Json& of_right = right.at(conditions);
-  for (std::size_t i = 0; i < of_right.size() && of_claim.is_array() && i < of_claim.size(); ++i) {
-    if (of_claim[i].is_object() && !of_claim[i].contains("shaking")) of_right[i].erase("shaking");
-  }
-}
-
 }  // namespace
 
 std::vector<std::string> report_differences(std::string_view claimed, std::string_view right) {
@@ -55,8 +30,6 @@ std::vector<std::string> report_differences(std::string_view claimed, std::strin
   Json b = parse_json(right);
   a.erase("system");
   b.erase("system");
-  drop_what_earlier_reports_lack(a, b);
-  forget_absent_shaking(a, b);
   std::vector<std::string> list;
   list_differences(a, b, list);
   return list;

@@ -7,8 +7,7 @@
 namespace rocking {
 
 /// Differences of two reports in `input`, `result` and `internal`, which are the same for equal input, each as `/place
-/// is this, not that`; the first ten. `right` is the reference. Keys that reports of earlier versions do not have are
-/// not missed in them.
+/// is this, not that`; the first ten. `right` is the reference.
 [[nodiscard]] std::vector<std::string> report_differences(std::string_view claimed, std::string_view right);
 
 /// Differences of two experiments, likewise.

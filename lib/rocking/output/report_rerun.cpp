@@ -1,8 +1,8 @@
 #include "rocking/output/report_rerun.hpp"
 
 #include "rocking/base/build_info.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/output/report_differences.hpp"
-#include "rocking/output/write_report.hpp"
 
 namespace rocking {
 

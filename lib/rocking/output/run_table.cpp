@@ -14,17 +14,15 @@
 namespace rocking {
 namespace {
 
-std::uint64_t unresolved_realisations(const ExperimentResult& result) {
+std::uint64_t unresolved_realisations(const Report& report) {
   std::uint64_t count = 0;
-  for (const auto& condition : result.conditions) {
-    for (const auto& [mode, probability] : condition.modes) {
-      if (mode.kind == section::ResponseKind::unresolved) count += probability.counts.successes;
-    }
+  for (const ReportedCondition& condition : report.conditions) {
+    count += share_of(condition, section::ResponseMode{}).count;
   }
   return count;
 }
 
-std::string_view spoken(NumericalError noise) {
+std::string_view in_words(NumericalError noise) {
   switch (noise) {
     case NumericalError::small: return "small compared with";
     case NumericalError::not_small: return "NOT small compared with";
@@ -39,21 +37,28 @@ std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double 
       floor->noise == NumericalError::not_small ? "warning: " + tolerance_remedy(tolerance) + '\n' : "";
   return "sensitivity to tolerance: " + std::to_string(floor->flips.successes) + " of " +
          std::to_string(floor->flips.trials) + " response modes change at a hundred times tighter tolerance " +
-         per_cent(floor->interval) + " %; " + std::string(spoken(floor->noise)) + " the narrowest half-width, " +
+         per_cent(floor->interval) + " %; " + std::string(in_words(floor->noise)) + " the narrowest half-width, " +
          per_cent(floor->half_width) + " %\n" + remedy;
 }
 
 /// A line on the responses that settled within their sampled periods; empty if none did.
-std::string late_settling_of(const ExperimentResult& result) {
+std::string late_settling_of(const Report& report) {
   std::uint64_t count = 0;
   double least_held = 1.0;
-  for (const auto& condition : result.conditions) {
-    count += condition.validity.settled_late.count;
-    least_held = std::min(least_held, condition.validity.least_held);
+  for (const ReportedCondition& condition : report.conditions) {
+    count += condition.result.validity.settled_late.count;
+    least_held = std::min(least_held, condition.result.validity.least_held);
   }
   if (count == 0) return "";
   return "settled late: " + counted(count, "realisation") + ", classified by the last " +
          significant(100.0 * least_held, 3) + " % of their sampled periods or more\n";
+}
+
+/// The tightest tolerance of an experiment.
+double tightest_tolerance(const Experiment& experiment) {
+  double tightest = 1.0;
+  for (const Condition& condition : experiment.conditions) tightest = std::min(tightest, condition.tolerance);
+  return tightest;
 }
 
 /// `95 %`; if the conditions have different confidences, words that say so.
@@ -64,36 +69,33 @@ std::string level_of(const Experiment& experiment) {
 
 }  // namespace
 
-std::string run_table(const Experiment& experiment, const ExperimentResult& result, const TableLook& look) {
+std::string run_table(const Experiment& experiment, const Report& report, const TableLook& look) {
   std::uint64_t realisations = 0;
-  std::uint64_t most = 0;  // of a condition
-  for (const auto& condition : result.conditions) {
-    realisations += condition.realisations;
-    most = std::max(most, condition.realisations);
-  }
+  for (const ReportedCondition& condition : report.conditions) realisations += condition.result.realisations;
   std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  const std::vector<TableRow> rows = table_rows(experiment, result);
+  const std::vector<TableRow> rows = table_rows(report);
   const std::string table = mode_table(rows, look);
   text += table;
-  if (std::ranges::any_of(rows, &TableRow::is_random)) {
+  if (report.is_random()) {
     text += "\nper cent of n realisations [simultaneous " + level_of(experiment) + " interval" +
             (experiment.conditions.front().until ? ", valid whenever the run stops" : "") +
-            "]; < x: did not occur, x is the upper end of its interval" + count_legend(most) + '\n';
+            "]; < x: did not occur, x is the upper end of its interval" + count_legend(report.most_realisations()) +
+            '\n';
   } else {
     text += "\nnothing is random: one realisation is the response of its condition\n";
   }
   if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
-  text += counted(result.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
-          std::to_string(unresolved_realisations(result)) + " unresolved\n";
-  text += settling_text(settling_rows(experiment, result), look.width);
-  if (const std::string remedy = unresolved_remedy(experiment, result); !remedy.empty()) {
+  text += counted(report.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
+          std::to_string(unresolved_realisations(report)) + " unresolved\n";
+  text += settling_text(settling_rows(report), look.width);
+  if (const std::string remedy = unresolved_remedy(report); !remedy.empty()) {
     text += "horizon too short: " + remedy + '\n';
   }
-  text += unreached_precision(experiment, result);
+  text += unreached_precision(experiment, report);
   text += overturning_line(rows);
-  text += late_settling_of(result);
-  text += noise_line(result.tolerance_sensitivity, tightest_tolerance(experiment));
-  for (const std::string& alarm : alarms_of(result)) text += "warning: " + alarm + '\n';
+  text += late_settling_of(report);
+  text += noise_line(report.tolerance_sensitivity, tightest_tolerance(experiment));
+  for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';
   return text;
 }
 

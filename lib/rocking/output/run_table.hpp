@@ -2,15 +2,13 @@
 
 #include <string>
 
-#include "rocking/ensemble/result.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/scene/experiment.hpp"
 
 namespace rocking {
 
-/// The result of a run as text for a terminal: its title, the table of response modes with its legend, and a line each on
+/// A run as text for a terminal: its title, the table of response modes with its legend, and a line each on
 /// overturning, settling, precision that was not reached, sensitivity to the tolerance, and warnings.
-[[nodiscard]] std::string run_table(const Experiment& experiment, const ExperimentResult& result,
-                                    const TableLook& look = {});
+[[nodiscard]] std::string run_table(const Experiment& experiment, const Report& report, const TableLook& look = {});
 
 }  // namespace rocking

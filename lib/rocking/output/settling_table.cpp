@@ -6,6 +6,7 @@
 
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/output/long_run_table.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -62,8 +63,7 @@ std::string settling_columns(std::span<const SettlingRow> rows, std::size_t widt
       {"unresolved " + at, [](const SettlingRow& row) { return share_text(row, row.unresolved_at_horizon); }},
       {"in the end", [](const SettlingRow& row) { return share_text(row, row.censored); }},
       {"half settled by", [](const SettlingRow& row) { return period_text(row.median, row.limit); }},
-      {"99 % settled by",
-       [](const SettlingRow& row) { return row.all_but_one_per_cent ? horizon_text(*row.all_but_one_per_cent) : "."; }},
+      {"99 % settled by", [](const SettlingRow& row) { return horizon_text(row.all_but_one_per_cent); }},
       {"differ " + at, [](const SettlingRow& row) { return probability_cell(row.differ_at_horizon); }},
       {"differ in the end", [](const SettlingRow& row) { return probability_cell(row.differ_in_the_end); }}};
   std::vector<TextRow> table(rows.size() + 1);
@@ -105,23 +105,53 @@ std::string leaving_line(std::span<const SettlingRow> rows) {
          " per 1000 periods" + (may_be_left(*most) ? ". A label is that of a window, not of all time" : "") + '\n';
 }
 
-SettlingRow row_of(const Condition& condition, const ConditionResult& result) {
+LongRunRow long_run_row(const LongRuns& runs) {
+  LongRunRow row{.realisations = runs.count, .windows = runs.windows, .shares = {}};
+  for (const auto& [mode, found] : runs.shares) {
+    row.shares.push_back({.mode = mode, .share = found.share, .interval = found.interval});
+  }
+  return row;
+}
+
+std::optional<std::int64_t> periods_at(const Report& report, const ReportedCondition& condition, const char* pointer) {
+  const auto number = report.number(pointer, condition);
+  return number ? std::optional(static_cast<std::int64_t>(*number)) : std::nullopt;
+}
+
+/// Transient and sampled periods; absent if they follow from the base motion.
+struct FixedHorizon {
+  std::int64_t transient = 0;
+  std::int64_t sampled = 0;
+};
+
+std::optional<FixedHorizon> fixed_horizon(const Report& report, const ReportedCondition& condition) {
+  const auto transient = periods_at(report, condition, "/horizon/transient_periods");
+  const auto sampled = periods_at(report, condition, "/horizon/sampled_periods");
+  return transient && sampled ? std::optional(FixedHorizon{*transient, *sampled}) : std::nullopt;
+}
+
+}  // namespace
+
+std::optional<SettlingRow> settling_row(const Report& report, const ReportedCondition& condition) {
+  const ConditionResult& result = condition.result;
+  if (!result.settling) return std::nullopt;
   const SettlingResult& settling = *result.settling;
-  const Horizon& horizon = condition.horizon;
   SettlingRow row;
   row.parameters = condition.parameters;
   row.realisations = result.realisations;
   row.confidence = condition.confidence;
+  row.censored = settling.censored;
+  row.limit = periods_at(report, condition, "/horizon/until_classified/at_most_periods");
+  row.all_but_one_per_cent = settling.times.nearly_all;
+  row.differ_at_horizon = settling.differ;
   const auto unresolved = settling.at_horizon.find(section::ResponseMode{});
   if (unresolved != settling.at_horizon.end()) row.unresolved_at_horizon = unresolved->second;
-  row.censored = settling.censored;
-  row.fixed_horizon = std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
-  if (horizon.until_classified) {
-    row.limit = horizon.until_classified->at_most_periods;
-    row.held_windows = horizon.until_classified->held_windows;
+  const std::int64_t held = periods_at(report, condition, "/horizon/until_classified/held_windows").value_or(1);
+  row.held_windows = static_cast<int>(held);
+  if (const auto horizon = fixed_horizon(report, condition)) {
+    row.fixed_horizon = horizon->transient + horizon->sampled;
+    row.confirmation = (held - 1) * horizon->sampled;
   }
-  row.confirmation = confirmation_periods(horizon);
-  row.differ_at_horizon = settling.differ;
   if (result.non_recurrence) row.differ_in_the_end = result.non_recurrence->differ;
   for (const auto& [mode, leaving] : settling.leaving) {
     row.leaving.push_back({.mode = mode,
@@ -129,27 +159,16 @@ SettlingRow row_of(const Condition& condition, const ConditionResult& result) {
                            .watched_periods = leaving.watched_periods,
                            .per_1000_periods = leaving.per_1000_periods});
   }
-  if (settling.long_runs) {
-    row.long_runs =
-        LongRunRow{.realisations = settling.long_runs->count, .windows = settling.long_runs->windows, .shares = {}};
-    for (const auto& [mode, found] : settling.long_runs->shares) {
-      row.long_runs->shares.push_back({.mode = mode, .share = found.share, .interval = found.interval});
-    }
-  }
-  if (!result.response_times) return row;
-  const auto& quartiles = result.response_times->quartiles;
-  const auto median = std::ranges::find(quartiles, 0.5, &stats::QuantileEstimate::level);
-  if (median != quartiles.end()) row.median = *median;
-  row.all_but_one_per_cent = result.response_times->nearly_all;
+  if (settling.long_runs) row.long_runs = long_run_row(*settling.long_runs);
+  const auto median = std::ranges::find(settling.times.quartiles, 0.5, &stats::QuantileEstimate::level);
+  if (median != settling.times.quartiles.end()) row.median = *median;
   return row;
 }
 
-}  // namespace
-
-std::vector<SettlingRow> settling_rows(const Experiment& experiment, const ExperimentResult& result) {
+std::vector<SettlingRow> settling_rows(const Report& report) {
   std::vector<SettlingRow> rows;
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    if (result.conditions[i].settling) rows.push_back(row_of(experiment.conditions[i], result.conditions[i]));
+  for (const ReportedCondition& condition : report.conditions) {
+    if (auto row = settling_row(report, condition)) rows.push_back(*std::move(row));
   }
   return rows;
 }
@@ -203,8 +222,8 @@ bool may_be_left(const LeftMode& leaving) { return leaving.left > 0 && leaving.p
 
 std::string limit_remedy(const SettlingRow& condition, const std::string& name) {
   const double share = static_cast<double>(condition.censored) / static_cast<double>(condition.realisations);
-  if (share <= ResponseTimes::tolerable_share || !condition.all_but_one_per_cent) return "";
-  const stats::TimeToShare& found = *condition.all_but_one_per_cent;
+  if (share <= ResponseTimes::tolerable_share) return "";
+  const stats::TimeToShare& found = condition.all_but_one_per_cent;
   const std::string start = (name.empty() ? "" : name + ": ") + per_cent(share) + " % are not classified" +
                             (condition.limit ? " after " + std::to_string(*condition.limit) + " periods" : "");
   if (found.is_observed) {
@@ -263,21 +282,20 @@ std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t
          "horizon would do";
 }
 
-std::string unresolved_remedy(const Experiment& experiment, const ExperimentResult& result) {
+std::string unresolved_remedy(const Report& report) {
+  static const Json::json_pointer kind("/excitation/kind");
+  if (!report.input.experiment.contains(kind) || report.input.experiment.at(kind) != "harmonic") return "";
   double largest = 0.0;
-  const Condition* worst = nullptr;
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
-    const Condition& condition = experiment.conditions[i];
-    if (condition.horizon.until_classified || !is_periodic(condition.scene.excitation)) continue;
-    if (!is_random(condition.scene)) continue;
-    for (const auto& [mode, probability] : result.conditions[i].modes) {
-      if (mode.kind != section::ResponseKind::unresolved || probability.estimate <= largest) continue;
-      largest = probability.estimate;
-      worst = &condition;
-    }
+  const ReportedCondition* worst = nullptr;
+  for (const ReportedCondition& condition : report.conditions) {
+    const Estimate* unresolved = condition.result.estimate_of(section::ResponseMode{});
+    if (!condition.result.is_random() || condition.result.settling || unresolved == nullptr) continue;
+    if (unresolved->estimate <= largest) continue;
+    largest = unresolved->estimate;
+    worst = &condition;
   }
-  if (worst == nullptr) return "";
-  return unresolved_remedy(largest, worst->horizon.transient_periods, worst->horizon.sampled_periods);
+  const auto horizon = worst == nullptr ? std::nullopt : fixed_horizon(report, *worst);
+  return horizon ? unresolved_remedy(largest, horizon->transient, horizon->sampled) : "";
 }
 
 }  // namespace rocking

@@ -7,9 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/ensemble/result.hpp"
-#include "rocking/output/mode_table.hpp"
-#include "rocking/scene/experiment.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/quantile_interval.hpp"
 #include "rocking/stats/survival.hpp"
@@ -47,20 +45,23 @@ struct SettlingRow {
   std::uint64_t realisations = 0;
   double confidence = 0.95;
   std::uint64_t unresolved_at_horizon = 0;
-  std::uint64_t censored = 0;                              ///< not classified at the limit
-  std::optional<std::int64_t> fixed_horizon;               ///< [periods]; absent if it is not known
-  std::optional<std::int64_t> limit;                       ///< at_most_periods
-  std::int64_t confirmation = 0;                           ///< periods of the held windows after the first
-  stats::QuantileEstimate median;                          ///< settling period
-  std::optional<stats::TimeToShare> all_but_one_per_cent;  ///< absent in reports of earlier versions
+  std::uint64_t censored = 0;                 ///< not classified at the limit
+  std::optional<std::int64_t> fixed_horizon;  ///< [periods]; absent if it is not known
+  std::optional<std::int64_t> limit;          ///< at_most_periods
+  std::int64_t confirmation = 0;              ///< periods of the held windows after the first
+  stats::QuantileEstimate median;             ///< settling period
+  stats::TimeToShare all_but_one_per_cent;
   std::optional<double> differ_at_horizon, differ_in_the_end;
   std::vector<LeftMode> leaving;  ///< of each mode that was watched
   int held_windows = 1;
   std::optional<LongRunRow> long_runs;  ///< absent unless asked for
 };
 
+/// The row of a condition; absent without UntilClassified.
+[[nodiscard]] std::optional<SettlingRow> settling_row(const Report& report, const ReportedCondition& condition);
+
 /// The rows of a run with UntilClassified; none of another run.
-[[nodiscard]] std::vector<SettlingRow> settling_rows(const Experiment& experiment, const ExperimentResult& result);
+[[nodiscard]] std::vector<SettlingRow> settling_rows(const Report& report);
 
 /// `140 [80, 200]`; `> 1000` where the median lies beyond the observation, with the end of its interval that is known.
 [[nodiscard]] std::string period_text(const stats::QuantileEstimate& quantile,
@@ -94,7 +95,7 @@ struct SettlingRow {
 [[nodiscard]] std::string unresolved_remedy(double share, std::int64_t transient, std::int64_t sampled);
 
 /// The same of a run; empty if it has UntilClassified or its excitation has no periods.
-[[nodiscard]] std::string unresolved_remedy(const Experiment& experiment, const ExperimentResult& result);
+[[nodiscard]] std::string unresolved_remedy(const Report& report);
 
 /// What to do about a limit at which more than one per cent of a condition is not classified: the limit that would do,
 /// or that it cannot be told; empty if it is less. `name`: of the condition, empty if there is one only.

@@ -92,19 +92,4 @@ std::string column_cell(const std::optional<Shaking>& shaking, std::string_view 
   return shaking ? significant(number_of(*shaking, key), digits_of_a_cell) : ".";
 }
 
-Json shaking_json(const Shaking& shaking) {
-  Json json = Json::object();
-  json["given"] = {shaking.given_amplitude, shaking.given_frequency};
-  for (const ShakingNumber& each : shaking_numbers) json[std::string(each.key)] = shaking.*each.number;
-  return json;
-}
-
-Shaking shaking_from(const Json& json) {
-  Shaking shaking;
-  shaking.given_amplitude = entry_of(json.at("given").at(0).get<std::string>()).key;
-  shaking.given_frequency = entry_of(json.at("given").at(1).get<std::string>()).key;
-  for (const ShakingNumber& each : shaking_numbers) shaking.*each.number = json.at(std::string(each.key));
-  return shaking;
-}
-
 }  // namespace rocking

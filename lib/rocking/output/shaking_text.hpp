@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "rocking/scene/shaking.hpp"
-#include "rocking/text/json.hpp"
 
 /// The amplitude and the frequency of a base motion in the units of the file, and the other form beside them: g and Hz
 /// beside A_h and Omega_h, these beside any physical unit.
@@ -42,9 +41,5 @@ using Shakings = std::span<const std::optional<Shaking>>;
 
 /// The number of a column in four digits; a point without a shaking.
 [[nodiscard]] std::string column_cell(const std::optional<Shaking>& shaking, std::string_view key);
-
-/// As in a report: all numbers, and `given`, the keys of the file.
-[[nodiscard]] Json shaking_json(const Shaking& shaking);
-[[nodiscard]] Shaking shaking_from(const Json& json);
 
 }  // namespace rocking

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t most_unreached_listed = 5;
 
 double half_width_of(const ModeEstimate& mode) {
-  const stats::Interval& interval = mode.probability.anytime.value_or(mode.probability.simultaneous);
+  const stats::Interval& interval = mode.probability.quoted();
   return 0.5 * (interval.high - interval.low);
 }
 
@@ -51,20 +51,21 @@ std::string name_of(const Condition& condition) {
 
 }  // namespace
 
-std::string unreached_precision(const Experiment& experiment, const ExperimentResult& result) {
+std::string unreached_precision(const Experiment& experiment, const Report& report) {
   std::string list;
   std::size_t number = 0;
-  for (std::size_t i = 0; i < result.conditions.size(); ++i) {
+  for (std::size_t i = 0; i < report.conditions.size(); ++i) {
     const Condition& condition = experiment.conditions[i];
-    if (result.conditions[i].stopped_because != StoppedBecause::at_most_reached || !condition.until) continue;
+    const ConditionResult& result = report.conditions[i].result;
+    if (result.stopped_because != StoppedBecause::at_most_reached || !condition.until) continue;
     if (++number > most_unreached_listed) continue;
     const std::string name = name_of(condition);
-    list += "  " + (name.empty() ? "" : name + "; ") + shortfall(*condition.until, result.conditions[i]) + '\n';
+    list += "  " + (name.empty() ? "" : name + "; ") + shortfall(*condition.until, result) + '\n';
   }
   if (number == 0) return "";
   if (number > most_unreached_listed) list += "  and " + std::to_string(number - most_unreached_listed) + " more\n";
   return "the wanted half-width was not reached in " + std::to_string(number) + " of " +
-         counted(result.conditions.size(), "condition") + ", which have all the realisations that `at_most` allows:\n" +
+         counted(report.conditions.size(), "condition") + ", which have all the realisations that `at_most` allows:\n" +
          list + "raise `at_most`, or accept a larger half-width\n";
 }
 

@@ -7,7 +7,7 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/parameter_names.hpp"
-#include "rocking/output/shaking_text.hpp"
+#include "rocking/output/shaking_fields.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
@@ -41,7 +41,7 @@ Json step_json(const DrawnDiagrams& drawn, const DiagramStep& step, Branch branc
   json["start"] = step.continued ? "continued" : "initial";
   json["condition"] = step.condition;
   if (const auto shaking = shaking_of(drawn.experiment->conditions[step.condition].scene)) {
-    json["shaking"] = shaking_json(*shaking);
+    json["shaking"] = type_of<Shaking>().json(&*shaking);
   }
   json["termination"] = to_string(step.termination);
   json["mode"] = to_string(step.classification.mode);

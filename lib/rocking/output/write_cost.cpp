@@ -1,7 +1,7 @@
 #include "rocking/output/write_cost.hpp"
 
 #include "rocking/output/cost_table.hpp"
-#include "rocking/output/provenance_json.hpp"
+#include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/result_json.hpp"
 #include "rocking/studies/cost/measurement.hpp"
 #include "rocking/text/json.hpp"
@@ -93,7 +93,7 @@ Json result_json(const Cost& cost) {
 }
 
 Json times_json(const MeasuredCost& measured) {
-  Json json = system_json(measured.system);
+  Json json = type_of<SystemFacts>().json(&measured.system);
   const CostTiming& timing = measured.cost.timing;
   json["processor_s_per_period"] = timing.seconds_per_period;
   Json& planned = json["planned_processor_s"] = Json::array();
@@ -108,7 +108,8 @@ Json times_json(const MeasuredCost& measured) {
 std::string cost_text(const MeasuredCost& measured) {
   Json json = Json::object();
   json["format"] = cost_format;
-  json["input"] = input_json(*measured.experiment);
+  const InputFacts input = input_of(*measured.experiment);
+  json["input"] = type_of<InputFacts>().json(&input);
   json["result"] = result_json(measured.cost);
   json["system"] = times_json(measured);
   return json.dump(2) + '\n';

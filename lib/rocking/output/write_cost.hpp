@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/provenance.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/cost/cost.hpp"
 

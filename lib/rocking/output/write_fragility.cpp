@@ -10,6 +10,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/output/fragility_words.hpp"
 #include "rocking/output/result_json.hpp"
+#include "rocking/output/shaking_fields.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/output/write_annual_rate.hpp"
@@ -105,7 +106,7 @@ std::vector<std::string> swept_in(const FragilityCurve& curve) {
 Json level_json(const FragilityLevel& level, const std::optional<Shaking>& shaking) {
   Json json = Json::object();
   json["intensity"] = level.intensity;
-  if (shaking) json["shaking"] = shaking_json(*shaking);
+  if (shaking) json["shaking"] = type_of<Shaking>().json(&*shaking);
   json["realisations"] = level.overturned.trials;
   json["overturned"] = level.overturned.successes;
   json["estimate"] = level.estimate;

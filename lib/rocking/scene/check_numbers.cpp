@@ -112,7 +112,7 @@ void check_numbers(const Condition& condition, SoundGroundMotions& sound, Proble
     check("/horizon/until_classified/exponent_pause", until->exponent_pause, rules::exponent_pause.with_default(0));
   }
   check("/accuracy/tolerance", condition.tolerance, rules::tolerance);
-  check("/accuracy/repeat_every", condition.rerun_every, rules::rerun_every.with_default(Condition{}.rerun_every));
+  check("/accuracy/rerun_every", condition.rerun_every, rules::rerun_every.with_default(Condition{}.rerun_every));
   check_realisations(condition, check);
   check("/confidence", condition.confidence, rules::confidence);
 }

@@ -33,17 +33,9 @@ std::vector<Field> fields_of(const Summary& summary) {
   return fields;
 }
 
-/// The summary without what layouts before 4 lack.
-Summary without_peaks(Summary summary) {
-  summary.left_ground_before_fall.reset();
-  summary.peaks = {};
-  return summary;
-}
-
 }  // namespace
 
 std::vector<std::string> differing_fields(const Summary& a, const Summary& b) {
-  if (a.peaks.are_present() != b.peaks.are_present()) return differing_fields(without_peaks(a), without_peaks(b));
   const std::vector<Field> of_a = fields_of(a);
   const std::vector<Field> of_b = fields_of(b);
   std::vector<std::string> names;

@@ -13,8 +13,7 @@ struct Difference {
   std::vector<std::string> fields;  ///< names of the fields of its row that differ
 };
 
-/// Names of the fields in which two summaries differ. What one of them lacks because its layout is older (StoredPeaks,
-/// left_ground_before_fall) is not compared.
+/// Names of the fields in which two summaries differ.
 [[nodiscard]] std::vector<std::string> differing_fields(const Summary& a, const Summary& b);
 
 }  // namespace rocking

@@ -2,17 +2,14 @@
 
 #include <fstream>
 #include <string>
-#include <utility>
 
 namespace rocking {
 namespace {
 
-// Also absent if the path to the row, or to the row of its neighbour, is damaged: a pair with a missing realisation is
-// run as a whole.
-std::optional<Summary> find_if_current(const Store& store, const RealisationKey& key) {
+// Also absent if the path to the row is damaged.
+std::optional<Summary> find_undamaged(const Store& store, const RealisationKey& key) {
   try {
-    auto summary = store.find(key);
-    return summary && store.has_current_bits(key, *summary) ? std::move(summary) : std::nullopt;
+    return store.find(key);
   } catch (const sqlite::UnusableFile&) {
     return std::nullopt;
   }
@@ -49,7 +46,7 @@ std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store&
     const std::uint64_t realisations = effective_realisations(experiment.conditions[condition]);
     for (std::uint64_t realisation = 0; realisation < realisations; ++realisation) {
       const RealisationKey key{condition, realisation};
-      const auto summary = find_if_current(damaged, key);
+      const auto summary = find_undamaged(damaged, key);
       if (!summary) continue;
       into.add(key, *summary);
       ++kept;

@@ -12,8 +12,8 @@ namespace rocking {
 /// truncation or a changed bit. SQLite reads nothing of such a file. Other files are not changed.
 void count_pages_again(const std::filesystem::path& path);
 
-/// Copies every undamaged realisation that has the bits that this program gives, wherever the file is damaged. Returns
-/// their number. The store may be damaged or have an earlier layout. The added rows are not yet durable.
+/// Copies every undamaged realisation, wherever the file is damaged. Returns their number. The added rows are not yet
+/// durable.
 std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store& into);
 
 }  // namespace rocking

@@ -141,21 +141,20 @@ Store Store::open(const std::filesystem::path& path, Access access) {
 
 Store Store::read(Database database) {
   Store store(std::move(database));
-  store.layout_ = layout_of(store.database_);
-  store.identity_ = read_identity(store.database_, store.layout_);
-  store.rows_ = RowFormat(store.database_, store.layout_, store.identity_.experiment);
+  expect_current_layout(store.database_);
+  store.identity_ = read_identity(store.database_);
+  store.rows_ = RowFormat(store.identity_.experiment);
   return store;
 }
 
 void Store::add(const RealisationKey& key, const Summary& summary) {
-  ROCKING_EXPECT(layout_ == current_layout);
   if (!in_transaction_) {
     database_.execute("BEGIN IMMEDIATE");
     in_transaction_ = true;
   }
   if (!insert_) {
-    insert_ = database_.prepare("INSERT OR REPLACE INTO realisations (" + rows_.columns() + ") VALUES (" +
-                                rows_.placeholders() + ")");
+    insert_ = database_.prepare("INSERT OR REPLACE INTO realisations (" + row_columns() + ") VALUES (" +
+                                row_placeholders() + ")");
   }
   rows_.bind(*insert_, key, summary);
   insert_->run();
@@ -183,7 +182,7 @@ std::optional<Summary> Store::find(const RealisationKey& key) const {
   auto statement = std::exchange(find_, std::nullopt);  // a statement that fails is not used again
   if (!statement) {
     statement =
-        database_.prepare("SELECT " + rows_.columns() + " FROM realisations WHERE condition = ? AND realisation = ?");
+        database_.prepare("SELECT " + row_columns() + " FROM realisations WHERE condition = ? AND realisation = ?");
   }
   statement->bind(0, static_cast<std::int64_t>(key.condition));
   statement->bind(1, static_cast<std::int64_t>(key.realisation));
@@ -198,13 +197,6 @@ std::optional<Summary> Store::find(const RealisationKey& key) const {
   return found ? std::optional(std::move(found->summary)) : std::nullopt;
 }
 
-bool Store::has_current_bits(const RealisationKey& key, const Summary& row) const {
-  const bool is_first = key.realisation % 2 == 0;
-  const auto next =
-      is_first && is_former_version(identity_.results) ? find({key.condition, key.realisation + 1}) : std::nullopt;
-  return rocking::has_current_bits(row, next, identity_.results);
-}
-
 void Store::walk(Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const {
   std::optional<RealisationKey> last;
   while (statement.step()) {
@@ -216,7 +208,7 @@ void Store::walk(Statement statement, const std::function<void(const Realisation
 }
 
 void Store::for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const {
-  walk(database_.prepare("SELECT " + rows_.columns() + " FROM realisations ORDER BY condition, realisation"), use);
+  walk(database_.prepare("SELECT " + row_columns() + " FROM realisations ORDER BY condition, realisation"), use);
 }
 
 std::optional<std::string> Store::damage() const {
@@ -245,7 +237,7 @@ void Store::for_each_key(const std::function<void(const RealisationKey&)>& use) 
 
 std::map<section::ResponseMode, std::uint64_t> Store::mode_counts(std::uint64_t condition,
                                                                   std::uint64_t realisations) const {
-  Statement statement = database_.prepare("SELECT " + rows_.columns() +
+  Statement statement = database_.prepare("SELECT " + row_columns() +
                                           " FROM realisations WHERE condition = ? AND realisation < ? "
                                           "ORDER BY condition, realisation");
   statement.bind(0, static_cast<std::int64_t>(condition));

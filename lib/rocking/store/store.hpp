@@ -9,7 +9,6 @@
 
 #include "rocking/store/sqlite.hpp"
 #include "rocking/store/store_identity.hpp"
-#include "rocking/store/store_layout.hpp"
 #include "rocking/store/store_row.hpp"
 #include "rocking/store/summary.hpp"
 
@@ -43,13 +42,10 @@ class Store {
   [[nodiscard]] static Store in_memory(const Identity& identity);
 
   [[nodiscard]] const Identity& identity() const { return identity_; }
-  /// Whether rows can be added. Stores of an earlier layout can only be read; `salvage` copies their rows into a new
-  /// store.
-  [[nodiscard]] bool is_of_current_layout() const { return layout_ == current_layout; }
   /// The protection in use, for a store opened for writing.
   [[nodiscard]] Journalling journalling() const { return journalling_; }
 
-  /// Adds a row or replaces the one with this key. Needs the current layout.
+  /// Adds a row or replaces the one with this key.
   void add(const RealisationKey& key, const Summary& summary);
   /// Makes the added rows durable.
   void commit();
@@ -57,8 +53,6 @@ class Store {
   void close_up();
 
   [[nodiscard]] std::optional<Summary> find(const RealisationKey& key) const;
-  /// Whether this program gives the same bits for a row of this store; see results_version.hpp.
-  [[nodiscard]] bool has_current_bits(const RealisationKey& key, const Summary& row) const;
   /// Calls `use` for every row, in the order of the keys.
   void for_each(const std::function<void(const RealisationKey&, const Summary&)>& use) const;
   /// Description of the first damage found in the file; absent if every page and every row is as written. Reads the
@@ -77,7 +71,6 @@ class Store {
   void walk(sqlite::Statement statement, const std::function<void(const RealisationKey&, const Summary&)>& use) const;
 
   sqlite::Database database_;
-  std::int64_t layout_ = current_layout;
   Identity identity_;
   RowFormat rows_{std::string()};
   Journalling journalling_ = Journalling::write_ahead;

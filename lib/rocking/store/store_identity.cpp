@@ -2,7 +2,6 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/random/draws.hpp"
-#include "rocking/store/store_layout.hpp"
 
 namespace rocking {
 namespace {
@@ -23,17 +22,6 @@ void add_text(base::Sha256Builder& sum, std::string_view text) {
   sum.add(text);
 }
 
-// The checksum of layout 1 covers neither experiment_sha256 nor whether part and parts are null.
-std::string first_checksum_of(const Written& written) {
-  base::Sha256Builder sum;
-  for (const auto& text : {written.identity.experiment, written.identity.code, written.draws, written.identity.files}) {
-    add_text(sum, text);
-  }
-  sum.add(written.identity.shard ? written.identity.shard->part : 0);
-  sum.add(written.identity.shard ? written.identity.shard->parts : 0);
-  return base::to_hex(sum.finish());
-}
-
 std::string checksum_of(const Written& written) {
   base::Sha256Builder sum;
   for (const auto& text : {written.identity.experiment, written.experiment_sha256, written.identity.code, written.draws,
@@ -50,9 +38,6 @@ std::string checksum_of(const Written& written) {
   return base::to_hex(sum.finish());
 }
 
-// Layout 1 has no column for it. Only for this revision is the results version of its stores known.
-std::uint64_t results_of_layout_1(const std::string& code) { return code == "0.1.0 61b81ca4680c" ? 1 : 0; }
-
 [[noreturn]] void fail(const Database& database) {
   throw sqlite::UnusableFile(database.path() +
                              ": is damaged: the experiment to which it belongs cannot be read, so nothing in it "
@@ -68,10 +53,9 @@ std::optional<Shard> read_shard(const Database& database, const Statement& row, 
   return Shard{.part = static_cast<std::uint64_t>(number), .parts = static_cast<std::uint64_t>(of)};
 }
 
-Written read_row_of_identity(const Database& database, std::int64_t layout) {
+Written read_row_of_identity(const Database& database) {
   Statement row = database.prepare(
-      std::string("SELECT experiment, experiment_sha256, code, draws, files, part, parts, checksum, ") +
-      (layout == 1 ? "0" : "results") + " FROM identity");
+      "SELECT experiment, experiment_sha256, code, draws, files, part, parts, checksum, results FROM identity");
   if (!row.step()) fail(database);
   Written written{.identity = {.experiment = row.text(0),
                                .code = row.text(2),
@@ -81,7 +65,6 @@ Written read_row_of_identity(const Database& database, std::int64_t layout) {
                   .experiment_sha256 = row.text(1),
                   .draws = row.text(3),
                   .checksum = row.text(7)};
-  if (layout == 1) written.identity.results = results_of_layout_1(written.identity.code);
   if (row.step()) fail(database);  // it is unknown which of several rows is valid
   return written;
 }
@@ -116,9 +99,9 @@ void write_identity(Database& database, const Identity& identity) {
   insert.run();
 }
 
-Identity read_identity(const Database& database, std::int64_t layout) {
-  Written written = read_row_of_identity(database, layout);
-  const bool sound = written.checksum == (layout == 1 ? first_checksum_of(written) : checksum_of(written)) &&
+Identity read_identity(const Database& database) {
+  Written written = read_row_of_identity(database);
+  const bool sound = written.checksum == checksum_of(written) &&
                      written.experiment_sha256 == base::to_hex(base::sha256(written.identity.experiment));
   if (!sound) fail(database);
   if (written.draws != random::draws_format) {

@@ -16,7 +16,7 @@ struct Identity {
   std::string code;        ///< version and revision of the program that created the store
   std::string files;       ///< folder to which the file names in the experiment are relative; may differ between parts
   std::optional<Shard> shard;               ///< part of the experiment to be run here; absent: all of it
-  std::uint64_t results = results_version;  ///< results version of the realisations; 0: unknown
+  std::uint64_t results = results_version;  ///< results version of the realisations
 };
 
 /// CREATE TABLE statement of the table with one row that holds the identity, the format of the draws and a checksum
@@ -25,8 +25,8 @@ struct Identity {
 
 void write_identity(sqlite::Database& database, const Identity& identity);
 
-/// Reads the identity from a store of any known layout. Throws sqlite::UnusableFile if it is not what was written, or
+/// Reads the identity from a store. Throws sqlite::UnusableFile if it is not what was written, or
 /// if the store uses another format of draws than this program.
-[[nodiscard]] Identity read_identity(const sqlite::Database& database, std::int64_t layout);
+[[nodiscard]] Identity read_identity(const sqlite::Database& database);
 
 }  // namespace rocking

@@ -33,8 +33,8 @@ void expect_two_tables(const Database& database) {
   Statement writer = database.prepare("SELECT code FROM identity");
   const std::string code = writer.step() ? writer.text(0) : "unknown";
   throw UnusableFile(database.path() + ": was written by rocking " + code + " in layout " + std::to_string(layout) +
-                     ", but this program reads layouts up to " + std::to_string(current_layout) +
-                     "; use the program that wrote it, or a later one");
+                     ", but this program reads layout " + std::to_string(current_layout) +
+                     "; use the program that wrote it, or run the experiment again");
 }
 
 }  // namespace
@@ -46,15 +46,14 @@ void lay_out(Database& database) {
   database.execute(row_table());
 }
 
-std::int64_t layout_of(const Database& database) {
+void expect_current_layout(const Database& database) {
   if (sqlite::number_in(database, "PRAGMA application_id") != application_id) {
     throw UnusableFile(database.path() + ": is not a store of realisations");
   }
   const std::int64_t number = sqlite::number_in(database, "PRAGMA user_version");
-  if (number > current_layout) refuse(database, number);
-  if (number < 0 || number == 1) throw UnusableFile(database.path() + ": is damaged: its layout number is invalid");
+  if (number < 0) throw UnusableFile(database.path() + ": is damaged: its layout number is invalid");
+  if (number != current_layout) refuse(database, number);
   expect_two_tables(database);
-  return number == 0 ? 1 : number;
 }
 
 }  // namespace rocking

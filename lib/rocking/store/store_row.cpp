@@ -4,7 +4,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <set>
 #include <string_view>
 
 namespace rocking {
@@ -22,8 +21,6 @@ const char* type_of(std::uint64_t) { return "INTEGER NOT NULL"; }
 const char* type_of(double) { return "REAL NOT NULL"; }
 const char* type_of(const base::Sha256&) { return "BLOB NOT NULL"; }
 const char* type_of(const std::optional<std::int64_t>&) { return "INTEGER"; }
-const char* type_of(const std::optional<bool>&) { return "INTEGER"; }
-const char* type_of(const std::optional<double>&) { return "REAL"; }
 template <class Named>
 const char* type_of(const std::optional<Named>&) {
   return "TEXT";
@@ -156,55 +153,30 @@ std::string row_table() {
   return table + ", checksum INTEGER NOT NULL, PRIMARY KEY (condition, realisation)) STRICT, WITHOUT ROWID";
 }
 
-RowFormat::RowFormat(const std::string& experiment) : experiment_(base::sha256(experiment)) {
-  const Summary any;
-  for_each_field(any, [this](const auto&, const auto&) { is_stored_.push_back(true); });
-  list_columns();
+const std::string& row_columns() {
+  static const std::string columns = [] {
+    std::string names = "condition, realisation";
+    const Summary any;
+    for_each_field(any, [&names](const std::string& name, const auto&) { names += ", " + name; });
+    return names + ", checksum";
+  }();
+  return columns;
 }
 
-RowFormat::RowFormat(const sqlite::Database& database, std::int64_t layout, const std::string& experiment) {
-  if (layout > 1) experiment_ = base::sha256(experiment);
-  std::set<std::string> names;
-  for (Statement column = database.prepare("PRAGMA table_info(realisations)"); column.step();) {
-    names.insert(column.text(1));
-  }
-  const Summary any;
-  for_each_field(any, [&](const auto& name, const auto&) { is_stored_.push_back(names.contains(name)); });
-  list_columns();
-}
-
-void RowFormat::list_columns() {
-  columns_ = "condition, realisation";
-  const Summary any;
-  std::size_t place = 0;
-  for_each_field(any, [&](const std::string& name, const auto&) {
-    if (is_stored_[place++]) columns_ += ", " + name;
-  });
-  columns_ += ", checksum";
-}
-
-std::string RowFormat::placeholders() const {
+std::string row_placeholders() {
   std::string places = "?";
-  for (const char letter : columns_) {
+  for (const char letter : row_columns()) {
     if (letter == ',') places += ", ?";
   }
   return places;
 }
 
-template <class Visit, class SomeSummary>
-void RowFormat::for_each_stored_field(SomeSummary& summary, Visit&& visit) const {
-  std::size_t place = 0;
-  for_each_field(summary, [&](const auto&, auto& field) {
-    if (is_stored_[place++]) visit(field);
-  });
-}
-
 std::uint64_t RowFormat::checksum_of(const RealisationKey& key, const Summary& summary) const {
   Summer sum;
-  if (experiment_) sum.add(*experiment_);
+  sum.add(experiment_);
   sum.add(key.condition);
   sum.add(key.realisation);
-  for_each_stored_field(summary, [&sum](const auto& field) { sum.add(field); });
+  for_each_field(summary, [&sum](const auto&, const auto& field) { sum.add(field); });
   return sum.finish();
 }
 
@@ -212,7 +184,7 @@ void RowFormat::bind(Statement& statement, const RealisationKey& key, const Summ
   Binder binder(statement);
   binder.put(key.condition);
   binder.put(key.realisation);
-  for_each_stored_field(summary, [&binder](const auto& field) { binder.put(field); });
+  for_each_field(summary, [&binder](const auto&, const auto& field) { binder.put(field); });
   binder.put(checksum_of(key, summary));
 }
 
@@ -221,7 +193,7 @@ std::optional<Row> RowFormat::read(const Statement& statement) const {
   Reader reader(statement);
   reader.get(row.key.condition);
   reader.get(row.key.realisation);
-  for_each_stored_field(row.summary, [&reader](auto& field) { reader.get(field); });
+  for_each_field(row.summary, [&reader](const auto&, auto& field) { reader.get(field); });
   std::uint64_t checksum = 0;
   reader.get(checksum);
   if (!reader.is_sound() || checksum != checksum_of(row.key, row.summary)) return std::nullopt;

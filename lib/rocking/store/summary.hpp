@@ -18,18 +18,6 @@ struct RealisationKey {
   friend auto operator<=>(const RealisationKey&, const RealisationKey&) = default;
 };
 
-/// PeakValues as they are stored: all absent in rows of layouts before 4.
-struct StoredPeaks {
-  std::optional<double> tilt;
-  std::optional<double> tilt_rate;
-  std::optional<double> slip;
-  std::optional<double> slip_m;
-  std::optional<double> final_slip;
-  std::optional<double> final_slip_m;
-
-  [[nodiscard]] bool are_present() const { return tilt.has_value(); }
-};
-
 /// The part of a result that is stored, after the comparison with the neighbouring realisation: a few hundred bytes,
 /// whatever the horizon.
 struct Summary {
@@ -53,15 +41,15 @@ struct Summary {
   OperationCounts operations;
   Clamps clamps;
   /// Whether contact was lost before a final fall (Automaton::losses_before_fall).
-  std::optional<bool> left_ground_before_fall;
-  StoredPeaks peaks;
-  /// Settling, for realisations that are run until they are classified; otherwise, and before layout 5, absent.
+  bool left_ground_before_fall = false;
+  PeakValues peaks;
+  /// Settling, for realisations that are run until they are classified; otherwise absent.
   std::optional<section::ResponseMode> horizon_mode;
   std::optional<std::int64_t> observed_periods;
   std::optional<std::int64_t> settling_period;
   std::optional<std::int64_t> left_period;
   std::optional<section::ResponseMode> left_to;
-  std::optional<section::ModeCounts> long_run;  ///< absent without a long run and before layout 6
+  std::optional<section::ModeCounts> long_run;  ///< absent without a long run
 
   [[nodiscard]] bool was_clamped() const;
 };
@@ -81,16 +69,16 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("past_balance", summary.was_past_balance);
   visit("contradiction", summary.met_contradiction);
   visit("digest", summary.digest);
-  visit("parted_from_next", summary.diverged_from_next);
-  visit("repeat_mode", summary.rerun_mode);
-  visit("repeat_parted", summary.rerun_diverged);
+  visit("diverged_from_next", summary.diverged_from_next);
+  visit("rerun_mode", summary.rerun_mode);
+  visit("rerun_diverged", summary.rerun_diverged);
   visit("long_mode", summary.long_mode);
   auto& operations = summary.operations;
   visit("steps", operations.steps);
   visit("slip_steps", operations.slip_steps);
   visit("root_isolations", operations.root_isolations);
-  visit("record_segments", operations.ground_motion_segments);
-  visit("companion_periods", operations.perturbed_pair_periods);
+  visit("ground_motion_segments", operations.ground_motion_segments);
+  visit("perturbed_pair_periods", operations.perturbed_pair_periods);
   visit("static_friction_draws", operations.static_friction_draws);
   visit("kinetic_friction_draws", operations.kinetic_friction_draws);
   visit("restitution_draws", operations.restitution_draws);

@@ -65,10 +65,6 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
 
 }  // namespace
 
-bool needs_peak_tilts(const FragilityQuestion& question) {
-  return !question.peak_tilts.empty() || question.incremental;
-}
-
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                            const FragilityQuestion& question, const RunOptions& options) {
   if (question.hazard) check_intensity(*question.hazard, intensity_of(experiment));

@@ -43,9 +43,6 @@ struct FragilityQuestion {
   bool incremental = false;                ///< also the peak tilt against intensity for each record
 };
 
-/// Whether stripes_of must find peak tilts for the question.
-[[nodiscard]] bool needs_peak_tilts(const FragilityQuestion& question);
-
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
 /// of another intensity, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.

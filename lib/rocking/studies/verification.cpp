@@ -10,23 +10,12 @@ namespace {
 
 constexpr std::size_t most_listed = 10;
 
-// All rows of an unknown version are compared, because they may have the same bits.
-bool is_comparable(const Store& store, const RealisationKey& key) {
-  if (!is_former_version(store.identity().results)) return true;
-  const auto row = store.find(key);
-  return row && store.has_current_bits(key, *row);
-}
-
-/// Every pair of the store with a row that can be compared, or `wanted` of them, evenly spaced.
+/// Every pair of the store, or about `sample` realisations in pairs, evenly spaced.
 class PairPicker {
  public:
   PairPicker(const Store& store, const std::optional<std::uint64_t>& sample) {
     std::vector<Pair> all;
     store.for_each_key([&](const RealisationKey& key) {
-      if (!is_comparable(store, key)) {
-        ++not_comparable_;
-        return;
-      }
       const Pair pair{.condition = static_cast<std::size_t>(key.condition), .first = key.realisation / 2 * 2};
       const bool known = !all.empty() && all.back().condition == pair.condition && all.back().first == pair.first;
       if (!known) all.push_back(pair);
@@ -39,13 +28,10 @@ class PairPicker {
     return place_ < pairs_.size() ? std::optional(pairs_[place_++]) : std::nullopt;
   }
   [[nodiscard]] std::uint64_t size() const { return pairs_.size(); }
-  /// Rows of the whole store that cannot be compared.
-  [[nodiscard]] std::uint64_t not_comparable() const { return not_comparable_; }
 
  private:
   std::vector<Pair> pairs_;
   std::size_t place_ = 0;
-  std::uint64_t not_comparable_ = 0;
 };
 
 }  // namespace
@@ -55,10 +41,9 @@ Verification verify(const Experiment& experiment, const Store& store, const std:
   check_experiment(experiment);
   Verification verification;
   PairPicker picker(store, sample);
-  verification.not_compared = picker.not_comparable();
   const auto compare = [&](const RealisationKey& key, const Summary& again) {
     const auto stored = store.find(key);
-    if (!stored || !is_comparable(store, key)) return;
+    if (!stored) return;
     ++verification.checked;
     const auto fields = differing_fields(*stored, again);
     if (fields.empty()) return;

@@ -54,7 +54,7 @@ void JsonWriter::put_key(std::string_view key) {
 
 // A dump has line breaks between values only, since those within a text are written as \n. The next line is indented.
 void JsonWriter::put(const Json& value) {
-  const std::string text = value.dump(static_cast<int>(indent));
+  const std::string text = value.dump(static_cast<int>(indent), ' ', false, Json::error_handler_t::replace);
   const std::string line_break = '\n' + std::string(indent * levels_.size(), ' ');
   std::string placed;
   placed.reserve(2 * text.size());

@@ -13,7 +13,7 @@ namespace rocking {
 using TextSink = std::function<void(std::string_view)>;
 
 /// Writes a JSON document that is too large for memory, value by value. The bytes are those of
-/// Json::dump(2).
+/// Json::dump(2), with U+FFFD in place of bytes that are no UTF-8.
 class JsonWriter {
  public:
   explicit JsonWriter(const TextSink& sink) : sink_(&sink) {}

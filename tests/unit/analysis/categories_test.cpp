@@ -9,11 +9,12 @@
 
 #include "analysis/non_recurrence_figures.hpp"
 #include "analysis/quantile_figure.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 
 namespace {
 
+using namespace rocking;
 using namespace rocking::analysis;
 using rocking::Json;
 using rocking::support::sample_report;
@@ -28,7 +29,7 @@ const Layer* layer_in(const Figure& figure, LayerKind kind) {
 }
 
 /// Two frictions and nothing else: categories.
-RunReport categories() {
+Report categories() {
   Json json = sample_report();
   Json& experiment = json["input"]["experiment"];
   experiment["sweep"].erase(1);
@@ -39,20 +40,19 @@ RunReport categories() {
     conditions.push_back(all[i]);
     conditions.back()["parameters"].erase("/excitation/amplitude");
   }
-  RunReport report = run_report_of(std::move(json));
-  for (ConditionReport& condition : report.conditions) {
-    condition.quantiles["peak_tilt"] = {.realisations = 30,
-                                        .beyond = 0,
-                                        .levels = {{.level = 0.05, .value = 0.1, .low = 0.05, .high = 0.2},
-                                                   {.level = 0.5, .value = 0.3, .low = 0.2, .high = 0.4},
-                                                   {.level = 0.95, .value = 0.6, .low = 0.5, .high = {}}},
-                                        .levels_m = {}};
+  Report report = report_in(std::move(json));
+  for (ReportedCondition& condition : report.conditions) {
+    condition.result.peaks.tilt = {.realisations = 30,
+                                   .beyond = 0,
+                                   .levels = {{.level = 0.05, .value = 0.1, .low = 0.05, .high = 0.2},
+                                              {.level = 0.5, .value = 0.3, .low = 0.2, .high = 0.4},
+                                              {.level = 0.95, .value = 0.6, .low = 0.5, .high = {}}}};
   }
   return report;
 }
 
 TEST(Categories, HaveBarsAndNeitherRibbonsNorLines) {
-  const RunReport report = categories();
+  const Report report = categories();
   std::vector<Figure> figures = quantile_figures(report);
   figures.push_back(non_recurrence(report).value());
   figures.push_back(divergence_quartiles(report).value());
@@ -71,18 +71,19 @@ TEST(Categories, HaveBarsAndNeitherRibbonsNorLines) {
   }
   const Figure differing = non_recurrence(report).value();
   const Table& table = differing.tables[layer_in(differing, LayerKind::error_bars)->table];
-  EXPECT_EQ(std::get<double>(table.rows[1][1]), report.conditions[1].difference->differ);
-  EXPECT_EQ(std::get<double>(table.rows[1][2]), report.conditions[1].difference->interval.low);
-  EXPECT_EQ(std::get<double>(table.rows[1][3]), report.conditions[1].difference->interval.high);
+  EXPECT_EQ(std::get<double>(table.rows[1][1]), report.conditions[1].result.non_recurrence->differ);
+  EXPECT_EQ(std::get<double>(table.rows[1][2]), report.conditions[1].result.non_recurrence->differ_interval.low);
+  EXPECT_EQ(std::get<double>(table.rows[1][3]), report.conditions[1].result.non_recurrence->differ_interval.high);
 }
 
 TEST(Categories, OfSeveralSlicesStandSideBySide) {
-  RunReport report = categories();
+  Report report = categories();
   report.swept.push_back("/formulation");
   const auto first = report.conditions;
-  for (ConditionReport& condition : report.conditions) condition.parameters.emplace_back("consistent");
-  for (ConditionReport condition : first) {
-    condition.parameters.emplace_back("as-printed");
+  for (ReportedCondition& condition : report.conditions)
+    condition.parameters.push_back({"/formulation", "\"consistent\""});
+  for (ReportedCondition condition : first) {
+    condition.parameters.push_back({"/formulation", "\"as-printed\""});
     report.conditions.push_back(condition);
   }
   const Figure figure = non_recurrence(report).value();

@@ -24,11 +24,11 @@
 namespace {
 
 using rocking::Json;
+using rocking::Report;
+using rocking::report_in;
 using rocking::analysis::Cell;
 using rocking::analysis::Figure;
 using rocking::analysis::run_figures;
-using rocking::analysis::run_report_of;
-using rocking::analysis::RunReport;
 using rocking::analysis::Table;
 using rocking::support::sample_report;
 using ::testing::ElementsAre;
@@ -36,7 +36,7 @@ using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// The figure with this name; one without tables if there is none.
-Figure figure_named(const RunReport& report, const std::string& name) {
+Figure figure_named(const Report& report, const std::string& name) {
   for (Figure& figure : run_figures(report)) {
     if (figure.name == name) return std::move(figure);
   }
@@ -54,7 +54,7 @@ double value(const Table& table, std::size_t row, const std::string& column) {
 
 TEST(ModeProbabilities, AreTheReportsToTheBit) {
   const Json text = sample_report();
-  const Figure figure = figure_named(run_report_of(text), "mode_probabilities");
+  const Figure figure = figure_named(report_in(text), "mode_probabilities");
   const Json& conditions = text["result"]["conditions"];
   ASSERT_EQ(figure.panels.size(), 2U);  // two frictions, three amplitudes
   for (std::size_t i = 0; i < conditions.size(); ++i) {
@@ -72,12 +72,12 @@ TEST(ModeProbabilities, AreTheReportsToTheBit) {
 TEST(ModeProbabilities, QuoteTheIntervalThatHoldsWheneverTheRunStopped) {
   Json text = sample_report();
   text["result"]["conditions"][0]["probabilities"]["(1,1)"]["anytime"] = {0.125, 0.875};
-  const Figure figure = figure_named(run_report_of(text), "mode_probabilities");
+  const Figure figure = figure_named(report_in(text), "mode_probabilities");
   EXPECT_EQ(value(figure.tables[0], 0, "(1,1)_low"), 0.125);
 }
 
 TEST(ModeBands, FillEveryConditionFromZeroToOne) {
-  const Figure figure = figure_named(run_report_of(sample_report()), "mode_bands");
+  const Figure figure = figure_named(report_in(sample_report()), "mode_bands");
   for (std::size_t panel = 0; panel < figure.panels.size(); ++panel) {
     for (const auto& row : figure.tables[panel].rows) {
       double edge = 0.0;
@@ -115,10 +115,10 @@ TEST(DataFile, HasItsColumnsNamesAndEveryNumberInFull) {
             "# second\n# 1 y: P\n# y\nNaN\n0.3333333333333333\n");
 }
 
-TEST(RunReport, IsRefusedByName) {
+TEST(Report, IsRefusedByName) {
   const auto refusal = [](const Json& json) -> std::string {
     try {
-      static_cast<void>(rocking::analysis::read_run_report(json.dump()));
+      static_cast<void>(rocking::parse_report(json.dump()));
     } catch (const rocking::base::InputError& error) {
       return error.what();
     }
@@ -144,7 +144,7 @@ class Drawn : public ::testing::Test {
 TEST_F(Drawn, TwiceGivesTheSameBytes) {
   const rocking::support::TemporaryFolder first;
   const rocking::support::TemporaryFolder second;
-  const auto figures = run_figures(run_report_of(sample_report()));
+  const auto figures = run_figures(report_in(sample_report()));
   for (const Figure& figure : figures) {
     for (const auto* folder : {&first, &second}) {
       const auto drawing = write_figure(figure, *folder / "");
@@ -276,7 +276,7 @@ std::vector<double> numbers_after(const std::string& key, const std::string& tex
 TEST_F(Drawn, ForAJournalHasTheWidthOfItsColumnNoTitleAndNoSmallTextOrThinLine) {
   for (const auto& [width, millimetres] :
        {std::pair(JournalWidth::single_column, 84.0), std::pair(JournalWidth::double_column, 174.0)}) {
-    for (Figure& figure : run_figures(run_report_of(sample_report()))) {
+    for (Figure& figure : run_figures(report_in(sample_report()))) {
       figure.subtitle = "A SUBTITLE";
       const std::string svg = journal_svg(figure, width);
       // gnuplot writes whole pixels, and font sizes with one decimal.
@@ -364,7 +364,7 @@ TEST(Drawing, SaysWhatIsMissingAndLeavesTheData) {
   const rocking::support::TemporaryFolder folder;
   const std::string path = std::getenv("PATH");
   ::setenv("PATH", "/nowhere", 1);
-  const auto drawing = write_figure(figure_named(run_report_of(sample_report()), "mode_bands"), folder / "");
+  const auto drawing = write_figure(figure_named(report_in(sample_report()), "mode_bands"), folder / "");
   ::setenv("PATH", path.c_str(), 1);
   EXPECT_FALSE(drawing.is_drawn());
   EXPECT_THAT(drawing.reason, HasSubstr("gnuplot-nox"));

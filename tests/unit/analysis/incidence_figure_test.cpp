@@ -11,34 +11,33 @@
 #include <gmock/gmock.h>
 
 #include "analysis/gnuplot_script.hpp"
-#include "analysis/run_report.hpp"
+#include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 
 namespace {
 
+using namespace rocking;
 using namespace rocking::analysis;
 using rocking::support::sample_report;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
 /// A run with `until_classified` of which no realisation settled; `limit` in excitation periods.
-RunReport unsettled(std::int64_t limit) {
-  RunReport report = run_report_of(sample_report());
-  report.experiment["horizon"]["until_classified"] = {{"at_most_periods", limit}, {"held_windows", 2}};
-  for (ConditionReport& condition : report.conditions) {
-    condition.modes = {{{}, {.count = 30, .estimate = 1.0, .interval = {.low = 0.9, .high = 1.0}}}};
-    IncidenceReport& incidence = condition.incidence.emplace();
-    incidence.any_mode.emplace();
-    incidence.settling.realisations = 30;
-    incidence.settling.censored = 30;
-    incidence.settling.unresolved_at_horizon = 30;
+Report unsettled(std::int64_t limit) {
+  Report report = report_in(sample_report());
+  report.input.experiment["horizon"]["until_classified"] = {{"at_most_periods", limit}, {"held_windows", 2}};
+  for (ReportedCondition& condition : report.conditions) {
+    condition.result.modes = {{.mode = {}, .probability = support::sample_estimate(30, 30)}};
+    SettlingResult& settling = condition.result.settling.emplace();
+    settling.censored = 30;
+    settling.at_horizon[{}] = 30;
   }
   return report;
 }
 
 TEST(IncidenceFigure, DrawsWhatNeverSettledUpToTheEndOfItsObservation) {
   for (const std::int64_t limit : {625, 1000, 200000}) {
-    const RunReport report = unsettled(limit);
+    const Report report = unsettled(limit);
     const Figure figure = incidence_figure(report).value();
     ASSERT_EQ(figure.panels.size(), report.conditions.size());
     for (const Panel& panel : figure.panels) {

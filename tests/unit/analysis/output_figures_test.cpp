@@ -20,6 +20,7 @@
 namespace {
 
 using rocking::Json;
+using rocking::report_in;
 using rocking::analysis::bifurcation_figures;
 using rocking::analysis::Cell;
 using rocking::analysis::cost_figures;
@@ -30,7 +31,6 @@ using rocking::analysis::output_figures;
 using rocking::analysis::phase_portrait;
 using rocking::analysis::poincare;
 using rocking::analysis::read_trajectory;
-using rocking::analysis::run_report_of;
 using rocking::analysis::Table;
 using rocking::analysis::TrajectoryFile;
 using rocking::support::sample_report;
@@ -335,7 +335,7 @@ TEST(OutputFigures, RefuseWithTheFilesName) {
 }
 
 TEST(Tables, HaveEveryModeOfEveryConditionWithItsNumbers) {
-  const auto report = run_report_of(sample_report());
+  const auto report = report_in(sample_report());
   const std::string csv = modes_csv(report);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 1 + 6 * 4);
   EXPECT_THAT(csv, HasSubstr("\n\"{\"\"static\"\":0.35,\"\"kinetic\"\":0.3}\",4.0,0.97991465"));
@@ -348,9 +348,9 @@ TEST(Tables, BoundWhatDidNotOccurAndShowNoIntervalWhereNothingIsRandom) {
   Json json = sample_report();
   const auto high = json["result"]["conditions"][0]["probabilities"]["overturned"]["simultaneous"][1].get<double>();
   EXPECT_EQ(json["result"]["conditions"][0]["counts"]["overturned"], 0);
-  EXPECT_THAT(modes_latex(run_report_of(json)), HasSubstr("$<$ " + rocking::per_cent(high)));
+  EXPECT_THAT(modes_latex(report_in(json)), HasSubstr("$<$ " + rocking::per_cent(high)));
   for (Json& condition : json["result"]["conditions"]) condition["stopped_because"] = "deterministic";
-  const auto report = run_report_of(json);
+  const auto report = report_in(json);
   EXPECT_FALSE(report.is_random());
   EXPECT_THAT(modes_latex(report), Not(HasSubstr("[")));
   EXPECT_THAT(modes_csv(report), HasSubstr(",4,0.13333333333333333,,\n"));
@@ -359,7 +359,7 @@ TEST(Tables, BoundWhatDidNotOccurAndShowNoIntervalWhereNothingIsRandom) {
 TEST(Tables, SetTextForLatexSoThatItIsText) {
   Json json = sample_report();
   json["input"]["experiment"]["title"] = "50 % of #1_a \\input{x} a\u202eb";
-  const std::string latex = modes_latex(run_report_of(json));
+  const std::string latex = modes_latex(report_in(json));
   EXPECT_THAT(latex, HasSubstr("50 \\% of \\#1\\_a \\textbackslash{}input\\{x\\} a\\textbackslash{}u202eb Response"));
   EXPECT_THAT(latex, HasSubstr("0.35/0.3 & 4 & 0.9799 & 30 & 83.3 ["));
 }

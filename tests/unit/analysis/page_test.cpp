@@ -22,7 +22,7 @@
 #include "cli/program.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
 #include "support/sample_report.hpp"
@@ -45,7 +45,8 @@ const char* hostile = "</title></script><script>alert(1)</script><img src=x oner
 Json report_of(const Json& question) {
   const auto experiment = rocking::read_experiment(question.dump(), {}, {});
   const auto result = rocking::run(experiment, {.threads = 1, .on_progress = {}, .stop_requested = nullptr});
-  return Json::parse(rocking::report_text(experiment, result.value(), {.build = {}, .machine = "m", .start = "s"}));
+  return Json::parse(
+      rocking::report_text(experiment, result.value(), {.build = {}, .machine = "m", .start = "2012-02-01T12:00:00Z"}));
 }
 
 /// One report for all tests: three conditions, four realisations each.
@@ -55,7 +56,7 @@ const Json& quick_report() {
 }
 
 std::string page_of(const Json& json, const std::string& svg = "<svg xmlns=\"http://www.w3.org/2000/svg\"/>") {
-  const RunReport report = run_report_of(json);
+  const Report report = report_in(json);
   std::vector<DrawnFigure> drawn;
   for (const Figure& figure : run_figures(report)) drawn.push_back({figure, svg});
   return page_text(report, drawn);
@@ -98,7 +99,7 @@ std::string markup_of(std::string page) {
 }
 
 Check check_named(const Json& report, const std::string& name) {
-  for (const Check& check : checks_of(run_report_of(report))) {
+  for (const Check& check : checks_of(report_in(report))) {
     if (check.name == name) return check;
   }
   ADD_FAILURE() << name;
@@ -196,7 +197,7 @@ TEST(Page, SaysThatItHasNoPictures) {
 }
 
 TEST(Page, HasPicturesThatCutNoWordOff) {
-  for (const Figure& figure : run_figures(run_report_of(quick_report()))) {
+  for (const Figure& figure : run_figures(report_in(quick_report()))) {
     Drawing drawing;
     const std::string svg = svg_of(figure, drawing);
     if (!drawing.is_drawn()) GTEST_SKIP() << "skipped: " << drawing.reason;
@@ -259,7 +260,8 @@ TEST(Page, AsksForALookWhereMoreThanOnePerCentOfADistributionIsClamped) {
   condition["realisations"] = 1000;
   validity["clamped"] = 10;
   validity["first_realisations"]["clamped"] = {3};
-  validity["draws"] = 100'000;
+  for (auto& [source, count] : report["internal"]["conditions"][1]["draws"].items()) count = 0;
+  report["internal"]["conditions"][1]["draws"]["kinetic_friction"] = 100'000;
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1000;
   EXPECT_EQ(check_named(report, "clamped random numbers").rating, Rating::note) << "1 % of both";
   validity["clamped_draws"]["kinetic_friction_at_static"] = 1001;
@@ -285,7 +287,7 @@ std::string bound_of(const Json& report, std::size_t condition) {
 }
 
 TEST(Page, TellsUpToWhereNothingOverturns) {
-  EXPECT_EQ(overturning_in_brief(run_report_of(quick_report())),
+  EXPECT_EQ(overturning_in_brief(report_in(quick_report())),
             "<p>No overturning seen up to <i>A<sub>h</sub></i> = 6 (at most " + bound_of(quick_report(), 2) +
                 " % there, 95 %).</p>\n");
 }
@@ -293,7 +295,7 @@ TEST(Page, TellsUpToWhereNothingOverturns) {
 TEST(Page, TellsWhereOverturningIsMostLikely) {
   Json report = changed("/result/conditions/1/counts/overturned", 3);
   report["result"]["conditions"][1]["probabilities"]["overturned"]["estimate"] = 0.75;
-  EXPECT_THAT(overturning_in_brief(run_report_of(report)),
+  EXPECT_THAT(overturning_in_brief(report_in(report)),
               AllOf(StartsWith("<p>No overturning seen up to <i>A<sub>h</sub></i> = 3 (at most " + bound_of(report, 0) +
                                " % there, 95 %); seen at <i>A<sub>h</sub></i> = 4.2;"),
                     HasSubstr("most likely at <i>A<sub>h</sub></i> = 4.2: <strong>75.0 % [")));
@@ -308,7 +310,7 @@ TEST(Page, SummarisesOverturningWhereTheSweepHasManyCombinations) {
     conditions.back()["parameters"]["/friction"] = {{"static", 0.5 + 0.01 * i}, {"kinetic", 0.4}};
     conditions.back()["parameters"]["/excitation/amplitude"] = 3.5 + 0.1 * i;
   }
-  EXPECT_THAT(overturning_in_brief(run_report_of(report)),
+  EXPECT_THAT(overturning_in_brief(report_in(report)),
               AllOf(StartsWith("<p>Seen in 13 of 14 conditions; the least base amplitude is at friction 0.4/0.35, base "
                                "amplitude 3 = 0.735 g; most likely at friction 0.4/0.35, base amplitude 5.5 = 1.35 g: "
                                "<strong>16.7 % [")));
@@ -329,7 +331,7 @@ TEST(Page, HasOneTableOfResponses) {
 
 TEST(Page, BoundsInItsTableWhatDidNotOccur) {
   Json report = changed("/result/conditions/1/counts/overturned", 3);
-  EXPECT_THAT(mode_table_html(run_report_of(report)),
+  EXPECT_THAT(mode_table_html(report_in(report)),
               HasSubstr("<td data-value=\"0\"><span class=\"none\">&lt; " + bound_of(report, 0) + "</span></td>"));
 }
 
@@ -337,7 +339,7 @@ TEST(Page, ShowsNoIntervalWhereNothingIsRandom) {
   Json question = quick_experiment();
   question.erase("fluctuation");
   const Json json = report_of(question);
-  const RunReport report = run_report_of(json);
+  const Report report = report_in(json);
   EXPECT_FALSE(report.is_random());
   for (const std::string& text : {mode_table_html(report), answer_in_brief(report), trust_in_full(checks_of(report))}) {
     EXPECT_THAT(matches(text, R"((\[[0-9.]+, [0-9.]+))"), IsEmpty()) << text;
@@ -345,9 +347,9 @@ TEST(Page, ShowsNoIntervalWhereNothingIsRandom) {
   }
   question["sweep"] = {{{"parameter", "/fluctuation/friction/sigma"}, {"values", {0.0, 0.02}}}};
   question["fluctuation"] = {{"friction", {{"sigma", 0.0}}}};
-  const RunReport both = run_report_of(report_of(question));
-  EXPECT_FALSE(both.conditions[0].is_random);
-  EXPECT_TRUE(both.conditions[1].is_random);
+  const Report both = report_in(report_of(question));
+  EXPECT_FALSE(both.conditions[0].result.is_random());
+  EXPECT_TRUE(both.conditions[1].result.is_random());
   EXPECT_THAT(mode_table_html(both), AllOf(HasSubstr("<td>100.0</td>"), HasSubstr("class=\"interval\"")));
 }
 
@@ -361,7 +363,7 @@ TEST(Page, TellsTheResponseAlongTheSweep) {
     condition["counts"][mode] = 4 - i;
     condition["probabilities"][mode]["estimate"] = 1.0 - 0.25 * static_cast<double>(i);
   }
-  EXPECT_THAT(responses_in_brief(run_report_of(report)),
+  EXPECT_THAT(responses_in_brief(report_in(report)),
               AllOf(HasSubstr("<i>A<sub>h</sub></i> = 3 to 4.2: rocks once in every period (1,1), 75.0 to 100.0 %; "
                               "<i>A<sub>h</sub></i> = 6: rocks once in three periods (1,3), 50.0 % [")));
 }
@@ -403,7 +405,7 @@ Animation made_up_motion() {
 
 TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
   const ShownAnimations shown{.explanation = "Some <motion>.", .motions = {made_up_motion()}};
-  const std::string page = page_text(run_report_of(quick_report()), {}, shown);
+  const std::string page = page_text(report_in(quick_report()), {}, shown);
   EXPECT_THAT(page, AllOf(HasSubstr("<p>Some &lt;motion&gt;.</p>"), HasSubstr("data-motions=\"motions\""),
                           HasSubstr("(1,1): &lt;script&gt;: tilt against time, 0 to 0.4 of 0.8 seconds")));
   const auto data = between(page, "id=\"data-motions\">", "</script>");
@@ -423,7 +425,7 @@ TEST(Page, AnimatesMotionsUnderTheSamePolicy) {
 }
 
 TEST(Page, SaysWhyItShowsNoMotion) {
-  EXPECT_THAT(page_text(run_report_of(quick_report()), {}, {.explanation = "No realisation is shown.", .motions = {}}),
+  EXPECT_THAT(page_text(report_in(quick_report()), {}, {.explanation = "No realisation is shown.", .motions = {}}),
               HasSubstr("<p>No realisation is shown.</p>"));
   EXPECT_THAT(page_of(quick_report()), Not(HasSubstr("See it move")));
 }

@@ -24,20 +24,19 @@ std::vector<stats::QuantileEstimate> levels(double median) {
           {.level = 0.95, .value = {}, .low = median, .high = {}}};
 }
 
-/// Amplitudes 1, 2, 3; at 3 a store of a former layout had no peaks.
-RunReport made() {
-  RunReport report;
-  report.title = "made up";
+/// Amplitudes 1, 2, 3; at 3 nothing is known.
+Report made() {
+  Report report;
+  report.input.experiment = {{"title", "made up"}};
   report.swept = {"/excitation/amplitude"};
   for (const double amplitude : {1.0, 2.0, 3.0}) {
-    ConditionReport& condition = report.conditions.emplace_back();
-    condition.parameters = {amplitude};
-    condition.realisations = 30;
+    ReportedCondition& condition = report.conditions.emplace_back();
+    condition.parameters = {{.pointer = "/excitation/amplitude", .value = Json(amplitude).dump()}};
+    condition.result.realisations = 30;
     if (amplitude == 3.0) continue;
-    condition.quantiles["peak_tilt"] = {
-        .realisations = 30, .beyond = 2, .levels = levels(0.25 * amplitude), .levels_m = {}};
-    condition.quantiles["peak_slip"] = {
-        .realisations = 30, .beyond = 2, .levels = levels(amplitude), .levels_m = levels(8.0 * amplitude)};
+    condition.result.peaks.tilt = {.realisations = 30, .beyond = 2, .levels = levels(0.25 * amplitude)};
+    condition.result.peaks.slip = {.over_half_diagonal = {.realisations = 30, .beyond = 2, .levels = levels(amplitude)},
+                                   .metres = levels(8.0 * amplitude)};
   }
   return report;
 }
@@ -47,7 +46,7 @@ TEST(QuantileFigures, ShowTheNumbersOfTheReport) {
   ASSERT_EQ(figures.size(), 2U) << "no final slip";
   EXPECT_EQ(figures[0].name, "peak_tilt");
   const Table& table = figures[0].tables.at(0);
-  ASSERT_EQ(table.rows.size(), 2U);
+  ASSERT_EQ(table.rows.size(), 3U);
   EXPECT_EQ(table.columns.at(3).name, "median");
   EXPECT_EQ(table.rows[1].size(), table.columns.size());
   EXPECT_EQ(std::get<double>(table.rows[1][0]), 2.0);
@@ -65,8 +64,8 @@ TEST(QuantileFigures, ShowTheNumbersOfTheReport) {
 
 // A ribbon with one end would be filled down to the axis.
 TEST(QuantileFigures, DrawNoRibbonWhereAnIntervalIsOpen) {
-  RunReport report = made();
-  report.conditions[1].quantiles["peak_tilt"].levels[1].high.reset();
+  Report report = made();
+  report.conditions[1].result.peaks.tilt.levels[1].high.reset();
   const Table ribbon = quantile_figures(report).at(0).tables.at(1);
   EXPECT_TRUE(ribbon.only_drawn);
   EXPECT_TRUE(std::holds_alternative<double>(ribbon.rows[0][1]));
@@ -75,8 +74,8 @@ TEST(QuantileFigures, DrawNoRibbonWhereAnIntervalIsOpen) {
 }
 
 TEST(QuantileFigures, AreNoneWithoutQuantiles) {
-  RunReport report = made();
-  for (ConditionReport& condition : report.conditions) condition.quantiles.clear();
+  Report report = made();
+  for (ReportedCondition& condition : report.conditions) condition.result.peaks = {};
   EXPECT_THAT(quantile_figures(report), IsEmpty());
 }
 

@@ -10,8 +10,8 @@
 #include "analysis/page/answer.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/page.hpp"
-#include "analysis/run_report.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/output/report.hpp"
 #include "support/sample_report.hpp"
 
 namespace {
@@ -54,7 +54,7 @@ const std::vector<Entry> others{
     {"/block", {{{"width_m", 1.0}, {"height_m", 4.0}}, {{"width_m", 2.0}, {"height_m", 8.0}}}}};
 
 /// A report of the grid; an amplitude has its other form, which depends on the block alone.
-RunReport report_of(const std::vector<Entry>& grid, const std::string& line) {
+Report report_of(const std::vector<Entry>& grid, const std::string& line) {
   Json report = rocking::support::sample_report();
   Json& experiment = report["input"]["experiment"];
   experiment["sweep"] = Json::array();
@@ -94,7 +94,7 @@ RunReport report_of(const std::vector<Entry>& grid, const std::string& line) {
       if (!more) place[i] = 0;
     }
   }
-  return run_report_of(std::move(report));
+  return report_in(std::move(report));
 }
 
 std::size_t occurrences_of(const std::string& part, const std::string& text) {
@@ -103,7 +103,7 @@ std::size_t occurrences_of(const std::string& part, const std::string& text) {
   return count;
 }
 
-void expect_sentences_along(const Line& line, const RunReport& report, std::size_t slices) {
+void expect_sentences_along(const Line& line, const Report& report, std::size_t slices) {
   const auto name = [&](const char* value) { return line.before + std::string(value); };
   const std::string overturning = overturning_in_brief(report);
   EXPECT_EQ(occurrences_of("No overturning seen up to " + name(line.middle) + " (at most ", overturning), slices);
@@ -165,7 +165,7 @@ TEST(Sentences, SetSymbolsAndLeaveNamesOfFilesAlone) {
   EXPECT_EQ(with_symbols("ground motion A_h.at2  in my_A_h"), "ground motion A_h.at2  in my_A_h");
   EXPECT_EQ(with_symbols(""), "");
   // The amplitude is the only number with one value less than the frequency: it names the slices, in both forms.
-  const RunReport report =
+  const Report report =
       report_of({{"/excitation/amplitude_g", {0.5, 0.75}}, {"/excitation/frequency_hz", {1.0, 2.0, 3.0}}},
                 "/excitation/amplitude_g");
   for (const std::string& text : {overturning_in_brief(report), responses_in_brief(report), answer_in_brief(report)}) {

@@ -9,12 +9,11 @@
 
 #include "analysis/page/question.hpp"
 #include "analysis/page/tables.hpp"
-#include "analysis/run_report.hpp"
 #include "analysis/scene_sketch.hpp"
 #include "analysis/sweep_view.hpp"
 #include "analysis/tables.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/report.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 #include "support/sample_report.hpp"
@@ -44,10 +43,10 @@ Json report_json(const Json& document) {
   return Json::parse(report_text(experiment, result, facts));
 }
 
-RunReport report_of(const std::string& excitation, const std::string& sweep = "") {
+Report report_of(const std::string& excitation, const std::string& sweep = "") {
   Json document = support::with(support::least_experiment(), "/excitation", excitation);
   if (!sweep.empty()) document["sweep"] = Json::parse(sweep);
-  return run_report_of(report_json(document));
+  return report_in(report_json(document));
 }
 
 constexpr const char* normalised = R"({"amplitude": 4.5, "frequency_ratio": 10})";
@@ -88,7 +87,7 @@ TEST(TheQuestion, GivesBothFormsOfASweptAmplitude) {
 TEST(TheQuestion, SaysOfARandomBlockWhoseNumbersItGives) {
   Json document = support::least_experiment();
   document["block"]["width_m"] = Json::parse(R"({"uniform": [0.9, 1.1]})");
-  EXPECT_THAT(question_in_brief(run_report_of(report_json(document))), HasSubstr("Hz) for the mean block"));
+  EXPECT_THAT(question_in_brief(report_in(report_json(document))), HasSubstr("Hz) for the mean block"));
 }
 
 TEST(TheQuestion, SaysWhatIsRandom) {
@@ -98,7 +97,7 @@ TEST(TheQuestion, SaysWhatIsRandom) {
   document["fluctuation"] = Json::parse(R"({"amplitude": {"sigma": 0.1}, "restitution": {"sigma": 0.01}})");
   document["sweep"] = Json::parse(R"([{"parameter": "/fluctuation/amplitude/sigma", "values": [0.1, 0.2]}])");
   EXPECT_THAT(
-      question_in_brief(run_report_of(report_json(document))),
+      question_in_brief(report_in(report_json(document))),
       HasSubstr("Random: restitution with &sigma; = 0.01, amplitude with &sigma; = 0.1 to 0.2 (swept), phase."));
 }
 
@@ -110,18 +109,6 @@ TEST(TheQuestion, ListsTheValuesOfEveryCondition) {
   EXPECT_THAT(question_in_full(report_of(normalised, kinds)),
               AllOf(HasSubstr("<dt>/excitation/kind</dt><dd>harmonic, pulse (swept)</dd>"),
                     HasSubstr("<dt>/excitation/amplitude</dt><dd>4.0 (swept)</dd>")));
-}
-
-TEST(TheQuestion, IsReadFromAReportOfAnEarlierVersion) {
-  Json sample = support::sample_report();
-  EXPECT_EQ(support::objections("report", sample.dump()), "");
-  for (Json& condition : sample["result"]["conditions"]) condition.erase("shaking");
-  EXPECT_EQ(support::objections("report", sample.dump()), "");
-  Json old = report_json(support::with(support::least_experiment(), "/excitation", normalised));
-  old["result"]["conditions"][0].erase("shaking");
-  const RunReport report = run_report_of(old);
-  EXPECT_THAT(question_in_brief(report), HasSubstr("<i>A<sub>h</sub></i> = 4.5 at"));
-  EXPECT_THAT(modes_csv(report), StartsWith("n,mode"));
 }
 
 TEST(TheSketch, IsThatOfTheFirstConditionWithItsOwnShaking) {
@@ -158,12 +145,12 @@ TEST(TheAxis, HasTheOtherFormOfItsOwnPanel) {
 }
 
 TEST(ACondition, IsNamedWithBothForms) {
-  const RunReport report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
+  const Report report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
   EXPECT_EQ(name_of_condition(report, report.conditions[1]), "base amplitude 4.5 = 1.1 g");
 }
 
 TEST(ASlice, IsNotSplitByAFormThatTheOtherParameterChanges) {
-  const RunReport report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]},
+  const Report report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]},
                                                      {"parameter": "/block/width_m", "values": [0.5, 1, 2]}])");
   const SweepView view = view_of(report);
   ASSERT_EQ(view.slices.size(), 2U);
@@ -171,7 +158,7 @@ TEST(ASlice, IsNotSplitByAFormThatTheOtherParameterChanges) {
 }
 
 TEST(TablesOfARun, HaveTheOtherForm) {
-  const RunReport report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
+  const Report report = report_of(normalised, R"([{"parameter": "/excitation/amplitude", "values": [3, 4.5]}])");
   EXPECT_THAT(mode_table_html(report), AllOf(HasSubstr("base amplitude [g]"), HasSubstr("1.102")));
   EXPECT_THAT(modes_csv(report), StartsWith("/excitation/amplitude,amplitude_g,frequency_ratio,frequency_hz,n,mode"));
   EXPECT_THAT(modes_csv(report), HasSubstr("\n4.5,1.1024"));
@@ -180,11 +167,11 @@ TEST(TablesOfARun, HaveTheOtherForm) {
 }
 
 TEST(AValue, IsThatOfTheConditionWhateverThePartThatIsSwept) {
-  const RunReport whole = report_of(normalised, R"([{"parameter": "/block", "values":
+  const Report whole = report_of(normalised, R"([{"parameter": "/block", "values":
       [{"width_m": 1, "height_m": 4}, {"width_m": 2, "height_m": 5}]}])");
   EXPECT_EQ(value_at(whole, whole.conditions[1], "/block/height_m"), Json(5.0));
   EXPECT_EQ(value_at(whole, whole.conditions[1], "/block").at("width_m"), Json(2.0));
-  const RunReport part = report_of(normalised, widths);
+  const Report part = report_of(normalised, widths);
   EXPECT_EQ(value_at(part, part.conditions[2], "/block").at("width_m"), Json(2.0));
   EXPECT_EQ(value_at(part, part.conditions[2], "/block/height_m"), Json(4.0));
   EXPECT_EQ(experiment_of(part, 2).at("block").at("width_m"), Json(2.0));

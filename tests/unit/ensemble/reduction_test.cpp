@@ -60,29 +60,16 @@ TEST(Reduction, CountsWhatOverturnedAsAboveEveryPeakAndNotAmongTheFinalSlips) {
   for (const Summary& summary : {with_peaks(0.5, -1.0), fallen, with_peaks(0.2, 1.0), with_peaks(0.7, 0.5), fallen}) {
     reduction.add(summary);
   }
-  const PeakQuantiles peaks = reduction.result().peaks.value();
+  const PeakQuantiles peaks = reduction.result().peaks;
   EXPECT_EQ(peaks.tilt.realisations, 5U);
   EXPECT_EQ(peaks.tilt.beyond, 2U);
   EXPECT_EQ(peaks.tilt.levels.at(2).level, 0.5);
   EXPECT_EQ(peaks.tilt.levels.at(2).value, 0.7) << "the third of five";
   EXPECT_FALSE(peaks.tilt.levels.at(4).value) << "one that overturned";
   EXPECT_EQ(peaks.tilt_rate.levels.at(2).value, 1.4);
-  EXPECT_EQ(peaks.slip.value().metres.levels.at(2).value, 6.0);
+  EXPECT_EQ(peaks.slip.value().metres.at(2).value, 6.0);
   EXPECT_EQ(peaks.final_slip.value().over_half_diagonal.realisations, 3U);
   EXPECT_EQ(peaks.final_slip.value().over_half_diagonal.levels.at(2).value, 0.5);
-}
-
-TEST(Reduction, HasNoPeaksWhereARowOfAFormerLayoutHasNone) {
-  const Condition condition = random_condition(2);
-  Reduction reduction(condition);
-  reduction.add(with_peaks(0.5, 0.0));
-  EXPECT_TRUE(reduction.result().peaks);
-  EXPECT_FALSE(reduction.result().peaks->slip) << "without friction";
-  Summary former = named(section::periodic(1, 1), 1.0);
-  former.left_ground = true;
-  reduction.add(former);
-  EXPECT_FALSE(reduction.result().peaks);
-  EXPECT_EQ(reduction.result().validity.left_ground_before_fall.count, 1U) << "it may have been";
 }
 
 TEST(Reduction, LetsNoUnresolvedResponseLowerTheLeastShare) {

@@ -52,7 +52,32 @@ TEST(CanonicalText, WritesEveryDefaultOut) {
       R"("formulation":"consistent","slide_inertia":"centroidal","restitution":0.0,"impact_slip_rule":"absolute",)"
       R"("excitation":{"kind":"harmonic","amplitude":4.2,"frequency_ratio":10.0,"phase_rad":0.0},)"
       R"("initial":{"tilt":0.0,"tilt_rate":0.0},"horizon":{"transient_periods":500,"sampled_periods":120},)"
-      R"("accuracy":{"tolerance":1e-13,"repeat_every":10},"realisations":1,"confidence":0.95,"seed":"0x0"})");
+      R"("accuracy":{"tolerance":1e-13,"rerun_every":10},"realisations":1,"confidence":0.95,"seed":"0x0"})");
+}
+
+TEST(CanonicalText, GivesAFormerKeyItsPresentName) {
+  const Json present = with(least_experiment(), "/accuracy/rerun_every", "3");
+  EXPECT_EQ(canonical(with(least_experiment(), "/accuracy/repeat_every", "3")), canonical(present));
+  const auto swept = [](const char* place) {
+    return canonical(
+        with(least_experiment(), "/sweep", R"([{"parameter": ")" + std::string(place) + R"(", "values": [1, 2]}])"));
+  };
+  EXPECT_EQ(swept("/accuracy/repeat_every"), swept("/accuracy/rerun_every"));
+}
+
+TEST(FormerKey, IsNamedAsItIsWritten) {
+  const auto place_of_problem = [](const Json& document) {
+    try {
+      (void)read_experiment(document.dump());
+    } catch (const base::InputError& error) {
+      return error.problems().at(0).place;
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(place_of_problem(with(least_experiment(), "/accuracy/repeat_every", "-1")), "/accuracy/repeat_every");
+  EXPECT_EQ(place_of_problem(with(least_experiment(), "/accuracy/rerun_every", "-1")), "/accuracy/rerun_every");
+  const Json both = with(with(least_experiment(), "/accuracy/rerun_every", "3"), "/accuracy/repeat_every", "3");
+  EXPECT_EQ(place_of_problem(both), "/accuracy/repeat_every") << "an unknown key";
 }
 
 TEST(CanonicalText, NamesTheOptionsOfAFormulation) {

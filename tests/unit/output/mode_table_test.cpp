@@ -169,7 +169,8 @@ TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
   estimate.estimate = 0.25;
   estimate.simultaneous = {.low = 0.1, .high = 0.5};
   condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
-  const auto rows = table_rows(experiment, {.conditions = {condition}, .digest = {}});
+  condition.stopped_because = StoppedBecause::deterministic;
+  const auto rows = table_rows(report_of(experiment, {.conditions = {condition}}, {}));
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_EQ(rows[0].parameters[0].value, "4.5");
   EXPECT_EQ(rows[0].realisations, 8U);
@@ -177,37 +178,27 @@ TEST(TableRows, HaveTheNumbersOfEachConditionOfARun) {
   EXPECT_EQ(rows[0].modes[0].count, 2U);
   EXPECT_EQ(rows[0].modes[0].estimate, 0.25);
   EXPECT_FALSE(rows[0].modes[0].interval) << "nothing is random in this scene";
-  experiment.conditions[0].scene.fluctuation.restitution = 0.1;
-  EXPECT_EQ(table_rows(experiment, {.conditions = {condition}, .digest = {}})[0].modes[0].interval->high, 0.5);
+  condition.stopped_because = StoppedBecause::all_realisations_done;
+  EXPECT_EQ(table_rows(report_of(experiment, {.conditions = {condition}}, {}))[0].modes[0].interval->high, 0.5);
 }
 
 TEST(TableRows, BoundModesThatOccurInOtherConditionsOnly) {
-  Experiment experiment;
-  for (const bool until : {false, true}) {
-    Condition& condition = experiment.conditions.emplace_back();
-    condition.scene.fluctuation.restitution = 0.1;
-    if (until) condition.until = Until{.half_width = 0.1};
-  }
-  ConditionResult with;
+  Report report;
+  ConditionResult& with = report.conditions.emplace_back().result;
   with.realisations = 10;
-  Estimate estimate;
-  estimate.counts = {.successes = 1, .trials = 10};
-  with.modes.push_back({.mode = section::periodic(1, 5), .probability = estimate});
-  ConditionResult without;
+  with.modes.push_back({.mode = section::periodic(1, 5), .probability = {}});
+  ConditionResult& without = report.conditions.emplace_back().result;
   without.realisations = 200;
-  for (const bool until : {false, true}) {
-    std::vector<ConditionResult> results{without, with};
-    if (until) std::swap(results[0], results[1]);
-    const auto rows = table_rows(experiment, {.conditions = results, .digest = {}});
-    const TableRow& row = rows[until ? 1 : 0];
-    ASSERT_EQ(row.modes.size(), 1U);
-    EXPECT_EQ(row.modes[0].count, 0U);
-    EXPECT_EQ(row.modes[0].interval.has_value(), !until);
-    if (!until) {
-      EXPECT_EQ(row.modes[0].interval->high,
-                simultaneous_interval(section::periodic(1, 5), {.successes = 0, .trials = 200}, 0.95).high);
-    }
-  }
+  without.modes.push_back({.mode = {section::ResponseKind::rest}, .probability = {}});
+  const auto entry = [&report] {
+    const auto row = table_rows(report).at(1);
+    return *std::ranges::find(row.modes, section::periodic(1, 5), &TableEntry::mode);
+  };
+  EXPECT_EQ(entry().count, 0U);
+  EXPECT_EQ(entry().interval.value().high,
+            simultaneous_interval(section::periodic(1, 5), {.successes = 0, .trials = 200}, 0.95).high);
+  without.modes.front().probability.anytime = stats::Interval{};
+  EXPECT_FALSE(entry().interval) << "the number of realisations depends on their results";
 }
 
 TEST(TableRows, HaveTheIntervalThatIsValidWheneverTheRunStops) {
@@ -218,7 +209,7 @@ TEST(TableRows, HaveTheIntervalThatIsValidWheneverTheRunStops) {
   estimate.anytime = {.low = 0.25, .high = 1.0};
   ConditionResult condition;
   condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
-  const auto rows = table_rows(experiment, {.conditions = {condition}, .digest = {}});
+  const auto rows = table_rows(report_of(experiment, {.conditions = {condition}}, {}));
   EXPECT_EQ(rows[0].modes[0].interval->low, 0.25);
 }
 

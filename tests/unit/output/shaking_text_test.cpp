@@ -12,9 +12,8 @@
 
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/report_differences.hpp"
+#include "rocking/output/shaking_fields.hpp"
 #include "support/experiment_text.hpp"
-#include "support/sample_report.hpp"
 
 namespace rocking {
 namespace {
@@ -68,7 +67,10 @@ TEST(Shaking, HasTheGivenNumbersToTheBit) {
     ASSERT_TRUE(shaking);
     EXPECT_EQ(number_of(*shaking, shaking->given_amplitude), 0.3);
     EXPECT_EQ(number_of(*shaking, shaking->given_frequency), 0.7);
-    const Shaking again = shaking_from(shaking_json(*shaking));
+    Shaking again;
+    std::vector<base::Problem> problems;
+    type_of<Shaking>().read(type_of<Shaking>().json(&*shaking), {.pointer = "", .problems = &problems}, &again);
+    EXPECT_THAT(problems, IsEmpty());
     for (const ShakingNumber& each : shaking_numbers) EXPECT_EQ(again.*each.number, (*shaking).*each.number);
     EXPECT_EQ(again.given_amplitude, shaking->given_amplitude);
     EXPECT_EQ(again.given_frequency, shaking->given_frequency);
@@ -124,24 +126,13 @@ TEST(ModeTableOfShaking, HasTheOtherFormBesideTheSweptOne) {
   estimate.estimate = 1.0;
   estimate.simultaneous = {.low = 0.5, .high = 1.0};
   condition.modes.push_back({.mode = section::periodic(1, 1), .probability = estimate});
-  const auto rows = table_rows(experiment, {.conditions = {condition, condition}, .digest = {}});
+  condition.stopped_because = StoppedBecause::deterministic;
+  const auto rows = table_rows(report_of(experiment, {.conditions = {condition, condition}}, {}));
   EXPECT_EQ(mode_table(rows),
             "amplitude  amplitude_g  response\n"
             "        3       0.7349     (1,1)\n"
             "      4.5        1.102     (1,1)\n"
             "shaking: Omega_h 10 = 3.01 Hz\n");
-}
-
-// Reports of earlier versions have no shaking, and are no worse for it.
-TEST(ReportDifferences, DoNotMissTheShakingOfAnEarlierVersion) {
-  const Json right = support::sample_report();
-  Json former = right;
-  for (Json& condition : former["result"]["conditions"]) condition.erase("shaking");
-  EXPECT_THAT(report_differences(former.dump(), right.dump()), IsEmpty());
-  Json changed = right;
-  changed["result"]["conditions"][1]["shaking"]["amplitude_g"] = 7.0;
-  EXPECT_THAT(report_differences(changed.dump(), right.dump()),
-              ElementsAre(testing::StartsWith("/result/conditions/1/shaking/amplitude_g is 7.0, not ")));
 }
 
 TEST(ShortValue, NamesARateRatio) {

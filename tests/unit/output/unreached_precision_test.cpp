@@ -43,7 +43,7 @@ struct Made {
     result.conditions.push_back(found);
   }
 
-  [[nodiscard]] std::string text() const { return unreached_precision(experiment, result); }
+  [[nodiscard]] std::string text() const { return unreached_precision(experiment, report_of(experiment, result, {})); }
 };
 
 TEST(UnreachedPrecision, IsNotMentionedWhereItWasReached) {

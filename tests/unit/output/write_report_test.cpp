@@ -7,7 +7,7 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/check_normal_summary.hpp"
-#include "rocking/output/write_report.hpp"
+#include "rocking/output/report.hpp"
 #include "rocking/output/write_trajectory.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"

@@ -36,7 +36,7 @@ Json full_document() {
     "fluctuation": { "static_friction": { "sigma": 0.03 }, "kinetic_friction": { "sigma": 0.02, "refreshes_per_period": 20 },
                      "restitution": { "sigma": 0.01 }, "amplitude": { "sigma": 0.2 } },
     "initial": { "tilt": 0.1, "tilt_rate": 0.2, "slip_rate": 0.3 },
-    "horizon": { "transient_periods": 2, "sampled_periods": 100 }, "accuracy": { "tolerance": 1e-10, "repeat_every": 5 },
+    "horizon": { "transient_periods": 2, "sampled_periods": 100 }, "accuracy": { "tolerance": 1e-10, "rerun_every": 5 },
     "realisations": 3, "check_labels": { "every": 2, "times_longer": 20 }, "confidence": 0.95 })");
 }
 
@@ -146,7 +146,7 @@ INSTANTIATE_TEST_SUITE_P(
         number("/horizon/sampled_periods", "0", [](auto& c) { c.horizon.sampled_periods = 0; }),
         number("/accuracy/tolerance", "1e-17", [](auto& c) { c.tolerance = 1e-17; }),
         number("/accuracy/tolerance", "0.1", [](auto& c) { c.tolerance = 0.1; }),
-        number("/accuracy/repeat_every", "1000000001", [](auto& c) { c.rerun_every = 1'000'000'001; }),
+        number("/accuracy/rerun_every", "1000000001", [](auto& c) { c.rerun_every = 1'000'000'001; }),
         number("/realisations", "0", [](auto& c) { c.realisations = 0; }),
         number("/check_labels/every", "0", [](auto& c) { c.label_check->every = 0; }),
         number("/check_labels/times_longer", "1", [](auto& c) { c.label_check->times_longer = 1; }),

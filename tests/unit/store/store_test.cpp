@@ -9,13 +9,14 @@
 #include <gmock/gmock.h>
 
 #include "rocking/store/difference.hpp"
-#include "rocking/studies/verification.hpp"
+#include "rocking/store/store_layout.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace rocking {
 namespace {
 
 using sqlite::Access;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -33,8 +34,6 @@ Summary filled(std::uint64_t number) {
     if constexpr (std::is_same_v<Field, double>) field = 1.0 / static_cast<double>(value);
     if constexpr (std::is_same_v<Field, bool>) field = value % 2 == 0;
     if constexpr (std::is_same_v<Field, base::Sha256>) field = base::sha256(std::to_string(value));
-    if constexpr (std::is_same_v<Field, std::optional<double>>) field = 1.0 / static_cast<double>(value);
-    if constexpr (std::is_same_v<Field, std::optional<bool>>) field = value % 2 == 0;
     if constexpr (std::is_same_v<Field, std::optional<std::int64_t>>) field = static_cast<std::int64_t>(value);
   });
   summary.mode = section::periodic(static_cast<int>(number), 3);
@@ -59,19 +58,7 @@ TEST(DifferingFields, NamesEachFieldThatDiffers) {
   other.digest = base::sha256("x");
   other.rerun_mode.reset();
   other.clamps.restitution = 3;
-  EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("digest", "repeat_mode", "clamped_restitution"));
-}
-
-TEST(DifferingFields, LetOutWhatARowOfAFormerLayoutLacks) {
-  Summary former = filled(1);
-  former.peaks = {};
-  former.left_ground_before_fall.reset();
-  EXPECT_THAT(differing_fields(filled(1), former), IsEmpty());
-  former.margin = 7.0;
-  EXPECT_THAT(differing_fields(former, filled(1)), ElementsAre("margin"));
-  Summary other = filled(1);
-  other.peaks.slip = 0.125;
-  EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("peak_slip"));
+  EXPECT_THAT(differing_fields(filled(1), other), ElementsAre("digest", "rerun_mode", "clamped_restitution"));
 }
 
 TEST(Store, WalksItsRowsInTheOrderOfTheirKeys) {
@@ -149,7 +136,7 @@ TEST(Store, TellsOfARowThatWasChanged) {
     store.close_up();
   }
   EXPECT_EQ(complaint(folder / "a.sqlite"), "");
-  for (const char* change : {"mode = '(1,1)'", "steps = steps + 1", "parted_from_next = NULL", "margin = 2.0",
+  for (const char* change : {"mode = '(1,1)'", "steps = steps + 1", "diverged_from_next = NULL", "margin = 2.0",
                              "in_transient = 1 - in_transient"}) {
     std::filesystem::copy_file(folder / "a.sqlite", folder / "b.sqlite",
                                std::filesystem::copy_options::overwrite_existing);
@@ -168,48 +155,15 @@ TEST(Store, RefusesWhatIsNoStore) {
   EXPECT_THROW((void)Store::open(folder / "absent.sqlite", Access::read), std::system_error);
 }
 
-TEST(Store, OfALayoutWithoutAColumnReadsItsFieldAsTheDefault) {
-  std::string table = row_table();
-  const std::string column = ", clamped_restitution INTEGER NOT NULL";
-  ASSERT_NE(table.find(column), std::string::npos);
-  table.erase(table.find(column), column.size());
-  auto database = sqlite::Database::in_memory();
-  database.execute(table);
-  const RowFormat former(database, 2, "{}");
-  auto insert =
-      database.prepare("INSERT INTO realisations (" + former.columns() + ") VALUES (" + former.placeholders() + ")");
-  former.bind(insert, {3, 4}, filled(5));
-  insert.run();
-  auto select = database.prepare("SELECT " + former.columns() + " FROM realisations");
-  ASSERT_TRUE(select.step());
-  const auto row = former.read(select);
-  ASSERT_TRUE(row.has_value());
-  EXPECT_EQ(row->key, (RealisationKey{3, 4}));
-  EXPECT_THAT(differing_fields(row->summary, filled(5)), ElementsAre("clamped_restitution"));
-  EXPECT_EQ(row->summary.clamps.restitution, 0U);
-  EXPECT_FALSE(RowFormat(database, 2, "{\"seed\": 2}").read(select).has_value()) << "of another experiment";
-}
-
-TEST(ResultsVersion, OfAnEarlierProgramIsNotTakenForThisOne) {
-  EXPECT_TRUE(has_current_bits(filled(1), filled(2), results_version));
-  EXPECT_FALSE(has_current_bits(filled(1), filled(2), 0)) << "not known";
-  EXPECT_FALSE(has_current_bits(filled(1), filled(2), results_version + 1)) << "not known";
-}
-
-TEST(ResultsVersion, OneHasTheBitsOfMotionsThatStayOnTheGround) {
-  const Summary stayed;
-  Summary left = stayed;
-  left.left_ground = true;
-  EXPECT_TRUE(has_current_bits(stayed, stayed, 1));
-  EXPECT_TRUE(has_current_bits(stayed, std::nullopt, 1));
-  EXPECT_FALSE(has_current_bits(left, stayed, 1));
-  EXPECT_FALSE(has_current_bits(stayed, left, 1)) << "it says when it diverged from that one";
-  Summary rerun = stayed;
-  rerun.rerun_mode = section::ResponseMode{};
-  EXPECT_FALSE(has_current_bits(rerun, stayed, 1)) << "the rerun may have left the ground";
-  Summary checked = stayed;
-  checked.long_mode = section::ResponseMode{};
-  EXPECT_FALSE(has_current_bits(checked, stayed, 1)) << "the longer run may have left the ground";
+TEST(Store, OfAnotherLayoutIsRefusedWithTheVersionThatReadsIt) {
+  for (const std::int64_t layout : {std::int64_t{0}, current_layout - 1, current_layout + 1}) {
+    const support::TemporaryFolder folder;
+    const auto path = folder / "a.sqlite";
+    Store::create(path, identity).close_up();
+    sqlite::Database(path, Access::write).execute("PRAGMA user_version = " + std::to_string(layout));
+    EXPECT_THAT(complaint(path), AllOf(HasSubstr("was written by rocking 1 abc in layout " + std::to_string(layout)),
+                                       HasSubstr("this program reads layout " + std::to_string(current_layout))));
+  }
 }
 
 TEST(Store, TellsOfAFileThatWasCutShort) {

@@ -16,8 +16,7 @@ constexpr double beyond_every_tilt = std::numeric_limits<double>::infinity();
 std::vector<double> tilts_of(const Stripe& stripe) {
   std::vector<double> tilts;
   for (std::size_t j = 0; j < stripe.overturned.size(); ++j) {
-    ROCKING_EXPECT(stripe.overturned[j] || stripe.peak_tilts[j].has_value());
-    tilts.push_back(stripe.overturned[j] ? beyond_every_tilt : stripe.peak_tilts[j].value_or(0.0));
+    tilts.push_back(stripe.overturned[j] ? beyond_every_tilt : stripe.peak_tilts[j]);
   }
   return tilts;
 }

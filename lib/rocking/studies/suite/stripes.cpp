@@ -80,8 +80,8 @@ void set_measures(const Scene& scene, Stripe& stripe) {
   stripe.measures = {pga, pgv, pga / shape.tangent, shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
 }
 
-/// Empty stripes of all conditions. Throws InputError if the store lacks a realisation or a peak tilt.
-std::vector<Stripe> filled(const Experiment& experiment, const Store& store, bool needs_peak_tilts) {
+/// The outcomes of all conditions. Throws InputError if the store lacks a realisation.
+std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
   std::vector<Stripe> stripes(experiment.conditions.size());
   std::uint64_t missing = 0;
   for (std::size_t i = 0; i < stripes.size(); ++i) {
@@ -90,13 +90,11 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store, boo
     stripes[i].peak_tilts.resize(realisations);
     missing += realisations;
   }
-  bool lacks_peaks = false;
   store.for_each([&](const RealisationKey& key, const Summary& summary) {
     if (key.condition >= stripes.size() || key.realisation >= stripes[key.condition].overturned.size()) return;
     Stripe& stripe = stripes[key.condition];
     stripe.overturned[key.realisation] = summary.mode.kind == section::ResponseKind::overturned;
     stripe.peak_tilts[key.realisation] = summary.peaks.tilt;
-    lacks_peaks = lacks_peaks || !summary.peaks.are_present();
     --missing;
   });
   if (missing > 0) {
@@ -104,12 +102,6 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store, boo
                             .value = "",
                             .reason = "lacks " + std::to_string(missing) + " realisations",
                             .remedy = "`rocking resume` finishes the run"});
-  }
-  if (needs_peak_tilts && lacks_peaks) {
-    throw base::InputError({.place = "realisations.sqlite",
-                            .value = "",
-                            .reason = "has no peak tilts: it was written by a version that did not store them",
-                            .remedy = "run the experiment anew"});
   }
   return stripes;
 }
@@ -150,8 +142,7 @@ stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event
   stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
   if (!event.peak_tilt) return level;
   for (std::size_t j = 0; j < level.happened.size(); ++j) {
-    ROCKING_EXPECT(stripe.peak_tilts[j].has_value());
-    level.happened[j] = level.happened[j] || stripe.peak_tilts[j].value_or(0.0) > *event.peak_tilt;
+    level.happened[j] = level.happened[j] || stripe.peak_tilts[j] > *event.peak_tilt;
   }
   return level;
 }
@@ -164,11 +155,11 @@ std::string_view intensity_of(const Experiment& experiment) {
   return {};
 }
 
-std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store, bool needs_peak_tilts) {
+std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store) {
   const std::string_view intensity = intensity_of(experiment);
   ROCKING_EXPECT(!intensity.empty());
   std::vector<StripeGroup> groups;
-  std::vector<Stripe> stripes = filled(experiment, store, needs_peak_tilts);
+  std::vector<Stripe> stripes = filled(experiment, store);
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     Place place = place_of(experiment.conditions[i], intensity);
     if (!(place.intensity > 0.0)) continue;

@@ -41,8 +41,8 @@ struct Stripe {
   double intensity = 0.0;  ///< value of the swept intensity, > 0
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
   std::vector<bool> overturned;                                                    ///< by number of the realisation
-  std::vector<std::optional<double>> peak_tilts;  ///< likewise; absent in stores of earlier versions
-  std::optional<double> uplift = std::nullopt;    ///< rocking::least_uplift of its scene
+  std::vector<double> peak_tilts;                                                  ///< likewise
+  std::optional<double> uplift = std::nullopt;  ///< rocking::least_uplift of its scene
 
   [[nodiscard]] std::optional<double> measure(IntensityMeasure which) const {
     return measures[static_cast<std::size_t>(which)];
@@ -64,8 +64,7 @@ struct StripeGroup {
   [[nodiscard]] std::optional<double> least_uplift() const;
 };
 
-/// Outcomes of a stripe. An overturned block has exceeded every peak tilt. The peak tilts must be present where the event
-/// needs them.
+/// Outcomes of a stripe. An overturned block has exceeded every peak tilt.
 [[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
 
 /// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/amplitude_g`,
@@ -74,8 +73,7 @@ struct StripeGroup {
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
 
 /// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws
-/// InputError where the run is not finished, or where peak tilts are needed and the store has none.
-[[nodiscard]] std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store,
-                                                  bool needs_peak_tilts);
+/// InputError where the run is not finished.
+[[nodiscard]] std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& store);
 
 }  // namespace rocking

@@ -1,4 +1,4 @@
-#include "rocking/input/read_report.hpp"
+#include "rocking/input/report_claims.hpp"
 
 #include "rocking/base/digest.hpp"
 #include "rocking/base/error.hpp"
@@ -18,7 +18,7 @@ std::string text_at(const Json& report, const char* pointer) {
 
 }  // namespace
 
-ReportClaims read_report(std::string_view text) {
+ReportClaims claims_of_report(std::string_view text) {
   const Json report = parse_json(text);
   if (text_at(report, "/format") != report_format) {
     throw base::InputError({.place = "/format",

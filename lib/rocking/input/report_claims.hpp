@@ -13,7 +13,7 @@ struct ReportClaims {
 };
 
 /// Throws InputError where the text is no report.
-[[nodiscard]] ReportClaims read_report(std::string_view text);
+[[nodiscard]] ReportClaims claims_of_report(std::string_view text);
 
 /// Whether the experiment has the digest that the report states.
 [[nodiscard]] bool has_stated_digest(const ReportClaims& claims);

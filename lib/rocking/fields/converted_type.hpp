@@ -1,0 +1,29 @@
+#pragma once
+
+#include "rocking/fields/struct_type.hpp"
+
+namespace rocking {
+
+/// A T that stands in documents as a `Written` does. `to_written` gives it; `from_written` sets a T from one that was
+/// read without a fault, or reports what in it contradicts itself.
+template <class T, class Written, Written (*to_written)(const T&),
+          void (*from_written)(const Written&, const ReadingPlace&, T&)>
+class ConvertedType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const Written written = to_written(*static_cast<const T*>(value));
+    return type_of<Written>().json(&written);
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    Written written{};
+    const std::size_t before = place.problems->size();
+    type_of<Written>().read(json, place, &written);
+    if (place.problems->size() == before) from_written(written, place, *static_cast<T*>(value));
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<Written>().schema(rule); }
+  void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
+    type_of<Written>().describe(prefix, rows);
+  }
+};
+
+}  // namespace rocking

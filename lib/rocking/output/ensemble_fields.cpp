@@ -1,0 +1,160 @@
+#include "rocking/output/ensemble_fields.hpp"
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/converted_type.hpp"
+#include "rocking/fields/named_type.hpp"
+#include "rocking/output/estimate_fields.hpp"
+#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/settling_fields.hpp"
+#include "rocking/output/stats_fields.hpp"
+#include "rocking/output/validity_fields.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::array stop_causes{StoppedBecause::deterministic, StoppedBecause::all_realisations_done,
+                                 StoppedBecause::half_width_reached, StoppedBecause::at_most_reached};
+constexpr std::array numerical_errors{NumericalError::small, NumericalError::not_small, NumericalError::undecided};
+
+}  // namespace
+
+template <>
+struct TypeOf<StoppedBecause> {
+  static const ValueType& get() { return the_only<NamedType<stop_causes>>(); }
+};
+template <>
+struct TypeOf<NumericalError> {
+  static const ValueType& get() { return the_only<NamedType<numerical_errors>>(); }
+};
+
+namespace {
+
+using Quartiles = std::array<std::optional<double>, 3>;
+
+Quartiles quartiles_of(const DivergenceTimes& times) {
+  return {times.lower_quartile, times.median, times.upper_quartile};
+}
+
+void set_quartiles(const Quartiles& read, const ReadingPlace&, DivergenceTimes& times) {
+  times.lower_quartile = read[0];
+  times.median = read[1];
+  times.upper_quartile = read[2];
+}
+
+using QuartilesType = ConvertedType<DivergenceTimes, Quartiles, quartiles_of, set_quartiles>;
+
+}  // namespace
+
+static const StructType& fields_of(const DivergenceTimes*) {
+  using Times = DivergenceTimes;
+  static const StructType fields{
+      field<&Times::pairs>("pairs", "number of pairs of runs"),
+      field<&Times::diverged>("diverged", "of these, by the horizon"),
+      of_owner<Times>("quartiles_periods",
+                      "null: so many had not diverged by the horizon that the quartile lies beyond it",
+                      the_only<QuartilesType>(), rule::not_negative),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const NonRecurrence*) {
+  using Found = NonRecurrence;
+  using stats::Proportion;
+  static const StructType flips{
+      field<&Found::arithmetic_flips, &Proportion::successes>("count", "response modes that differ"),
+      field<&Found::arithmetic_flips, &Proportion::trials>("of", "realisations that were rerun"),
+      field<&Found::arithmetic_flips_interval>("interval", "of that share", rule::share),
+  };
+  static const StructType fields{
+      field<&Found::differ>("differ", "probability that two runs differ in response mode", rule::share),
+      field<&Found::differ_interval>("differ_interval", "its interval", rule::share),
+      field<&Found::entropy>("entropy_nat", "of the response modes", rule::not_negative),
+      field<&Found::friction>("divergence_by_friction", "divergence times of runs with independent random numbers"),
+      field<&Found::arithmetic>("divergence_by_tolerance",
+                                "divergence times of runs with common random numbers and another tolerance"),
+      field<&Found::arithmetic_tolerance>("arithmetic_tolerance", "that other tolerance", rule::positive),
+      of_owner<Found>("arithmetic_flips", "response modes that differ at the other tolerance", flips),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Quantiles*) {
+  static const StructType fields{
+      field<&Quantiles::realisations>("realisations", "on which the quantiles are based"),
+      field<&Quantiles::beyond>("beyond",
+                                "of these, the ones that ended before their horizon; they count as above every value"),
+      field<&Quantiles::levels>("quantiles",
+                                "[level, value, low, high]: a quantile with its interval; null: it lies beyond, or the "
+                                "interval is open"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const PeakQuantiles::Slip*) {
+  using Slip = PeakQuantiles::Slip;
+  static const StructType fields{
+      inlined<&Slip::over_half_diagonal>(),
+      field<&Slip::metres>("quantiles_m", "the same in metres"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const PeakQuantiles*) {
+  using Peaks = PeakQuantiles;
+  static const StructType fields{
+      field<&Peaks::tilt>("peak_tilt", "largest abs(Theta) of a realisation"),
+      field<&Peaks::tilt_rate>("peak_tilt_rate", "largest abs(Theta')"),
+      field<&Peaks::slip>("peak_slip", "largest abs(X), over R and in metres; null without friction"),
+      field<&Peaks::final_slip>("final_slip",
+                                "X at the horizon, > 0 to the right, of the realisations that reached it; null without "
+                                "friction"),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const ConditionResult*) {
+  using Result = ConditionResult;
+  static const StructType fields{
+      field<&Result::realisations>("realisations", "n; 1 if nothing is random, whatever number was requested",
+                                   Rule{.least = 1.0}),
+      field<&Result::modes>("counts",
+                            "response mode to realisations; (1,1), (1,3), chaotic and overturned are always present",
+                            mode_counts_type()),
+      field<&Result::modes>("probabilities", "response mode to its probability", mode_probabilities_type()),
+      field<&Result::non_recurrence>("non_recurrence",
+                                     "different responses under equal conditions; null with fewer than two "
+                                     "realisations, because there is nothing to compare"),
+      field<&Result::settling>("incidence", "which response, and by when: only with `until_classified`", {},
+                               WithoutValue::omitted),
+      inlined<&Result::peaks>(),
+      of_owner<Result>("validity", "realisations that left the model or whose classification is uncertain",
+                       validity_fields()),
+      field<&Result::stopped_because>("stopped_because",
+                                      "`deterministic`: nothing is random and one realisation is the response; with "
+                                      "`until`: `half_width_reached` or `at_most_reached`"),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const ToleranceSensitivity*) {
+  using Found = ToleranceSensitivity;
+  using stats::Proportion;
+  static const StructType fields{
+      field<&Found::flips, &Proportion::successes>("flips", "reruns whose response mode changed"),
+      field<&Found::flips, &Proportion::trials>("of", "realisations that were rerun", Rule{.least = 1.0}),
+      field<&Found::interval>("interval", "of that share; if the confidence is swept, at the highest", rule::share),
+      field<&Found::half_width>("half_width",
+                                "half of the widest simultaneous interval, in the condition where that is narrowest",
+                                rule::share),
+      field<&Found::noise>("arithmetic_noise", "whether the share that changes lies below a fifth of the half-width"),
+  };
+  return fields;
+}
+
+}  // namespace rocking

@@ -1,0 +1,111 @@
+#include "rocking/output/estimate_fields.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/stats_fields.hpp"
+
+namespace rocking {
+
+static const StructType& fields_of(const Corrected*) {
+  using stats::CheckedCounts;
+  static const StructType fields{
+      field<&Corrected::counts, &CheckedCounts::checked>("checked", "realisations that were run for longer",
+                                                         Rule{.least = 1.0}),
+      field<&Corrected::counts, &CheckedCounts::gained>("gained", "of these, have the mode in the longer run only"),
+      field<&Corrected::counts, &CheckedCounts::lost>("lost", "of these, have the mode at the horizon only"),
+      field<&Corrected::estimate>("estimate", "of the probability in the longer run", rule::share),
+      field<&Corrected::interval>("interval", "its interval, for this mode alone", rule::share),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Estimate*) {
+  static const StructType fields{
+      field<&Estimate::estimate>("estimate", "count/n", rule::share),
+      field<&Estimate::wilson>("wilson", "interval for this mode alone: Wilson's", rule::share),
+      field<&Estimate::jeffreys>("jeffreys", "interval for this mode alone: Jeffreys's", rule::share),
+      field<&Estimate::clopper_pearson>("clopper_pearson", "interval for this mode alone, exact", rule::share),
+      field<&Estimate::simultaneous>("simultaneous", "exact; the intervals of all possible modes hold at once",
+                                     rule::share),
+      field<&Estimate::goodman>("simultaneous_goodman", "the intervals of the listed modes hold at once", rule::share),
+      field<&Estimate::sison_glaz>("simultaneous_sison_glaz",
+                                   "the same; null if almost all realisations have one mode, because the method is "
+                                   "then not defined",
+                                   rule::share),
+      field<&Estimate::corrected>("corrected", "with `check_labels`: from the realisations that were run for longer",
+                                  {}, WithoutValue::omitted),
+      field<&Estimate::anytime>("anytime",
+                                "with `until`: holds for all modes at once, whenever the run stops; the one "
+                                "to quote then",
+                                rule::share, WithoutValue::omitted),
+  };
+  return fields;
+}
+
+namespace {
+
+using Counts = std::map<section::ResponseMode, std::uint64_t>;
+using Probabilities = std::map<section::ResponseMode, Estimate>;
+using Modes = std::vector<ModeEstimate>;
+
+class ModeCountsType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    Json counts = Json::object();
+    for (const auto& [mode, probability] : *static_cast<const Modes*>(value)) {
+      counts[to_string(mode)] = probability.counts.successes;
+    }
+    return counts;
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    Counts counts;
+    type_of<Counts>().read(json, place, &counts);
+    auto& modes = *static_cast<Modes*>(value);
+    modes.clear();
+    for (const auto& [mode, count] : counts) {
+      modes.push_back({.mode = mode, .probability = {}});
+      modes.back().probability.counts.successes = count;
+    }
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<Counts>().schema(rule); }
+};
+
+class ModeProbabilitiesType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    Json probabilities = Json::object();
+    for (const auto& [mode, probability] : *static_cast<const Modes*>(value)) {
+      probabilities[to_string(mode)] = type_of<Estimate>().json(&probability);
+    }
+    return probabilities;
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    Probabilities found;
+    type_of<Probabilities>().read(json, place, &found);
+    for (auto& [mode, probability] : *static_cast<Modes*>(value)) {
+      const std::string name = to_string(mode);
+      if (auto node = found.extract(mode)) {
+        node.mapped().counts = probability.counts;
+        probability = node.mapped();
+      } else {
+        place.at(name).reject(Json(), "is missing: this mode has a count and no probability");
+      }
+    }
+    for (const auto& [mode, probability] : found) place.at(to_string(mode)).reject(Json(), "has no count");
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<Probabilities>().schema(rule); }
+  void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
+    type_of<Probabilities>().describe(prefix, rows);
+  }
+};
+
+}  // namespace
+
+const ValueType& mode_counts_type() { return the_only<ModeCountsType>(); }
+const ValueType& mode_probabilities_type() { return the_only<ModeProbabilitiesType>(); }
+
+}  // namespace rocking

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/ensemble/result.hpp"
+#include "rocking/fields/document.hpp"
+#include "rocking/output/provenance.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/shaking.hpp"
+
+namespace rocking {
+
+/// A condition with what it found.
+struct ReportedCondition {
+  std::vector<Parameter> parameters;  ///< swept; the same pointers in every condition
+  std::optional<Shaking> shaking;     ///< absent under a ground motion
+  ConditionResult result;
+  double confidence = 0.95;  ///< of its intervals; follows from the experiment and the parameters
+};
+
+/// A run: what was asked and what was found.
+struct Report {
+  InputFacts input;
+  base::Sha256 digest{};
+  std::optional<ToleranceSensitivity> tolerance_sensitivity;  ///< absent where nothing was rerun
+  std::vector<ReportedCondition> conditions;                  ///< at least one
+  SystemFacts system;
+  std::vector<std::string> swept;  ///< pointers of the parameters
+
+  [[nodiscard]] std::string title() const { return input.experiment.at("title"); }
+  /// A number of the experiment for a condition: the swept one, or that of all. Absent if there is none, for example
+  /// a horizon that depends on the ground motion.
+  [[nodiscard]] std::optional<double> number(const std::string& pointer, const ReportedCondition& condition) const;
+  /// Transient and sampled periods of a realisation; absent if they differ between the conditions.
+  [[nodiscard]] std::optional<std::uint64_t> periods() const;
+  /// The confidence of the intervals, `95 %`; if it is swept, a text that says so.
+  [[nodiscard]] std::string level() const;
+  /// Response modes that occur in any condition, with their counts.
+  [[nodiscard]] std::map<section::ResponseMode, std::uint64_t> occurring() const;
+  /// Response modes that any condition lists; some of them may not occur.
+  [[nodiscard]] std::set<section::ResponseMode> listed() const;
+  /// Largest number of realisations of a condition.
+  [[nodiscard]] std::uint64_t most_realisations() const;
+  /// Whether any condition is random.
+  [[nodiscard]] bool is_random() const;
+  /// Whether realisations were run until they were classified.
+  [[nodiscard]] bool has_settling() const;
+};
+
+/// The value of a swept parameter.
+[[nodiscard]] inline Json value_of(const Parameter& parameter) { return Json::parse(parameter.value); }
+
+/// The share of a mode that a condition may not list.
+struct AnyShare {
+  std::uint64_t count = 0;
+  double estimate = 0.0;
+  /// Absent if nothing is random, or if the result cannot have one.
+  std::optional<stats::Interval> interval;
+};
+
+/// Share of a mode in a condition. A condition does not list modes that did not occur in it; their interval is the one
+/// that a report would have for a count of 0.
+[[nodiscard]] AnyShare share_of(const ReportedCondition& condition, const section::ResponseMode& mode);
+
+/// The report of a complete run.
+[[nodiscard]] Report report_of(const Experiment& experiment, ExperimentResult result, SystemFacts system);
+
+[[nodiscard]] const StructType& fields_of(const Report*);
+
+/// report.json.
+[[nodiscard]] const DocumentOf<Report>& report_document();
+
+/// The text of report.json. All but `system` has the same bytes for equal input.
+[[nodiscard]] std::string report_text(const Experiment& experiment, const ExperimentResult& result,
+                                      const SystemFacts& system);
+
+/// The report in a document of the right form, whose parts are not compared. Throws base::InputError with every key that
+/// is missing, unknown or wrong.
+[[nodiscard]] Report report_in(const Json& document);
+
+/// Reads and checks the text of a report.json. Throws base::InputError if it is no report, or if its parts contradict
+/// each other: the digest of the experiment, the points of its sweep, the counts, the intervals.
+[[nodiscard]] Report parse_report(std::string_view text);
+
+}  // namespace rocking

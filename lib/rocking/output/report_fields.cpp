@@ -1,0 +1,89 @@
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/converted_type.hpp"
+#include "rocking/output/effort_fields.hpp"
+#include "rocking/output/ensemble_fields.hpp"
+#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/report.hpp"
+#include "rocking/output/shaking_fields.hpp"
+
+namespace rocking {
+
+static const StructType& fields_of(const ReportedCondition*) {
+  using Reported = ReportedCondition;
+  static const StructType fields{
+      field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
+      field<&Reported::shaking>("shaking",
+                                "amplitude and frequency of the base in every unit, for the mean block; absent under a "
+                                "ground motion",
+                                rule::none, WithoutValue::omitted),
+      inlined<&Reported::result>(),
+  };
+  return fields;
+}
+
+/// `internal` of a report.
+struct ReportedEffort {
+  Effort total;
+  std::vector<Effort> conditions;
+};
+
+namespace {
+
+ReportedEffort internal_of(const Report& report) {
+  ReportedEffort internal;
+  for (const ReportedCondition& condition : report.conditions) {
+    const Effort& effort = internal.conditions.emplace_back(
+        Effort{.operations = condition.result.operations, .clamps = condition.result.validity.clamps});
+    internal.total.operations += effort.operations;
+    internal.total.clamps += effort.clamps;
+  }
+  return internal;
+}
+
+void set_operations(const ReportedEffort& read, const ReadingPlace&, Report& report) {
+  for (std::size_t i = 0; i < std::min(read.conditions.size(), report.conditions.size()); ++i) {
+    report.conditions[i].result.operations = read.conditions[i].operations;
+  }
+}
+
+using InternalType = ConvertedType<Report, ReportedEffort, internal_of, set_operations>;
+
+}  // namespace
+
+static const StructType& fields_of(const ReportedEffort*) {
+  static const StructType fields{
+      field<&ReportedEffort::total>("total", "of all conditions"),
+      field<&ReportedEffort::conditions>("conditions", "of each"),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const Report*) {
+  static const StructType result{
+      field<&Report::digest>("digest", "SHA-256 over the realisation results of all realisations, in order"),
+      field<&Report::tolerance_sensitivity>("tolerance_sensitivity",
+                                            "of all conditions together: response modes that change at a tighter "
+                                            "tolerance with the same random numbers; null if none was rerun"),
+      field<&Report::conditions>("conditions", "one entry for each point of the sweep"),
+  };
+  static const StructType fields{
+      field<&Report::input>("input", "what was asked"),
+      of_owner<Report>("result", "what was found", result),
+      field<&Report::system>("system", "all that may differ between two equal runs"),
+      of_owner<Report>("internal", "what was computed, by effect; 0 for an effect that is off",
+                       the_only<InternalType>()),
+  };
+  return fields;
+}
+
+const DocumentOf<Report>& report_document() {
+  static const DocumentOf<Report> document("rocking.report/1",
+                                           "A run: all but `system` has the same bytes for equal input.");
+  return document;
+}
+
+}  // namespace rocking

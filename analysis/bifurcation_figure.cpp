@@ -9,11 +9,9 @@
 #include <string_view>
 #include <utility>
 
-#include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/parameter_names.hpp"
-#include "rocking/text/json.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -25,16 +23,14 @@ constexpr std::size_t levels = 190;
 constexpr std::size_t most_columns = 600;
 constexpr std::size_t most_points = 12'000;
 
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> branches{
-    {{"initial", "each step from the initial state"},
-     {"upwards", "upwards: each step from the end of the previous one"},
-     {"downwards", "downwards: each step from the end of the previous one"}}};
-
-struct Step {
-  double value = 0.0;
-  ResponseMode mode;
-  std::vector<double> tilts;
-};
+std::string_view in_words(Branch branch) {
+  switch (branch) {
+    case Branch::initial: return "each step from the initial state";
+    case Branch::upwards: return "upwards: each step from the end of the previous one";
+    case Branch::downwards: return "downwards: each step from the end of the previous one";
+  }
+  return "";
+}
 
 struct Range {
   double low = std::numeric_limits<double>::infinity();
@@ -52,52 +48,48 @@ struct Range {
   }
 };
 
+using Steps = std::vector<const ReportedStep*>;
+
 /// Steps of a diagram by branch, with their ranges.
-struct Diagram {
-  std::map<std::string, std::vector<Step>> branches;
+struct DrawnDiagram {
+  std::map<Branch, Steps> branches;
   Range values, tilts;
   std::size_t different_values = 0;
 };
 
-Diagram diagram_from(const Json& json) {
-  Diagram diagram;
+DrawnDiagram drawn(const ReportedDiagram& reported) {
+  DrawnDiagram diagram;
   std::set<double> values;
-  for (const Json& entry : json.at("steps")) {
-    Step step;
-    step.value = entry.at("value");
-    step.mode = section::response_mode_named(entry.at("mode").get<std::string>()).value_or(ResponseMode{});
-    for (const Json& point : entry.at("points")) {
-      step.tilts.push_back(point.at(0));
-      diagram.tilts.include(step.tilts.back());
-    }
+  for (const ReportedStep& step : reported.steps) {
+    for (const section::StrobePoint& point : step.step.points) diagram.tilts.include(point.tilt);
     diagram.values.include(step.value);
     values.insert(step.value);
-    diagram.branches[entry.at("branch")].push_back(std::move(step));
+    diagram.branches[step.branch].push_back(&step);
   }
   diagram.different_values = values.size();
   return diagram;
 }
 
 /// By mode, the points that differ by more than a thousandth of the range, with the number of points near each.
-std::map<ResponseMode, Table> point_tables(const Diagram& diagram, const std::vector<Step>& steps,
-                                           const Column& value) {
+std::map<ResponseMode, Table> point_tables(const DrawnDiagram& diagram, const Steps& steps, const Column& value) {
   std::map<ResponseMode, Table> tables;
-  for (const Step& step : steps) {
+  for (const ReportedStep* step : steps) {
     std::map<std::size_t, std::pair<double, double>> cells;  // by level: one tilt in the cell, and the number of points
-    for (const double tilt : step.tilts) {
-      auto& [first, count] = cells.try_emplace(diagram.tilts.part(tilt, 1000), tilt, 0.0).first->second;
+    for (const section::StrobePoint& point : step->step.points) {
+      auto& [first, count] = cells.try_emplace(diagram.tilts.part(point.tilt, 1000), point.tilt, 0.0).first->second;
       ++count;
     }
-    Table& table = tables[step.mode];
-    table.name = to_string(step.mode);
+    const ResponseMode& mode = step->step.classification.mode;
+    Table& table = tables[mode];
+    table.name = to_string(mode);
     table.columns = {value, {"tilt", "Θ at the strobe"}, {"points", "number of points that are drawn as one"}};
-    for (const auto& [level, cell] : cells) table.rows.push_back({step.value, cell.first, cell.second});
+    for (const auto& [level, cell] : cells) table.rows.push_back({step->value, cell.first, cell.second});
   }
   std::erase_if(tables, [](const auto& entry) { return entry.second.rows.empty(); });
   return tables;
 }
 
-Table image_table(const Diagram& diagram, const std::vector<Step>& steps, const std::string& name) {
+Table image_table(const DrawnDiagram& diagram, const Steps& steps, const std::string& name) {
   const std::size_t width = std::min(most_columns, diagram.different_values);
   const auto parts = static_cast<double>(width - 1);
   const double dx = (diagram.values.high - diagram.values.low) / parts;
@@ -107,16 +99,16 @@ Table image_table(const Diagram& diagram, const std::vector<Step>& steps, const 
               .rows = std::vector<std::vector<Cell>>(levels, std::vector<Cell>(width, 0.0)),
               .grid = Table::Grid{.x = diagram.values.low, .dx = dx, .y = diagram.tilts.low + 0.5 * dy, .dy = dy},
               .only_drawn = true};
-  for (const Step& step : steps) {
-    const auto column = static_cast<std::size_t>(std::lround((step.value - diagram.values.low) / dx));
-    for (const double tilt : step.tilts) {
-      ++std::get<double>(table.rows[diagram.tilts.part(tilt, levels)][column]);
+  for (const ReportedStep* step : steps) {
+    const auto column = static_cast<std::size_t>(std::lround((step->value - diagram.values.low) / dx));
+    for (const section::StrobePoint& point : step->step.points) {
+      ++std::get<double>(table.rows[diagram.tilts.part(point.tilt, levels)][column]);
     }
   }
   return table;
 }
 
-std::size_t points_drawn(const Diagram& diagram) {
+std::size_t points_drawn(const DrawnDiagram& diagram) {
   std::size_t count = 0;
   for (const auto& [branch, steps] : diagram.branches) {
     for (const auto& [mode, table] : point_tables(diagram, steps, {})) count += table.rows.size();
@@ -124,7 +116,7 @@ std::size_t points_drawn(const Diagram& diagram) {
   return count;
 }
 
-void add_points(const Diagram& diagram, const std::vector<Step>& steps, const Column& value, Figure& figure) {
+void add_points(const DrawnDiagram& diagram, const Steps& steps, const Column& value, Figure& figure) {
   for (auto& [mode, table] : point_tables(diagram, steps, value)) {
     Style style = style_of(mode);
     if (mode.kind == section::ResponseKind::unresolved) style.colour = "#707070";
@@ -146,7 +138,7 @@ void widen(Range& range) {
   range.high += room;
 }
 
-Figure figure_of(Diagram diagram, Axis x, const std::string& pointer, const std::string& others) {
+Figure figure_of(DrawnDiagram diagram, Axis x, const std::string& pointer, const std::string& others) {
   Figure figure;
   figure.title = "Coexisting responses";
   figure.subtitle = others;
@@ -160,19 +152,18 @@ Figure figure_of(Diagram diagram, Axis x, const std::string& pointer, const std:
       0.5 * (diagram.values.high - diagram.values.low) / static_cast<double>(diagram.different_values);
   x.low = diagram.values.low - margin;
   x.high = diagram.values.high + margin;
-  for (const auto& [branch, words] : branches) {
-    const auto found = diagram.branches.find(std::string(branch));
-    if (found == diagram.branches.end()) continue;
+  for (const auto& [branch, steps] : diagram.branches) {
+    const std::string words(in_words(branch));
     figure.panels.push_back(
-        {.title = std::string(words), .x = x, .y = {"tilt at the strobe", "Θ", ""}, .layers = {}, .height = 1.4});
+        {.title = words, .x = x, .y = {"tilt at the strobe", "Θ", ""}, .layers = {}, .height = 1.4});
     const double room = 0.03 * (diagram.tilts.high - diagram.tilts.low);
     figure.panels.back().y.low = diagram.tilts.low - room;
     figure.panels.back().y.high = diagram.tilts.high + room;
     if (as_image) {
       figure.panels.back().layers.push_back({.kind = LayerKind::image, .table = figure.tables.size(), .columns = {}});
-      figure.tables.push_back(image_table(diagram, found->second, std::string(words)));
+      figure.tables.push_back(image_table(diagram, steps, words));
     } else {
-      add_points(diagram, found->second, value, figure);
+      add_points(diagram, steps, value, figure);
     }
   }
   figure.caption =
@@ -185,43 +176,40 @@ Figure figure_of(Diagram diagram, Axis x, const std::string& pointer, const std:
   return figure;
 }
 
-std::string others_in_words(const Json& others) {
+std::string others_in_words(const std::vector<Parameter>& others) {
   std::string words;
-  for (const auto& [pointer, value] : others.items()) {
-    words += (words.empty() ? "" : ", ") + axis_of_parameter(pointer).quantity + ' ' + short_value(pointer, value);
+  for (const Parameter& other : others) {
+    words += (words.empty() ? "" : ", ") + axis_of_parameter(other.pointer).quantity + ' ' +
+             short_value(other.pointer, Json::parse(other.value));
   }
   return words;
 }
 
-/// Names of the figures, as of the tables of points (output/write_bifurcation.hpp).
-std::vector<std::string> names_of(const Json& diagrams) {
+/// Names of the figures, as of the tables of points (output/bifurcation_table.hpp).
+std::vector<std::string> names_of(const std::vector<ReportedDiagram>& diagrams) {
   if (diagrams.size() < 2) return std::vector<std::string>(diagrams.size(), "bifurcation");
-  std::vector<std::vector<Parameter>> parts;
-  for (const Json& diagram : diagrams) {
-    auto& part = parts.emplace_back();
-    for (const auto& [pointer, value] : diagram.at("others").items()) part.push_back({pointer, value.dump()});
-  }
-  std::vector<std::string> names = parameter_names(parts);
+  std::vector<std::vector<Parameter>> others;
+  for (const ReportedDiagram& diagram : diagrams) others.push_back(diagram.others);
+  std::vector<std::string> names = parameter_names(others);
   for (std::string& name : names) name.insert(0, "bifurcation_");
   return names;
 }
 
 }  // namespace
 
-std::vector<Figure> bifurcation_figures(const Json& output) {
+std::vector<Figure> bifurcation_figures(const BifurcationReport& report) {
   std::vector<Figure> figures;
-  read_or_refuse(output, [&] {
-    const std::string title = output.at("input").at("experiment").at("title");
-    const std::vector<std::string> names = names_of(output.at("diagrams"));
-    for (const Json& diagram : output.at("diagrams")) {
-      const std::string others = others_in_words(diagram.at("others"));
-      const std::string subtitle = title + (title.empty() || others.empty() ? "" : "; ") + others;
-      const std::string pointer = output.at("parameter");
-      Axis x = axis_of_parameter(pointer, shakings_in(diagram.at("steps")));
-      figures.push_back(figure_of(diagram_from(diagram), std::move(x), pointer, subtitle));
-      figures.back().name = names[figures.size() - 1];
-    }
-  });
+  const std::string title = report.input.title();
+  const std::vector<std::string> names = names_of(report.diagrams);
+  for (const ReportedDiagram& diagram : report.diagrams) {
+    const std::string others = others_in_words(diagram.others);
+    const std::string subtitle = title + (title.empty() || others.empty() ? "" : "; ") + others;
+    std::vector<std::optional<Shaking>> shakings;
+    for (const ReportedStep& step : diagram.steps) shakings.push_back(step.shaking);
+    Axis x = axis_of_parameter(report.parameter, shakings);
+    figures.push_back(figure_of(drawn(diagram), std::move(x), report.parameter, subtitle));
+    figures.back().name = names[figures.size() - 1];
+  }
   return figures;
 }
 

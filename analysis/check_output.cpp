@@ -24,23 +24,6 @@ void check_quoted_experiment(const Json& output, Problems& problems) {
   }
 }
 
-void check_mode(const Json& name, const std::string& place, Problems& problems) {
-  if (!section::response_mode_named(name.get_ref<const std::string&>())) {
-    reject(problems, place, "is not a response mode");
-  }
-}
-
-void check_bifurcation(const Json& output, Problems& problems) {
-  check_quoted_experiment(output, problems);
-  for (std::size_t i = 0; i < output["diagrams"].size(); ++i) {
-    const Json& steps = output["diagrams"][i]["steps"];
-    for (std::size_t j = 0; j < steps.size() && problems.empty(); ++j) {
-      check_mode(steps[j]["mode"], "/diagrams/" + std::to_string(i) + "/steps/" + std::to_string(j) + "/mode",
-                 problems);
-    }
-  }
-}
-
 /// Each branch's points have as many states as its period, and places lead to what they name.
 void check_orbits_output(const Json& output, Problems& problems) {
   check_quoted_experiment(output, problems);
@@ -65,18 +48,6 @@ void check_orbits_output(const Json& output, Problems& problems) {
     if (!condition["parameters"].contains(parameter) || !condition["parameters"][parameter].is_number()) {
       reject(problems, place + "/parameters", "lacks a number for the parameter of the branches");
     }
-  }
-}
-
-void check_cost(const Json& output, Problems& problems) {
-  check_quoted_experiment(output, problems);
-  const Json::json_pointer tolerance("/input/experiment/accuracy/tolerance");
-  if (!output.contains(tolerance) || !output.at(tolerance).is_number()) {
-    reject(problems, tolerance.to_string(), "is missing, or is not a number");
-  }
-  const Json& tolerances = output["result"]["tolerances"];
-  if (output["system"]["processor_s_per_period"].size() != tolerances.size()) {
-    reject(problems, "/system/processor_s_per_period", "differs in length from /result/tolerances");
   }
 }
 
@@ -144,9 +115,7 @@ struct Format {
 
 void check_output(const Json& output) {
   static const std::map<std::string, Format> formats{{"rocking.trajectory/1", {"trajectory", check_trajectory}},
-                                                     {"rocking.bifurcation/1", {"bifurcation", check_bifurcation}},
                                                      {"rocking.orbits/1", {"orbits", check_orbits_output}},
-                                                     {"rocking.cost/1", {"cost", check_cost}},
                                                      {"rocking.fragility/1", {"fragility", check_fragility}}};
   const auto format = formats.find(format_of(output));
   if (format == formats.end()) return;

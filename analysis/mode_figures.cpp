@@ -36,9 +36,9 @@ Figure figure_of(const Report& report, const SweepView& view, std::string name) 
   return figure;
 }
 
-void set_range(const SweepView& view, const std::vector<Stretch>& stretches, Panel& panel) {
-  panel.x.low = stretches.front().low;
-  panel.x.high = stretches.back().high;
+void set_range(const SweepView& view, const std::vector<SpanAround>& spans, Panel& panel) {
+  panel.x.low = spans.front().low;
+  panel.x.high = spans.back().high;
   if (!view.axis.ticks.empty()) panel.x.ticks = view.axis.ticks;
 }
 
@@ -66,11 +66,11 @@ Table band_table(const Report& report, const SweepView& view, const Slice& slice
   }
   table.columns.push_back({"others_from", "lower edge of the band of all other modes"});
   table.columns.push_back({"others_to", "its upper edge: 1"});
-  const auto stretches = stretches_of(places_of(view, slice));
+  const auto spans = spans_around(places_of(view, slice));
   for (std::size_t i = 0; i < slice.conditions.size(); ++i) {
     const ReportedCondition& condition = report.conditions[slice.conditions[i]];
     const double n = number(condition.result.realisations);
-    std::vector<Cell> row{view.x[slice.conditions[i]], stretches[i].low, stretches[i].high, n};
+    std::vector<Cell> row{view.x[slice.conditions[i]], spans[i].low, spans[i].high, n};
     std::uint64_t below = 0;
     for (const ResponseMode& mode : modes) {
       row.emplace_back(number(below) / n);
@@ -182,7 +182,7 @@ Panel bar_panel(const Report& report, std::size_t table, const std::string& titl
 
 std::vector<ResponseMode> shown_modes(const Report& report) { return modes_to_show(report.occurring(), most_shown); }
 
-std::string spoken_realisations(const Report& report) {
+std::string realisations_in_words(const Report& report) {
   std::uint64_t least = report.conditions.front().result.realisations;
   std::uint64_t most = least;
   for (const ReportedCondition& condition : report.conditions) {
@@ -203,7 +203,7 @@ Figure mode_bands(const Report& report) {
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(band_table(report, view, view.slices[i]));
     Panel& panel = figure.panels[i];
-    set_range(view, stretches_of(places_of(view, view.slices[i])), panel);
+    set_range(view, spans_around(places_of(view, view.slices[i])), panel);
     for (std::size_t m = 0; m < modes.size(); ++m) {
       panel.layers.push_back({.kind = LayerKind::boxes,
                               .table = i,
@@ -220,7 +220,7 @@ Figure mode_bands(const Report& report) {
                             .legend = "others"});
   }
   figure.caption = "Estimated probability of each response mode" + in_the_end(report) + ", stacked to 1; " +
-                   spoken_realisations(report) + ". Each condition extends halfway to its neighbours.";
+                   realisations_in_words(report) + ". Each condition extends halfway to its neighbours.";
   return figure;
 }
 
@@ -261,7 +261,7 @@ Figure mode_bars(const Report& report, const SweepView& view) {
     }
   }
   figure.caption = "Estimated probability of each response mode" + in_the_end(report) + " with its " + report.level() +
-                   " simultaneous interval for all modes of a condition; " + spoken_realisations(report) + '.';
+                   " simultaneous interval for all modes of a condition; " + realisations_in_words(report) + '.';
   return figure;
 }
 
@@ -275,7 +275,7 @@ Figure mode_probabilities(const Report& report) {
   const auto modes = shown_modes(report);
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(probability_table(report, view, view.slices[i]));
-    set_range(view, stretches_of(places_of(view, view.slices[i])), figure.panels[i]);
+    set_range(view, spans_around(places_of(view, view.slices[i])), figure.panels[i]);
   }
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     for (std::size_t m = 0; m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
@@ -283,7 +283,7 @@ Figure mode_probabilities(const Report& report) {
   figure.caption = "Estimated probability of each response mode" + in_the_end(report) +
                    " (markers, joined to guide the eye) with its " + report.level() +
                    " simultaneous interval for all modes of a condition (ribbon, also where a mode did not occur); " +
-                   spoken_realisations(report) + '.';
+                   realisations_in_words(report) + '.';
   return figure;
 }
 

@@ -20,6 +20,6 @@ namespace rocking::analysis {
 [[nodiscard]] std::vector<section::ResponseMode> shown_modes(const Report& report);
 
 /// `200 realisations each` or `20 to 400 realisations each`.
-[[nodiscard]] std::string spoken_realisations(const Report& report);
+[[nodiscard]] std::string realisations_in_words(const Report& report);
 
 }  // namespace rocking::analysis

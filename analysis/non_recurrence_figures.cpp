@@ -113,7 +113,7 @@ std::optional<Figure> non_recurrence(const Report& report) {
   figure.caption =
       "Probability that two runs of one condition, with independent random numbers, differ in response mode, with "
       "its " +
-      report.level() + " interval; " + spoken_realisations(report) + '.';
+      report.level() + " interval; " + realisations_in_words(report) + '.';
   return figure;
 }
 

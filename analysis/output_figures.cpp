@@ -27,16 +27,16 @@ namespace {
 struct Collection {
   std::vector<TrajectoryFile> trajectories;
   std::vector<Figure> figures;
-  std::vector<Json> bifurcations;
+  std::vector<BifurcationReport> bifurcations;
   std::vector<Json> branches;
 };
 
 /// Branches are drawn over the strobe points of diagrams over the same parameter, and by themselves.
 void draw_bifurcations(Collection& found) {
-  for (const Json& output : found.bifurcations) {
-    for (Figure& figure : bifurcation_figures(output)) {
+  for (const BifurcationReport& report : found.bifurcations) {
+    for (Figure& figure : bifurcation_figures(report)) {
       for (const Json& branches : found.branches) {
-        if (branches.at("parameter") == output.at("parameter")) draw_branches_over(branches, figure);
+        if (branches.at("parameter") == report.parameter) draw_branches_over(branches, figure);
       }
       found.figures.push_back(std::move(figure));
     }
@@ -54,11 +54,11 @@ void collect(const OutputFile& file, Collection& found) {
   if (format == "rocking.trajectory/1") {
     found.trajectories.push_back(read_trajectory(output, std::filesystem::path(file.path).stem().string()));
   } else if (format == "rocking.bifurcation/1") {
-    found.bifurcations.push_back(output);
+    found.bifurcations.push_back(bifurcation_document().read(output));
   } else if (format == "rocking.orbits/1" && has_branches(output)) {
     found.branches.push_back(output);
   } else if (format == "rocking.cost/1") {
-    for (Figure& figure : cost_figures(output)) found.figures.push_back(std::move(figure));
+    for (Figure& figure : cost_figures(cost_document().read(output))) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.fragility/1") {
     for (Figure& figure : fragility_figures(output)) found.figures.push_back(std::move(figure));
     for (Figure& figure : incremental_figures(output)) found.figures.push_back(std::move(figure));

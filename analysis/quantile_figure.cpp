@@ -173,7 +173,7 @@ Figure quantile_figure(const Report& report, const Drawn& drawn) {
   figure.caption = std::string(drawn.meaning) + ": median with its " + report.level() + " interval (" +
                    (view.is_line ? "ribbon" : "bars") + "), and the " +
                    (drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile") +
-                   (view.is_line ? " (dashed); " : " (circles) with theirs; ") + spoken_realisations(report) + ". ";
+                   (view.is_line ? " (dashed); " : " (circles) with theirs; ") + realisations_in_words(report) + ". ";
   figure.caption += drawn.is_signed ? "Only realisations that reached the horizon are counted."
                                     : "A realisation that overturned counts as above every value; where too many did, "
                                       "a quantile or the end of an interval is not drawn.";

@@ -18,20 +18,20 @@ Spread spread_of(const std::vector<double>& numbers) {
   return {.low = low, .high = high};
 }
 
-std::string spoken_spread(const Spread& spread, int digits) {
+std::string spread_in_words(const Spread& spread, int digits) {
   const std::string low = significant(spread.low, digits);
   const std::string high = significant(spread.high, digits);
   return low == high ? low : low + " to " + high;
 }
 
-std::string spoken_quantity(const Json& quantity) {
-  const auto spoken = [](const Json& number) { return significant(number.get<double>(), 6); };
-  if (quantity.is_number()) return spoken(quantity);
+std::string quantity_in_words(const Json& quantity) {
+  const auto in_words = [](const Json& number) { return significant(number.get<double>(), 6); };
+  if (quantity.is_number()) return in_words(quantity);
   if (quantity.contains("uniform")) {
-    return spoken(quantity.at("uniform").at(0)) + " to " + spoken(quantity.at("uniform").at(1)) + " (drawn)";
+    return in_words(quantity.at("uniform").at(0)) + " to " + in_words(quantity.at("uniform").at(1)) + " (drawn)";
   }
   const Json& normal = quantity.at("normal");
-  return spoken(normal.at("mean")) + " (drawn, standard deviation " + spoken(normal.at("sigma")) + ")";
+  return in_words(normal.at("mean")) + " (drawn, standard deviation " + in_words(normal.at("sigma")) + ")";
 }
 
 }  // namespace rocking::analysis

@@ -16,9 +16,9 @@ struct Spread {
   [[nodiscard]] bool is_one() const { return low == high; }
 };
 [[nodiscard]] Spread spread_of(const std::vector<double>& numbers);
-[[nodiscard]] std::string spoken_spread(const Spread& spread, int digits);
+[[nodiscard]] std::string spread_in_words(const Spread& spread, int digits);
 
 /// `0.5`, `0.4 to 0.6 (drawn)` or `0.5 (drawn, standard deviation 0.05)`.
-[[nodiscard]] std::string spoken_quantity(const Json& quantity);
+[[nodiscard]] std::string quantity_in_words(const Json& quantity);
 
 }  // namespace rocking::analysis

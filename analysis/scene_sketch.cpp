@@ -122,11 +122,11 @@ double number_at(const Json& experiment, const char* pointer) {
 std::string short_number(double number) { return significant(number, 3); }
 
 std::string in_metres(const Json& length) {
-  return length.is_number() ? number_text(length.get<double>()) + " m" : spoken_quantity(length) + " m";
+  return length.is_number() ? number_text(length.get<double>()) + " m" : quantity_in_words(length) + " m";
 }
 
 /// `, A_h = 4.2`, if the experiment contains it.
-std::string spoken(const Json& experiment, const char* pointer, const std::string& words) {
+std::string in_words(const Json& experiment, const char* pointer, const std::string& words) {
   const Json::json_pointer place(pointer);
   if (!experiment.contains(place) || !experiment.at(place).is_number()) return "";
   return ", " + words + ' ' + significant(experiment.at(place).get<double>(), 6);
@@ -134,7 +134,7 @@ std::string spoken(const Json& experiment, const char* pointer, const std::strin
 
 }  // namespace
 
-std::string spoken_scene(const Json& experiment, const std::optional<Shaking>& shaking) {
+std::string scene_in_words(const Json& experiment, const std::optional<Shaking>& shaking) {
   const double width = number_at(experiment, "/block/width_m");
   const double height = number_at(experiment, "/block/height_m");
   const double half_diagonal = 0.5 * std::hypot(width, height);
@@ -148,12 +148,12 @@ std::string spoken_scene(const Json& experiment, const std::optional<Shaking>& s
       text += ", " + with_greek(in_both_forms(*shaking, key));
     }
   } else {
-    text += spoken(experiment, "/excitation/amplitude", "A_h =");
-    text += spoken(experiment, "/excitation/frequency_ratio", "Ω_h =");
+    text += in_words(experiment, "/excitation/amplitude", "A_h =");
+    text += in_words(experiment, "/excitation/frequency_ratio", "Ω_h =");
   }
-  text += spoken(experiment, "/friction/static", "μ_s =");
-  text += spoken(experiment, "/friction/kinetic", "μ_k =");
-  text += spoken(experiment, "/fluctuation/friction/sigma", "friction fluctuates with σ =");
+  text += in_words(experiment, "/friction/static", "μ_s =");
+  text += in_words(experiment, "/friction/kinetic", "μ_k =");
+  text += in_words(experiment, "/fluctuation/friction/sigma", "friction fluctuates with σ =");
   return text;
 }
 
@@ -188,7 +188,7 @@ Figure scene_sketch(const Report& report) {
   sketch.finish(figure);
   const bool is_first = report.conditions.size() > 1;
   figure.caption = (is_first ? "The first of " + std::to_string(report.conditions.size()) + " conditions: " : "") +
-                   spoken_scene(experiment, report.conditions.front().shaking) + ". The tilt θ is drawn at " +
+                   scene_in_words(experiment, report.conditions.front().shaking) + ". The tilt θ is drawn at " +
                    short_number(tilt / shape_angle) + " ψ. N and F act at the edge on which the block stands.";
   return figure;
 }

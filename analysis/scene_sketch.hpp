@@ -17,6 +17,6 @@ namespace rocking::analysis {
 
 /// The numbers of a canonical experiment in words: `B = 1 m, H = 4 m; ψ = 0.245 rad, R = 2.06 m, p = 1.89 rad/s; A_h
 /// 4.2 = 1.03 g, Ω_h 10 = 3.01 Hz; ...`.
-[[nodiscard]] std::string spoken_scene(const Json& experiment, const std::optional<Shaking>& shaking);
+[[nodiscard]] std::string scene_in_words(const Json& experiment, const std::optional<Shaking>& shaking);
 
 }  // namespace rocking::analysis

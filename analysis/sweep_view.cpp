@@ -273,15 +273,15 @@ std::string short_value(const std::string& pointer, const Json& value) {
   return rocking::short_value({.pointer = pointer, .value = value.dump()});
 }
 
-std::vector<Stretch> stretches_of(const std::vector<double>& places) {
+std::vector<SpanAround> spans_around(const std::vector<double>& places) {
   const std::size_t count = places.size();
-  std::vector<Stretch> stretches;
+  std::vector<SpanAround> spans;
   for (std::size_t i = 0; i < count; ++i) {
     const double below = i > 0 ? places[i] - places[i - 1] : count > 1 ? places[1] - places[0] : 1.0;
     const double above = i + 1 < count ? places[i + 1] - places[i] : below;
-    stretches.push_back({.low = places[i] - 0.5 * below, .high = places[i] + 0.5 * above});
+    spans.push_back({.low = places[i] - 0.5 * below, .high = places[i] + 0.5 * above});
   }
-  return stretches;
+  return spans;
 }
 
 void set_range(const SweepView& view, Panel& panel) {

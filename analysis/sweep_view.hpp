@@ -91,9 +91,9 @@ struct ParameterColumn {
 [[nodiscard]] std::string short_value(const std::string& pointer, const Json& value);
 
 /// Ends of the interval around each of these increasing numbers: halfway to its neighbours.
-struct Stretch {
+struct SpanAround {
   double low, high;
 };
-[[nodiscard]] std::vector<Stretch> stretches_of(const std::vector<double>& places);
+[[nodiscard]] std::vector<SpanAround> spans_around(const std::vector<double>& places);
 
 }  // namespace rocking::analysis

@@ -213,7 +213,7 @@ ResponseMode most_likely(const ReportedCondition& condition) {
 }
 
 /// `rocks once in three periods (1,3)`.
-std::string spoken_mode(const ResponseMode& mode) {
+std::string mode_in_words(const ResponseMode& mode) {
   const std::string meaning = meaning_of(mode);
   return mode.kind == section::ResponseKind::periodic ? meaning + ' ' + escaped(to_string(mode)) : meaning;
 }
@@ -241,7 +241,7 @@ std::string responses_along(const Along& along) {
   for (const Range& range : ranges) {
     const ResponseMode mode = most_likely(along.at(range.first));
     parts.push_back(
-        fmt::format("{}: {}{}", along.name(range), spoken_mode(mode), probability_along(along, range, mode)));
+        fmt::format("{}: {}{}", along.name(range), mode_in_words(mode), probability_along(along, range, mode)));
     if (parts.size() == most_stretches && ranges.size() > most_stretches) {
       parts.push_back(fmt::format("then {} further changes", ranges.size() - most_stretches));
       break;
@@ -258,7 +258,7 @@ std::string responses_anywhere(const Report& report) {
     std::string text;
     for (const auto& [mode, probability] : report.conditions.front().result.modes) {
       if (probability.counts.successes == 0) continue;
-      text += (text.empty() ? "" : "; ") + spoken_mode(mode) +
+      text += (text.empty() ? "" : "; ") + mode_in_words(mode) +
               (report.is_random() ? ": " + probability_at(report.conditions.front(), mode) : "");
     }
     return text;
@@ -270,7 +270,7 @@ std::string responses_anywhere(const Report& report) {
   std::ranges::stable_sort(ranked, std::greater{}, [](const auto& entry) { return entry.first; });
   std::string text;
   for (std::size_t i = 0; i < std::min(most_stretches, ranked.size()); ++i) {
-    text += fmt::format("{}{}: {}in {} of {} conditions", text.empty() ? "" : "; ", spoken_mode(ranked[i].second),
+    text += fmt::format("{}{}: {}in {} of {} conditions", text.empty() ? "" : "; ", mode_in_words(ranked[i].second),
                         report.is_random() ? "most likely " : "", ranked[i].first, report.conditions.size());
   }
   return text;

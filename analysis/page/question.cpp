@@ -97,7 +97,7 @@ std::optional<Spread> shaking_spread(const Report& report, std::string_view key)
 
 /// `A_h = 4.5`, `1.1 g`, `0.5 to 1.1 g` in HTML.
 std::string form_html(std::string_view key, const Spread& spread, int digits) {
-  const std::string text = spoken_spread(spread, digits);
+  const std::string text = spread_in_words(spread, digits);
   if (key == "amplitude") return symbol_html("A_h") + " = " + text;
   if (key == "frequency_ratio") return "<i>&Omega;</i><sub>h</sub> = " + text;
   if (key == "amplitude_m_s2") return text + " m/s<sup>2</sup>";
@@ -105,7 +105,7 @@ std::string form_html(std::string_view key, const Spread& spread, int digits) {
 }
 
 /// The amplitude or the frequency as the file gives it, with the other form: `A_h = 4.5 (1.1 g)`. Empty if conditions
-/// differ in the kind of their shaking, or a report of an earlier version has none.
+/// differ in the kind of their shaking, or have ground motions.
 std::string both_forms_html(const Report& report, std::string_view Shaking::*given) {
   const auto& first = report.conditions.front().shaking;
   if (!first) return "";
@@ -124,17 +124,17 @@ bool has_random_block(const Report& report) {
 
 /// `0.5 to 2 m wide (swept)`: a side of the blocks of all conditions.
 std::string side_in_brief(const Report& report, const std::string& pointer, std::string_view word) {
-  const auto spoken = [&](const std::string& size) {
+  const auto in_words = [&](const std::string& size) {
     return fmt::format("{} m {}{}", size, word, swept_mark(report, pointer));
   };
   const Json first = value_at(report, report.conditions.front(), pointer);
   std::vector<double> numbers;
   for (const ReportedCondition& condition : report.conditions) {
     const Json side = value_at(report, condition, pointer);
-    if (!side.is_number()) return spoken(spoken_quantity(first));
+    if (!side.is_number()) return in_words(quantity_in_words(first));
     numbers.push_back(side);
   }
-  return spoken(spoken_spread(spread_of(numbers), 6));
+  return in_words(spread_in_words(spread_of(numbers), 6));
 }
 
 std::string shaking_in_brief(const Report& report) {
@@ -176,7 +176,7 @@ std::string setting_text(const Report& report, const std::string& pointer, const
     const std::string text = text_of(own);
     if (texts.size() <= most_listed && std::ranges::find(texts, text) == texts.end()) texts.push_back(text);
   }
-  if (numbers.size() == report.conditions.size()) return spoken_spread(spread_of(numbers), 6);
+  if (numbers.size() == report.conditions.size()) return spread_in_words(spread_of(numbers), 6);
   std::string list;
   for (std::size_t i = 0; i < std::min(texts.size(), most_listed); ++i) list += (i == 0 ? "" : ", ") + texts[i];
   return texts.size() > most_listed ? list + ", ..." : list;
@@ -247,14 +247,14 @@ std::string sweep_in_brief(const Report& report) {
     const Axis axis = axis_of_parameter(pointer);
     const auto values = values_of(report, entry);
     const std::string unit = axis.unit.empty() ? "" : ' ' + escaped(axis.unit);
-    const auto spoken = [&](const Json& value) { return escaped(short_value(pointer, value)); };
+    const auto in_words = [&](const Json& value) { return escaped(short_value(pointer, value)); };
     text += (text.empty() ? "" : "; ") + escaped(axis.quantity);
     if (!axis.symbol.empty()) text += ' ' + symbol_html(axis.symbol);
     if (values.size() <= most_listed) {
-      for (std::size_t i = 0; i < values.size(); ++i) text += (i == 0 ? " " : ", ") + spoken(values[i]);
+      for (std::size_t i = 0; i < values.size(); ++i) text += (i == 0 ? " " : ", ") + in_words(values[i]);
       text += unit;
     } else {
-      text += fmt::format(" from {} to {}{} ({} values)", spoken(values.front()), spoken(values.back()), unit,
+      text += fmt::format(" from {} to {}{} ({} values)", in_words(values.front()), in_words(values.back()), unit,
                           values.size());
     }
     for (const ShakingNumber& each : shaking_numbers) {
@@ -309,11 +309,11 @@ std::string question_in_brief(const Report& report) {
 }
 
 std::string question_in_full(const Report& report) {
-  const auto spoken = [&](double (Shape::*number)() const) { return spoken_spread(of_blocks(report, number), 4); };
+  const auto in_words = [&](double (Shape::*number)() const) { return spread_in_words(of_blocks(report, number), 4); };
   std::string rows;
-  rows += row("shape angle", fmt::format("&psi; = {} rad", spoken(&Shape::shape_angle)));
-  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", spoken(&Shape::half_diagonal)));
-  rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", spoken(&Shape::frequency_parameter)));
+  rows += row("shape angle", fmt::format("&psi; = {} rad", in_words(&Shape::shape_angle)));
+  rows += row("half diagonal", fmt::format("<i>R</i> = {} m", in_words(&Shape::half_diagonal)));
+  rows += row("frequency parameter", fmt::format("<i>p</i> = {} rad/s", in_words(&Shape::frequency_parameter)));
   const std::string amplitude = both_forms_html(report, &Shaking::given_amplitude);
   const std::string frequency = both_forms_html(report, &Shaking::given_frequency);
   if (!amplitude.empty()) rows += row("amplitude of the base", amplitude);

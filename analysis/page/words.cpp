@@ -9,14 +9,14 @@
 namespace rocking::analysis {
 namespace {
 
-std::string spoken(int number) {
+std::string in_words(int number) {
   constexpr std::array<const char*, 13> words{"no",    "one",   "two",  "three", "four",   "five",  "six",
                                               "seven", "eight", "nine", "ten",   "eleven", "twelve"};
   const auto place = static_cast<std::size_t>(number);
   return place < words.size() ? words[place] : std::to_string(number);
 }
 
-std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twice" : spoken(number) + " times"; }
+std::string times(int number) { return number == 1 ? "once" : number == 2 ? "twice" : in_words(number) + " times"; }
 
 }  // namespace
 
@@ -28,7 +28,7 @@ std::string meaning_of(const section::ResponseMode& mode) {
   switch (mode.kind) {
     case section::ResponseKind::periodic:
       if (mode.periods == 1) return "rocks " + times(mode.rocks) + " in every period";
-      return "rocks " + times(mode.rocks) + " in " + spoken(mode.periods) + " periods";
+      return "rocks " + times(mode.rocks) + " in " + in_words(mode.periods) + " periods";
     case section::ResponseKind::chaotic: return "rocks without ever repeating";
     case section::ResponseKind::overturned: return "overturns";
     case section::ResponseKind::rest: return "does not rock, or stops rocking";

@@ -12,7 +12,8 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "rocking/output/write_bifurcation.hpp"
+#include "rocking/output/bifurcation_report.hpp"
+#include "rocking/output/bifurcation_table.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/text/files.hpp"
@@ -86,7 +87,8 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   }
   const DrawnDiagrams drawn{
       .experiment = &experiment, .realisation = request.realisation, .diagrams = std::move(*diagrams)};
-  const std::string text = bifurcation_text(drawn);
+  const std::string text =
+      bifurcation_document().text(bifurcation_report(experiment, request.realisation, drawn.diagrams));
   expect_all_free(files, request.overwrite);
   write_atomically(files.csv, bifurcation_csv(drawn));
   const std::vector<DiagramTable> tables = diagram_tables(drawn);

@@ -113,7 +113,7 @@ DrawingFailures draw_page(const RunFolder& folder, const Report& report, const L
   DrawingFailures failures = write_page(folder, report);
   if (!loudness.quiet) {
     const std::chrono::duration<double> took = Clock::now() - start;
-    print_notice(fmt::format("page drawn in {}", spoken_duration(took.count())));
+    print_notice(fmt::format("page drawn in {}", duration_in_words(took.count())));
   }
   return failures;
 }
@@ -216,7 +216,7 @@ ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& stor
   const ExitCode code = write_results(folder, experiment, *std::move(result),
                                       {.system = system, .loudness = execution.loudness, .page = execution.page});
   if (code == ExitCode::done && !execution.loudness.quiet) {
-    print_notice(fmt::format("{} on {}", spoken_duration(system.duration_s), counted(system.threads, "thread")));
+    print_notice(fmt::format("{} on {}", duration_in_words(system.duration_s), counted(system.threads, "thread")));
   }
   return code;
 }

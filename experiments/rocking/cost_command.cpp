@@ -13,8 +13,8 @@
 #include "output.hpp"
 #include "progress.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/output/cost_report.hpp"
 #include "rocking/output/cost_table.hpp"
-#include "rocking/output/write_cost.hpp"
 #include "rocking/studies/cost/budget.hpp"
 #include "rocking/text/files.hpp"
 
@@ -95,7 +95,7 @@ ExitCode cost(const CostRequest& request) {
     return ExitCode::interrupted;
   }
   const MeasuredCost result{.experiment = &experiment, .cost = *std::move(found), .system = std::move(system)};
-  const std::string text = cost_text(result);
+  const std::string text = cost_document().text(cost_report(result));
   std::string table =
       (experiment.title.empty() ? "" : experiment.title + "\n\n") + cost_table(result) + fixed_horizon_note(experiment);
   if (is_kept) {

@@ -17,7 +17,7 @@
 namespace rocking::program {
 namespace {
 
-/// Without the records, or with a store of an earlier version, the other figures are drawn.
+/// Without the records the other figures are drawn.
 void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
   const auto tell = [](const std::exception& error) {
     print_notice(fmt::format("the fragility of the suite was not drawn: {}", error.what()));

@@ -11,7 +11,7 @@
 #include "drawing.hpp"
 #include "output.hpp"
 #include "rocking/api/ground_motions.hpp"
-#include "rocking/input/record_unit.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/output/motion_report.hpp"
 #include "rocking/scene/rules.hpp"
 #include "usage.hpp"
@@ -95,7 +95,7 @@ ExitCode motion(const MotionRequest& request) {
 
 void add_reading_options(CLI::App& command, GroundMotionRequest& request) {
   command.add_option("--format", request.format, "Format of the files; auto: recognised by their first lines")
-      ->check(one_of({"auto", "columns", "peer_at2", "esm_asc"}))
+      ->check(one_of({record_format_choices.begin(), record_format_choices.end()}))
       ->capture_default_str()
       ->type_name("NAME");
   command.add_option("--units", request.units, "Unit of the accelerations; default: that of the file, or m/s2")

@@ -16,7 +16,7 @@ void expect_memory(std::uint64_t bytes) {
       std::make_error_code(std::errc::not_enough_memory),
       fmt::format("the run may need {} of memory, {} are free; divide the sweep between several files, use shorter "
                   "horizons or fewer threads, or use a machine with more memory",
-                  spoken_size(bytes), spoken_size(*free)));
+                  size_in_words(bytes), size_in_words(*free)));
 }
 
 }  // namespace rocking::program

@@ -76,7 +76,7 @@ std::string progress_line(const Pace& pace, std::string_view noun) {
   }
   if (!pace.rate || *pace.rate <= 0.0) return line;
   const std::string rate = *pace.rate < 100.0 ? fmt::format("{:.3g}", *pace.rate) : fmt::format("{:.0f}", *pace.rate);
-  return line + fmt::format(", {}/s, {} remaining", rate, spoken_duration((whole - part) / *pace.rate));
+  return line + fmt::format(", {}/s, {} remaining", rate, duration_in_words((whole - part) / *pace.rate));
 }
 
 Progress::Progress(ProgressStyle style, std::string noun)

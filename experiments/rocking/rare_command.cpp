@@ -1,6 +1,5 @@
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -14,10 +13,11 @@
 #include "machine.hpp"
 #include "output.hpp"
 #include "progress.hpp"
-#include "rocking/output/write_rare.hpp"
+#include "rocking/output/rare_report.hpp"
 #include "rocking/studies/rare/rare.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
+#include "usage.hpp"
 
 namespace rocking::program {
 namespace {
@@ -68,17 +68,15 @@ ExitCode find_rare(const RareRequest& request) {
   const std::filesystem::path file = std::filesystem::path(request.folder) / "rare.json";
   expect_free(file, request.overwrite);
   ensure_writable(request.folder);
-  const FoundRare found{.experiment = &experiment,
-                        .question = request.question,
-                        .score = request.score,
-                        .particles = request.particles,
-                        .conditions = estimate(experiment, request)};
-  const std::string text = rare_text(found);
+  const RareReport report =
+      rare_report(experiment, {.question = request.question, .score = request.score, .particles = request.particles},
+                  estimate(experiment, request));
+  const std::string text = rare_document().text(report);
   expect_free(file, request.overwrite);
   write_atomically(file, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("numbers: {}\n", file.string());
-  print_result(request.execution.loudness.json ? text : base::printable(title + rare_table(found) + where));
+  print_result(request.execution.loudness.json ? text : base::printable(title + rare_table(report) + where));
   return ExitCode::done;
 }
 
@@ -100,10 +98,13 @@ void add_question(CLI::App& command, RareRequest& request) {
       ->check(whole_number(least_particles, most_particles))
       ->capture_default_str()
       ->type_name("N");
-  command.add_option("--score", request.score, "What measures how near a motion is to the event: tilt or energy")
-      ->transform(CLI::CheckedTransformer(
-                      std::map<std::string, rare::Score>{{"tilt", rare::Score::tilt}, {"energy", rare::Score::energy}})
-                      .description(""))  // of its own it lists the values as characters
+  const auto set_score = [&request](const std::string& name) {
+    request.score = name == "energy" ? rare::Score::energy : rare::Score::tilt;
+  };
+  command
+      .add_option_function<std::string>("--score", set_score,
+                                        "What measures how near a motion is to the event: tilt or energy")
+      ->check(one_of({"tilt", "energy"}))
       ->type_name("tilt|energy");
 }
 

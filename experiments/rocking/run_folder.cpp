@@ -72,7 +72,7 @@ void RunFolder::expect_room(std::uint64_t bytes) const {
       std::make_error_code(std::errc::no_space_on_device),
       fmt::format("{}: its realisations may need {}, {} are free; free some space, choose another disk, or "
                   "divide the run with --shard",
-                  name(), spoken_size(bytes), spoken_size(free)));
+                  name(), size_in_words(bytes), size_in_words(free)));
 }
 
 Store RunFolder::create_store(const Identity& identity) const { return Store::create(store_path(), identity); }

@@ -73,7 +73,7 @@ std::string to_text(const StatusRequest& request, const Standing& standing) {
   if (standing.replaces) text += "the earlier run in this folder is kept until this one is complete\n";
   if (standing.rate > 0.0) {
     text += fmt::format("rate     {:.3g}/s\nto go    {}\n", standing.rate,
-                        spoken_duration(static_cast<double>(standing.missing()) / standing.rate));
+                        duration_in_words(static_cast<double>(standing.missing()) / standing.rate));
   }
   if (standing.state == "stopped") text += fmt::format("`rocking resume {}` continues the run\n", request.folder);
   return text;

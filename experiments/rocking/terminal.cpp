@@ -32,8 +32,8 @@ std::string environment(const char* name) {
 
 std::optional<std::size_t> terminal_columns(int descriptor) {
   winsize size{};
-  const bool told = ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
-  return told ? std::optional<std::size_t>(size.ws_col) : std::nullopt;
+  const bool is_known = ioctl(descriptor, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return is_known ? std::optional<std::size_t>(size.ws_col) : std::nullopt;
 }
 
 TableLook table_look() {

@@ -25,9 +25,9 @@ py::tuple verify_watched(const Experiment& experiment, const RunResult& run, std
   const auto found = watched.run({.threads = threads}, [&](const Execution& execution) {
     return verify({experiment, run}, sample, execution);
   });
-  py::object told = py::none();
-  if (found) told = py::make_tuple(found->checked, found->different, found->findings);
-  return py::make_tuple(std::move(told), watched.was_interrupted());
+  py::object answer = py::none();
+  if (found) answer = py::make_tuple(found->checked, found->different, found->findings);
+  return py::make_tuple(std::move(answer), watched.was_interrupted());
 }
 
 /// The same of a report without its store.
@@ -36,9 +36,9 @@ py::tuple verify_report_watched(const std::string& report, const std::string& fi
   Watched<RunCheck> watched(std::move(on_progress));
   const auto found = watched.run({.threads = threads},
                                  [&](const Execution& execution) { return verify_report(report, files, execution); });
-  py::object told = py::none();
-  if (found) told = py::make_tuple(found->checked, found->different, found->findings);
-  return py::make_tuple(std::move(told), watched.was_interrupted());
+  py::object answer = py::none();
+  if (found) answer = py::make_tuple(found->checked, found->different, found->findings);
+  return py::make_tuple(std::move(answer), watched.was_interrupted());
 }
 
 /// (JSON text or None, whether Ctrl-C stopped it).

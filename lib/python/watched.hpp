@@ -74,9 +74,9 @@ class Watched {
   void tell() {
     const std::uint64_t done = done_.load(std::memory_order_relaxed);
     const std::uint64_t all = all_.load(std::memory_order_relaxed);
-    if (on_progress_.is_none() || all == 0 || (done == told_done_ && all == told_all_)) return;
-    told_done_ = done;
-    told_all_ = all;
+    if (on_progress_.is_none() || all == 0 || (done == reported_done_ && all == reported_all_)) return;
+    reported_done_ = done;
+    reported_all_ = all;
     on_progress_(done, all);
   }
 
@@ -94,7 +94,7 @@ class Watched {
   pybind11::object on_progress_;
   std::atomic<bool> stop_{false};
   std::atomic<std::uint64_t> done_{0}, all_{0};
-  std::uint64_t told_done_ = 0, told_all_ = 0;
+  std::uint64_t reported_done_ = 0, reported_all_ = 0;
   bool was_interrupted_ = false;
   std::exception_ptr python_error_, failure_;
   std::optional<Result> result_;

@@ -11,6 +11,7 @@
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/input/read_ground_motion.hpp"
 #include "rocking/input/read_hazard.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/studies/hazard_integral.hpp"
 #include "support/ordinary_steps.hpp"

@@ -42,7 +42,7 @@ const std::map<std::string, std::set<std::string>> allowed_uses = {
       "ensemble"}},
     {"text", {"base", "stats"}},  // its intervals
     {"fields", {"base", "text"}},
-    {"input", {"base", "dynamics", "section", "text", "scene"}},
+    {"input", {"base", "dynamics", "section", "text", "fields", "scene"}},
     {"output",
      {"base", "stats", "dynamics", "section", "text", "fields", "scene", "input", "realisation", "store", "ensemble",
       "studies"}},

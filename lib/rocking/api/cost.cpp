@@ -8,10 +8,9 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/system_facts.hpp"
-#include "rocking/api/written_experiment.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/output/write_cost.hpp"
+#include "rocking/output/cost_report.hpp"
 #include "rocking/studies/cost/budget.hpp"
 
 namespace rocking {
@@ -55,8 +54,7 @@ Cost cost(const Experiment& experiment, const CostRequest& request, const Execut
 }
 
 std::string cost_text(const Experiment& experiment, const Cost& cost, const Provenance& provenance) {
-  const Experiment told = with_text(experiment);
-  return cost_text({.experiment = &told, .cost = cost, .system = facts_of(provenance)});
+  return cost_document().text(cost_report({.experiment = &experiment, .cost = cost, .system = facts_of(provenance)}));
 }
 
 }  // namespace rocking

@@ -9,6 +9,7 @@
 #include "rocking/api/refuse.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/input/ground_motion_files.hpp"
+#include "rocking/input/record_formats.hpp"
 #include "rocking/output/motion_report.hpp"
 #include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/rules.hpp"
@@ -55,7 +56,7 @@ std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
   GroundMotionReading how{.name = {},
                           .time_step = {},
                           .gravity = request.question.gravity,
-                          .format = named<RecordFormat>("format", record_format_names, "auto", request.format),
+                          .format = named<RecordFormat>("format", record_format_choices, "auto", request.format),
                           .unit = named<RecordUnit>("units", record_unit_names, "", request.units),
                           .vertical_name = request.vertical};
   if (request.time_step > 0.0) how.time_step = request.time_step;

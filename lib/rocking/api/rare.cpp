@@ -4,9 +4,8 @@
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
-#include "rocking/api/written_experiment.hpp"
 #include "rocking/base/number_text.hpp"
-#include "rocking/output/write_rare.hpp"
+#include "rocking/output/rare_report.hpp"
 #include "rocking/studies/rare/rare.hpp"
 
 namespace rocking {
@@ -64,12 +63,8 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
 
 std::string rare_text(const Experiment& experiment, const RareRequest& request,
                       const std::vector<RareEstimate>& found) {
-  const Experiment told = with_text(experiment);
-  return rare_text({.experiment = &told,
-                    .question = request.question,
-                    .score = request.score,
-                    .particles = request.particles,
-                    .conditions = found});
+  return rare_document().text(rare_report(
+      experiment, {.question = request.question, .score = request.score, .particles = request.particles}, found));
 }
 
 }  // namespace rocking

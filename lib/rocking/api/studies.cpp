@@ -14,8 +14,8 @@
 #include "rocking/base/stop_request.hpp"
 #include "rocking/input/condition_family.hpp"
 #include "rocking/input/read_hazard.hpp"
+#include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/comparison.hpp"
-#include "rocking/output/write_bifurcation.hpp"
 #include "rocking/output/write_fragility.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/scene/check_condition.hpp"
@@ -148,7 +148,7 @@ std::vector<BifurcationCurve> followed_curves(const Experiment& experiment, cons
   return bifurcation_curves(question, branches.study, stop);
 }
 
-FoundOrbits told(const Experiment& experiment, const OrbitStudy& study) {
+FoundOrbits reported(const Experiment& experiment, const OrbitStudy& study) {
   check_has_conditions(experiment);
   return {.experiment = &experiment,
           .longest = study.longest,
@@ -195,11 +195,11 @@ OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& reques
 
 std::string orbits_text(const Experiment& experiment, const OrbitStudy& study) {
   const Experiment with = with_text(experiment);
-  return orbits_text(told(with, study));
+  return orbits_text(reported(with, study));
 }
 
 std::string orbits_table(const Experiment& experiment, const OrbitStudy& study) {
-  return orbits_table(told(experiment, study));
+  return orbits_table(reported(experiment, study));
 }
 
 std::string orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
@@ -239,9 +239,8 @@ std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realis
 }
 
 std::string bifurcation(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
-  return bifurcation_text({.experiment = &experiment,
-                           .realisation = realisation,
-                           .diagrams = diagrams(experiment, realisation, execution)});
+  return bifurcation_document().text(
+      bifurcation_report(experiment, realisation, diagrams(experiment, realisation, execution)));
 }
 
 RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,

@@ -36,7 +36,7 @@ struct TypeOf<std::optional<T>> {
 
 /// A list of any length, or of `size` entries.
 template <class List, std::size_t size = 0>
-class ListType final : public ValueType {
+class ListType : public ValueType {
   using Item = typename List::value_type;
 
  public:
@@ -49,7 +49,7 @@ class ListType final : public ValueType {
     const auto& list = *static_cast<const List*>(value);
     if (list.empty()) return out.member(key, Json::array());
     out.begin_list(key);
-    for (const Item& item : list) out.element(type_of<Item>().json(&item));
+    for (const Item& item : list) type_of<Item>().write_element(&item, out);
     out.end();
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
@@ -71,6 +71,19 @@ class ListType final : public ValueType {
   }
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
     type_of<Item>().describe(prefix + "[i]", rows);
+  }
+};
+
+/// A list with a line for each entry, so that thousands of entries remain readable, also for tools that read lines.
+template <class List>
+class LinesType final : public ListType<List> {
+ public:
+  void write(const void* value, std::string_view key, JsonWriter& out) const override {
+    const auto& list = *static_cast<const List*>(value);
+    if (list.empty()) return out.member(key, Json::array());
+    out.begin_list(key);
+    for (const auto& item : list) out.line(type_of<typename List::value_type>().json(&item));
+    out.end();
   }
 };
 

@@ -62,6 +62,12 @@ void StructType::write(const void* value, std::string_view key, JsonWriter& out)
   out.end();
 }
 
+void StructType::write_element(const void* value, JsonWriter& out) const {
+  out.begin_object();
+  write_members(value, out);
+  out.end();
+}
+
 void StructType::write_members(const void* value, JsonWriter& out) const {
   for (const Field& field : fields_) {
     if (!field.is_omitted(value)) field.write(value, out);

@@ -40,6 +40,7 @@ class StructType final : public ValueType {
 
   [[nodiscard]] Json json(const void* value) const override;
   void write(const void* value, std::string_view key, JsonWriter& out) const override;
+  void write_element(const void* value, JsonWriter& out) const override;
   /// Writes the fields into the innermost object.
   void write_members(const void* value, JsonWriter& out) const;
   void read(const Json& json, const ReadingPlace& place, void* value) const override;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
-#include "rocking/fields/rule.hpp"
+#include "rocking/base/rule.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/json_writer.hpp"
 
@@ -42,6 +42,8 @@ class ValueType {
   /// Writes the value as the next member of an object, with this key. Objects and lists are written piece by piece, so
   /// that a long document never stands in memory as a whole.
   virtual void write(const void* value, std::string_view key, JsonWriter& out) const { out.member(key, json(value)); }
+  /// The same as the next value of a list.
+  virtual void write_element(const void* value, JsonWriter& out) const { out.element(json(value)); }
   /// Sets the value, or reports every fault and leaves the value valid.
   virtual void read(const Json& json, const ReadingPlace& place, void* value) const = 0;
   /// JSON Schema, draft 7.

@@ -11,6 +11,7 @@
 #include <valijson/validation_results.hpp>
 #include <valijson/validator.hpp>
 
+#include "rocking/input/describe_experiment.hpp"
 #include "rocking/text/schema.hpp"
 
 namespace rocking {
@@ -83,7 +84,8 @@ void refuse_huge_numbers(const Json& value, const std::string& place, Problems& 
 
 void check_document(const Json& document, std::string_view schema_name, const std::string& place, Problems& problems) {
   constexpr std::size_t most_errors = 400;  // of the validator, which has no bound of its own
-  const nlohmann::json schema_document = nlohmann::json::parse(schema_text(schema_name).value());
+  const nlohmann::json schema_document = nlohmann::json::parse(
+      schema_name == "experiment" ? experiment_schema_text() : std::string(schema_text(schema_name).value()));
   const nlohmann::json copy = document;  // the validator knows no other kind of document
   valijson::Schema schema;
   valijson::SchemaParser().populateSchema(valijson::adapters::NlohmannJsonAdapter(schema_document), schema);

@@ -7,6 +7,7 @@
 
 #include "rocking/input/line_problems.hpp"
 #include "rocking/input/read_ground_motion.hpp"
+#include "rocking/input/record_unit.hpp"
 
 namespace rocking {
 

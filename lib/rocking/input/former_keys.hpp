@@ -1,5 +1,6 @@
 #pragma once
 
+#include "rocking/scene/number_rule.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/parse_json.hpp"
 

@@ -25,7 +25,11 @@ std::string listed(const Texts& texts) {
   return list;
 }
 
-std::string correction(const std::string& written, std::span<const std::string> known) {
+std::string correction(const std::string& written, std::span<const std::string_view> known_keys) {
+  std::vector<std::string> known;  // each once: some keys are asked for twice
+  for (const std::string_view key : known_keys) {
+    if (std::ranges::find(known, key) == known.end()) known.emplace_back(key);
+  }
   if (const auto nearest = nearest_word(written, known)) return "did you mean \"" + *nearest + "\"?";
   return known.empty() ? "remove it" : "known keys: " + listed(known);
 }
@@ -65,6 +69,7 @@ std::optional<double> checked_number(const Json& value, const std::string& place
 
 ObjectReader::ObjectReader(const Json& source, std::string place, Problems& problems)
     : source_(&source), place_(std::move(place)), problems_(&problems) {
+  known_.reserve(32);
   if (source.is_object()) return;
   problems.push_back({place_.empty() ? "the file" : place_, brief(source), wrong_type("an object", source),
                       "write it as { \"key\": value }"});
@@ -80,25 +85,35 @@ const Json& ObjectReader::no_keys() {
 bool ObjectReader::has(std::string_view key) { return value(key) != nullptr; }
 
 const Json* ObjectReader::value(std::string_view key) {
-  if (std::find(known_.begin(), known_.end(), key) == known_.end()) known_.emplace_back(key);
+  known_.push_back(key);
   const auto found = source_->find(key);
   return found == source_->end() ? nullptr : &*found;
 }
 
-void ObjectReader::write(std::string_view key, Json canonical) { canonical_[std::string(key)] = std::move(canonical); }
+bool ObjectReader::is_written(std::string_view key) const {
+  return writes_ && (written_.empty() || std::ranges::find(written_, key) != written_.end());
+}
+
+void ObjectReader::write(std::string_view key, Json canonical) {
+  if (is_written(key)) canonical_[std::string(key)] = std::move(canonical);
+}
 
 double ObjectReader::number(std::string_view key, const NumberRule& rule) {
   const Json* found = value(key);
   if (found == nullptr && !rule.standard) report_missing(key, rule.example);
   std::optional<double> read = rule.standard;
-  if (found != nullptr) read = checked_number(*found, place_of(key), rule, *problems_);
+  if (found != nullptr) {
+    const bool is_sound =
+        found->is_number() && rule.allows(found->get<double>());  // mostly, and then without its place
+    read = is_sound ? found->get<double>() : checked_number(*found, place_of(key), rule, *problems_);
+  }
   if (read) write(key, *read);
   return read.value_or(0.0);
 }
 
 std::int64_t ObjectReader::integer(std::string_view key, const IntegerRule& rule) {
   const Json* found = value(key);
-  if (found == nullptr && !rule.standard) report_missing(key, std::to_string(rule.low));
+  if (found == nullptr && !rule.standard) report_missing(key, std::to_string(rule.example));
   std::optional<std::int64_t> read = rule.standard;
   if (found != nullptr) {
     read = whole_number(*found);
@@ -109,19 +124,6 @@ std::int64_t ObjectReader::integer(std::string_view key, const IntegerRule& rule
   }
   if (read) write(key, *read);
   return read.value_or(rule.low);
-}
-
-double ObjectReader::derived_number(std::string_view key, NumberRule rule, double standard, DefaultSpelling spelling) {
-  if (!has(key) && spelling == DefaultSpelling::as_written) return standard;
-  rule.standard = standard;
-  return number(key, rule);
-}
-
-std::int64_t ObjectReader::derived_integer(std::string_view key, IntegerRule rule, std::int64_t standard,
-                                           DefaultSpelling spelling) {
-  if (!has(key) && spelling == DefaultSpelling::as_written) return standard;
-  rule.standard = standard;
-  return integer(key, rule);
 }
 
 std::string ObjectReader::text(std::string_view key, std::string_view standard) {
@@ -158,6 +160,10 @@ std::size_t ObjectReader::choice(std::string_view key, std::span<const std::stri
 void ObjectReader::reject(std::string_view key, std::string reason, std::string remedy) {
   const Json* found = value(key);
   problems_->push_back({place_of(key), found == nullptr ? "" : brief(*found), std::move(reason), std::move(remedy)});
+}
+
+void ObjectReader::reject(std::string reason, std::string remedy) {
+  problems_->push_back({place_, source_ == &no_keys() ? "" : brief(*source_), std::move(reason), std::move(remedy)});
 }
 
 void ObjectReader::report_missing(std::string_view key, std::string_view example) {

@@ -13,12 +13,8 @@
 
 namespace rocking {
 
-/// Whether defaults that follow from other values are written out: not where a sweep changes those values, for what is
-/// written out would override them.
-enum class DefaultSpelling : std::uint8_t { all, as_written };
-
 /// Reads one JSON object, key by key. Each call checks a key, remembers that it is known, and writes the value, or its
-/// default, to the canonical object in the order of the calls. Problems are collected, never thrown; a call that met
+/// default, to the canonical object in the order of the calls. Keys must outlive it. Problems are collected, never thrown; a call that met
 /// one returns a value that is safe to go on with.
 class ObjectReader {
  public:
@@ -30,10 +26,6 @@ class ObjectReader {
   [[nodiscard]] bool has(std::string_view key);
   [[nodiscard]] double number(std::string_view key, const NumberRule& rule);
   [[nodiscard]] std::int64_t integer(std::string_view key, const IntegerRule& rule);
-  /// The same with a default that follows from other values, in place of the rule's.
-  [[nodiscard]] double derived_number(std::string_view key, NumberRule rule, double standard, DefaultSpelling spelling);
-  [[nodiscard]] std::int64_t derived_integer(std::string_view key, IntegerRule rule, std::int64_t standard,
-                                             DefaultSpelling spelling);
   [[nodiscard]] std::string text(std::string_view key, std::string_view standard);
   /// Index into `names` of the one that stands there.
   [[nodiscard]] std::size_t choice(std::string_view key, std::span<const std::string_view> names, std::size_t standard);
@@ -41,13 +33,15 @@ class ObjectReader {
   /// The value as it stands, for what has no simple type; absent where the key is. The caller writes it.
   [[nodiscard]] const Json* value(std::string_view key);
   void write(std::string_view key, Json canonical);
+  /// From now on only these keys are written.
+  void write_only(std::span<const std::string> keys) { written_ = keys; }
 
   /// Calls `read(ObjectReader&)` on the object at `key`, on an empty one where it is absent.
   template <class Read>
   void object(std::string_view key, Read read) {
-    static const Json empty = Json::object();
     const Json* source = value(key);
-    ObjectReader inner(source == nullptr ? empty : *source, place_of(key), *problems_);
+    ObjectReader inner(source == nullptr ? no_keys() : *source, place_of(key), *problems_);
+    inner.writes_ = is_written(key);
     read(inner);
     write(key, inner.finish());
   }
@@ -56,6 +50,8 @@ class ObjectReader {
   void ignore_others() { source_ = &no_keys(); }
 
   void reject(std::string_view key, std::string reason, std::string remedy);
+  /// Rejects the object itself.
+  void reject(std::string reason, std::string remedy);
   [[nodiscard]] std::string place_of(std::string_view key) const { return child_pointer(place_, key); }
   [[nodiscard]] Problems& problems() { return *problems_; }
 
@@ -65,13 +61,16 @@ class ObjectReader {
  private:
   void report_missing(std::string_view key, std::string_view example);
 
+  [[nodiscard]] bool is_written(std::string_view key) const;
   [[nodiscard]] static const Json& no_keys();
 
   const Json* source_;
   std::string place_;
   Problems ignored_;  ///< of an object that is none: one problem is enough
   Problems* problems_;
-  std::vector<std::string> known_;
+  std::vector<std::string_view> known_;
+  bool writes_ = true;
+  std::span<const std::string> written_ = {};  ///< empty: all
   Json canonical_ = Json::object();
 };
 

@@ -1,10 +1,11 @@
-#include "rocking/input/read_columns.hpp"
+#include "rocking/input/record_formats.hpp"
 
 #include <algorithm>
 #include <utility>
 #include <vector>
 
 #include "rocking/input/line_problems.hpp"
+#include "rocking/input/record_unit.hpp"
 #include "rocking/scene/check_ground_motion.hpp"
 #include "rocking/scene/rules.hpp"
 

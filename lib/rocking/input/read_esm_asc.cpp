@@ -1,4 +1,4 @@
-#include "rocking/input/read_esm_asc.hpp"
+#include "rocking/input/record_formats.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -12,10 +12,10 @@ namespace rocking {
 namespace {
 
 std::string_view without_blanks_around(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
+  constexpr std::string_view white_space = " \t\r";
+  const std::size_t first = text.find_first_not_of(white_space);
   if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(blanks) - first + 1);
+  return text.substr(first, text.find_last_not_of(white_space) - first + 1);
 }
 
 class EsmReader {
@@ -89,6 +89,8 @@ class EsmReader {
 };
 
 }  // namespace
+
+bool is_line_of_esm_header(std::string_view line) { return line.starts_with("SAMPLING_INTERVAL_S:"); }
 
 std::optional<GroundMotion> read_esm_asc(std::string_view text, const GroundMotionReading& how, Problems& problems) {
   return EsmReader(how, problems).read(text);

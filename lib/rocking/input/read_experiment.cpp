@@ -67,7 +67,7 @@ class ExperimentBuilder {
     take_strength_from_sweep(document_);
     suite_ = take_suite(document_, matches_, files_, found);
     const bool is_bad_suite = !found.empty();
-    Question base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), files_, found);
+    QuestionAsRead base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), files_, found);
     // Merging and sweeping compare keys with each other, which takes hours where there are 10^5 of them.
     const bool is_hopeless = found.size() > enough_problems;
     const bool swept = !is_hopeless && document_.is_object() && document_.contains("sweep");
@@ -85,8 +85,8 @@ class ExperimentBuilder {
       if (!swept) base.canonical.erase("sweep");
       write_suite(base.canonical, axes_.front().canonical_values);
     }
-    return {.title = base.title,
-            .seed = base.seed,
+    return {.title = base.question.title,
+            .seed = base.question.seed,
             .conditions = std::move(conditions_),
             .canonical_text = base.canonical.dump(),
             .sweep_sizes = sweep_sizes()};
@@ -137,20 +137,35 @@ class ExperimentBuilder {
     const std::size_t size = grid_size(axes_);
     Json document = document_;
     if (!axes_.empty()) document["sweep"] = swept_places();
+    const std::vector<std::string> swept = swept_keys();
+    for (const SweepAxis& axis : axes_) places_.emplace_back(axis.pointer);
+    conditions_.reserve(size);
     for (std::size_t index = 0; index < size && problems_.size() < most_problems; ++index) {
       const auto values = grid_point(axes_, index);
-      std::string where;
       for (std::size_t i = 0; i < axes_.size(); ++i) {
-        if (!put(document, axes_[i].pointer, *values[i])) return;
-        where += (i == 0 ? " (where the sweep sets " : ", ") + axes_[i].pointer + " = " + shown(*values[i]);
+        if (!put(document, i, *values[i])) return;
       }
-      if (!where.empty()) where += ')';
       Problems found;
-      Question question = read_question(document, files_, found);
-      check_relations_of(question.condition, document, found);
-      merge(found, where);
-      if (problems_.empty()) keep(std::move(question), index);
+      QuestionAsRead read = read_question(document, files_, found, swept);
+      check_relations_of(read.question.condition, document, found);
+      if (!found.empty()) merge(found, setting_in_words(values));
+      if (problems_.empty()) keep(std::move(read), index);
     }
+  }
+
+  [[nodiscard]] std::string setting_in_words(const std::vector<const Json*>& values) const {
+    std::string words;
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      words += (i == 0 ? " (where the sweep sets " : ", ") + axes_[i].pointer + " = " + shown(*values[i]);
+    }
+    return words.empty() ? words : words + ')';
+  }
+
+  /// The keys of the file in which swept values stand: of a condition nothing else is written in canonical form.
+  [[nodiscard]] std::vector<std::string> swept_keys() const {
+    std::vector<std::string> keys;
+    for (const SweepAxis& axis : axes_) keys.push_back(axis.pointer.substr(1, axis.pointer.find('/', 1) - 1));
+    return keys;
   }
 
   // The sweep without its values, which no condition needs.
@@ -166,31 +181,32 @@ class ExperimentBuilder {
   }
 
   // A place that cannot be reached belongs to a part of the file that was already refused.
-  static bool put(Json& document, const std::string& pointer, const Json& value) {
-    if (pointer == suite_place) {
+  bool put(Json& document, std::size_t axis, const Json& value) const {
+    if (axes_[axis].pointer == suite_place) {
       put_record(document, value);
       return true;
     }
     try {
-      document[Json::json_pointer(pointer)] = value;
+      document[places_[axis]] = value;
       return true;
     } catch (const Json::exception&) {
       return false;
     }
   }
 
-  void keep(Question question, std::size_t index) {
+  void keep(QuestionAsRead read, std::size_t index) {
     std::size_t stride = grid_size(axes_);
-    for (SweepAxis& axis : axes_) {
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      SweepAxis& axis = axes_[i];
       stride /= axis.values.size();
-      Json canonical = question.canonical.at(Json::json_pointer(axis.pointer));
-      question.condition.parameters.push_back({axis.pointer, canonical.dump()});
-      if (axis.pointer == suite_place) canonical = record_of(question.canonical);
+      Json canonical = read.canonical.at(places_[i]);
+      read.question.condition.parameters.push_back({axis.pointer, canonical.dump()});
+      if (axis.pointer == suite_place) canonical = record_of(read.canonical);
       // The first condition with this value, at the first values of the others, gives its canonical form.
       const std::size_t place = (index / stride) % axis.values.size();
       if (index == place * stride) axis.canonical_values.push_back(std::move(canonical));
     }
-    conditions_.push_back(std::move(question.condition));
+    conditions_.push_back(std::move(read.question.condition));
   }
 
   std::vector<std::size_t> sweep_sizes() const {
@@ -225,6 +241,7 @@ class ExperimentBuilder {
   Problems problems_;
   Problems seen_;
   std::vector<SweepAxis> axes_;
+  std::vector<Json::json_pointer> places_;  ///< of the axes
   std::vector<Condition> conditions_;
 };
 

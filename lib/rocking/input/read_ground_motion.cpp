@@ -3,32 +3,19 @@
 #include <algorithm>
 #include <utility>
 
-#include "rocking/input/read_columns.hpp"
-#include "rocking/input/read_esm_asc.hpp"
-#include "rocking/input/read_peer_at2.hpp"
+#include "rocking/input/record_formats.hpp"
+#include "rocking/input/record_unit.hpp"
 
 namespace rocking {
-namespace {
-
-std::optional<GroundMotion> read_in_format(RecordFormat format, std::string_view text, const GroundMotionReading& how,
-                                           Problems& problems) {
-  switch (format) {
-    case RecordFormat::columns: return read_columns(text, how, problems);
-    case RecordFormat::peer_at2: return read_peer_at2(text, how, problems);
-    case RecordFormat::esm_asc: break;
-  }
-  return read_esm_asc(text, how, problems);
-}
-
-}  // namespace
 
 std::optional<GroundMotion> read_ground_motion(std::string_view text, const GroundMotionReading& how,
                                                Problems& problems) {
   const RecordFormat format = how.format ? *how.format : recognised_format(text);
-  auto motion = read_in_format(format, text, how, problems);
+  const RecordReader& reader = record_readers[static_cast<std::size_t>(format)];
+  auto motion = reader.read(text, how, problems);
   if (!motion) return std::nullopt;
   motion->name = how.name;
-  motion->format = name_of(format);
+  motion->format = reader.name;
   if (format == RecordFormat::columns) motion->unit = name_of(how.unit.value_or(RecordUnit::m_s2));
   if (format == RecordFormat::columns && !how.unit) motion->warnings.push_back(unit_assumed(RecordUnit::m_s2));
   return motion;

@@ -2,30 +2,16 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "rocking/input/object_reader.hpp"
-#include "rocking/input/record_format.hpp"
-#include "rocking/input/record_unit.hpp"
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/ground_motion_reading.hpp"
 
 namespace rocking {
 
 /// Most bytes that the file of a ground motion may have.
 inline constexpr std::size_t most_ground_motion_bytes = 64'000'000;
-
-/// What must be known beside a record's text to make a base motion of it.
-struct GroundMotionReading {
-  std::string name;                                   ///< of the file, for messages
-  std::optional<double> time_step;                    ///< [s]; absent: the file gives it, or the time of each sample
-  double gravity;                                     ///< [m/s^2], over which accelerations are kept
-  std::optional<RecordFormat> format = std::nullopt;  ///< absent: recognised by the first lines
-  std::optional<RecordUnit> unit = std::nullopt;      ///< absent: that of the file, of `columns` m/s^2
-  std::string vertical_name = {};                     ///< of the file with the vertical component; empty: none
-
-  friend auto operator<=>(const GroundMotionReading&, const GroundMotionReading&) = default;
-};
 
 /// Reads a recorded base motion in one of the formats of lib/docs/ground-motions.md. `columns`: lines of numbers, `#`
 /// before comments; with a time step `horizontal[, vertical]`, without one `time, horizontal[, vertical]`. Two equal

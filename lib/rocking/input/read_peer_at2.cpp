@@ -1,4 +1,4 @@
-#include "rocking/input/read_peer_at2.hpp"
+#include "rocking/input/record_formats.hpp"
 
 #include <algorithm>
 #include <array>
@@ -121,6 +121,8 @@ class PeerHeader {
 };
 
 }  // namespace
+
+bool is_line_of_peer_header(std::string_view line) { return word_place(line, "npts") && word_place(line, "dt"); }
 
 std::optional<GroundMotion> read_peer_at2(std::string_view text, const GroundMotionReading& how, Problems& found) {
   LineProblems problems(how.name, found);

@@ -11,12 +11,4 @@ namespace rocking {
 /// both ends of the interval, and the mean; its default is that of the number.
 [[nodiscard]] Quantity read_quantity(ObjectReader& in, std::string_view key, const NumberRule& rule);
 
-/// Reads what the value can hold: a number only, or a number or a law.
-inline void read_value(ObjectReader& in, std::string_view key, const NumberRule& rule, double& value) {
-  value = in.number(key, rule);
-}
-inline void read_value(ObjectReader& in, std::string_view key, const NumberRule& rule, Quantity& value) {
-  value = read_quantity(in, key, rule);
-}
-
 }  // namespace rocking

@@ -53,15 +53,6 @@ UnitKind kind_with(std::string_view suffix) {
 
 }  // namespace
 
-std::string record_units_in_words() {
-  std::string words;
-  for (const std::string_view name : record_unit_names) {
-    if (!words.empty()) words += name == record_unit_names.back() ? " or " : ", ";
-    words += name;
-  }
-  return words;
-}
-
 std::string unit_assumed(RecordUnit unit) {
   return "does not state the unit of its accelerations; " + std::string(name_of(unit)) +
          " is assumed (give \"units\" for another)";

@@ -1,27 +1,13 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <string_view>
 
+#include "rocking/scene/ground_motion_reading.hpp"
+
 namespace rocking {
-
-/// Unit of the accelerations in a file. `g` is the gravity of the experiment, as in `amplitude_g`; `mg` and `percent_g`
-/// are a thousandth and a hundredth of it.
-enum class RecordUnit : std::uint8_t { g, m_s2, cm_s2, mm_s2, mg, percent_g, ft_s2, in_s2 };
-
-/// Their names in experiments, in the order of RecordUnit.
-inline constexpr std::array<std::string_view, 8> record_unit_names{"g",  "m/s2", "cm/s2", "mm/s2",
-                                                                   "mg", "%g",   "ft/s2", "in/s2"};
-
-/// The names as a list in words, for messages.
-[[nodiscard]] std::string record_units_in_words();
-
-[[nodiscard]] constexpr std::string_view name_of(RecordUnit unit) {
-  return record_unit_names[static_cast<std::size_t>(unit)];
-}
 
 /// The warning of a file that does not state the unit of its accelerations.
 [[nodiscard]] std::string unit_assumed(RecordUnit unit);

@@ -37,7 +37,7 @@ TextRow row_of(const Cost& cost, std::size_t place) {
   return row;
 }
 
-std::string spoken_time(double seconds) {
+std::string time_in_words(double seconds) {
   if (seconds < 60.0) return significant(seconds, 2) + " s";
   if (seconds < 3600.0) return significant(seconds / 60.0, 2) + " min";
   if (seconds < 48.0 * 3600.0) return significant(seconds / 3600.0, 2) + " h";
@@ -60,12 +60,12 @@ std::string realisations_table(const MeasuredCost& measured) {
   std::vector<TextRow> rows{{"realisations", "mean half-width", "widest", "Wilson's", "time"}};
   for (const auto& [factor, widths, periods, seconds] : cost.planned) {
     rows.push_back({realisations_asked_for(*measured.experiment, factor), per_cent(widths.mean, 2),
-                    per_cent(widths.widest, 2), per_cent(widths.widest_wilson, 2), spoken_time(seconds)});
+                    per_cent(widths.widest, 2), per_cent(widths.widest_wilson, 2), time_in_words(seconds)});
   }
   std::string text = aligned(rows);
   for (const auto& [half_width, needed, periods, seconds] : cost.goals) {
     text += "for " + significant(100.0 * half_width, 3) + " % in every condition: " + std::to_string(needed.by_shares) +
-            " realisations, " + spoken_time(seconds) +
+            " realisations, " + time_in_words(seconds) +
             "; whatever the probabilities are: " + std::to_string(needed.at_most) + '\n';
   }
   return text +
@@ -122,7 +122,7 @@ std::string advice(const MeasuredCost& measured) {
     return " With this share of changes, no sample can show that it is less than " + bearable + '.';
   const double seconds = measured.system.duration_s * ratio(*found.sample_needed, cost.sample);
   return " To show that at most " + bearable + " change requires " + std::to_string(*found.sample_needed) +
-         " realisations, if the share stays the same: about " + spoken_time(seconds) + " at this rate.";
+         " realisations, if the share stays the same: about " + time_in_words(seconds) + " at this rate.";
 }
 
 std::string blame_words(const Cost& cost) {

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rocking/output/write_cost.hpp"
+#include "rocking/output/cost_report.hpp"
 
 namespace rocking {
 

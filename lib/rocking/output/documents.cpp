@@ -1,8 +1,12 @@
 #include "rocking/output/documents.hpp"
 
+#include "rocking/input/describe_experiment.hpp"
+#include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/comparison.hpp"
+#include "rocking/output/cost_report.hpp"
 #include "rocking/output/motion_report.hpp"
+#include "rocking/output/rare_report.hpp"
 #include "rocking/output/report.hpp"
 #include "rocking/text/schema.hpp"
 
@@ -20,7 +24,8 @@ const Document* document_named(std::string_view name) {
 }  // namespace
 
 std::vector<const Document*> documents() {
-  return {&check_normal_document(), &comparison_document(), &motion_document(), &report_document()};
+  return {&bifurcation_document(), &check_normal_document(), &comparison_document(), &cost_document(),
+          &motion_document(),      &rare_document(),         &report_document()};
 }
 
 std::string name_of(const Document& document) {
@@ -30,18 +35,20 @@ std::string name_of(const Document& document) {
 }
 
 std::vector<std::string> format_names() {
-  std::vector<std::string> names;
+  std::vector<std::string> names{"experiment"};
   for (const Schema& schema : schemas()) names.emplace_back(schema.name);
   for (const Document* document : documents()) names.push_back(name_of(*document));
   return names;
 }
 
 std::optional<std::string> keys_of(std::string_view name) {
+  if (name == "experiment") return experiment_table();
   const Document* document = document_named(name);
   return document == nullptr ? std::nullopt : std::optional(document->table());
 }
 
 std::optional<std::string> schema_of(std::string_view name) {
+  if (name == "experiment") return experiment_schema_text();
   if (const Document* document = document_named(name)) return document->schema_text();
   const auto text = schema_text(name);
   return text ? std::optional(std::string(*text)) : std::nullopt;

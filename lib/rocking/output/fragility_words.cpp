@@ -40,13 +40,13 @@ Json open_interval_json(const stats::Interval& interval) {
   return Json::array({interval.low, std::isfinite(interval.high) ? Json(interval.high) : Json()});
 }
 
-std::string spoken_interval(const stats::Interval& interval) {
+std::string interval_in_words(const stats::Interval& interval) {
   return '[' + significant(interval.low, 3) + ", " +
          (std::isfinite(interval.high) ? significant(interval.high, 3) : "unbounded") + ']';
 }
 
-std::string spoken_bounded(const stats::Bounded& bounded) {
-  return significant(bounded.value, 3) + ' ' + spoken_interval(bounded.interval);
+std::string bounded_in_words(const stats::Bounded& bounded) {
+  return significant(bounded.value, 3) + ' ' + interval_in_words(bounded.interval);
 }
 
 std::string heading_of_curve(const Experiment& experiment, const std::vector<Parameter>& others) {

@@ -25,8 +25,8 @@ namespace rocking {
 [[nodiscard]] Json open_interval_json(const stats::Interval& interval);
 
 /// `2.31 [2.20, 2.43]`; an infinite upper end is `unbounded`.
-[[nodiscard]] std::string spoken_interval(const stats::Interval& interval);
-[[nodiscard]] std::string spoken_bounded(const stats::Bounded& bounded);
+[[nodiscard]] std::string interval_in_words(const stats::Interval& interval);
+[[nodiscard]] std::string bounded_in_words(const stats::Bounded& bounded);
 
 /// The title of the run and the values of the other entries of its sweep, as a line; empty if there are none.
 [[nodiscard]] std::string heading_of_curve(const Experiment& experiment, const std::vector<Parameter>& others);

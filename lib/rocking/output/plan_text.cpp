@@ -16,10 +16,10 @@ std::string continued_text(const Plan& plan) {
     text = "until_classified: " + std::to_string(*plan.time->unresolved) +
            " of the sample were unresolved at the fixed horizon; if all such realisations went on to their limit, at "
            "most about " +
-           spoken_duration(seconds_if_continued(plan, share)) + '\n';
+           duration_in_words(seconds_if_continued(plan, share)) + '\n';
   }
   return text + "until_classified: if every realisation went on to its limit, at most about " +
-         spoken_duration(seconds_if_continued(plan, 1.0)) + '\n';
+         duration_in_words(seconds_if_continued(plan, 1.0)) + '\n';
 }
 
 std::string time_text(const Plan& plan) {
@@ -27,7 +27,7 @@ std::string time_text(const Plan& plan) {
   const auto& [seconds, realisations, share, unresolved] = *plan.time;
   const std::string horizons =
       share < 1.0 ? " over the first " + significant(100.0 * share, 2) + " % of their periods" : "";
-  return at_most(plan) + ' ' + spoken_duration(seconds) +
+  return at_most(plan) + ' ' + duration_in_words(seconds) +
          (plan.most_periods > plan.periods ? " for the fixed horizon" : "") + ", from a sample of " +
          counted(realisations, "realisation") + horizons + '\n' + continued_text(plan);
 }
@@ -42,8 +42,8 @@ std::string plan_text(const Plan& plan) {
   if (plan.most_periods > plan.periods) {
     text += "at most " + counted(plan.most_periods, "period") + " with until_classified\n";
   }
-  text += at_most(plan) + ' ' + spoken_size(plan.needs.disk_bytes) + " of disk space, " +
-          spoken_size(plan.needs.memory_bytes) + " of memory\n";
+  text += at_most(plan) + ' ' + size_in_words(plan.needs.disk_bytes) + " of disk space, " +
+          size_in_words(plan.needs.memory_bytes) + " of memory\n";
   text += time_text(plan) + plan.impacts + '\n';
   if (plan.effects.empty()) return text + "rocking only: no sliding, and nothing is random\n";
   text += "in addition to rocking:\n";

@@ -13,6 +13,8 @@ namespace rocking {
 struct InputFacts {
   Json experiment;     ///< canonical; null if it was made in C++
   std::string sha256;  ///< of its text, in hexadecimal digits
+
+  [[nodiscard]] std::string title() const { return experiment.is_null() ? "" : experiment.at("title"); }
 };
 
 [[nodiscard]] InputFacts input_of(const Experiment& experiment);

@@ -36,7 +36,7 @@ class ResponseModeType final : public ValueType {
     *static_cast<section::ResponseMode*>(value) = *mode;
   }
   [[nodiscard]] Json schema(const Rule&) const override {
-    return {{"type", "string"}, {"pattern", "^(\\([0-9]{1,10},[0-9]{1,10}\\)|chaotic|overturned|rest|unresolved)$"}};
+    return {{"type", "string"}, {"pattern", section::response_mode_pattern()}};
   }
 };
 
@@ -76,6 +76,18 @@ class InstantType final : public ValueType {
   }
 };
 
+/// An experiment is described by its own schema; readers of a result use its title.
+class QuotedExperimentType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override { return *static_cast<const Json*>(value); }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    const bool has_title = json.is_object() && json.contains("title") && json["title"].is_string();
+    if (!json.is_null() && !has_title) return place.reject(json, "must be an experiment with a title, or null");
+    *static_cast<Json*>(value) = json;
+  }
+  [[nodiscard]] Json schema(const Rule&) const override { return {{"type", Json::array({"object", "null"})}}; }
+};
+
 class DigestType final : public ValueType {
  public:
   [[nodiscard]] Json json(const void* value) const override {
@@ -95,7 +107,8 @@ const ValueType& TypeOf<base::Sha256>::get() { return the_only<DigestType>(); }
 
 const StructType& fields_of(const InputFacts*) {
   static const StructType fields{
-      field<&InputFacts::experiment>("experiment", "the canonical experiment"),
+      field<&InputFacts::experiment>("experiment", "the canonical experiment; null: it was made in C++",
+                                     the_only<QuotedExperimentType>()),
       field<&InputFacts::sha256>("sha256", "of its text, as `rocking validate --json` prints it"),
   };
   return fields;

@@ -56,10 +56,7 @@ template <>
 struct TypeOf<Cases> {
   static const ValueType& get() { return the_only<CasesType>(); }
 };
-template <>
-struct TypeOf<section::Reason> {
-  static const ValueType& get() { return the_only<NamedType<section::reasons>>(); }
-};
+const ValueType& TypeOf<section::Reason>::get() { return the_only<NamedType<section::reasons>>(); }
 
 const ValueType& TypeOf<Clamps>::get() { return the_only<ClampsType>(); }
 

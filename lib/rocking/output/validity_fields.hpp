@@ -34,6 +34,12 @@ void for_each_case(SomeValidity& validity, const Visit& visit) {
 /// The validity of a ConditionResult as it stands in documents.
 [[nodiscard]] const StructType& validity_fields();
 
+/// Its name.
+template <>
+struct TypeOf<section::Reason> {
+  static const ValueType& get();
+};
+
 /// By kind; a kind that is not in every report, only where it is not 0.
 template <>
 struct TypeOf<Clamps> {

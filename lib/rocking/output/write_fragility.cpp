@@ -169,15 +169,15 @@ Json shown_suite_json(const RunFragility& run, const ShownSuite& shown) {
 }
 
 /// `2.31 [2.20, 2.43]`; outside the levels `> 1.2 (extrapolated: 1.31 [1.24, 1.42])`.
-std::string spoken_median(const FragilityCurve& curve) {
+std::string median_in_words(const FragilityCurve& curve) {
   const stats::Bounded median = curve.fit.law->median(curve.confidence);
-  if (!curve.is_extrapolated(median.value)) return spoken_bounded(median);
+  if (!curve.is_extrapolated(median.value)) return bounded_in_words(median);
   const bool is_above = curve.levels.back().intensity < median.value;
   const double nearest = is_above ? curve.levels.back().intensity : curve.levels.front().intensity;
-  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + spoken_bounded(median) + ')';
+  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + bounded_in_words(median) + ')';
 }
 
-std::string spoken(const stats::LackOfFit& test) {
+std::string in_words(const stats::LackOfFit& test) {
   return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
          std::to_string(test.samples) + " bootstrap samples)\n";
 }
@@ -214,12 +214,12 @@ std::string table_of(const RunFragility& run, const FragilityCurve& curve) {
   const std::string common = common_shaking(swept_in(curve), shakings);
   std::string text = aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
   if (curve.fit.law) {
-    text += "median " + spoken_median(curve) + ", dispersion " +
-            spoken_bounded(curve.fit.law->dispersion(curve.confidence)) + '\n';
+    text += "median " + median_in_words(curve) + ", dispersion " +
+            bounded_in_words(curve.fit.law->dispersion(curve.confidence)) + '\n';
   } else {
     text += std::string(words_for(curve.fit.outcome)) + '\n';
   }
-  if (curve.test) text += spoken(*curve.test);
+  if (curve.test) text += in_words(*curve.test);
   const std::size_t missed = curve.missed_levels();
   if (missed == 0) return text;
   return text + "* at " + std::to_string(missed) + " of " + std::to_string(curve.levels.size()) +

@@ -101,7 +101,7 @@ Json tilt_levels_json(const std::vector<PeakTiltLevel>& levels) {
 }
 
 std::string bootstrap_text(const std::optional<stats::Interval>& interval) {
-  return interval ? spoken_interval(*interval) : ".";
+  return interval ? interval_in_words(*interval) : ".";
 }
 
 std::string law_table(const SuiteCurve& curve) {
@@ -111,7 +111,7 @@ std::string law_table(const SuiteCurve& curve) {
   for (const auto& [name, estimate] :
        {std::pair{"median", &pooled.median}, std::pair{"dispersion", &pooled.dispersion},
         std::pair{"between records", &pooled.between_records}, std::pair{"within a record", &pooled.within_record}}) {
-    rows.push_back({name, significant(estimate->value, 3), spoken_interval(estimate->interval),
+    rows.push_back({name, significant(estimate->value, 3), interval_in_words(estimate->interval),
                     bootstrap_text(estimate->bootstrap)});
   }
   std::string text = aligned(rows);
@@ -147,8 +147,8 @@ std::string record_table(const SuiteCurve& curve) {
   for (const RecordCurve& record : curve.records) {
     const auto& law = record.curve.fit.law;
     rows.push_back({record.name, std::string(word_of(record.curve.fit.outcome)),
-                    law ? spoken_bounded(law->median(curve.confidence)) : ".",
-                    law ? spoken_bounded(law->dispersion(curve.confidence)) : "."});
+                    law ? bounded_in_words(law->median(curve.confidence)) : ".",
+                    law ? bounded_in_words(law->dispersion(curve.confidence)) : "."});
   }
   return aligned(rows);
 }

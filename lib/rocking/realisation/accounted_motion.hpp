@@ -55,11 +55,11 @@ class AccountedMotion : public Motion {
 
  private:
   void end_step(double x) {
-    using Rule = boost::math::quadrature::gauss<double, 15>;
+    using Quadrature = boost::math::quadrature::gauss<double, 15>;
     if (x > 0.0) {
-      account_.base_work += Rule::integrate([this](double t) { return base_power(t); }, 0.0, x);
+      account_.base_work += Quadrature::integrate([this](double t) { return base_power(t); }, 0.0, x);
       if (this->slips())
-        account_.friction_work += Rule::integrate([this](double t) { return friction_power(t); }, 0.0, x);
+        account_.friction_work += Quadrature::integrate([this](double t) { return friction_power(t); }, 0.0, x);
     }
     account_.at_end = energy_of(this->state_at(x), constants_);
   }

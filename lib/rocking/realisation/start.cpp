@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <variant>
 
 namespace rocking {
@@ -49,6 +50,20 @@ double wrapped(double angle) {
   return rest < two_pi && rest >= 0.0 ? rest : 0.0;
 }
 
+dynamics::Excitation excitation_of(const Harmonic&, const Beginning&) { return dynamics::HarmonicExcitation{}; }
+
+dynamics::Excitation excitation_of(const Recorded& recorded, const Beginning& beginning) {
+  const GroundMotion& motion = *recorded.ground_motion;
+  const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(
+      motion.samples, beginning.setting.block.frequency_parameter, beginning.clock);
+  if (motion.has_vertical) return dynamics::RecordedExcitation<true>(knots, recorded.scale);
+  return dynamics::RecordedExcitation<false>(knots, recorded.scale);
+}
+
+dynamics::Excitation excitation_of(const Pulse& pulse, const Beginning& beginning) {
+  return dynamics::PulseExcitation(pulse.shape, beginning.clock);
+}
+
 }  // namespace
 
 Start start_of(const Scene& scene, const random::BranchedDraws& draws) {
@@ -80,6 +95,10 @@ Beginning begin_realisation(const Condition& condition, const random::BranchedDr
           .schedule = {.first_strobe = {.period = 1, .time = first}, .strobes = periods},
           .draws = start.draws,
           .clamps = start.clamps};
+}
+
+dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning) {
+  return std::visit([&](const auto& kind) { return excitation_of(kind, beginning); }, scene.excitation);
 }
 
 }  // namespace rocking

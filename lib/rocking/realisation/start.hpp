@@ -55,10 +55,7 @@ struct Beginning {
                                           const Start& start, Strobe strobe, std::int64_t periods);
 
 /// The base motion that the scene asks for.
-[[nodiscard]] inline dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning) {
-  return std::visit([&](const auto& kind) { return kind.motion(beginning.setting.block, beginning.clock); },
-                    scene.excitation);
-}
+[[nodiscard]] dynamics::Excitation excitation_of(const Scene& scene, const Beginning& beginning);
 
 /// The motion of a block on this base, ready to be advanced.
 [[nodiscard]] inline Motion motion_of(const Beginning& beginning, dynamics::Observer& observer,

@@ -1,87 +1,109 @@
 #include "rocking/scene/check_numbers.hpp"
 
+#include <utility>
+
+#include "rocking/base/number_text.hpp"
+#include "rocking/scene/check_ground_motion.hpp"
+#include "rocking/scene/experiment_keys.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
 namespace {
 
-void check_fluctuation(const Fluctuation& sigma, const NumberChecker& check) {
-  check("/fluctuation/static_friction/sigma", sigma.static_friction, rules::sigma);
-  check("/fluctuation/kinetic_friction/sigma", sigma.kinetic_friction, rules::sigma);
-  check("/fluctuation/kinetic_friction/refreshes_per_period", sigma.refreshes_per_period,
-        rules::refreshes.with_default(Fluctuation{}.refreshes_per_period));
-  check("/fluctuation/restitution/sigma", sigma.restitution, rules::sigma);
-  check("/fluctuation/amplitude/sigma", sigma.amplitude, rules::sigma);
-}
+class CheckingKeys final : public Keys {
+ public:
+  CheckingKeys(double gravity, SoundGroundMotions& sound, Problems& problems)
+      : gravity_(gravity), sound_(&sound), problems_(&problems) {}
 
-void check_scene_numbers(const Scene& scene, const NumberChecker& check) {
-  check("/block/width_m", scene.block.width, rules::length);
-  check("/block/height_m", scene.block.height, rules::length);
-  check("/block/gravity_m_s2", scene.block.gravity, rules::gravity);
-  if (const auto* number = std::get_if<double>(&scene.restitution)) check("/restitution", *number, rules::restitution);
-  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution))
-    check("/restitution/rate_ratio", ratio->value, rules::rate_ratio);
-  std::visit([&check](const auto& kind) { kind.check(check); }, scene.excitation);
-  if (scene.friction) {
-    check("/friction/static", scene.friction->static_coefficient, rules::friction_coefficient);
-    check("/friction/kinetic", scene.friction->kinetic_coefficient, rules::friction_coefficient);
-  }
-  check_fluctuation(scene.fluctuation, check);
-  check("/initial/tilt", scene.initial.tilt, rules::initial_value);
-  check("/initial/tilt_rate", scene.initial.tilt_rate, rules::initial_value);
-  check("/initial/slip_rate", scene.initial.slip_rate, rules::initial_value);
-}
+  void text(const Key&, std::string&) override {}
+  void word(const Key&, std::size_t&, std::span<const std::string_view>, Absent) override {}
+  void mode(const Key&, std::optional<section::ResponseMode>&) override {}
+  void seed(const Key&, std::uint64_t&) override {}
+  void sweep(const Key&) override {}
+  void record_format(const Key&, std::optional<RecordFormat>&) override {}
+  void file(const Key&, const Key&, std::string&) override {}
+  bool suite(const Key&) override { return true; }
+  bool stands(std::string_view, bool is_given) override { return is_given; }
 
-void check_realisations(const Condition& condition, const NumberChecker& check) {
-  if (condition.until) {
-    const auto& [half_width, relative, mode] = *condition.until;
-    if (half_width) check("/realisations/until/half_width", *half_width, rules::half_width);
-    if (relative) check("/realisations/until/relative_half_width", *relative, rules::relative_half_width);
-    check("/realisations/until/at_most", condition.realisations, rules::at_most);
-  } else {
-    check("/realisations", condition.realisations, rules::realisations.with_default(Condition{}.realisations));
+  void number(const Key& key, double& value, const NumberRule& rule, Absent) override { check(key.name, value, rule); }
+
+  void whole_number(const Key& key, std::int64_t& value, const IntegerRule& rule, Absent) override {
+    if (!rule.allows(value)) report(key.name, std::to_string(value), {rule.demand(), rule.remedy()});
   }
-  if (!condition.label_check) return;
-  check("/check_labels/every", condition.label_check->every, rules::check_every.with_default(LabelCheck{}.every));
-  check("/check_labels/times_longer", condition.label_check->times_longer,
-        rules::times_longer.with_default(LabelCheck{}.times_longer));
-}
+
+  void quantity(const Key& key, Quantity& quantity, const NumberRule& rule, Absent) override {
+    const std::string name(key.name);
+    if (const auto* number = std::get_if<double>(&quantity)) return check(name, *number, rule);
+    if (const auto* normal = std::get_if<Normal>(&quantity)) {
+      check(name + "/normal/mean", normal->mean, rule);
+      check(name + "/normal/sigma", normal->sigma, rules::sigma);
+      return;
+    }
+    const auto& uniform = std::get<Uniform>(quantity);
+    check(name + "/uniform/0", uniform.low, rule);
+    check(name + "/uniform/1", uniform.high, rule);
+    if (!rule.allows(uniform.low) || !rule.allows(uniform.high)) return;
+    if (auto refusal = refuse_ends(uniform)) {
+      report(name + "/uniform", '[' + base::shortest(uniform.low) + ',' + base::shortest(uniform.high) + ']', *refusal);
+    }
+  }
+
+  void restitution(const Key& key, Restitution& value, Absent) override {
+    if (const auto* number = std::get_if<double>(&value)) check(key.name, *number, rules::restitution);
+    if (const auto* ratio = std::get_if<RateRatio>(&value)) {
+      check(std::string(key.name) + "/rate_ratio", ratio->value, rules::rate_ratio);
+    }
+  }
+
+  void scatter(std::initializer_list<Scatter> of) override {
+    for (const Scatter& each : of) check("sigma", *each.sigma, rules::sigma);
+  }
+
+  bool one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent) override {
+    check(units[value.unit].key.name, value.value, units[value.unit].rule);
+    return false;
+  }
+
+  void ground_motion(const GroundMotionReading&, const std::optional<Strength>&, Recorded& recorded) override {
+    const GroundMotion* motion = recorded.ground_motion.get();
+    if (motion == nullptr) return report("file", "", {"is missing", "give a ground motion"});
+    if (!rules::gravity.allows(gravity_) || sound_->contains({motion, gravity_})) return;
+    const std::size_t problems_before = problems_->size();
+    check_ground_motion(motion->samples, gravity_, *problems_);
+    if (problems_->size() == problems_before) sound_->insert({motion, gravity_});
+  }
+
+  void object(const Key& key, Absent, const Part& part) override {
+    const std::size_t length = place_.size();
+    (place_ += key.name) += '/';
+    part(*this);
+    place_.resize(length);
+  }
+  void number_or_object(const Key& key, bool is_object, const Part& number, const Part& with_more) override {
+    if (!is_object) return number(*this);
+    object(key, Absent::standard, with_more);
+  }
+  void kinds(const Key&, std::span<const std::string_view>, std::size_t kind,
+             const std::function<void(Keys&, std::size_t)>& part) override {
+    part(*this, kind);
+  }
+
+ private:
+  void check(std::string_view key, double value, const NumberRule& rule) {
+    if (!rule.allows(value)) report(key, base::shortest(value), {std::string(rule.demand), rule.remedy()});
+  }
+  void report(std::string_view key, std::string value, Refusal refusal) {
+    problems_->push_back(
+        {place_ + std::string(key), std::move(value), std::move(refusal.reason), std::move(refusal.remedy)});
+  }
+
+  std::string place_ = "/";
+  double gravity_;
+  SoundGroundMotions* sound_;
+  Problems* problems_;
+};
 
 }  // namespace
-
-void NumberChecker::operator()(std::string_view place, double value, const NumberRule& rule) const {
-  if (rule.allows(value)) return;
-  problems_->push_back({std::string(place), base::shortest(value), std::string(rule.demand), rule.remedy()});
-}
-
-void NumberChecker::operator()(std::string_view place, const Quantity& quantity, const NumberRule& rule) const {
-  if (const auto* number = std::get_if<double>(&quantity)) return (*this)(place, *number, rule);
-  const std::string key(place);
-  if (const auto* normal = std::get_if<Normal>(&quantity)) {
-    (*this)(key + "/normal/mean", normal->mean, rule);
-    (*this)(key + "/normal/sigma", normal->sigma, rules::sigma);
-    return;
-  }
-  const auto& uniform = std::get<Uniform>(quantity);
-  (*this)(key + "/uniform/0", uniform.low, rule);
-  (*this)(key + "/uniform/1", uniform.high, rule);
-  if (!rule.allows(uniform.low) || !rule.allows(uniform.high)) return;
-  auto refusal = refuse_ends(uniform);
-  if (!refusal) return;
-  problems_->push_back({key + "/uniform", '[' + base::shortest(uniform.low) + ',' + base::shortest(uniform.high) + ']',
-                        std::move(refusal->reason), std::move(refusal->remedy)});
-}
-
-void NumberChecker::operator()(std::string_view place, const std::shared_ptr<const GroundMotion>& motion) const {
-  if (!motion) {
-    problems_->push_back({std::string(place), "", "is missing", "give a ground motion"});
-    return;
-  }
-  if (!rules::gravity.allows(gravity_) || sound_->contains({motion.get(), gravity_})) return;
-  const std::size_t problems_before = problems_->size();
-  check_ground_motion(motion->samples, gravity_, *problems_);
-  if (problems_->size() == problems_before) sound_->insert({motion.get(), gravity_});
-}
 
 std::optional<Refusal> refuse_ends(const Uniform& law) {
   if (law.low < law.high) return std::nullopt;
@@ -98,23 +120,9 @@ std::string text_of(const Quantity& quantity) {
 }
 
 void check_numbers(const Condition& condition, SoundGroundMotions& sound, Problems& problems) {
-  const NumberChecker check(condition.scene.block.gravity, sound, problems);
-  check_scene_numbers(condition.scene, check);
-  check("/horizon/transient_periods", condition.horizon.transient_periods,
-        rules::transient_periods.with_default(Horizon{}.transient_periods));
-  check("/horizon/sampled_periods", condition.horizon.sampled_periods,
-        rules::sampled_periods.with_default(Horizon{}.sampled_periods));
-  if (const auto& until = condition.horizon.until_classified) {
-    check("/horizon/until_classified/at_most_periods", until->at_most_periods, rules::at_most_periods);
-    check("/horizon/until_classified/held_windows", until->held_windows, rules::held_windows.with_default(1));
-    check("/horizon/until_classified/watch_windows", until->watch_windows, rules::watch_windows.with_default(0));
-    check("/horizon/until_classified/long_run_every", until->long_run_every, rules::long_run_every.with_default(0));
-    check("/horizon/until_classified/exponent_pause", until->exponent_pause, rules::exponent_pause.with_default(0));
-  }
-  check("/accuracy/tolerance", condition.tolerance, rules::tolerance);
-  check("/accuracy/rerun_every", condition.rerun_every, rules::rerun_every.with_default(Condition{}.rerun_every));
-  check_realisations(condition, check);
-  check("/confidence", condition.confidence, rules::confidence);
+  Question question{.title = {}, .seed = 0, .condition = condition};
+  CheckingKeys keys(condition.scene.block.gravity, sound, problems);
+  keys_of(keys, question);
 }
 
 }  // namespace rocking

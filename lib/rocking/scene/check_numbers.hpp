@@ -1,14 +1,13 @@
 #pragma once
 
+#include <optional>
 #include <set>
 #include <string>
-#include <string_view>
 #include <utility>
 
-#include "rocking/base/number_text.hpp"
-#include "rocking/scene/check_ground_motion.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/number_rule.hpp"
+#include "rocking/scene/refusal.hpp"
 
 namespace rocking {
 
@@ -25,28 +24,5 @@ void check_numbers(const Condition& condition, SoundGroundMotions& sound, Proble
 
 /// JSON text of a quantity.
 [[nodiscard]] std::string text_of(const Quantity& quantity);
-
-/// Checks numbers one by one. An excitation's check() calls it with each of its own.
-class NumberChecker {
- public:
-  NumberChecker(double gravity, SoundGroundMotions& sound, Problems& problems)
-      : gravity_(gravity), sound_(&sound), problems_(&problems) {}
-
-  void operator()(std::string_view place, double value, const NumberRule& rule) const;
-  /// Both ends of an interval, or the mean and the standard deviation.
-  void operator()(std::string_view place, const Quantity& quantity, const NumberRule& rule) const;
-  void operator()(std::string_view place, const std::shared_ptr<const GroundMotion>& motion) const;
-
-  template <class Integer>
-  void operator()(std::string_view place, Integer value, const IntegerRule& rule) const {
-    if (!rule.allows(value))
-      problems_->push_back({std::string(place), std::to_string(value), rule.demand(), rule.remedy()});
-  }
-
- private:
-  double gravity_;
-  SoundGroundMotions* sound_;
-  Problems* problems_;
-};
 
 }  // namespace rocking

@@ -11,9 +11,10 @@
 #include <variant>
 #include <vector>
 
-#include "rocking/dynamics/excitation/excitation.hpp"
+#include "rocking/dynamics/block.hpp"
+#include "rocking/dynamics/excitation/ground_motion_sample.hpp"
+#include "rocking/dynamics/excitation/pulse_shape.hpp"
 #include "rocking/scene/quantity.hpp"
-#include "rocking/scene/rules.hpp"
 
 namespace rocking {
 
@@ -67,25 +68,6 @@ struct PhysicalFrequency {
                                                : two_pi / (physical.value * block.frequency_parameter);
 }
 
-/// Checks the amplitude and the frequency of a kind that has them, each in the unit in which it is given.
-template <class Kind, class Check>
-void check_amplitude_and_frequency(const Kind& kind, const Check& number) {
-  if (!kind.physical_amplitude) {
-    number("/excitation/amplitude", kind.amplitude, rules::amplitude);
-  } else if (kind.physical_amplitude->unit == AccelerationUnit::gravity) {
-    number("/excitation/amplitude_g", kind.physical_amplitude->value, rules::amplitude_g);
-  } else {
-    number("/excitation/amplitude_m_s2", kind.physical_amplitude->value, rules::amplitude_m_s2);
-  }
-  if (!kind.physical_frequency) {
-    number("/excitation/frequency_ratio", kind.frequency_ratio, rules::frequency_ratio);
-  } else if (kind.physical_frequency->unit == FrequencyUnit::hertz) {
-    number("/excitation/frequency_hz", kind.physical_frequency->value, rules::frequency_hz);
-  } else {
-    number("/excitation/period_s", kind.physical_frequency->value, rules::period_s);
-  }
-}
-
 /// Harmonic excitation as asked for: a_h/g = A_h psi sin(Omega_h tau + Phi).
 struct Harmonic {
   static constexpr std::string_view name = "harmonic";
@@ -116,14 +98,6 @@ struct Harmonic {
     return std::numeric_limits<double>::infinity();
   }
   [[nodiscard]] std::vector<std::string_view> effects() const { return {}; }
-  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry&, const dynamics::Clock&) const {
-    return dynamics::HarmonicExcitation{};
-  }
-  template <class Check>
-  void check(const Check& number) const {
-    check_amplitude_and_frequency(*this, number);
-    number("/excitation/phase_rad", phase, rules::phase);
-  }
 };
 
 /// Recorded excitation as asked for: a ground motion times a scale.
@@ -160,18 +134,6 @@ struct Recorded {
     std::vector<std::string_view> names{"recorded horizontal motion of the base"};
     if (ground_motion->has_vertical) names.emplace_back("recorded vertical motion of the base");
     return names;
-  }
-  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry& block, const dynamics::Clock& clock) const {
-    const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(ground_motion->samples,
-                                                                                block.frequency_parameter, clock);
-    if (ground_motion->has_vertical) return dynamics::RecordedExcitation<true>(knots, scale);
-    return dynamics::RecordedExcitation<false>(knots, scale);
-  }
-  template <class Check>
-  void check(const Check& number) const {
-    number("/excitation/file", ground_motion);
-    number("/excitation/scale", scale, rules::scale);
-    number("/excitation/frequency_ratio", frequency_ratio, rules::frequency_ratio);
   }
 };
 
@@ -211,13 +173,6 @@ struct Pulse {
     return dynamics::pulse_length(shape) * two_pi / frequency_ratio_for(block, block);
   }
   [[nodiscard]] static std::vector<std::string_view> effects() { return {"one pulse of the base"}; }
-  [[nodiscard]] dynamics::Excitation motion(const dynamics::Geometry&, const dynamics::Clock& clock) const {
-    return dynamics::PulseExcitation(shape, clock);
-  }
-  template <class Check>
-  void check(const Check& number) const {
-    check_amplitude_and_frequency(*this, number);
-  }
 };
 
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
@@ -225,8 +180,8 @@ struct Pulse {
 /// size(), the mean of a fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
 /// that the quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
 /// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block),
-/// a normalised time; effects() as described to users; motion() of a realisation; and check(), which hands each number
-/// with its place and rule to a NumberChecker.
+/// a normalised time; and effects() as described to users. Its keys: excitation_keys.hpp; how the base moves in a
+/// realisation: realisation/start.hpp.
 using Excitation = std::variant<Harmonic, Recorded, Pulse>;
 
 [[nodiscard]] inline std::string_view name_of(const Excitation& excitation) {

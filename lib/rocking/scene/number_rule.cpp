@@ -11,6 +11,6 @@ std::string IntegerRule::demand() const {
   return "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
 }
 
-std::string IntegerRule::remedy() const { return such_as(std::to_string(standard.value_or(low))); }
+std::string IntegerRule::remedy() const { return such_as(std::to_string(example)); }
 
 }  // namespace rocking

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/rule.hpp"
 
 namespace rocking {
 
@@ -15,15 +16,16 @@ using Problems = std::vector<base::Problem>;
 
 /// What a number must be, and how to say so.
 struct NumberRule {
-  bool (*allows)(double);    ///< never a number that is not finite
+  Rule bounds;               ///< least and largest value, so that no infinite number is allowed
   std::string_view demand;   ///< `must be ...`
   std::string_view example;  ///< JSON text of a value that would do
   /// Used where a file has no such key; without it the key must be there.
   std::optional<double> standard = std::nullopt;
 
   [[nodiscard]] constexpr NumberRule with_default(double value) const {
-    return {.allows = allows, .demand = demand, .example = example, .standard = value};
+    return {.bounds = bounds, .demand = demand, .example = example, .standard = value};
   }
+  [[nodiscard]] constexpr bool allows(double value) const { return bounds.allows(value); }
   [[nodiscard]] std::string remedy() const;
 };
 
@@ -31,6 +33,8 @@ struct NumberRule {
 struct IntegerRule {
   std::int64_t low;
   std::int64_t high;
+  std::int64_t example;
+  /// As of a number.
   std::optional<std::int64_t> standard = std::nullopt;
 
   template <class Integer>
@@ -39,7 +43,7 @@ struct IntegerRule {
   }
   template <class Integer>
   [[nodiscard]] constexpr IntegerRule with_default(Integer value) const {
-    return {.low = low, .high = high, .standard = static_cast<std::int64_t>(value)};
+    return {.low = low, .high = high, .example = example, .standard = static_cast<std::int64_t>(value)};
   }
   [[nodiscard]] std::string demand() const;
   [[nodiscard]] std::string remedy() const;

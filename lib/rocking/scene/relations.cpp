@@ -255,7 +255,7 @@ constexpr std::array<Relation, 19> all_relations{{
 }};
 
 /// Whether a problem of what stands at `place`, or within it, is told.
-bool is_told(const Problems& problems, std::string_view place) {
+bool is_reported(const Problems& problems, std::string_view place) {
   return std::any_of(problems.begin(), problems.end(), [place](const base::Problem& problem) {
     return problem.place == place || problem.place.starts_with(std::string(place) + '/');
   });
@@ -264,7 +264,7 @@ bool is_told(const Problems& problems, std::string_view place) {
 /// Whether the relation may be checked: no problem of one of its values is told.
 bool is_open(const Relation& relation, const Problems& problems) {
   return std::none_of(relation.values.begin(), relation.values.end(),
-                      [&](std::string_view place) { return !place.empty() && is_told(problems, place); });
+                      [&](std::string_view place) { return !place.empty() && is_reported(problems, place); });
 }
 
 }  // namespace

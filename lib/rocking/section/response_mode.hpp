@@ -36,4 +36,7 @@ struct ResponseMode {
 /// The mode with this name; absent if there is none.
 [[nodiscard]] std::optional<ResponseMode> response_mode_named(std::string_view name);
 
+/// Regular expression of the names, for schemas.
+[[nodiscard]] std::string response_mode_pattern();
+
 }  // namespace rocking::section

@@ -67,14 +67,14 @@ void flush_folder_of(const std::filesystem::path& path) {
   ::close(descriptor);
 }
 
-std::string spoken(const RealisationKey& key) {
+std::string in_words(const RealisationKey& key) {
   return "condition " + std::to_string(key.condition) + ", realisation " + std::to_string(key.realisation);
 }
 
 // A checksum proves that a row was written so, not that it is in its place: pages may have been exchanged.
 void expect_ascending(const std::optional<RealisationKey>& last, const RealisationKey& next, const Database& database) {
   if (!last || *last < next) return;
-  throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + spoken(next) + " is not in its place");
+  throw sqlite::UnusableFile(database.path() + ": is damaged: the row of " + in_words(next) + " is not in its place");
 }
 
 // The store is created under another name and renamed. A process killed on the way leaves no store instead of an
@@ -175,7 +175,7 @@ Row Store::sound_row(const Statement& statement) const {
   if (auto row = rows_.read(statement)) return std::move(*row);
   const RealisationKey key{static_cast<std::uint64_t>(statement.integer(0)),
                            static_cast<std::uint64_t>(statement.integer(1))};
-  throw sqlite::UnusableFile(database_.path() + ": the row of " + spoken(key) + " differs from what was written");
+  throw sqlite::UnusableFile(database_.path() + ": the row of " + in_words(key) + " differs from what was written");
 }
 
 std::optional<Summary> Store::find(const RealisationKey& key) const {
@@ -189,8 +189,8 @@ std::optional<Summary> Store::find(const RealisationKey& key) const {
   std::optional<Row> found;
   if (statement->step()) found = sound_row(*statement);
   if (found && found->key != key) {
-    throw sqlite::UnusableFile(database_.path() + ": is damaged: in place of " + spoken(key) + " it has the row of " +
-                               spoken(found->key));
+    throw sqlite::UnusableFile(database_.path() + ": is damaged: in place of " + in_words(key) + " it has the row of " +
+                               in_words(found->key));
   }
   statement->reset();
   find_ = std::move(statement);
@@ -245,7 +245,8 @@ std::map<section::ResponseMode, std::uint64_t> Store::mode_counts(std::uint64_t 
   std::map<section::ResponseMode, std::uint64_t> counts;
   walk(std::move(statement), [&](const RealisationKey& key, const Summary& summary) {
     if (key.condition != condition || key.realisation >= realisations) {
-      throw sqlite::UnusableFile(database_.path() + ": is damaged: the row of " + spoken(key) + " is not in its place");
+      throw sqlite::UnusableFile(database_.path() + ": is damaged: the row of " + in_words(key) +
+                                 " is not in its place");
     }
     ++counts[summary.mode];
   });

@@ -14,6 +14,11 @@ void JsonWriter::element(const Json& value) {
   put(value);
 }
 
+void JsonWriter::line(const Json& value) {
+  begin_line();
+  (*sink_)(value.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
 void JsonWriter::member(std::string_view key, const Json& value) {
   put_key(key);
   put(value);

@@ -12,7 +12,7 @@ namespace rocking {
 /// Receives a text in pieces.
 using TextSink = std::function<void(std::string_view)>;
 
-/// Writes a JSON document that is too large for memory, value by value. The bytes are those of
+/// Writes a JSON document that is too large for memory, value by value. But for lines the bytes are those of
 /// Json::dump(2), with U+FFFD in place of bytes that are no UTF-8.
 class JsonWriter {
  public:
@@ -20,6 +20,8 @@ class JsonWriter {
 
   /// The next value of the innermost list.
   void element(const Json& value);
+  /// The same on one line.
+  void line(const Json& value);
   /// The next value of the innermost object.
   void member(std::string_view key, const Json& value);
 

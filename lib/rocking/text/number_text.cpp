@@ -68,13 +68,13 @@ std::string level_text(double confidence) {
   return text;
 }
 
-std::string spoken_size(std::uint64_t bytes) {
+std::string size_in_words(std::uint64_t bytes) {
   const auto size = static_cast<double>(bytes);
   if (size < 1e6) return significant(size / 1e3, 3) + " kB";
   return size < 1e9 ? significant(size / 1e6, 3) + " MB" : significant(size / 1e9, 3) + " GB";
 }
 
-std::string spoken_duration(double seconds) {
+std::string duration_in_words(double seconds) {
   if (seconds < 9.95) return fixed_point(seconds, 1) + " s";
   const auto whole = static_cast<std::int64_t>(std::llround(std::min(seconds, 1e15)));
   const auto two_digits = [](std::int64_t number) { return (number < 10 ? "0" : "") + std::to_string(number); };

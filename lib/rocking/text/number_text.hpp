@@ -39,9 +39,9 @@ using base::significant;
 [[nodiscard]] std::string level_text(double confidence);
 
 /// `820 kB`, `2.4 GB`.
-[[nodiscard]] std::string spoken_size(std::uint64_t bytes);
+[[nodiscard]] std::string size_in_words(std::uint64_t bytes);
 
 /// `12 s`, `3 min 20 s`, `2 h 05 min`.
-[[nodiscard]] std::string spoken_duration(double seconds);
+[[nodiscard]] std::string duration_in_words(double seconds);
 
 }  // namespace rocking

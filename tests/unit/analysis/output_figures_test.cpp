@@ -64,16 +64,20 @@ Json sample_trajectory() {
   return json;
 }
 
-Json sample_bifurcation(std::size_t steps, std::size_t points) {
-  Json json = Json::parse(R"({ "format": "rocking.bifurcation/1", "input": { "experiment": { "title": "t" } },
-                               "parameter": "/excitation/amplitude", "diagrams": [ { "others": {}, "steps": [] } ] })");
+rocking::BifurcationReport sample_bifurcation(std::size_t steps, std::size_t points) {
+  rocking::BifurcationReport report;
+  report.input.experiment = Json::parse(R"({ "title": "t" })");
+  report.parameter = "/excitation/amplitude";
+  report.diagrams.resize(1);
   for (std::size_t i = 0; i < steps; ++i) {
-    Json step = {{"value", 1.0 + 0.5 * static_cast<double>(i)}, {"branch", "initial"}, {"mode", "chaotic"}};
-    Json& list = step["points"] = Json::array();
-    for (std::size_t k = 0; k < points; ++k) list.push_back({std::fmod(0.618 * static_cast<double>(k), 1.0), 0.0});
-    json["diagrams"][0]["steps"].push_back(std::move(step));
+    rocking::ReportedStep& step = report.diagrams[0].steps.emplace_back();
+    step.value = 1.0 + 0.5 * static_cast<double>(i);
+    step.step.classification.mode.kind = rocking::section::ResponseKind::chaotic;
+    for (std::size_t k = 0; k < points; ++k) {
+      step.step.points.push_back({.tilt = std::fmod(0.618 * static_cast<double>(k), 1.0)});
+    }
   }
-  return json;
+  return report;
 }
 
 const Table* table_named(const Figure& figure, const std::string& name) {
@@ -153,6 +157,28 @@ TEST(Bifurcation, CountsEveryPointOfManyInItsImage) {
   EXPECT_EQ(points, 120.0 * 900.0);
 }
 
+TEST(Bifurcation, IsReadFromItsFileWithAllThatTheFigureShows) {
+  const auto& document = rocking::bifurcation_document();
+  const auto report = sample_bifurcation(3, 4);
+  const auto drawn = bifurcation_figures(report);
+  const auto from_file = bifurcation_figures(document.read(Json::parse(document.text(report))));
+  ASSERT_EQ(from_file.size(), 1U);
+  EXPECT_EQ(from_file[0].subtitle, drawn[0].subtitle);
+  ASSERT_EQ(from_file[0].tables.size(), drawn[0].tables.size());
+  EXPECT_EQ(from_file[0].tables[0].rows, drawn[0].tables[0].rows);
+  Json bad = Json::parse(document.text(report));
+  bad["diagrams"][0]["steps"][1]["mode"] = "chaos";
+  bad["diagrams"][0]["steps"][2]["points"][3] = Json::array({0.5});
+  try {
+    static_cast<void>(document.read(bad));
+    FAIL() << "a bad file was read";
+  } catch (const rocking::base::InputError& error) {
+    std::vector<std::string> places;
+    for (const auto& problem : error.problems()) places.push_back(problem.place);
+    EXPECT_THAT(places, ElementsAre("/diagrams/0/steps/1/mode", "/diagrams/0/steps/2/points/3"));
+  }
+}
+
 TEST(Bifurcation, OfNothingIsEmptyNotAnError) {
   EXPECT_THAT(bifurcation_figures(sample_bifurcation(2, 0)).at(0).panels.at(0).layers, IsEmpty());
   EXPECT_EQ(bifurcation_figures(sample_bifurcation(1, 1)).at(0).tables.at(0).rows.size(), 1U);
@@ -175,22 +201,37 @@ TEST(NormalHistogram, HasTheCountsAndACurveOfTheSameArea) {
   EXPECT_NEAR(area, 1000.0 * std::erf(4.0 / std::sqrt(2.0)), 0.1);
 }
 
-Json sample_cost() {
-  return Json::parse(R"({ "format": "rocking.cost/1",
-    "input": { "experiment": { "title": "t", "accuracy": { "tolerance": 1e-8 } } },
-    "result": { "sample": { "realisations": 50, "conditions": 3, "is_everything": false }, "error_periods": 10,
-      "tolerances": [
-        { "tolerance": 1e-4, "departure": { "error": { "median": 0.25, "largest": 0.5 },
-                                            "flips": { "count": 5, "of": 50, "interval": [0.0625, 0.25] } } },
-        { "tolerance": 1e-8, "departure": { "error": { "median": 0.0, "largest": null },
-                                            "flips": { "count": 0, "of": 50, "interval": [0.0, 0.125] } } },
-        { "tolerance": 1e-12, "departure": null } ],
-      "realisations": [ { "factor": 4, "periods": 1000, "half_width_mean": 0.25, "half_width_widest": 0.5,
-                          "wilson_widest": 0.375 } ] },
-    "system": { "processor_s_per_period": [1e-6, 0.5, 4e-6] } })");
+rocking::CostReport sample_cost() {
+  rocking::CostReport report;
+  report.input.experiment = Json::parse(R"({ "title": "t", "accuracy": { "tolerance": 1e-8 } })");
+  report.cost.sample = 50;
+  report.cost.sampled_conditions = 3;
+  rocking::Departure far;
+  far.median_error = 0.25;
+  far.largest_error = 0.5;
+  far.flips = {.successes = 5, .trials = 50};
+  far.flips_interval = {.low = 0.0625, .high = 0.25};
+  rocking::Departure near;
+  near.median_error = 0.0;
+  near.flips = {.successes = 0, .trials = 50};
+  near.flips_interval = {.low = 0.0, .high = 0.125};
+  report.cost.curve.resize(3);
+  report.cost.curve[0].tolerance = 1e-4;
+  report.cost.curve[0].departure = far;
+  report.cost.curve[1].tolerance = 1e-8;
+  report.cost.curve[1].departure = near;
+  report.cost.curve[2].tolerance = 1e-12;
+  report.cost.timing = {.seconds_per_period = {1e-6, 0.5, 4e-6}, .realisations = 8, .periods = 10};
+  rocking::PlannedRealisations& planned = report.cost.planned.emplace_back();
+  planned.factor = 4;
+  planned.half_widths = {.mean = 0.25, .widest = 0.5, .widest_wilson = 0.375};
+  planned.periods = 1000;
+  report.planned_seconds = {500.0};
+  report.system.start = "2012-02-01T12:00:00Z";
+  return report;
 }
 
-TEST(Cost, DrawsTheNumbersOfTheFileAndLeavesOutWhatALogarithmCannotShow) {
+TEST(Cost, DrawsTheNumbersAndLeavesOutWhatALogarithmCannotShow) {
   const auto figures = cost_figures(sample_cost());
   ASSERT_EQ(figures.size(), 3U);
   const auto& rows = figures[0].tables[0].rows;
@@ -205,15 +246,43 @@ TEST(Cost, DrawsTheNumbersOfTheFileAndLeavesOutWhatALogarithmCannotShow) {
 }
 
 TEST(Cost, OfADeterministicExperimentHasNoHalfWidths) {
-  Json still = sample_cost();
-  still["result"]["realisations"] = Json::array();
-  still["result"]["sample"]["is_everything"] = true;
+  rocking::CostReport still = sample_cost();
+  still.cost.planned.clear();
+  still.cost.yardstick.is_everything = true;
   const auto figures = cost_figures(still);
   ASSERT_EQ(figures.size(), 2U);
   EXPECT_EQ(figures[0].tables[0].rows[0][3], Cell(10.0));
   EXPECT_EQ(figures[0].tables[0].rows[0][4], Cell()) << "a share of all that there are needs no interval";
-  still["result"].erase("tolerances");
-  EXPECT_THROW(static_cast<void>(cost_figures(still)), rocking::base::InputError);
+}
+
+TEST(Cost, IsReadFromItsFileWithAllThatFiguresShow) {
+  const auto& document = rocking::cost_document();
+  const std::string text = document.text(sample_cost());
+  const auto drawn = cost_figures(sample_cost());
+  const auto from_file = cost_figures(document.read(Json::parse(text)));
+  ASSERT_EQ(from_file.size(), drawn.size());
+  for (std::size_t i = 0; i < drawn.size(); ++i) {
+    EXPECT_EQ(from_file[i].tables[0].rows, drawn[i].tables[0].rows) << drawn[i].name;
+    EXPECT_EQ(from_file[i].caption, drawn[i].caption);
+  }
+}
+
+TEST(Cost, OfABadFileIsRefusedWithEveryFault) {
+  Json json = Json::parse(rocking::cost_document().text(sample_cost()));
+  json["result"]["sample"]["realisations"] = -1;
+  json["result"]["tolerances"][0]["departure"]["flips"]["interval"] = Json::array({0.5, 0.25});
+  json["system"]["planned_processor_s"] = Json::array();
+  try {
+    static_cast<void>(rocking::cost_document().read(json));
+    FAIL() << "a bad file was read";
+  } catch (const rocking::base::InputError& error) {
+    std::vector<std::string> places;
+    for (const auto& problem : error.problems()) places.push_back(problem.place);
+    EXPECT_THAT(places, ElementsAre("/result/sample/realisations", "/result/tolerances/0/departure/flips/interval"));
+  }
+  json = Json::parse(rocking::cost_document().text(sample_cost()));
+  json["system"]["planned_processor_s"] = Json::array();
+  EXPECT_THROW(static_cast<void>(rocking::cost_document().read(json)), rocking::base::InputError);
 }
 
 TEST(PhasePortrait, IsThePathOfTheHistoryWithItsStrobePoints) {

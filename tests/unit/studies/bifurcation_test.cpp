@@ -10,7 +10,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/input/read_experiment.hpp"
-#include "rocking/output/write_bifurcation.hpp"
+#include "rocking/output/bifurcation_report.hpp"
+#include "rocking/output/bifurcation_table.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/realisation/strobe_recorder.hpp"
 #include "support/excitation.hpp"
@@ -251,9 +252,12 @@ TEST(Diagram, HasTheSameBytesForAnyNumberOfThreads) {
   document["friction"] = {{"static", 0.35}, {"kinetic", 0.30}};
   document["fluctuation"]["friction"] = {{"sigma", 0.03}};
   const Experiment experiment = experiment_from(document);
-  const std::string expected = bifurcation_text({&experiment, 0, drawn(experiment, 1)});
+  const auto text = [&experiment](unsigned threads) {
+    return bifurcation_document().text(bifurcation_report(experiment, 0, drawn(experiment, threads)));
+  };
+  const std::string expected = text(1);
   for (const unsigned threads : {2U, 3U, 8U}) {
-    EXPECT_EQ(bifurcation_text({&experiment, 0, drawn(experiment, threads)}), expected) << threads;
+    EXPECT_EQ(text(threads), expected) << threads;
   }
 }
 

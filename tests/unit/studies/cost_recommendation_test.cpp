@@ -7,8 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/output/cost_report.hpp"
 #include "rocking/output/cost_table.hpp"
-#include "rocking/output/write_cost.hpp"
 #include "rocking/text/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/made_up_cost.hpp"
@@ -320,7 +320,7 @@ TEST(CostText, KeepsToItsSchemaAlsoWhereThereIsNothingToTell) {
                                MeasuredCost{.experiment = &still,
                                .cost = cost_of(still, ladder, one_only, no_times),
                                .system = {.build = {}, .machine = "", .start = "2012-02-01T12:00:00Z"}}}) {
-    EXPECT_EQ(support::objections("cost", cost_text(measured)), "");
+    EXPECT_EQ(support::objections("cost", cost_document().text(cost_report(measured))), "");
   }
 }
 
@@ -329,9 +329,10 @@ TEST(CostText, DiffersInSystemOnlyWhereTimesDo) {
   auto measured = two_conditions();
   CostTiming timing{.seconds_per_period = {1.0, 2.0, 3.0}, .realisations = 1, .periods = 1};
   const auto text = [&] {
-    auto json = Json::parse(cost_text({.experiment = &experiment,
-                                       .cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured, timing),
-                                       .system = {}}));
+    auto json = Json::parse(
+        cost_document().text(cost_report({.experiment = &experiment,
+                                          .cost = cost_of(experiment, std::vector{1e-4, 1e-8, 1e-10}, measured, timing),
+                                          .system = {}})));
     json.erase("system");
     return json.dump();
   };

@@ -13,15 +13,9 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/excitation/base_excitation.hpp"
+#include "rocking/dynamics/excitation/ground_motion_sample.hpp"
 
 namespace rocking::dynamics {
-
-/// A sample of a recorded base acceleration.
-struct GroundMotionSample {
-  double time;        ///< [s], from the start of the run; never falls, two equal times are a jump
-  double horizontal;  ///< over g
-  double vertical;    ///< over g
-};
 
 /// A sample on a run's clock.
 struct Knot {

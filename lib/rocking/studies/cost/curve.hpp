@@ -14,6 +14,10 @@ namespace rocking {
 
 struct MeasuredRealisation;
 
+/// Excitation periods from the start over which the error of a motion is measured. Later, motions diverge
+/// exponentially, and a difference does not depend on the accuracy of the steps.
+inline constexpr std::int64_t cost_error_periods = 10;
+
 /// A realisation whose response mode a tolerance changes.
 struct Flip {
   RealisationKey key;

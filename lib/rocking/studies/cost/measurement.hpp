@@ -12,10 +12,6 @@
 
 namespace rocking {
 
-/// Excitation periods from the start over which the error of a motion is measured. Later, motions diverge
-/// exponentially, and a difference does not depend on the accuracy of the steps.
-inline constexpr std::int64_t cost_error_periods = 10;
-
 /// Plan of a measurement.
 struct CostPlan {
   std::vector<double> tolerances;  ///< falling, at least three; the last is the reference

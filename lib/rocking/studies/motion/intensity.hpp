@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "rocking/dynamics/block.hpp"
-#include "rocking/dynamics/excitation/recorded.hpp"
+#include "rocking/dynamics/excitation/ground_motion_sample.hpp"
 
 /// Intensity measures of a ground motion whose acceleration is linear between samples, as it is in a simulation. All
 /// integrals are exact for such a motion, up to rounding; nothing is filtered and no baseline is corrected.

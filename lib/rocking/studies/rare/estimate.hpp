@@ -18,6 +18,8 @@ enum class Score : std::uint8_t {
   energy,  ///< largest energy of rocking so far, over that at the unstable equilibrium; 0 at rest
 };
 
+[[nodiscard]] std::string_view to_string(Score score);
+
 /// The event: the block overturns, or abs(Theta) exceeds `peak_tilt` (also if it overturns).
 struct Event {
   std::optional<double> peak_tilt;  ///< [-]

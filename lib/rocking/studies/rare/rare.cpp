@@ -229,6 +229,14 @@ class ConditionStudy {
 
 }  // namespace
 
+std::string_view rare::to_string(Score score) {
+  switch (score) {
+    case Score::tilt: return "tilt";
+    case Score::energy: return "energy";
+  }
+  return "";
+}
+
 std::string_view to_string(RareEnd end) {
   switch (end) {
     case RareEnd::precise: return "precise";

@@ -14,9 +14,10 @@ struct Rule {
   std::optional<double> below = {};                ///< exclusive
   std::span<const std::string_view> choices = {};  ///< of a text; empty: any
 
-  [[nodiscard]] bool allows(double number) const {
-    return !(least && number < *least) && !(above && number <= *above) && !(most && number > *most) &&
-           !(below && number >= *below);
+  /// Of a value that is not a number: only without bounds.
+  [[nodiscard]] constexpr bool allows(double number) const {
+    return !(least && !(number >= *least)) && !(above && !(number > *above)) && !(most && !(number <= *most)) &&
+           !(below && !(number < *below));
   }
 };
 

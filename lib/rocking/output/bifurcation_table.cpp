@@ -1,13 +1,12 @@
-#include "rocking/output/write_bifurcation.hpp"
+#include "rocking/output/bifurcation_table.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <string_view>
 
-#include "rocking/base/digest.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/parameter_names.hpp"
-#include "rocking/output/shaking_fields.hpp"
+#include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
@@ -25,40 +24,6 @@ void for_each_step(const Diagram& diagram, Visit&& visit) {
   for (const Branch branch : all_branches) {
     for (const DiagramStep& step : diagram.branches[static_cast<std::size_t>(branch)]) visit(step, branch);
   }
-}
-
-Json others_json(const DrawnDiagrams& drawn, const Diagram& diagram) {
-  Json json = Json::object();
-  const auto& parameters = parameters_of(drawn, diagram.conditions.front());
-  for (std::size_t i = 1; i < parameters.size(); ++i) json[parameters[i].pointer] = Json::parse(parameters[i].value);
-  return json;
-}
-
-Json step_json(const DrawnDiagrams& drawn, const DiagramStep& step, Branch branch) {
-  Json json = Json::object();
-  json["value"] = Json::parse(parameters_of(drawn, step.condition).front().value);
-  json["branch"] = to_string(branch);
-  json["start"] = step.continued ? "continued" : "initial";
-  json["condition"] = step.condition;
-  if (const auto shaking = shaking_of(drawn.experiment->conditions[step.condition].scene)) {
-    json["shaking"] = type_of<Shaking>().json(&*shaking);
-  }
-  json["termination"] = to_string(step.termination);
-  json["mode"] = to_string(step.classification.mode);
-  json["reason"] = step.classification.reason ? Json(to_string(*step.classification.reason)) : Json();
-  Json& points = json["points"] = Json::array();
-  for (const auto& point : step.points) points.push_back(Json::array({point.tilt, point.tilt_rate}));
-  return json;
-}
-
-std::string diagram_json(const DrawnDiagrams& drawn, const Diagram& diagram) {
-  std::string text = "\n    { \"others\": " + others_json(drawn, diagram).dump() + ",\n      \"steps\": [";
-  bool is_first = true;
-  for_each_step(diagram, [&](const DiagramStep& step, Branch branch) {
-    text += (is_first ? "\n        " : ",\n        ") + step_json(drawn, step, branch).dump();
-    is_first = false;
-  });
-  return text + "\n      ] }";
 }
 
 /// With an asterisk if the previous step of the continuation did not reach its horizon.
@@ -104,19 +69,6 @@ std::string csv_rows(const DrawnDiagrams& drawn, std::size_t diagram) {
 }
 
 }  // namespace
-
-std::string bifurcation_text(const DrawnDiagrams& drawn) {
-  const std::string& canonical = drawn.experiment->canonical_text;
-  std::string text = "{\n  \"format\": " + Json(bifurcation_format).dump();
-  text += ",\n  \"input\": { \"experiment\": " + canonical;
-  text += ",\n    \"sha256\": " + Json(base::to_hex(base::sha256(canonical))).dump() + " }";
-  text += ",\n  \"realisation\": " + std::to_string(drawn.realisation);
-  text += ",\n  \"parameter\": " + Json(parameters_of(drawn, 0).front().pointer).dump() + ",\n  \"diagrams\": [";
-  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
-    text += (i == 0 ? "" : ",") + diagram_json(drawn, drawn.diagrams[i]);
-  }
-  return text + "\n  ]\n}\n";
-}
 
 std::string bifurcation_csv(const DrawnDiagrams& drawn) {
   std::string text = csv_header;

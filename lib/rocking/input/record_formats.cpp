@@ -1,8 +1,7 @@
-#include "rocking/input/record_format.hpp"
+#include "rocking/input/record_formats.hpp"
 
 #include <cstddef>
 
-#include "rocking/input/header_words.hpp"
 #include "rocking/input/line_problems.hpp"
 
 namespace rocking {
@@ -18,8 +17,10 @@ RecordFormat recognised_format(std::string_view text) {
     const std::size_t end = text.find('\n');
     std::string_view line = text.substr(0, end);
     line = line.substr(0, line.find('#'));
-    if (line.starts_with("SAMPLING_INTERVAL_S:")) return RecordFormat::esm_asc;
-    if (word_place(line, "npts") && word_place(line, "dt")) return RecordFormat::peer_at2;
+    for (const RecordReader& reader : record_readers) {
+      if (reader.is_line == nullptr || !reader.is_line(line)) continue;
+      return static_cast<RecordFormat>(&reader - record_readers.data());
+    }
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
   }
   return RecordFormat::columns;

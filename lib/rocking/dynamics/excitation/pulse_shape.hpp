@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+
+namespace rocking::dynamics {
+
+/// Of the base acceleration (PulseExcitation).
+enum class PulseShape : std::uint8_t { sine, cosine, ricker };
+
+/// Half the length of a Ricker pulse in 2 pi/Omega_h: its acceleration beyond is below 1e-6 of its peak,
+/// (x^2/2 - 1) exp(-x^2/4) = 1e-6 at x = 8.3263 = 2 pi 1.3252.
+inline constexpr double ricker_half_length = 1.3251763074617886;
+
+/// Length of a pulse in 2 pi/Omega_h.
+[[nodiscard]] constexpr double pulse_length(PulseShape shape) {
+  return shape == PulseShape::ricker ? 2.0 * ricker_half_length : 1.0;
+}
+
+}  // namespace rocking::dynamics

@@ -1,0 +1,229 @@
+#include "rocking/input/reading_keys.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "rocking/input/read_quantity.hpp"
+#include "rocking/input/read_recorded.hpp"
+#include "rocking/input/read_scatter.hpp"
+#include "rocking/input/record_formats.hpp"
+#include "rocking/input/sweep.hpp"
+#include "rocking/scene/rules.hpp"
+#include "rocking/text/seed_text.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::string_view jy25 = "jy25";
+
+/// `"a", "b" or "c"`.
+std::string in_words(std::span<const std::string_view> names) {
+  std::string words;
+  for (const std::string_view name : names) {
+    if (!words.empty()) words += name == names.back() ? " or " : ", ";
+    words += '"' + std::string(name) + '"';
+  }
+  return words;
+}
+
+std::optional<std::uint64_t> seed_in(const Json& value) {
+  if (value.is_number_unsigned()) return value.get<std::uint64_t>();
+  if (!value.is_string()) return std::nullopt;
+  return seed_from_text(value.get_ref<const std::string&>());
+}
+
+/// Whether the sweep changes what stands at `place`, or something within it.
+bool is_swept(const Json* sweep, std::string_view place) {
+  if (sweep == nullptr || !sweep->is_array()) return false;
+  return std::ranges::any_of(*sweep, [place](const Json& axis) {
+    if (!axis.is_object() || !axis.contains("parameter") || !axis["parameter"].is_string()) return false;
+    const auto& pointer = axis["parameter"].get_ref<const std::string&>();
+    return is_within(pointer, place) || is_within(place, pointer);
+  });
+}
+
+/// Reports that there is none of the keys.
+void report_none_of(ObjectReader& in, std::span<const UnitKey> units) {
+  std::string remedy = "add ";
+  for (const UnitKey& unit : units) {
+    if (&unit != units.data()) remedy += ", or ";
+    remedy += '"' + std::string(unit.key.name) + "\": " + std::string(unit.rule.example);
+  }
+  in.reject(units.front().key.name, "is missing", remedy);
+}
+
+}  // namespace
+
+void ReadingKeys::text(const Key& key, std::string& value) { value = in_.text(key.name, value); }
+
+void ReadingKeys::number(const Key& key, double& value, const NumberRule& rule, Absent absent) {
+  if (!in_.has(key.name) && absent == Absent::omitted) return;
+  value = in_.number(key.name, absent == Absent::error ? rule : rule.with_default(value));
+}
+
+void ReadingKeys::whole_number(const Key& key, std::int64_t& value, const IntegerRule& rule, Absent absent) {
+  if (!in_.has(key.name) && absent == Absent::omitted) return;
+  value = in_.integer(key.name, absent == Absent::error ? rule : rule.with_default(value));
+}
+
+void ReadingKeys::quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) {
+  value = read_quantity(in_, key.name, absent == Absent::error ? rule : rule.with_default(mean_of(value)));
+}
+
+void ReadingKeys::word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) {
+  const Json* found = in_.value(key.name);
+  if (found == nullptr) {
+    if (absent == Absent::error) {
+      in_.reject(key.name, "is missing", "add \"" + std::string(key.name) + "\": " + in_words(names));
+    }
+    if (absent != Absent::standard) return;
+  }
+  chosen = in_.choice(key.name, names, chosen);
+}
+
+void ReadingKeys::restitution(const Key& key, Restitution& value, Absent absent) {
+  const Json* found = in_.value(key.name);
+  if (found == nullptr && absent == Absent::omitted) return;
+  if (found == nullptr ? std::holds_alternative<Jy25Restitution>(value) : *found == jy25) {
+    in_.write(key.name, jy25);
+    value = Jy25Restitution{};
+  } else if (found != nullptr && found->is_object()) {
+    RateRatio ratio;
+    in_.object(key.name, [&ratio](ObjectReader& keys) { ratio.value = keys.number("rate_ratio", rules::rate_ratio); });
+    value = ratio;
+  } else if (found != nullptr && found->is_string()) {
+    in_.reject(key.name, std::string(rules::restitution.demand),
+               "write a number, \"jy25\" for 1 - 1.5 sin^2(psi), or {\"rate_ratio\": 0.93} for a measured ratio of the "
+               "tilt rates");
+    value = Scene{}.restitution;
+  } else {
+    value = in_.number(key.name, rules::restitution.with_default(std::get<double>(Scene{}.restitution)));
+  }
+}
+
+void ReadingKeys::mode(const Key& key, std::optional<section::ResponseMode>& value) {
+  const Json* found = in_.value(key.name);
+  if (found == nullptr) return;
+  const auto mode = found->is_string() ? section::response_mode_named(found->get<std::string>()) : std::nullopt;
+  const bool exists =
+      mode && (mode->kind != section::ResponseKind::periodic || (mode->rocks >= 0 && mode->periods > 0));
+  if (!exists) {
+    return in_.reject(key.name, "is not the name of a response mode",
+                      "give \"overturned\", \"rest\", \"chaotic\", \"unresolved\", or (m,n) such as \"(1,3)\"");
+  }
+  in_.write(key.name, to_string(*mode));
+  value = mode;
+}
+
+void ReadingKeys::seed(const Key& key, std::uint64_t& value) {
+  if (const Json* found = in_.value(key.name)) {
+    const auto read = seed_in(*found);
+    if (!read) {
+      in_.reject(key.name, "must be a whole number of at most 64 bits", "give a value such as \"0x2012\" or 8210");
+    }
+    value = read.value_or(0);
+  }
+  in_.write(key.name, seed_text(value));
+}
+
+void ReadingKeys::sweep(const Key& key) {
+  if (const Json* found = in_.value(key.name)) in_.write(key.name, *found);
+}
+
+void ReadingKeys::scatter(std::initializer_list<Scatter> of) { read_scatter(in_, of); }
+
+bool ReadingKeys::one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent absent) {
+  const std::size_t problems_before = problem_count();
+  std::optional<std::size_t> given;
+  for (std::size_t i = 0; i < units.size(); ++i) {
+    const std::string_view key = units[i].key.name;
+    if (!in_.has(key)) continue;
+    if (given) {
+      in_.reject(key, "excludes \"" + std::string(units[*given].key.name) + '"', "keep one of them");
+    } else {
+      given = i;
+    }
+  }
+  if (!given && absent == Absent::error) {
+    report_none_of(in_, units);
+    return false;
+  }
+  const UnitKey& unit = units[given.value_or(0)];
+  const double read =
+      in_.number(unit.key.name, absent == Absent::error ? unit.rule : unit.rule.with_default(value.value));
+  if (problem_count() != problems_before) return false;
+  value = {given.value_or(0), read};
+  return true;
+}
+
+void ReadingKeys::record_format(const Key& key, std::optional<RecordFormat>& value) {
+  const Json* found = in_.value(key.name);
+  if (found == nullptr || *found == record_format_choices.back()) return;  // the canonical text does not state `auto`
+  const std::size_t chosen = in_.choice(key.name, record_format_choices, automatic_record_format);
+  if (chosen != automatic_record_format) value = static_cast<RecordFormat>(chosen);
+}
+
+void ReadingKeys::file(const Key& file, const Key& digest, std::string& name) {
+  name = read_named_file(in_, file.name, digest.name, *context_.files);
+}
+
+bool ReadingKeys::suite(const Key& key) {
+  if (!in_.has(key.name)) return true;
+  refuse_suite_here(in_, key.name);
+  in_.ignore_others();
+  return false;
+}
+
+void ReadingKeys::ground_motion(const GroundMotionReading& how, const std::optional<Strength>& strength,
+                                Recorded& recorded) {
+  if (how.format == RecordFormat::columns && !how.unit && !in_.has("units")) {
+    return in_.reject("units", "is missing; \"format\": \"columns\" does not state the unit of the accelerations",
+                      "add \"units\": \"m/s2\"; known: " + record_units_in_words());
+  }
+  if (how.name.empty()) return;
+  auto motion = context_.files->motion(how, in_.problems());
+  if (!motion) return;
+  if (strength) recorded.scale = scale_for(in_, *strength, *motion, how.gravity);
+  recorded.ground_motion = std::move(motion);
+}
+
+void ReadingKeys::object(const Key& key, Absent, const Part& part) {
+  in_.object(key.name, [this, &part](ObjectReader& inner) {
+    ReadingKeys keys(inner, context_);
+    part(keys);
+  });
+}
+
+void ReadingKeys::number_or_object(const Key& key, bool, const Part& number, const Part& with_more) {
+  const Json* found = in_.value(key.name);
+  if (found == nullptr || !found->is_object()) return number(*this);
+  object(key, Absent::standard, with_more);
+}
+
+void ReadingKeys::kinds(const Key& key, std::span<const std::string_view> names, std::size_t kind,
+                        const std::function<void(Keys&, std::size_t)>& part) {
+  const std::size_t problems_before = problem_count();
+  const std::size_t chosen = in_.choice(key.name, names, kind);
+  if (problem_count() != problems_before) return in_.ignore_others();
+  part(*this, chosen);
+}
+
+Absent ReadingKeys::follows_from(std::span<const std::string_view> places) const {
+  const bool swept = std::ranges::any_of(places, [this](auto place) { return is_swept(context_.sweep, place); });
+  return swept ? Absent::omitted : Absent::standard;
+}
+
+void ReadingKeys::reject(std::string_view key, Refusal refusal) {
+  if (key.empty()) return in_.reject(std::move(refusal.reason), std::move(refusal.remedy));
+  in_.reject(key, std::move(refusal.reason), std::move(refusal.remedy));
+}
+
+void ReadingKeys::exclude(std::string_view key, std::string_view other, Refusal refusal) {
+  if (in_.has(other)) reject(key, std::move(refusal));
+}
+
+void ReadingKeys::refuse(std::string_view key, std::string_view reason, std::string_view remedy) {
+  if (in_.has(key)) in_.reject(key, std::string(reason), std::string(remedy));
+}
+
+}  // namespace rocking

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "rocking/scene/experiment.hpp"
+#include "rocking/scene/ground_motion_reading.hpp"
+#include "rocking/scene/number_rule.hpp"
+
+/// Formats of files with recorded accelerations (lib/docs/ground-motions.md).
+namespace rocking {
+
+enum class RecordFormat : std::uint8_t { columns, peer_at2, esm_asc };
+
+/// A line of numbers for each sample.
+[[nodiscard]] std::optional<GroundMotion> read_columns(std::string_view text, const GroundMotionReading& how,
+                                                       Problems& problems);
+
+/// A header whose last line has NPTS and DT, in any of the wordings of the PEER databases, and evenly spaced
+/// accelerations in g.
+[[nodiscard]] std::optional<GroundMotion> read_peer_at2(std::string_view text, const GroundMotionReading& how,
+                                                        Problems& problems);
+[[nodiscard]] bool is_line_of_peer_header(std::string_view line);
+
+/// A header of lines `KEY: value` of the European strong-motion database, of which SAMPLING_INTERVAL_S and UNITS are
+/// needed and NDATA is checked, and evenly spaced accelerations.
+[[nodiscard]] std::optional<GroundMotion> read_esm_asc(std::string_view text, const GroundMotionReading& how,
+                                                       Problems& problems);
+[[nodiscard]] bool is_line_of_esm_header(std::string_view line);
+
+/// How a format is read: as read_ground_motion.
+struct RecordReader {
+  std::string_view name;                   ///< in experiments
+  bool (*is_line)(std::string_view line);  ///< a line of the header by which the format is recognised; null: none
+  std::optional<GroundMotion> (*read)(std::string_view text, const GroundMotionReading& how, Problems& problems);
+};
+
+/// In the order of RecordFormat; a file that is not recognised has the first.
+inline constexpr std::array record_readers{RecordReader{"columns", nullptr, read_columns},
+                                           RecordReader{"peer_at2", is_line_of_peer_header, read_peer_at2},
+                                           RecordReader{"esm_asc", is_line_of_esm_header, read_esm_asc}};
+
+/// Their names, and `auto` after them: recognised by the first lines.
+inline constexpr auto record_format_choices = [] {
+  std::array<std::string_view, record_readers.size() + 1> choices;
+  std::ranges::transform(record_readers, choices.begin(), &RecordReader::name);
+  choices.back() = "auto";
+  return choices;
+}();
+inline constexpr std::size_t automatic_record_format = record_readers.size();
+
+/// The format of a file by its first lines.
+[[nodiscard]] RecordFormat recognised_format(std::string_view text);
+
+}  // namespace rocking

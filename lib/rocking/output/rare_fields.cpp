@@ -1,0 +1,189 @@
+#include <array>
+#include <optional>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/named_type.hpp"
+#include "rocking/output/provenance_fields.hpp"
+#include "rocking/output/rare_report.hpp"
+#include "rocking/output/stats_fields.hpp"
+
+namespace rocking {
+
+constexpr std::array all_scores{rare::Score::tilt, rare::Score::energy};
+template <>
+struct TypeOf<rare::Score> {
+  static const ValueType& get() { return the_only<NamedType<all_scores>>(); }
+};
+
+constexpr std::array all_rare_methods{RareMethod::markov_chain, RareMethod::both};
+template <>
+struct TypeOf<RareMethod> {
+  static const ValueType& get() { return the_only<NamedType<all_rare_methods>>(); }
+};
+
+constexpr std::array all_rare_ends{RareEnd::precise, RareEnd::out_of_time, RareEnd::never_seen,
+                                   RareEnd::most_repetitions};
+template <>
+struct TypeOf<RareEnd> {
+  static const ValueType& get() { return the_only<NamedType<all_rare_ends>>(); }
+};
+
+constexpr std::array all_rare_diagnoses{RareDiagnosis::none, RareDiagnosis::no_levels, RareDiagnosis::few_repetitions,
+                                        RareDiagnosis::few_ancestors, RareDiagnosis::uneven};
+template <>
+struct TypeOf<RareDiagnosis> {
+  static const ValueType& get() { return the_only<NamedType<all_rare_diagnoses>>(); }
+};
+
+namespace {
+
+/// `[estimate, work, ancestors]`.
+class RepetitionType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const auto& repetition = *static_cast<const rare::Repetition*>(value);
+    return Json::array({repetition.estimate, repetition.work, repetition.ancestors});
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    std::array<double, 3> numbers{};
+    type_of<std::array<double, 3>>().read(json, place, &numbers);
+    auto& repetition = *static_cast<rare::Repetition*>(value);
+    repetition.estimate = numbers[0];
+    repetition.work = numbers[1];
+    repetition.ancestors = static_cast<std::size_t>(numbers[2]);
+  }
+  [[nodiscard]] Json schema(const Rule&) const override {
+    return type_of<std::array<double, 3>>().schema(rule::not_negative);
+  }
+};
+
+}  // namespace
+
+template <>
+struct TypeOf<rare::Repetition> {
+  static const ValueType& get() { return the_only<RepetitionType>(); }
+};
+
+namespace {
+
+const StructType& ancestor_fields() {
+  static const StructType fields{
+      field<&RareEstimate::median_ancestors>("median", "of the repetitions", rule::not_negative),
+      field<&RareEstimate::least_ancestors>("least", "of the repetitions"),
+  };
+  return fields;
+}
+
+}  // namespace
+
+static const StructType& fields_of(const ReportedRare*) {
+  using Reported = ReportedRare;
+  using Estimate = RareEstimate;
+  constexpr auto estimate = &Reported::estimate;
+  static const StructType fields{
+      field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
+      field<estimate, &Estimate::probability>("probability", "mean of the repetitions; null: none was finished in time",
+                                              rule::share),
+      field<estimate, &Estimate::interval>(
+          "interval", "of the probability; for a probability 0 from 0 to an upper bound", rule::share),
+      field<&Reported::confidence>("confidence", "of the interval", rule::confidence),
+      field<estimate, &Estimate::relative_error>(
+          "relative_error", "standard error over the probability; null for a probability 0, and for few repetitions",
+          rule::not_negative),
+      field<estimate, &Estimate::work>(
+          "work", "simulated time with the pilot run, in realisations to the horizon; no processor time (rare.md)",
+          rule::not_negative),
+      field<estimate, &Estimate::crude_work>(
+          "crude_work",
+          "realisations that plain sampling needs for the same relative error, (1 - P)/(P error^2); null: unknown",
+          rule::not_negative),
+      field<estimate, &Estimate::method>("method", "how the random numbers are changed"),
+      field<estimate, &Estimate::end>("ended", "why no more repetitions were made"),
+      field<estimate, &Estimate::diagnosis>("diagnosis", "what stands in the way of trusting the interval"),
+      field<estimate>("ancestors",
+                      "of the repetitions that have seen the event: first trajectories from which those with the event "
+                      "descend",
+                      ancestor_fields()),
+      field<estimate, &Estimate::levels>("levels", "of the score, rising", rule::not_negative),
+      field<estimate, &Estimate::reached>(
+          "reached", "mean share of the particles that reach each level, and the event last", rule::share),
+      field<estimate, &Estimate::pilot_work>("pilot_work", "part of `work` that found the levels", rule::not_negative),
+      field<estimate, &Estimate::repetitions>("repetitions", "[estimate, work, ancestors] of each"),
+  };
+  return fields;
+}
+
+namespace {
+
+const StructType& question_fields() {
+  using File = RareReport;
+  static const StructType fields{
+      derived<[](const File& report) {
+        return std::string(report.question.event.peak_tilt ? "peak_tilt" : "overturned");
+      }>("event", "`overturned` or `peak_tilt`"),
+      field<&File::question, &RareQuestion::event, &rare::Event::peak_tilt>(
+          "peak_tilt", "that abs(Theta) exceeds within the horizon; null: overturning", rule::not_negative),
+      field<&File::question, &RareQuestion::relative_error>(
+          "relative_error", "standard error over the probability that was aimed at", rule::not_negative),
+  };
+  return fields;
+}
+
+const StructType& settings_fields() {
+  using File = RareReport;
+  static const StructType fields{
+      field<&File::seed>("seed", "of the experiment", seed_type()),
+      field<&File::particles>("particles", "of a repetition", Rule{.least = 20.0}),
+      field<&File::score>("score", "what measures how near a motion is to the event"),
+  };
+  return fields;
+}
+
+}  // namespace
+
+const StructType& fields_of(const RareReport*) {
+  using File = RareReport;
+  static const StructType fields{
+      field<&File::input>("input", "what was asked"),
+      of_owner<File>("question", "the event", question_fields()),
+      of_owner<File>("settings", "of the estimate", settings_fields()),
+      derived<[](const File& report) { return report.digest(); }>("digest",
+                                                                  "SHA-256 over the levels and the repetitions"),
+      field<&File::conditions>("conditions", "of the experiment"),
+  };
+  return fields;
+}
+
+const DocumentOf<RareReport>& rare_document() {
+  static const DocumentOf<RareReport> document(
+      "rocking.rare/1", "Probabilities of rare overturning. Without a time limit, equal input gives equal bytes.");
+  return document;
+}
+
+base::Sha256 RareReport::digest() const {
+  base::Sha256Builder builder;
+  for (const ReportedRare& condition : conditions) {
+    builder.add(condition.estimate.levels);
+    for (const rare::Repetition& repetition : condition.estimate.repetitions) {
+      builder.add(repetition.estimate);
+      builder.add(repetition.work);
+    }
+  }
+  return builder.finish();
+}
+
+RareReport rare_report(const Experiment& experiment, const RareMeans& means, const std::vector<RareEstimate>& found) {
+  RareReport report{.input = input_of(experiment),
+                    .question = means.question,
+                    .seed = experiment.seed,
+                    .particles = means.particles,
+                    .score = means.score,
+                    .conditions = {}};
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Condition& condition = experiment.conditions[i];
+    report.conditions.push_back({condition.parameters, condition.confidence, found[i]});
+  }
+  return report;
+}
+
+}  // namespace rocking

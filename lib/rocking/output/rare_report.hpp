@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/fields/document.hpp"
+#include "rocking/output/provenance.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/studies/rare/rare.hpp"
+
+namespace rocking {
+
+/// The probability of a rare event for a condition.
+struct ReportedRare {
+  std::vector<Parameter> parameters;
+  double confidence = 0.95;  ///< of the interval
+  RareEstimate estimate;
+};
+
+/// The probabilities of a rare event for the conditions of an experiment.
+struct RareReport {
+  InputFacts input;
+  RareQuestion question;
+  std::uint64_t seed = 0;
+  std::uint64_t particles = 0;  ///< of a repetition
+  rare::Score score = rare::Score::tilt;
+  std::vector<ReportedRare> conditions;
+
+  /// Over the bits of the levels and of every repetition's estimate and work, in order.
+  [[nodiscard]] base::Sha256 digest() const;
+};
+
+/// How the probabilities were estimated, beside the experiment.
+struct RareMeans {
+  RareQuestion question;
+  rare::Score score;
+  std::size_t particles;  ///< of a repetition
+};
+
+[[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareMeans& means,
+                                     const std::vector<RareEstimate>& found);
+
+[[nodiscard]] const StructType& fields_of(const RareReport*);
+
+/// `rare.json`, and the output of `rocking rare --json`.
+[[nodiscard]] const DocumentOf<RareReport>& rare_document();
+
+/// The probabilities as text: a row for each condition, and what is to be known about them.
+[[nodiscard]] std::string rare_table(const RareReport& report);
+
+}  // namespace rocking

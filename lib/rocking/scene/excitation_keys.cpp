@@ -1,0 +1,163 @@
+#include "rocking/scene/excitation_keys.hpp"
+
+#include <array>
+#include <variant>
+
+#include "rocking/scene/defaults.hpp"
+#include "rocking/scene/rules.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr std::array<std::string_view, std::variant_size_v<Excitation>> kind_names{Harmonic::name, Recorded::name,
+                                                                                   Pulse::name};
+/// In the order of dynamics::PulseShape.
+constexpr std::array<std::string_view, 3> pulse_shapes{"sine", "cosine", "ricker"};
+
+/// The first gives A_h; the others are in the order of AccelerationUnit.
+constexpr std::array<UnitKey, 3> amplitude_units{
+    {{{"amplitude", "A_h: the peak base acceleration over psi g"}, rules::amplitude},
+     {{"amplitude_g", "the peak base acceleration over gravity_m_s2"}, rules::amplitude_g},
+     {{"amplitude_m_s2", "the peak base acceleration [m/s^2]"}, rules::amplitude_m_s2}}};
+/// The first gives Omega_h; the others are in the order of FrequencyUnit.
+constexpr std::array<UnitKey, 3> frequency_units{
+    {{{"frequency_ratio", "Omega_h = omega/p; a strobe period is 2 pi/omega"}, rules::frequency_ratio},
+     {{"frequency_hz", "omega/(2 pi) [Hz]"}, rules::frequency_hz},
+     {{"period_s", "2 pi/omega [s]"}, rules::period_s}}};
+/// Of a ground motion.
+constexpr std::array<UnitKey, 3> strength_units{
+    {{{"scale", "factor on the recorded accelerations"}, rules::scale},
+     {{"pga_g", "in place of scale: the peak horizontal acceleration over gravity_m_s2"}, rules::pga_g},
+     {{"pgv_m_s", "in place of scale: the peak horizontal velocity [m/s]"}, rules::pgv_m_s}}};
+
+/// The number as it is given: `normalised`, or in the physical unit.
+template <class Physical>
+NumberInUnit number_of(double normalised, const std::optional<Physical>& physical) {
+  if (!physical) return {0, normalised};
+  return {static_cast<std::size_t>(physical->unit) + 1, physical->value};
+}
+
+template <class Physical>
+void set(const NumberInUnit& number, double& normalised, std::optional<Physical>& physical) {
+  if (number.unit == 0) {
+    normalised = number.value;
+  } else {
+    physical = Physical{number.value, static_cast<decltype(Physical::unit)>(number.unit - 1)};
+  }
+}
+
+/// Of a kind that has both.
+template <class Kind>
+void keys_of_amplitude_and_frequency(Keys& in, Kind& kind) {
+  NumberInUnit amplitude = number_of(kind.amplitude, kind.physical_amplitude);
+  if (in.one_of(amplitude_units, amplitude, Absent::error)) set(amplitude, kind.amplitude, kind.physical_amplitude);
+  NumberInUnit frequency = number_of(kind.frequency_ratio, kind.physical_frequency);
+  if (in.one_of(frequency_units, frequency, Absent::error)) {
+    set(frequency, kind.frequency_ratio, kind.physical_frequency);
+  }
+}
+
+void keys_of(Keys& in, Harmonic& harmonic, const dynamics::Block&) {
+  keys_of_amplitude_and_frequency(in, harmonic);
+  in.quantity({"phase_rad", "Phi [rad]"}, harmonic.phase, rules::phase, Absent::standard);
+}
+
+void refuse_keys_of_others(Keys& in, const Recorded&) {
+  for (const UnitKey& unit : amplitude_units) {
+    in.refuse(unit.key.name, "is for harmonic excitation and pulses; a ground motion has a scale",
+              "write \"scale\" instead");
+  }
+  for (const std::string_view key : {"frequency_hz", "period_s"}) {
+    in.refuse(key, "is for harmonic excitation and pulses; a ground motion has no frequency",
+              "omit it: a strobe period is one second, unless \"frequency_ratio\" is given");
+  }
+  in.refuse("phase_rad", "is for harmonic excitation; a ground motion has no phase",
+            "shift the times of the ground motion");
+}
+
+void keys_of_format_and_unit(Keys& in, GroundMotionReading& how) {
+  in.record_format({"format", "of the file; auto: recognised by its first lines (ground-motions.md)"}, how.format);
+  in.optional("units", how.unit, [&in](RecordUnit& unit) {
+    in.choice(
+        {"units",
+         "of the accelerations; must agree with a file that states its unit; absent: that of the file, and m/s2 for "
+         "columns of numbers, but format columns needs it"},
+        unit, record_unit_names, Absent::omitted);
+  });
+}
+
+void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
+  refuse_keys_of_others(in, recorded);
+  if (!in.suite(
+          {"suite", "several ground motions, each a point of the sweep: a pattern or a list, in place of file"})) {
+    return;
+  }
+  const bool block_is_sound = block.width > 0.0 && block.height > 0.0 && block.gravity > 0.0;
+  GroundMotionReading how{.gravity = block_is_sound ? block.gravity : 1.0};
+  const auto is_sound = [&in](const auto& part) {
+    const std::size_t problems_before = in.problem_count();
+    part();
+    return in.problem_count() == problems_before;
+  };
+  in.file({"file", "path of the record, seen from the folder of the experiment file"},
+          {"sha256", "of the file; must match it; absent: the file's"}, how.name);
+  if (in.stands("vertical_file", true)) {
+    in.file({"vertical_file", "of the vertical component, in formats with one component a file"},
+            {"vertical_sha256", "of that file; must match it; absent: the file's"}, how.vertical_name);
+    if (how.vertical_name.empty()) how.name.clear();
+  }
+  if (!is_sound([&] { keys_of_format_and_unit(in, how); })) how.name.clear();
+  NumberInUnit strength{.unit = 0, .value = recorded.scale};
+  const bool has_strength = is_sound([&] { in.one_of(strength_units, strength, Absent::standard); });
+  const bool has_times = is_sound([&] {
+    in.optional("time_step_s", how.time_step, [&in](double& time_step) {
+      in.number({"time_step_s", "between samples [s]; absent: the first column of the file is the time"}, time_step,
+                rules::time_step, Absent::omitted);
+    });
+  });
+  if (!has_times) how.name.clear();
+  if (in.is_reading()) recorded.frequency_ratio = block_is_sound ? strobe_once_a_second(block) : 1.0;
+  in.number({"frequency_ratio", "of the strobe; absent: a strobe period of the mean block is a second"},
+            recorded.frequency_ratio, rules::frequency_ratio, in.follows_from({"/block", "/excitation/kind"}));
+  if (strength.unit == 0) recorded.scale = strength.value;
+  std::optional<Strength> wanted;
+  if (has_strength && block_is_sound) wanted.emplace(Strength{strength_units[strength.unit], strength.value});
+  in.ground_motion(how, wanted, recorded);
+}
+
+void keys_of(Keys& in, Pulse& pulse, const dynamics::Block&) {
+  for (const std::string_view key : {"file", "suite", "sha256", "time_step_s"}) {
+    in.refuse(key, "is for a ground motion; a pulse is given by its shape", "write \"kind\": \"recorded\", or omit it");
+  }
+  in.refuse("scale", "is for a ground motion; a pulse has an amplitude", "write \"amplitude\" instead");
+  in.refuse("phase_rad", "is for harmonic excitation; a pulse begins with the run and has no phase",
+            "omit it, or choose another \"shape\"");
+  in.choice(
+      {"shape",
+       "f: one cycle of a sine or of a cosine; or a Ricker wavelet (second derivative of a Gaussian), cut where it "
+       "is below 1e-6 of its peak"},
+      pulse.shape, pulse_shapes, Absent::error);
+  keys_of_amplitude_and_frequency(in, pulse);
+}
+
+}  // namespace
+
+void keys_of(Keys& in, Excitation& excitation, const dynamics::Block& block) {
+  in.kinds({"kind",
+            "harmonic: a_h/g = A_h psi times the sine of Omega_h tau + Phi; recorded: linear between the samples of a "
+            "file; pulse: "
+            "from tau = 0 on one pulse a_h/g = A_h psi f(Omega_h tau), the base is still after it"},
+           kind_names, excitation.index(), [&](Keys& keys, std::size_t kind) {
+             if (excitation.index() == kind) {
+             } else if (kind == 0) {
+               excitation = Harmonic{};
+             } else if (kind == 1) {
+               excitation = Recorded{};
+             } else {
+               excitation = Pulse{};
+             }
+             std::visit([&](auto& asked) { keys_of(keys, asked, block); }, excitation);
+           });
+}
+
+}  // namespace rocking

@@ -1,0 +1,256 @@
+#include "rocking/scene/experiment_keys.hpp"
+
+#include <array>
+
+#include "rocking/scene/defaults.hpp"
+#include "rocking/scene/excitation_keys.hpp"
+#include "rocking/scene/relations.hpp"
+#include "rocking/scene/rules.hpp"
+
+namespace rocking {
+namespace {
+
+// In the order of the enumerators.
+constexpr std::array<std::string_view, 3> formulation_names{"consistent", "as-printed", "as-plotted"};
+constexpr std::array<std::string_view, 2> slide_inertia_names{"centroidal", "edge"};
+constexpr std::array<std::string_view, 2> impact_slip_rule_names{"absolute", "signed"};
+
+void keys_of(Keys& in, SceneBlock& block) {
+  in.quantity({"width_m", "B [m]"}, block.width, rules::length, Absent::error);
+  in.quantity({"height_m", "H [m]"}, block.height, rules::length, Absent::error);
+  in.number({"gravity_m_s2", "g [m/s^2]"}, block.gravity, rules::gravity, Absent::standard);
+}
+
+void keys_of_formulation(Keys& in, Scene& scene) {
+  Formulation formulation = Formulation::consistent;
+  in.choice(
+      {"formulation", "reading of the equations (model.md); the next three keys follow from it where they are absent"},
+      formulation, formulation_names, Absent::standard);
+  const FormulationOptions options = options_of(formulation);
+  if (in.is_reading()) {
+    scene.slide_inertia = options.slide_inertia;
+    scene.impact_slip_rule = options.impact_slip_rule;
+    if (options.is_jy25) scene.restitution = Jy25Restitution{};
+  }
+  const Absent follows = in.follows_from({"/formulation"});
+  in.choice({"slide_inertia", "inertia in the slip equations"}, scene.slide_inertia, slide_inertia_names, follows);
+  in.restitution({"restitution",
+                  "vertical restitution e of an impact; \"jy25\": 1 - 1.5 sin^2(psi); rate_ratio: the measured ratio "
+                  "abs(w2/w1) of the tilt rates across an impact without slip, from which e follows"},
+                 scene.restitution, follows);
+  in.choice({"impact_slip_rule", "when an impact slips"}, scene.impact_slip_rule, impact_slip_rule_names, follows);
+}
+
+void keys_of(Keys& in, Friction& friction) {
+  in.number({"static", "mean of mu_s, at least mu_k"}, friction.static_coefficient, rules::friction_coefficient,
+            Absent::error);
+  in.number({"kinetic", "mean of mu_k, below the limit of Painleve's paradox for every block that can be drawn"},
+            friction.kinetic_coefficient, rules::friction_coefficient, Absent::error);
+}
+
+/// `friction` is both static and kinetic friction, which a condition in C++ has apart.
+void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
+  Fluctuation& fluctuation = scene.fluctuation;
+  const auto mean = [&scene](double Friction::*coefficient) {
+    return [&scene, coefficient] { return scene.friction.value_or(Friction{}).*coefficient; };
+  };
+  const Scatter of_static{&fluctuation.static_friction, mean(&Friction::static_coefficient)};
+  const Scatter of_kinetic{&fluctuation.kinetic_friction, mean(&Friction::kinetic_coefficient)};
+  const auto stands = [&in, &scene](std::string_view key, bool is_given) {
+    if (!in.stands(key, is_given)) return false;
+    if (!scene.friction) in.reject(key, relations::no_friction_to_fluctuate());
+    if (key == "friction") return true;
+    in.exclude(key, "friction",
+               {"excludes \"friction\", which sets both static and kinetic friction", "keep one of them"});
+    return true;
+  };
+  const auto refreshes = [&fluctuation](Keys& keys) {
+    keys.integer({"refreshes_per_period", "intervals of constant kinetic friction in an excitation period"},
+                 fluctuation.refreshes_per_period, rules::refreshes, Absent::standard);
+  };
+  if (stands("friction", false)) {
+    in.object({"friction", "of static and kinetic friction alike"}, Absent::omitted, [&](Keys& keys) {
+      keys.scatter({of_static, of_kinetic});
+      refreshes(keys);
+    });
+  }
+  if (stands("static_friction", true)) {
+    in.object({"static_friction", "in place of friction"}, Absent::omitted,
+              [&](Keys& keys) { keys.scatter({of_static}); });
+  }
+  if (stands("kinetic_friction", true)) {
+    in.object({"kinetic_friction", "in place of friction"}, Absent::omitted, [&](Keys& keys) {
+      keys.scatter({of_kinetic});
+      refreshes(keys);
+    });
+  }
+}
+
+/// Of the restitution as it is given; under `jy25` e of the mean block.
+double mean_restitution(const Scene& scene) {
+  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution)) return ratio->value;
+  const dynamics::Block block = mean_block(scene);
+  const bool is_sound = block.width > 0.0 && block.height > 0.0;  // else it is already reported
+  return is_sound ? restitution_of(scene, dynamics::geometry_of(block)) : 0.0;
+}
+
+void keys_of_fluctuation(Keys& in, Scene& scene) {
+  keys_of_friction_fluctuation(in, scene);
+  if (in.stands("restitution", true)) {
+    in.object({"restitution", "in the unit of the restitution: of e, or of the rate ratio"}, Absent::omitted,
+              [&](Keys& keys) {
+                keys.scatter({{&scene.fluctuation.restitution, [&scene] { return mean_restitution(scene); }}});
+              });
+  }
+  if (!in.stands("amplitude", true)) return;
+  if (amplitude_draws(scene.excitation) == AmplitudeDraws::refused) {
+    in.reject("amplitude", relations::no_period_to_fluctuate());
+  }
+  in.object({"amplitude", "in the unit of the amplitude; drawn at each period, of a pulse once"}, Absent::omitted,
+            [&](Keys& keys) {
+              keys.scatter({{&scene.fluctuation.amplitude, [&scene] { return size_of(scene.excitation); }}});
+            });
+}
+
+void keys_of(Keys& in, InitialState& initial, bool slides) {
+  in.quantity({"tilt", "Theta = theta/psi; abs(theta) < pi/2 for every block that can be drawn"}, initial.tilt,
+              rules::initial_value, Absent::standard);
+  in.quantity({"tilt_rate", "Theta' = dTheta/dtau"}, initial.tilt_rate, rules::initial_value, Absent::standard);
+  if (!slides && !in.stands("slip_rate", true)) return;
+  in.quantity({"slip_rate", "V, of the edge relative to the base, over p R; needs friction"}, initial.slip_rate,
+              rules::initial_value, Absent::standard);
+}
+
+void keys_of(Keys& in, Scene& scene) {
+  in.object({"block", "a uniform rectangular block"}, Absent::error, [&](Keys& keys) { keys_of(keys, scene.block); });
+  keys_of_formulation(in, scene);
+  in.object({"excitation", "how the base moves"}, Absent::error,
+            [&](Keys& keys) { keys_of(keys, scene.excitation, mean_block(scene)); });
+  in.optional("friction", scene.friction, [&](Friction& friction) {
+    in.object({"friction", "absent: the block does not slide"}, Absent::omitted,
+              [&](Keys& keys) { keys_of(keys, friction); });
+  });
+  if (in.stands("fluctuation", true)) {
+    in.object({"fluctuation", "what is drawn again along the way, by a normal law; absent: nothing"}, Absent::omitted,
+              [&](Keys& keys) { keys_of_fluctuation(keys, scene); });
+  }
+  in.object({"initial", "the state at the start"}, Absent::standard,
+            [&](Keys& keys) { keys_of(keys, scene.initial, scene.friction.has_value()); });
+}
+
+void keys_of(Keys& in, UntilClassified& until) {
+  in.integer({"at_most_periods", "from the start on; at least transient_periods + sampled_periods"},
+             until.at_most_periods, rules::at_most_periods, Absent::error);
+  in.integer({"held_windows", "settled if so many successive windows give the same response mode"}, until.held_windows,
+             rules::held_windows, Absent::standard);
+  in.integer({"watch_windows", "further windows in which a settled response is observed, until it is left"},
+             until.watch_windows, rules::watch_windows, Absent::standard);
+  // Absent from the canonical text, too, as before there were these keys.
+  in.integer(
+      {"long_run_every",
+       "every N-th realisation is observed up to at_most_periods, and its windows in the second half are counted "
+       "by response mode; 0: none"},
+      until.long_run_every, rules::long_run_every, Absent::omitted);
+  in.integer(
+      {"exponent_pause",
+       "after a window whose exponent stayed unclear in its longest run, it counts as unclear in so many windows "
+       "and is not computed"},
+      until.exponent_pause, rules::exponent_pause, Absent::omitted);
+}
+
+void keys_of(Keys& in, Horizon& horizon, const Scene& scene) {
+  const bool is_reading = in.is_reading();
+  const DefaultHorizon standard =
+      is_reading ? default_horizon(scene) : DefaultHorizon{horizon.transient_periods, horizon.sampled_periods};
+  const Absent follows = in.follows_from(horizon_follows_from(scene.excitation));
+  const bool is_too_long = standard.sampled_periods > rules::sampled_periods.high;
+  if (is_reading) {
+    horizon.transient_periods = static_cast<int>(standard.transient_periods);
+    if (!is_too_long) horizon.sampled_periods = static_cast<int>(standard.sampled_periods);
+  }
+  in.integer({"transient_periods", "periods that are not used for the classification; harmonic: 500, else 0"},
+             horizon.transient_periods, rules::transient_periods, follows);
+  if (is_reading && is_too_long && !in.stands("sampled_periods", true)) {
+    return in.reject(
+        "sampled_periods",
+        {"would be " + std::to_string(standard.sampled_periods) + ", until the block rests after the shaking",
+         "lower the frequency, so that strobe periods are longer, or give at most 1000000"});
+  }
+  in.integer({"sampled_periods",
+              "periods whose strobe points are used; harmonic: 120, else until the block rests after the shaking"},
+             horizon.sampled_periods, rules::sampled_periods, follows);
+  in.optional("until_classified", horizon.until_classified, [&](UntilClassified& until) {
+    in.object({"until_classified",
+               "a realisation that is unresolved goes on, window by window of sampled_periods, until its response is "
+               "classified (settling.md); periodic excitation only"},
+              Absent::omitted, [&](Keys& keys) { keys_of(keys, until); });
+  });
+}
+
+void keys_of_goal(Keys& in, Until& until, Condition& condition) {
+  in.optional("half_width", until.half_width, [&](double& half_width) {
+    in.number({"half_width",
+               "of the interval of every response mode, or of that of mode, valid whenever one looks; or "
+               "relative_half_width"},
+              half_width, rules::half_width, Absent::omitted);
+  });
+  in.optional("relative_half_width", until.relative_half_width, [&](double& half_width) {
+    in.number({"relative_half_width", "half-width of the interval of mode, over the estimate of its probability"},
+              half_width, rules::relative_half_width, Absent::omitted);
+  });
+  in.mode({"mode", "the response mode whose interval decides; absent: every one"}, until.mode);
+  in.integer({"at_most", "realisations, whatever the intervals"}, condition.realisations, rules::at_most,
+             Absent::error);
+}
+
+void keys_of_realisations(Keys& in, Condition& condition) {
+  const auto number = [&](Keys& keys) {
+    keys.integer({"realisations", "of each condition"}, condition.realisations, rules::realisations, Absent::standard);
+  };
+  const auto goal = [&](Keys& keys) {
+    Until until = condition.until.value_or(Until{});
+    keys.object({"until", "as many realisations as it takes (methods.md, section 2)"}, Absent::error, [&](Keys& inner) {
+      keys_of_goal(inner, until, condition);
+      condition.until = until;
+      const auto of_every_mode = relations::relative_half_width_of_every_mode(condition);
+      if (of_every_mode && !inner.stands("mode", true)) inner.reject("mode", *of_every_mode);
+      if (const auto refusal = relations::one_half_width(condition)) inner.reject("", *refusal);
+    });
+  };
+  in.number_or_object({"realisations", "of each condition"}, condition.until.has_value(), number, goal);
+}
+
+void keys_of(Keys& in, LabelCheck& check) {
+  in.integer({"every", "every N-th realisation"}, check.every, rules::check_every, Absent::standard);
+  in.integer({"times_longer", "sampled periods of the longer run, in those of the shorter one"}, check.times_longer,
+             rules::times_longer, Absent::standard);
+}
+
+}  // namespace
+
+void keys_of(Keys& in, Question& question) {
+  Condition& condition = question.condition;
+  in.text({"title", "the question, in words"}, question.title);
+  keys_of(in, condition.scene);
+  in.object({"horizon", "in periods of the excitation"}, Absent::standard,
+            [&](Keys& keys) { keys_of(keys, condition.horizon, condition.scene); });
+  in.object({"accuracy", "of the trajectories"}, Absent::standard, [&](Keys& keys) {
+    keys.number({"tolerance", "largest last Taylor term of a step, in units of Theta and Theta'"}, condition.tolerance,
+                rules::tolerance, Absent::standard);
+    keys.integer(
+        {"rerun_every",
+         "every N-th realisation is run again at a hundred times tighter tolerance, with the same draws; 0: none"},
+        condition.rerun_every, rules::rerun_every, Absent::standard);
+  });
+  in.sweep({"sweep", "several entries form a grid; the last varies fastest"});
+  keys_of_realisations(in, condition);
+  in.optional("check_labels", condition.label_check, [&](LabelCheck& check) {
+    in.object({"check_labels",
+               "some realisations are classified again by a longer run, to correct the probabilities; not with until"},
+              Absent::omitted, [&](Keys& keys) { keys_of(keys, check); });
+  });
+  in.number({"confidence", "level of the intervals"}, condition.confidence, rules::confidence, Absent::standard);
+  in.seed({"seed", "64 bits: \"0x2012\", \"8210\" or 8210"}, question.seed);
+}
+
+}  // namespace rocking

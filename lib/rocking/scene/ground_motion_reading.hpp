@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rocking {
+
+/// Formats of files with recorded accelerations: input/record_formats.hpp.
+enum class RecordFormat : std::uint8_t;
+
+/// Unit of the accelerations in a file. `g` is the gravity of the experiment, as in `amplitude_g`; `mg` and `percent_g`
+/// are a thousandth and a hundredth of it.
+enum class RecordUnit : std::uint8_t { g, m_s2, cm_s2, mm_s2, mg, percent_g, ft_s2, in_s2 };
+
+/// Their names in experiments, in the order of RecordUnit.
+inline constexpr std::array<std::string_view, 8> record_unit_names{"g",  "m/s2", "cm/s2", "mm/s2",
+                                                                   "mg", "%g",   "ft/s2", "in/s2"};
+
+/// The names as a list in words, for messages.
+[[nodiscard]] std::string record_units_in_words();
+
+[[nodiscard]] constexpr std::string_view name_of(RecordUnit unit) {
+  return record_unit_names[static_cast<std::size_t>(unit)];
+}
+
+/// What must be known beside a record's text to make a base motion of it.
+struct GroundMotionReading {
+  std::string name = {};                              ///< of the file; empty: it is not read
+  std::optional<double> time_step = std::nullopt;     ///< [s]; absent: the file gives it, or the time of each sample
+  double gravity = 9.81;                              ///< [m/s^2], over which accelerations are kept
+  std::optional<RecordFormat> format = std::nullopt;  ///< absent: recognised by the first lines
+  std::optional<RecordUnit> unit = std::nullopt;      ///< absent: that of the file, of `columns` m/s^2
+  std::string vertical_name = {};                     ///< of the file with the vertical component; empty: none
+
+  friend auto operator<=>(const GroundMotionReading&, const GroundMotionReading&) = default;
+};
+
+}  // namespace rocking

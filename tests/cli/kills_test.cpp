@@ -63,7 +63,7 @@ class Kills : public rocking::support::ProgramTest {
   }
 };
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // sanitizers must be loaded first
+#if !defined(ROCKING_SANITIZED)  // sanitizers must be loaded first
 
 TEST_F(Kills, OfAnExtensionOfAFinishedRun) {
   run_quietly("run quick.json -o base");

@@ -263,7 +263,7 @@ TEST_F(Process, SaysHowMuchSpaceARunTakes) {
 }
 
 TEST_F(Process, RefusesARunThatNeedsMoreMemoryThanThereIs) {
-#if !defined(__SANITIZE_ADDRESS__)  // the address sanitizer reserves terabytes of addresses
+#if !defined(ROCKING_SANITIZED)  // the address sanitizer reserves terabytes of addresses
   const auto refused = shell("ulimit -v 400000; exec " + program("run endless.json -o large --realisations 100"));
   EXPECT_EQ(refused.exit_code, 74) << refused.errors;
   EXPECT_THAT(refused.errors, HasSubstr("of memory"));

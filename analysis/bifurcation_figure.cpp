@@ -19,7 +19,7 @@ namespace {
 using section::ResponseMode;
 
 // At most one cell per pixel of the SVG: a picture that is scaled down drops cells, and with them thin branches.
-constexpr std::size_t levels = 190;
+constexpr std::size_t tilt_levels = 190;
 constexpr std::size_t most_columns = 600;
 constexpr std::size_t most_points = 12'000;
 
@@ -93,16 +93,16 @@ Table image_table(const DrawnDiagram& diagram, const Steps& steps, const std::st
   const std::size_t width = std::min(most_columns, diagram.different_values);
   const auto parts = static_cast<double>(width - 1);
   const double dx = (diagram.values.high - diagram.values.low) / parts;
-  const double dy = (diagram.tilts.high - diagram.tilts.low) / static_cast<double>(levels);
+  const double dy = (diagram.tilts.high - diagram.tilts.low) / static_cast<double>(tilt_levels);
   Table table{.name = name,
               .columns = {},
-              .rows = std::vector<std::vector<Cell>>(levels, std::vector<Cell>(width, 0.0)),
+              .rows = std::vector<std::vector<Cell>>(tilt_levels, std::vector<Cell>(width, 0.0)),
               .grid = Table::Grid{.x = diagram.values.low, .dx = dx, .y = diagram.tilts.low + 0.5 * dy, .dy = dy},
               .only_drawn = true};
   for (const ReportedStep* step : steps) {
     const auto column = static_cast<std::size_t>(std::lround((step->value - diagram.values.low) / dx));
     for (const section::StrobePoint& point : step->step.points) {
-      ++std::get<double>(table.rows[diagram.tilts.part(point.tilt, levels)][column]);
+      ++std::get<double>(table.rows[diagram.tilts.part(point.tilt, tilt_levels)][column]);
     }
   }
   return table;

@@ -51,27 +51,6 @@ void check_orbits_output(const Json& output, Problems& problems) {
   }
 }
 
-void check_fragility(const Json& output, Problems& problems) {
-  for (std::size_t i = 0; i < output["curves"].size(); ++i) {
-    const std::string place = "/curves/" + std::to_string(i) + "/levels";
-    const Json& levels = output["curves"][i]["levels"];
-    for (std::size_t j = 0; j < levels.size(); ++j) {
-      if (levels[j]["overturned"] > levels[j]["realisations"]) {
-        reject(problems, place + '/' + std::to_string(j) + "/overturned", "is greater than the number of realisations");
-      }
-      const bool has_exact = levels[j].contains("exact");  // a level of a suite has none
-      if (has_exact && levels[j]["exact"][0] > levels[j]["exact"][1]) {
-        reject(problems, place + '/' + std::to_string(j) + "/exact", "begins above its end");
-      }
-      if (j > 0 && levels[j]["intensity"] <= levels[j - 1]["intensity"]) {
-        reject(problems, place + '/' + std::to_string(j) + "/intensity",
-               "is not greater than that of the previous level");
-      }
-      if (!problems.empty()) return;
-    }
-  }
-}
-
 bool is_in_si_units(const Json& trajectory) { return trajectory.value("units", "normalised") == "si"; }
 
 /// Every state must have the units that the file names, and the scales of the block must be there to convert them.
@@ -115,8 +94,7 @@ struct Format {
 
 void check_output(const Json& output) {
   static const std::map<std::string, Format> formats{{"rocking.trajectory/1", {"trajectory", check_trajectory}},
-                                                     {"rocking.orbits/1", {"orbits", check_orbits_output}},
-                                                     {"rocking.fragility/1", {"fragility", check_fragility}}};
+                                                     {"rocking.orbits/1", {"orbits", check_orbits_output}}};
   const auto format = formats.find(format_of(output));
   if (format == formats.end()) return;
   Problems problems;

@@ -11,27 +11,21 @@
 #include <utility>
 #include <vector>
 
-#include "analysis/output_file.hpp"
 #include "analysis/palette.hpp"
+#include "analysis/suite_layers.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-/// Places of the quantiles of a level in `rocking.fragility/1`.
-constexpr std::array<std::size_t, 3> lower_median_upper{0, 1, 2};
+/// Of the quantiles of a level.
 constexpr std::size_t median_place = 1;
 constexpr std::size_t most_ticks = 6;
 
-const Json& tilt_at(const Json& level, std::size_t quantile) { return level.at("quantiles").at(quantile).at(1); }
-
-void take_largest(const Json& found, double& largest) {
-  for (const Json& level : found) {
-    for (const std::size_t quantile : lower_median_upper) {
-      const Json& tilt = tilt_at(level, quantile);
-      if (!tilt.is_null()) largest = std::max(largest, tilt.get<double>());
-    }
+void take_largest(const std::vector<PeakTiltLevel>& levels, double& largest) {
+  for (const PeakTiltLevel& level : levels) {
+    for (const auto& tilt : level.quantiles) largest = std::max(largest, tilt.value_or(0.0));
   }
 }
 
@@ -46,10 +40,10 @@ double tick_distance(double largest) {
 }
 
 /// The axis of the peak tilt; its last tick is the flat line of the overturned.
-Axis tilt_axis(const Json& analysis) {
+Axis tilt_axis(const IncrementalAnalysis& analysis) {
   double largest = 0.0;
-  take_largest(analysis.at("levels"), largest);
-  for (const Json& record : analysis.at("records")) take_largest(record.at("levels"), largest);
+  take_largest(analysis.all, largest);
+  for (const PeakTiltCurve& record : analysis.records) take_largest(record.levels, largest);
   if (!(largest > 0.0)) largest = 1.0;
   const double distance = tick_distance(largest);
   Axis axis{.quantity = "peak tilt", .symbol = "|Θ|", .unit = ""};
@@ -65,13 +59,13 @@ Axis tilt_axis(const Json& analysis) {
 }
 
 /// A number, or the flat line, or nothing.
-Cell tilt_cell(const Json& tilt, std::optional<double> flat) {
-  if (!tilt.is_null()) return tilt.get<double>();
+Cell tilt_cell(std::optional<double> tilt, std::optional<double> flat) {
+  if (tilt) return *tilt;
   return flat ? Cell(*flat) : Cell();
 }
 
 /// Columns: intensity, realisations, how many overturned, the quantiles. `flat`: in place of overturned quantiles.
-Table quantile_table(const Json& found, std::optional<double> flat) {
+Table quantile_table(const std::vector<PeakTiltLevel>& levels, std::optional<double> flat) {
   Table table{.name = "all records",
               .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
@@ -81,18 +75,15 @@ Table quantile_table(const Json& found, std::optional<double> flat) {
                           {"q84", "84 % quantile of it"}},
               .rows = {}};
   table.only_drawn = flat.has_value();
-  for (const Json& level : found) {
-    table.rows.push_back({level.at("intensity").get<double>(), level.at("realisations").get<double>(),
-                          level.at("overturned").get<double>()});
-    for (const std::size_t quantile : lower_median_upper) {
-      table.rows.back().push_back(tilt_cell(tilt_at(level, quantile), flat));
-    }
+  for (const PeakTiltLevel& level : levels) {
+    table.rows.push_back({level.intensity, static_cast<double>(level.trials), static_cast<double>(level.overturned)});
+    for (const auto& tilt : level.quantiles) table.rows.back().push_back(tilt_cell(tilt, flat));
   }
   return table;
 }
 
 /// Columns: intensity, the median of each record.
-Table record_medians(const Json& records, std::optional<double> flat) {
+Table record_medians(const std::vector<PeakTiltCurve>& records, std::optional<double> flat) {
   Table table{.name = "median of each record",
               .columns = {{"intensity", "intensity of the excitation"}},
               .rows = {},
@@ -100,20 +91,20 @@ Table record_medians(const Json& records, std::optional<double> flat) {
               .only_drawn = flat.has_value()};
   std::map<double, std::vector<Cell>> rows;
   for (std::size_t i = 0; i < records.size(); ++i) {
-    const std::string name = short_value("/excitation/file", records.at(i).at("name"));
+    const std::string name = short_value("/excitation/file", records[i].record);
     table.columns.push_back({"record_" + std::to_string(i + 1), name, true});
-    for (const Json& level : records.at(i).at("levels")) {
-      std::vector<Cell>& row = rows[level.at("intensity").get<double>()];
+    for (const PeakTiltLevel& level : records[i].levels) {
+      std::vector<Cell>& row = rows[level.intensity];
       row.resize(1 + records.size());
-      row[0] = level.at("intensity").get<double>();
-      row[i + 1] = tilt_cell(tilt_at(level, median_place), flat);
+      row[0] = level.intensity;
+      row[i + 1] = tilt_cell(level.quantiles[median_place], flat);
     }
   }
   for (auto& [intensity, row] : rows) table.rows.push_back(std::move(row));
   return table;
 }
 
-void add_records(const Json& records, double flat, Figure& figure) {
+void add_records(const std::vector<PeakTiltCurve>& records, double flat, Figure& figure) {
   const Style thin{.colour = "#999999", .width = 0.6, .size = 0.0};
   const std::size_t table = figure.tables.size();
   figure.tables.push_back(record_medians(records, flat));
@@ -127,11 +118,11 @@ void add_records(const Json& records, double flat, Figure& figure) {
   figure.tables.push_back(record_medians(records, std::nullopt));
 }
 
-void add_quantiles(const Json& found, double flat, Figure& figure) {
+void add_quantiles(const std::vector<PeakTiltLevel>& levels, double flat, Figure& figure) {
   const std::size_t table = figure.tables.size();
-  figure.tables.push_back(quantile_table(found, flat));
+  figure.tables.push_back(quantile_table(levels, flat));
   constexpr std::array<const char*, 3> names{"16 % and 84 % of all", "median of all", ""};
-  for (const std::size_t quantile : lower_median_upper) {
+  for (std::size_t quantile = 0; quantile < peak_tilt_shares.size(); ++quantile) {
     Style bold = style_of_curve(0);
     bold.width = quantile == median_place ? 3.0 : 2.0;
     bold.dash = quantile == median_place ? 1 : 2;
@@ -142,12 +133,12 @@ void add_quantiles(const Json& found, double flat, Figure& figure) {
                                            .style = bold,
                                            .legend = names[quantile]});
   }
-  figure.tables.push_back(quantile_table(found, std::nullopt));
+  figure.tables.push_back(quantile_table(levels, std::nullopt));
 }
 
 /// The flat line, over all levels. It is drawn first, below the others.
-void add_flat_line(const Json& found, double flat, Figure& figure) {
-  if (found.empty()) return;
+void add_flat_line(const std::vector<PeakTiltLevel>& levels, double flat, Figure& figure) {
+  if (levels.empty()) return;
   figure.panels.back().layers.push_back({.kind = LayerKind::line,
                                          .table = figure.tables.size(),
                                          .columns = {0, 1},
@@ -158,34 +149,34 @@ void add_flat_line(const Json& found, double flat, Figure& figure) {
               .rows = {},
               .grid = std::nullopt,
               .only_drawn = true};
-  for (const Json& level : found) table.rows.push_back({level.at("intensity").get<double>(), flat});
+  for (const PeakTiltLevel& level : levels) table.rows.push_back({level.intensity, flat});
   figure.tables.push_back(std::move(table));
 }
 
-std::string resurrections_in_words(const Json& found) {
-  return std::to_string(found.at("trials").get<std::uint64_t>()) + " of " +
-         std::to_string(found.at("of").get<std::uint64_t>()) +
+std::string resurrections_in_words(const Resurrections& found) {
+  return std::to_string(found.trials) + " of " + std::to_string(found.of) +
          " realisations that overturned at some level stood again at a stronger one";
 }
 
-void add_analysis(const Json& analysis, Figure& figure) {
-  std::string others;
-  for (const auto& [pointer, value] : analysis.at("others").items()) {
-    others += (others.empty() ? "" : ", ") + axis_of_parameter(pointer).quantity + ' ' + short_value(pointer, value);
-  }
-  const std::string title = analysis.at("title").get<std::string>() + (others.empty() ? "" : ", ") + others;
+void add_analysis(const ReportedAnalysis& reported, Figure& figure) {
+  const IncrementalAnalysis& analysis = reported.analysis;
+  const std::string others = values_in_words(analysis.others);
+  const std::string title = reported.run.title + (others.empty() ? "" : ", ") + others;
   Axis tilt = tilt_axis(analysis);
   const double flat = tilt.ticks.back().place;
   figure.panels.push_back(
-      {.title = title, .x = axis_of_parameter(analysis.at("parameter")), .y = std::move(tilt), .layers = {}});
-  add_flat_line(analysis.at("levels"), flat, figure);
-  add_records(analysis.at("records"), flat, figure);
-  add_quantiles(analysis.at("levels"), flat, figure);
-  figure.description += (figure.description.empty() ? "" : " ") + resurrections_in_words(analysis.at("resurrections")) +
+      {.title = title, .x = axis_of_parameter(analysis.parameter), .y = std::move(tilt), .layers = {}});
+  add_flat_line(analysis.all, flat, figure);
+  add_records(analysis.records, flat, figure);
+  add_quantiles(analysis.all, flat, figure);
+  figure.description += (figure.description.empty() ? "" : " ") + resurrections_in_words(analysis.resurrections) +
                         (title.empty() ? "." : " (" + title + ").");
 }
 
-Figure drawn_analyses(const Json& analyses) {
+}  // namespace
+
+std::optional<Figure> incremental_figure(const FragilityReport& report) {
+  if (report.incremental.empty()) return std::nullopt;
   Figure figure;
   figure.name = "incremental";
   figure.title = "Incremental dynamic analysis";
@@ -194,21 +185,9 @@ Figure drawn_analyses(const Json& analyses) {
       "and "
       "84 % quantiles (dashed) of all realisations of all records. A quantile that overturned lies on the flat line at "
       "the top; a line that comes down from it shows a resurrection.";
-  for (const Json& analysis : analyses) add_analysis(analysis, figure);
+  for (const ReportedAnalysis& reported : report.incremental) add_analysis(reported, figure);
   if (figure.panels.size() == 1) figure.subtitle = std::exchange(figure.panels.front().title, "");
   return figure;
-}
-
-}  // namespace
-
-std::vector<Figure> incremental_figures(const Json& output) {
-  std::vector<Figure> figures;
-  read_or_refuse(output, [&] {
-    if (output.contains("incremental") && !output.at("incremental").empty()) {
-      figures.push_back(drawn_analyses(output.at("incremental")));
-    }
-  });
-  return figures;
 }
 
 }  // namespace rocking::analysis

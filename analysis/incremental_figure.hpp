@@ -1,16 +1,15 @@
 #pragma once
 
-#include <vector>
+#include <optional>
 
 #include "analysis/figure.hpp"
-#include "rocking/text/json.hpp"
+#include "rocking/output/fragility_report.hpp"
 
 namespace rocking::analysis {
 
-/// The figure `incremental` of the incremental dynamic analyses in the output of `rocking fragility --ida`: for each
-/// analysis a panel with the peak tilt against the intensity. Thin lines are the medians of the records, thick ones the
-/// 16, 50 and 84 % quantiles of all; an overturned block is drawn at a flat line above all tilts. Empty if the output
-/// has no such analysis. Throws base::InputError if `output` is no such output.
-[[nodiscard]] std::vector<Figure> incremental_figures(const Json& output);
+/// The figure `incremental`: for each incremental dynamic analysis a panel with the peak tilt against the intensity. Thin
+/// lines are the medians of the records, thick ones the 16, 50 and 84 % quantiles of all; an overturned block is drawn at
+/// a flat line above all tilts. Absent if the report has no such analysis.
+[[nodiscard]] std::optional<Figure> incremental_figure(const FragilityReport& report);
 
 }  // namespace rocking::analysis

@@ -60,8 +60,9 @@ void collect(const OutputFile& file, Collection& found) {
   } else if (format == "rocking.cost/1") {
     for (Figure& figure : cost_figures(cost_document().read(output))) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.fragility/1") {
-    for (Figure& figure : fragility_figures(output)) found.figures.push_back(std::move(figure));
-    for (Figure& figure : incremental_figures(output)) found.figures.push_back(std::move(figure));
+    const FragilityReport report = fragility_document().read(output);
+    found.figures.push_back(fragility_figure(report));
+    if (auto figure = incremental_figure(report)) found.figures.push_back(std::move(*figure));
   } else if (format == "rocking.motion/1") {
     std::vector<Figure> figures = motion_figures(motion_document().read(output));
     if (figures.empty()) {

@@ -9,7 +9,6 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/shaking_fields.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -204,18 +203,6 @@ Axis axis_of_parameter(const std::string& pointer, Shakings shakings) {
 std::vector<std::optional<Shaking>> shakings_of(const Report& report) {
   std::vector<std::optional<Shaking>> shakings;
   for (const ReportedCondition& condition : report.conditions) shakings.push_back(condition.shaking);
-  return shakings;
-}
-
-std::vector<std::optional<Shaking>> shakings_in(const Json& list) {
-  std::vector<std::optional<Shaking>> shakings;
-  std::vector<base::Problem> problems;
-  for (const Json& each : list) {
-    if (!each.contains("shaking")) return {};
-    type_of<Shaking>().read(each.at("shaking"), {.pointer = "", .problems = &problems},
-                            &shakings.emplace_back().emplace());
-  }
-  if (!problems.empty()) throw base::InputError(std::move(problems));
   return shakings;
 }
 

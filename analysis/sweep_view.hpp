@@ -63,9 +63,6 @@ void add_bars(const SweepView& view, const Table& table, const CategoryBars& bar
 /// The shaking of each condition.
 [[nodiscard]] std::vector<std::optional<Shaking>> shakings_of(const Report& report);
 
-/// That of each object of a list; empty if one of them has none, as in files of earlier versions.
-[[nodiscard]] std::vector<std::optional<Shaking>> shakings_in(const Json& list);
-
 /// A column of a table of all conditions.
 struct ParameterColumn {
   std::string pointer;              ///< of a swept parameter, or `/excitation/` and the key of a form of the shaking

@@ -22,7 +22,7 @@
 #include "progress.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_hazard.hpp"
-#include "rocking/output/write_fragility.hpp"
+#include "rocking/output/fragility_table.hpp"
 #include "rocking/studies/annual_rate.hpp"
 #include "rocking/studies/fragility.hpp"
 #include "rocking/text/files.hpp"
@@ -90,10 +90,10 @@ std::filesystem::path curve_file_in(const std::string& folder) {
   return std::filesystem::path(folder) / "fragility.json";
 }
 
-WrittenFigures draw_fragility(const std::string& text, const std::string& folder, const analysis::FigureLook& look) {
-  const Json output = Json::parse(text);
-  std::vector<analysis::Figure> figures = analysis::fragility_figures(output);
-  for (analysis::Figure& figure : analysis::incremental_figures(output)) figures.push_back(std::move(figure));
+WrittenFigures draw_fragility(const FragilityReport& report, const std::string& folder,
+                              const analysis::FigureLook& look) {
+  std::vector<analysis::Figure> figures{analysis::fragility_figure(report)};
+  if (auto figure = analysis::incremental_figure(report)) figures.push_back(std::move(*figure));
   return write_figures(figures, folder, look);
 }
 
@@ -109,8 +109,9 @@ ExitCode fragility(const FragilityRequest& request) {
     print_notice("interrupted; nothing was written");
     return ExitCode::interrupted;
   }
-  const std::string text = fragility_text(runs);
-  std::string table = fragility_table(runs, request.per_record ? RecordTable::shown : RecordTable::omitted);
+  const FragilityReport report = fragility_report(runs);
+  const std::string text = fragility_document().text(report);
+  std::string table = fragility_table(report, request.per_record ? RecordTable::shown : RecordTable::omitted);
   if (!request.output.empty()) {
     ensure_writable(request.output);
     write_atomically(curve_file_in(request.output), text);
@@ -118,7 +119,7 @@ ExitCode fragility(const FragilityRequest& request) {
   }
   WrittenFigures written;
   if (!request.figures.empty()) {
-    written = draw_fragility(text, request.figures, look);
+    written = draw_fragility(report, request.figures, look);
     table += fmt::format("{}\n", fmt::join(written.files, "\n"));
   }
   print_result(request.loudness.json ? text : base::printable(table));

@@ -6,7 +6,7 @@
 #include "analysis/fragility_figure.hpp"
 #include "analysis/incremental_figure.hpp"
 #include "rocking/ensemble/run.hpp"
-#include "rocking/output/write_fragility.hpp"
+#include "rocking/output/fragility_report.hpp"
 #include "rocking/studies/run_fragility.hpp"
 
 namespace rocking::pages {
@@ -18,9 +18,9 @@ std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const 
   options.threads = threads;
   const RunFragility run = run_fragility(experiment, stripes_of(experiment, store), question, options);
   if (run.suites.empty()) return {};
-  const Json output = Json::parse(fragility_text({run}));
-  std::vector<analysis::Figure> figures = analysis::fragility_figures(output);
-  for (analysis::Figure& figure : analysis::incremental_figures(output)) figures.push_back(std::move(figure));
+  const FragilityReport report = fragility_report({run});
+  std::vector<analysis::Figure> figures{analysis::fragility_figure(report)};
+  if (auto figure = analysis::incremental_figure(report)) figures.push_back(std::move(*figure));
   return figures;
 }
 

@@ -10,7 +10,7 @@
 namespace rocking::pages {
 
 /// Fragility and incremental dynamic analysis of a suite of ground motions, as `rocking fragility --ida` draws them. Empty
-/// if its sweep has no intensity, or with `until`. Throws base::InputError if the store is of an earlier version.
+/// if its sweep has no intensity, or with `until`.
 [[nodiscard]] std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store,
                                                           unsigned threads = 1);
 

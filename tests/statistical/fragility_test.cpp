@@ -292,7 +292,7 @@ void count(const FragilityCurve& curve, const Truth& truth, Statements& found) {
     found.exact += holds(level.exact, p) ? 1 : 0;
     all = all && holds(level.simultaneous, p);
   }
-  found.laws += curve.fit.law ? 1 : 0;
+  found.laws += curve.law ? 1 : 0;
   found.isotonic += curve.levels.front().isotonic ? 1 : 0;
   found.simultaneous += all ? 1 : 0;
 }

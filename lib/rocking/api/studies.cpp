@@ -16,7 +16,7 @@
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/comparison.hpp"
-#include "rocking/output/write_fragility.hpp"
+#include "rocking/output/fragility_report.hpp"
 #include "rocking/output/write_orbits.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/section/period.hpp"
@@ -263,7 +263,8 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
 
 std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
                       const Execution& execution) {
-  return fragility_text({fragility_curves(with_text(experiment), run, question, execution)});
+  return fragility_document().text(
+      fragility_report({fragility_curves(with_text(experiment), run, question, execution)}));
 }
 
 HazardCurve hazard_curve(const std::filesystem::path& file) {

@@ -12,7 +12,7 @@
 
 namespace rocking {
 
-/// How a field without a value stands in a document.
+/// How a field without a value, or an empty list, stands in a document. A list is never null.
 enum class WithoutValue : std::uint8_t { null, omitted };
 
 /// A field of a struct: its key, what it means in one sentence, and how to reach it.
@@ -23,7 +23,7 @@ struct Field {
   WithoutValue without_value = WithoutValue::null;
   const ValueType* type = nullptr;
   void* (*member)(void* owner) = nullptr;          ///< null: derived
-  bool (*has_value)(const void* owner) = nullptr;  ///< of an optional member
+  bool (*has_value)(const void* owner) = nullptr;  ///< of an optional member, or a list
   Json (*derive)(const void* owner) = nullptr;     ///< from other members; written, and not read
   std::vector<void* (*)(void*)> inlined_by = {};   ///< members on the way to the owner, from the outermost on
 
@@ -85,6 +85,10 @@ template <class T>
 inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
+template <class T>
+inline constexpr bool is_list = false;
+template <class T>
+inline constexpr bool is_list<std::vector<T>> = true;
 
 template <class Owner, auto first, auto... rest>
 decltype(auto) reach(Owner& owner) {
@@ -121,6 +125,10 @@ template <auto first, auto... rest>
     made.has_value = [](const void* owner) {
       return detail::reach<const Owner, first, rest...>(*static_cast<const Owner*>(owner)).has_value();
     };
+  } else if constexpr (detail::is_list<detail::Reached<first, rest...>>) {
+    made.has_value = [](const void* owner) {
+      return !detail::reach<const Owner, first, rest...>(*static_cast<const Owner*>(owner)).empty();
+    };
   }
   return made;
 }
@@ -132,10 +140,10 @@ template <auto first, auto... rest>
   return field<first, rest...>(key, sentence, type_of<detail::Reached<first, rest...>>(), rule, without_value);
 }
 
-/// The fields of a member stand among those of its owner, without a key of their own.
-template <auto member>
+/// The fields of a member, or of a member of a member, stand among those of its owner, without a key of their own.
+template <auto... member>
 [[nodiscard]] Field inlined() {
-  return field<member>("", "");
+  return field<member...>("", "");
 }
 
 /// A field whose value is made of several members of its owner; `type` is that of the whole owner.

@@ -5,6 +5,7 @@
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/comparison.hpp"
 #include "rocking/output/cost_report.hpp"
+#include "rocking/output/fragility_report.hpp"
 #include "rocking/output/motion_report.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/output/report.hpp"
@@ -25,7 +26,7 @@ const Document* document_named(std::string_view name) {
 
 std::vector<const Document*> documents() {
   return {&bifurcation_document(), &check_normal_document(), &comparison_document(), &cost_document(),
-          &motion_document(),      &rare_document(),         &report_document()};
+          &fragility_document(),   &motion_document(),       &rare_document(),       &report_document()};
 }
 
 std::string name_of(const Document& document) {

@@ -78,37 +78,37 @@ const StructType& ancestor_fields() {
 
 static const StructType& fields_of(const ReportedRare*) {
   using Reported = ReportedRare;
-  using Estimate = RareEstimate;
+  using Found = RareEstimate;
   constexpr auto estimate = &Reported::estimate;
   static const StructType fields{
       field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
-      field<estimate, &Estimate::probability>("probability", "mean of the repetitions; null: none was finished in time",
-                                              rule::share),
-      field<estimate, &Estimate::interval>(
-          "interval", "of the probability; for a probability 0 from 0 to an upper bound", rule::share),
+      field<estimate, &Found::probability>("probability", "mean of the repetitions; null: none was finished in time",
+                                           rule::share),
+      field<estimate, &Found::interval>("interval", "of the probability; for a probability 0 from 0 to an upper bound",
+                                        rule::share),
       field<&Reported::confidence>("confidence", "of the interval", rule::confidence),
-      field<estimate, &Estimate::relative_error>(
+      field<estimate, &Found::relative_error>(
           "relative_error", "standard error over the probability; null for a probability 0, and for few repetitions",
           rule::not_negative),
-      field<estimate, &Estimate::work>(
+      field<estimate, &Found::work>(
           "work", "simulated time with the pilot run, in realisations to the horizon; no processor time (rare.md)",
           rule::not_negative),
-      field<estimate, &Estimate::crude_work>(
+      field<estimate, &Found::crude_work>(
           "crude_work",
           "realisations that plain sampling needs for the same relative error, (1 - P)/(P error^2); null: unknown",
           rule::not_negative),
-      field<estimate, &Estimate::method>("method", "how the random numbers are changed"),
-      field<estimate, &Estimate::end>("ended", "why no more repetitions were made"),
-      field<estimate, &Estimate::diagnosis>("diagnosis", "what stands in the way of trusting the interval"),
+      field<estimate, &Found::method>("method", "how the random numbers are changed"),
+      field<estimate, &Found::end>("ended", "why no more repetitions were made"),
+      field<estimate, &Found::diagnosis>("diagnosis", "what stands in the way of trusting the interval"),
       field<estimate>("ancestors",
                       "of the repetitions that have seen the event: first trajectories from which those with the event "
                       "descend",
                       ancestor_fields()),
-      field<estimate, &Estimate::levels>("levels", "of the score, rising", rule::not_negative),
-      field<estimate, &Estimate::reached>(
+      field<estimate, &Found::levels>("levels", "of the score, rising", rule::not_negative),
+      field<estimate, &Found::reached>(
           "reached", "mean share of the particles that reach each level, and the event last", rule::share),
-      field<estimate, &Estimate::pilot_work>("pilot_work", "part of `work` that found the levels", rule::not_negative),
-      field<estimate, &Estimate::repetitions>("repetitions", "[estimate, work, ancestors] of each"),
+      field<estimate, &Found::pilot_work>("pilot_work", "part of `work` that found the levels", rule::not_negative),
+      field<estimate, &Found::repetitions>("repetitions", "[estimate, work, ancestors] of each"),
   };
   return fields;
 }

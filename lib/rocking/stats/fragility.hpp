@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rocking/stats/interval.hpp"
@@ -36,6 +38,14 @@ enum class FragilityOutcome : std::uint8_t {
   rejected,       ///< the test of fit rejects the lognormal law
   not_monotone,   ///< the shares contradict every probability that does not decrease with the intensity
 };
+
+inline constexpr std::array all_fragility_outcomes{
+    FragilityOutcome::fitted,     FragilityOutcome::never_happened, FragilityOutcome::always_happened,
+    FragilityOutcome::separated,  FragilityOutcome::does_not_rise,  FragilityOutcome::no_scatter,
+    FragilityOutcome::too_little, FragilityOutcome::rejected,       FragilityOutcome::not_monotone};
+
+/// The name of its enumerator.
+[[nodiscard]] std::string_view to_string(FragilityOutcome outcome);
 
 /// A value with its confidence interval.
 struct Bounded {

@@ -76,7 +76,7 @@ LognormalCapacity capacity_of(const stats::SuiteLaw& law) {
 }
 
 AnnualRate rate_by_law(const FragilityCurve& curve, const Counted& counted) {
-  const stats::LognormalFragility& law = curve.fit.law.value();
+  const stats::LognormalFragility& law = curve.law.value().function;
   AnnualRate found = disaggregated(counted, capacity_of(law));
   const std::vector<HazardPiece> pieces = pieces_between(counted.hazard, counted.start);
   // Derivatives of ln rate by (a, b), from central differences of a hundredth of a standard error.
@@ -93,7 +93,7 @@ AnnualRate rate_by_law(const FragilityCurve& curve, const Counted& counted) {
   const double variance =
       by_a * by_a * law.covariance.aa + 2.0 * by_a * by_b * law.covariance.ab + by_b * by_b * law.covariance.bb;
   if (!std::isfinite(variance)) return found;  // the rate is too small for a double
-  const double reach = stats::two_sided_t_quantile(curve.confidence, law.degrees_of_freedom);
+  const double reach = stats::two_sided_t_quantile(curve.subject.confidence, law.degrees_of_freedom);
   const double factor = std::exp(reach * std::sqrt(std::max(0.0, variance)));
   found.interval = stats::Interval{.low = found.value / factor, .high = found.value * factor};
   return found;
@@ -120,20 +120,22 @@ AnnualRate rate_by_levels(const FragilityCurve& curve, const Counted& counted) {
 
 }  // namespace
 
+std::string_view to_string(RateSource source) { return source == RateSource::law ? "law" : "levels"; }
+
 AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard) {
   ROCKING_EXPECT(!curve.levels.empty());
-  const Counted what = counted(hazard, curve.levels, curve.least_uplift);
-  return curve.fit.law ? rate_by_law(curve, what) : rate_by_levels(curve, what);
+  const Counted what = counted(hazard, curve.levels, curve.subject.least_uplift);
+  return curve.law ? rate_by_law(curve, what) : rate_by_levels(curve, what);
 }
 
 std::optional<AnnualRate> annual_rate(const SuiteCurve& curve, const HazardCurve& hazard) {
   if (!curve.pooled) return std::nullopt;
-  const Counted what = counted(hazard, curve.levels, curve.least_uplift);
-  AnnualRate found = disaggregated(what, capacity_of(curve.pooled->law));
+  const Counted what = counted(hazard, curve.levels, curve.subject.least_uplift);
+  AnnualRate found = disaggregated(what, capacity_of(curve.pooled->law()));
   const std::vector<HazardPiece> pieces = pieces_between(hazard, what.start);
   std::vector<double> rates;
   for (const stats::SuiteLaw& sample : curve.bootstrap.laws) rates.push_back(rate_of(capacity_of(sample), pieces));
-  found.interval = stats::percentile_interval(std::move(rates), curve.bootstrap.samples, curve.confidence);
+  found.interval = stats::percentile_interval(std::move(rates), curve.bootstrap.samples, curve.subject.confidence);
   return found;
 }
 

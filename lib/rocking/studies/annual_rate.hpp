@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rocking/scene/hazard.hpp"
@@ -24,6 +25,9 @@ enum class RateSource : std::uint8_t {
   law,     ///< the fitted function
   levels,  ///< no function is fitted: the levels, interpolated linearly in ln x
 };
+
+/// The name of its enumerator.
+[[nodiscard]] std::string_view to_string(RateSource source);
 
 /// Mean annual rate of the event. Where the least intensity that lifts the block is known, it counts from there on.
 struct AnnualRate {

@@ -55,7 +55,6 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
   if (group.is_suite()) {
     ShownSuite& shown =
         run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, how)});
-    shown.has_hazard = question.hazard.has_value();
     if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   } else {
     ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});

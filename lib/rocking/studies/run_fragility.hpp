@@ -21,11 +21,10 @@ struct ShownCurve {
   std::optional<AnnualRate> rate = std::nullopt;
 };
 
-/// The curve of a suite.
+/// The curve of a suite; with the annual rate where a hazard curve is given and the suite has a law.
 struct ShownSuite {
   SuiteCurve curve;
-  bool has_hazard = false;                        ///< whether a hazard curve is given
-  std::optional<AnnualRate> rate = std::nullopt;  ///< absent also where the suite has no law
+  std::optional<AnnualRate> rate = std::nullopt;
 };
 
 /// The curves of a run.

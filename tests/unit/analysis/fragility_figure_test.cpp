@@ -11,12 +11,18 @@
 #include <gmock/gmock.h>
 
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/text/json.hpp"
 
 namespace {
 
 using namespace rocking::analysis;
-using rocking::Json;
+using rocking::FragilityEvent;
+using rocking::FragilityLevel;
+using rocking::FragilityReport;
+using rocking::PooledSuite;
+using rocking::RecordCurve;
+using rocking::ReportedCurve;
+using rocking::ReportedSuite;
+using rocking::SuiteLevel;
 using ::testing::HasSubstr;
 
 double number(const Cell& cell) { return std::get<double>(cell); }
@@ -29,33 +35,44 @@ const Layer* layer_of(const Figure& figure, LayerKind kind) {
 }
 
 /// A suite with the law of median 0.5 and dispersion 0.5.
-Json suite(const Json& event) {
-  Json curve = Json::parse(R"({ "title": "five sines", "sha256": "a", "parameter": "/excitation/pga_g", "others": {},
-    "confidence": 0.95, "outcome": "fitted",
-    "pooled": { "median": { "value": 0.5, "interval": [0.4, 0.6] }, "dispersion": { "value": 0.5, "interval": [0.3, 0.8] },
-                "between_records": { "value": 0.4 }, "within_record": { "value": 0.3 } },
-    "records": [ { "name": "a.at2", "levels": [ { "intensity": 0.2, "estimate": 0.0 }, { "intensity": 0.8, "estimate": 1.0 } ] } ],
-    "levels": [] })");
-  curve["event"] = event;
+ReportedSuite suite(const FragilityEvent& event) {
+  ReportedSuite reported{.run = {.title = "five sines"}, .curve = {}, .rate = {}};
+  reported.curve.subject = {.parameter = "/excitation/pga_g", .others = {}, .event = event, .least_uplift = {}};
+  PooledSuite& pooled = reported.curve.pooled.emplace();
+  pooled.median.value = 0.5;
+  pooled.between_records.value = 0.4;
+  pooled.within_record.value = 0.3;
+  RecordCurve& record = reported.curve.records.emplace_back();
+  record.name = "a.at2";
+  record.curve.levels.resize(2);
+  record.curve.levels[0].intensity = 0.2;
+  record.curve.levels[1].intensity = 0.8;
+  record.curve.levels[1].estimate = 1.0;
   for (const double intensity : {0.2, 0.4, 0.8}) {
     const double z = std::log(intensity / 0.5) / 0.5;
-    curve["levels"].push_back({{"intensity", intensity},
-                               {"records", 5},
-                               {"realisations", 100},
-                               {"overturned", 50},
-                               {"estimate", 0.5 * intensity},
-                               {"fitted", rocking::stats::normal_cdf(z)},
-                               {"band", {rocking::stats::normal_cdf(z - 0.5), rocking::stats::normal_cdf(z + 0.5)}}});
+    SuiteLevel& level = reported.curve.levels.emplace_back();
+    level.intensity = intensity;
+    level.records = 5;
+    level.happened = {.successes = 50, .trials = 100};
+    level.estimate = 0.5 * intensity;
+    level.fitted = rocking::stats::normal_cdf(z);
+    level.band = {.low = rocking::stats::normal_cdf(z - 0.5), .high = rocking::stats::normal_cdf(z + 0.5)};
   }
-  return curve;
+  return reported;
 }
 
-Figure figure_of(const std::vector<Json>& curves) {
-  return fragility_figures({{"format", "rocking.fragility/1"}, {"curves", curves}}).at(0);
+template <class... Reported>
+Figure figure_of(const Reported&... curves) {
+  FragilityReport report;
+  (report.curves.emplace_back(curves), ...);
+  return fragility_figure(report);
 }
+
+constexpr FragilityEvent overturning_event;
+constexpr FragilityEvent tilt_event{.peak_tilt = 0.5};
 
 TEST(SuiteFigure, ShowsTheObservedSharesBesideASmoothLaw) {
-  const Figure figure = figure_of({suite("overturned")});
+  const Figure figure = figure_of(suite(overturning_event));
   const Layer* points = layer_of(figure, LayerKind::points);
   ASSERT_NE(points, nullptr);
   const Table& levels = figure.tables[points->table];
@@ -78,31 +95,39 @@ TEST(SuiteFigure, ShowsTheObservedSharesBesideASmoothLaw) {
 }
 
 TEST(SuiteFigure, ShowsTheObservedSharesWithoutALawToo) {
-  Json curve = suite("overturned");
-  curve["pooled"] = nullptr;
-  for (Json& level : curve["levels"]) level["fitted"] = level["band"] = nullptr;
-  const Figure figure = figure_of({curve});
+  ReportedSuite reported = suite(overturning_event);
+  reported.curve.pooled.reset();
+  for (SuiteLevel& level : reported.curve.levels) {
+    level.fitted.reset();
+    level.band.reset();
+  }
+  const Figure figure = figure_of(reported);
   const Layer* points = layer_of(figure, LayerKind::points);
   ASSERT_NE(points, nullptr);
 }
 
 TEST(SuiteFigure, CallsAProbabilityByItsEvent) {
-  const Json tilt = {{"peak_tilt", 0.5}};
-  EXPECT_EQ(figure_of({suite("overturned")}).panels[0].y.quantity, "probability of overturning");
-  const Figure tilted = figure_of({suite(tilt)});
-  EXPECT_EQ(tilted.panels[0].y.quantity, "probability of peak tilt > 0.5");
-  EXPECT_EQ(tilted.title, "Probability of peak tilt > 0.5 as a function of intensity");
-  const Figure both = figure_of({suite("overturned"), suite(tilt)});
+  EXPECT_EQ(figure_of(suite(overturning_event)).panels[0].y.quantity, "probability of overturning");
+  const Figure of_tilt = figure_of(suite(tilt_event));
+  EXPECT_EQ(of_tilt.panels[0].y.quantity, "probability of peak tilt > 0.5");
+  EXPECT_EQ(of_tilt.title, "Probability of peak tilt > 0.5 as a function of intensity");
+  const Figure both = figure_of(suite(overturning_event), suite(tilt_event));
   ASSERT_EQ(both.panels.size(), 1U);
   EXPECT_EQ(both.panels[0].y.quantity, "probability");
   EXPECT_EQ(both.title, "Probability as a function of intensity");
 }
 
 TEST(FragilityFigure, CallsTheCurvesOfPeakTiltsByTheirEvent) {
-  Json curve = Json::parse(R"({ "title": "t", "sha256": "a", "parameter": "/excitation/amplitude", "others": {},
-    "confidence": 0.95, "outcome": "does_not_rise", "law": null, "event": { "peak_tilt": 0.5 },
-    "levels": [ { "intensity": 1.0, "realisations": 10, "overturned": 2, "estimate": 0.2, "exact": [0.1, 0.4] } ] })");
-  const Figure figure = figure_of({curve});
+  ReportedCurve reported{.run = {.title = "t"}, .curve = {}, .rate = {}};
+  reported.curve.subject = {
+      .parameter = "/excitation/amplitude", .others = {}, .event = tilt_event, .least_uplift = {}};
+  reported.curve.outcome = rocking::stats::FragilityOutcome::does_not_rise;
+  FragilityLevel& level = reported.curve.levels.emplace_back();
+  level.intensity = 1.0;
+  level.overturned = {.successes = 2, .trials = 10};
+  level.estimate = 0.2;
+  level.exact = {.low = 0.1, .high = 0.4};
+  const Figure figure = figure_of(reported);
   EXPECT_EQ(figure.panels[0].y.quantity, "probability of peak tilt > 0.5");
   EXPECT_EQ(layer_of(figure, LayerKind::error_bars)->legend, "peak tilt > 0.5");
   EXPECT_THAT(figure.caption, HasSubstr("share of the realisations with peak tilt > 0.5"));

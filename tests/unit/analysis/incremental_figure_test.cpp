@@ -14,16 +14,15 @@ namespace {
 
 using rocking::Json;
 using rocking::analysis::Figure;
-using rocking::analysis::incremental_figures;
+using rocking::analysis::incremental_figure;
 using rocking::analysis::Layer;
 using rocking::analysis::Table;
 using ::testing::HasSubstr;
-using ::testing::IsEmpty;
 
 /// Two records and three levels; the second record overturns at the second level and stands at the third.
 Json analysed() {
   return Json::parse(R"({ "format": "rocking.fragility/1", "curves": [], "incremental": [ {
-    "title": "two", "sha256": "", "parameter": "/excitation/pga_g", "others": {},
+    "title": "two", "sha256": "0123456789012345678901234567890123456789012345678901234567890123", "parameter": "/excitation/pga_g", "others": {},
     "resurrections": { "trials": 3, "of": 4 },
     "levels": [
       { "intensity": 0.2, "realisations": 8, "overturned": 0, "quantiles": [[0.16, 0.1], [0.5, 0.2], [0.84, 0.3]] },
@@ -42,9 +41,7 @@ Json analysed() {
 }
 
 Figure only_figure(const Json& output) {
-  const std::vector<Figure> figures = incremental_figures(output);
-  EXPECT_EQ(figures.size(), 1U);
-  return figures.front();
+  return incremental_figure(rocking::fragility_document().read(output)).value();
 }
 
 std::vector<double> drawn_by(const Figure& figure, const Layer& layer) {
@@ -84,10 +81,10 @@ TEST(IncrementalFigure, ShowsReadersTheQuantilesWithoutPlacesOfTheFlatLine) {
 }
 
 TEST(IncrementalFigure, IsThereOnlyWithAnAnalysisAndRefusesOtherFiles) {
-  EXPECT_THAT(incremental_figures(Json::parse(R"({ "format": "rocking.fragility/1", "curves": [] })")), IsEmpty());
+  EXPECT_FALSE(incremental_figure({}).has_value());
   Json broken = analysed();
   broken["incremental"][0]["levels"][0].erase("quantiles");
-  EXPECT_THROW(static_cast<void>(incremental_figures(broken)), rocking::base::InputError);
+  EXPECT_THROW(static_cast<void>(only_figure(broken)), rocking::base::InputError);
   Json still = analysed();  // no tilt at all
   for (Json& level : still["incremental"][0]["levels"]) level["quantiles"] = {{0.16, 0.0}, {0.5, 0.0}, {0.84, 0.0}};
   still["incremental"][0]["records"] = Json::array();

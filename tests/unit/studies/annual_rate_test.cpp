@@ -18,8 +18,10 @@ const HazardCurve& power_law() {  // H = 1e-3 x^-2
 
 SuiteCurve suite_with(double median, double between, double within) {
   SuiteCurve curve;
-  curve.pooled.emplace();
-  curve.pooled->law = {.median = median, .between_records = between, .within_record = within, .log_likelihood = 0.0};
+  PooledSuite& pooled = curve.pooled.emplace();
+  pooled.median.value = median;
+  pooled.between_records.value = between;
+  pooled.within_record.value = within;
   for (const double x : {0.5, 1.0, 2.0}) {
     curve.levels.push_back({.intensity = x, .records = 1, .happened = {}, .estimate = 0.0, .fitted = {}, .band = {}});
   }
@@ -55,7 +57,7 @@ TEST(AnnualRate, DoesNotCountIntensitiesThatCannotLiftTheBlock) {
   SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
   const AnnualRate plain = annual_rate(curve, power_law()).value();
   EXPECT_EQ(plain.impossible, 0.0);
-  curve.least_uplift = 0.8;
+  curve.subject.least_uplift = 0.8;
   const AnnualRate cut = annual_rate(curve, power_law()).value();
   EXPECT_NEAR(cut.value + cut.impossible, plain.value, 1e-12 * plain.value);
   // Integral of Phi(ln x/s) 2e-3 x^-3 dx above 0.8, by parts: exp(2 s^2) 1e-3 (1 - Phi(u)) + Phi(z) H(0.8), u = z + 2 s.
@@ -76,7 +78,7 @@ TEST(AnnualRate, DoesNotCountIntensitiesThatCannotLiftTheBlock) {
 
 TEST(AnnualRate, CountsFromTheFirstPointOfTheHazardIfTheBlockLiftsBelow) {
   SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
-  curve.least_uplift = 0.004;
+  curve.subject.least_uplift = 0.004;
   const AnnualRate rate = annual_rate(curve, power_law()).value();
   EXPECT_EQ(rate.impossible, 0.0);
   EXPECT_EQ(rate.by_level.front().from, 0.01);
@@ -87,7 +89,7 @@ TEST(AnnualRate, CountsFromTheFirstPointOfTheHazardIfTheBlockLiftsBelow) {
 TEST(AnnualRate, TakesALevelAtTheLeastUpliftAsTested) {
   for (const double rounded : {1.0 - 1e-15, 1.0, 1.0 + 1e-15}) {
     SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
-    curve.least_uplift = 0.5 * rounded;
+    curve.subject.least_uplift = 0.5 * rounded;
     const AnnualRate rate = annual_rate(curve, power_law()).value();
     ASSERT_EQ(rate.by_level.size(), 3U) << rounded;
     EXPECT_TRUE(rate.by_level.front().is_tested) << rounded;
@@ -105,7 +107,7 @@ TEST(AnnualRate, OfLevelsOrOfOneMotionIsCutAtTheLeastUpliftToo) {
   for (const auto& given : {levels, scattered}) {
     FragilityCurve curve = fragility_curve(given, 0.95, 1);
     const AnnualRate plain = annual_rate(curve, power_law());
-    curve.least_uplift = 1.25;
+    curve.subject.least_uplift = 1.25;
     const AnnualRate cut = annual_rate(curve, power_law());
     EXPECT_NEAR(cut.value + cut.impossible, plain.value, 1e-12 * plain.value);
     EXPECT_GT(cut.impossible, 0.0);
@@ -122,7 +124,7 @@ TEST(AnnualRate, WithoutAFunctionLiesBetweenTheRatesThatItsLevelsAllow) {
   std::vector<stats::IntensityLevel> levels;
   for (const double x : {0.5, 1.0, 2.0}) levels.push_back({.intensity = x, .happened = std::vector<bool>(20, x > 1.5)});
   const FragilityCurve curve = fragility_curve(levels, 0.95, 1);
-  ASSERT_FALSE(curve.fit.law);
+  ASSERT_FALSE(curve.law);
   const AnnualRate rate = annual_rate(curve, power_law());
   EXPECT_EQ(rate.source, RateSource::levels);
   // All above 2, none below 1, and linear in ln x between.

@@ -23,15 +23,15 @@ TEST(FragilityCurve, StatesEstimateAndIntervalsAtEachLevel) {
   ASSERT_EQ(curve.levels.size(), 3U);
   const FragilityLevel& middle = curve.levels[1];
   const stats::Proportion counts{.successes = 12, .trials = 20};
-  EXPECT_EQ(curve.confidence, confidence);
+  EXPECT_EQ(curve.subject.confidence, confidence);
   EXPECT_EQ(middle.intensity, 2.0);
   EXPECT_EQ(middle.estimate, 0.6);
   EXPECT_EQ(middle.exact.low, stats::clopper_pearson(counts, confidence).low);
   EXPECT_EQ(middle.simultaneous.high, stats::bonferroni_clopper_pearson(counts, confidence, 3).high);
-  ASSERT_TRUE(curve.fit.law.has_value());
+  ASSERT_TRUE(curve.law.has_value());
   ASSERT_TRUE(middle.fitted.has_value());
-  EXPECT_EQ(middle.fitted->value, curve.fit.law->probability(2.0));
-  EXPECT_EQ(middle.fitted->band.low, curve.fit.law->band(2.0, confidence).low);
+  EXPECT_EQ(*middle.fitted, curve.law->function.probability(2.0));
+  EXPECT_EQ(middle.band.value().low, curve.law->function.band(2.0, confidence).low);
   EXPECT_FALSE(middle.isotonic.has_value());
   EXPECT_EQ(curve.missed_levels(), 0U);
   ASSERT_TRUE(curve.test.has_value());
@@ -46,16 +46,17 @@ TEST(FragilityCurve, RepeatsItsTestWithTheSeed) {
   EXPECT_NE(test(seed).as_large, test(seed + 1).as_large);
 }
 
-TEST(FragilityCurve, KnowsWhichIntensitiesAreExtrapolated) {
-  const FragilityCurve curve =
+TEST(FragilityCurve, KnowsWhetherItsMedianIsExtrapolated) {
+  const FragilityCurve below =
       fragility_curve({level(1.0, 5, 100), level(2.0, 20, 100), level(3.0, 42, 100)}, 0.95, seed);
-  ASSERT_TRUE(curve.fit.law.has_value());
-  const double median = curve.fit.law->median(0.95).value;
-  EXPECT_GT(median, 3.0);
-  EXPECT_TRUE(curve.is_extrapolated(median));
-  EXPECT_TRUE(curve.is_extrapolated(0.99));
-  EXPECT_FALSE(curve.is_extrapolated(1.0));
-  EXPECT_FALSE(curve.is_extrapolated(3.0));
+  ASSERT_TRUE(below.law.has_value());
+  EXPECT_GT(below.law->median.value, 3.0);
+  EXPECT_TRUE(below.law->is_extrapolated);
+  const FragilityCurve around =
+      fragility_curve({level(1.0, 3, 100), level(2.0, 33, 100), level(3.0, 64, 100)}, 0.95, seed);
+  ASSERT_TRUE(around.law.has_value());
+  EXPECT_LT(around.law->median.value, 3.0);
+  EXPECT_FALSE(around.law->is_extrapolated);
 }
 
 // The shares stand still between two rises, which no lognormal function does.
@@ -63,14 +64,15 @@ TEST(FragilityCurve, ReplacesARejectedFunctionByTheIsotonicEstimate) {
   const FragilityCurve curve = fragility_curve(
       {level(1.0, 2, 100), level(2.0, 50, 100), level(3.0, 54, 100), level(4.0, 46, 100), level(5.0, 98, 100)}, 0.95,
       seed);
-  EXPECT_EQ(curve.fit.outcome, stats::FragilityOutcome::rejected);
-  EXPECT_FALSE(curve.fit.law.has_value());
+  EXPECT_EQ(curve.outcome, stats::FragilityOutcome::rejected);
+  EXPECT_FALSE(curve.law.has_value());
   EXPECT_EQ(curve.test.value().as_large, 0U);
   const std::vector<double> pooled{0.02, 0.5, 0.5, 0.5, 0.98};
   for (std::size_t i = 0; i < 5; ++i) {
     EXPECT_FALSE(curve.levels[i].fitted.has_value());
     ASSERT_TRUE(curve.levels[i].isotonic.has_value());
     EXPECT_EQ(*curve.levels[i].isotonic, pooled[i]);
+    EXPECT_EQ(curve.levels[i].band.value().high, curve.levels[i].simultaneous.high);
   }
 }
 
@@ -80,7 +82,7 @@ TEST(FragilityCurve, KeepsTheIsotonicEstimateWithinTheSimultaneousIntervals) {
   for (int i = 0; i < 20; ++i) levels.push_back(level(3.0 + i, 50, 100));
   levels.push_back(level(30.0, 100, 100));
   const FragilityCurve curve = fragility_curve(levels, 0.95, seed);
-  ASSERT_EQ(curve.fit.outcome, stats::FragilityOutcome::rejected);
+  ASSERT_EQ(curve.outcome, stats::FragilityOutcome::rejected);
   double last = 0.0;
   for (const FragilityLevel& level : curve.levels) {
     EXPECT_LE(level.simultaneous.low, level.isotonic.value());
@@ -95,8 +97,8 @@ TEST(FragilityCurve, KeepsTheIsotonicEstimateWithinTheSimultaneousIntervals) {
 TEST(FragilityCurve, GivesTheLevelsAloneWhereTheSharesFall) {
   const FragilityCurve curve = fragility_curve(
       {level(1.0, 40, 400), level(2.0, 280, 400), level(3.0, 120, 400), level(4.0, 360, 400)}, 0.95, seed);
-  EXPECT_EQ(curve.fit.outcome, stats::FragilityOutcome::not_monotone);
-  EXPECT_FALSE(curve.fit.law.has_value());
+  EXPECT_EQ(curve.outcome, stats::FragilityOutcome::not_monotone);
+  EXPECT_FALSE(curve.law.has_value());
   EXPECT_TRUE(curve.test.has_value());
   for (const FragilityLevel& level : curve.levels) EXPECT_FALSE(level.fitted || level.isotonic);
 }
@@ -113,8 +115,8 @@ TEST(FragilityCurve, InventsNothingWhereEveryLevelIsZeroOrAHundredPerCent) {
         levels.push_back(level(1.0 + 0.01 * i, (pattern >> i & 1U) != 0 ? trials : 0, trials));
       }
       const FragilityCurve curve = fragility_curve(levels, 0.95, seed);
-      EXPECT_NE(curve.fit.outcome, stats::FragilityOutcome::fitted) << pattern;
-      EXPECT_FALSE(curve.fit.law.has_value());
+      EXPECT_NE(curve.outcome, stats::FragilityOutcome::fitted) << pattern;
+      EXPECT_FALSE(curve.law.has_value());
       EXPECT_FALSE(curve.test.has_value());
       ASSERT_EQ(curve.levels.size(), 21U);
       for (const FragilityLevel& found : curve.levels) {

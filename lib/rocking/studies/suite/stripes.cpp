@@ -17,9 +17,6 @@
 namespace rocking {
 namespace {
 
-constexpr std::array<std::string_view, 6> intensity_pointers{"/excitation/amplitude",      "/excitation/amplitude_g",
-                                                             "/excitation/amplitude_m_s2", "/excitation/scale",
-                                                             "/excitation/pga_g",          "/excitation/pgv_m_s"};
 constexpr std::string_view record_pointer = "/excitation/file";
 
 double number_in(const std::string& json) {
@@ -108,7 +105,7 @@ std::vector<Stripe> filled(const Experiment& experiment, const Store& store) {
 
 }  // namespace
 
-std::string_view name_of(IntensityMeasure measure) {
+std::string_view to_string(IntensityMeasure measure) {
   switch (measure) {
     case IntensityMeasure::pga: return "pga_g";
     case IntensityMeasure::pgv: return "pgv_m_s";
@@ -138,6 +135,14 @@ std::optional<double> StripeGroup::least_uplift() const {
   return std::isinf(least) ? std::nullopt : std::optional(least);
 }
 
+CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event) {
+  return {.parameter = group.parameter,
+          .others = group.others,
+          .confidence = group.confidence,
+          .event = event,
+          .least_uplift = group.least_uplift()};
+}
+
 stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event) {
   stats::IntensityLevel level{.intensity = stripe.intensity, .happened = stripe.overturned};
   if (!event.peak_tilt) return level;
@@ -149,8 +154,8 @@ stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event
 
 std::string_view intensity_of(const Experiment& experiment) {
   for (const Parameter& parameter : experiment.conditions.front().parameters) {
-    const auto found = std::find(intensity_pointers.begin(), intensity_pointers.end(), parameter.pointer);
-    if (found != intensity_pointers.end()) return *found;
+    const auto found = std::find(all_intensity_pointers.begin(), all_intensity_pointers.end(), parameter.pointer);
+    if (found != all_intensity_pointers.end()) return *found;
   }
   return {};
 }
@@ -174,6 +179,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     }
     stripes[i].record = std::move(place.record);
     stripes[i].intensity = place.intensity;
+    stripes[i].shaking = shaking_of(experiment.conditions[i].scene);
     stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
     set_measures(experiment.conditions[i].scene, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "rocking/scene/experiment.hpp"
+#include "rocking/scene/shaking.hpp"
 #include "rocking/stats/fragility.hpp"
 
 namespace rocking {
@@ -22,6 +23,15 @@ struct FragilityEvent {
   friend bool operator==(const FragilityEvent&, const FragilityEvent&) = default;
 };
 
+/// What a fragility function is about.
+struct CurveSubject {
+  std::string parameter;               ///< JSON pointer to the intensity
+  std::vector<Parameter> others;       ///< the rest of the sweep, without the ground motion
+  double confidence = 0.95;            ///< that the experiment asks for
+  FragilityEvent event;                ///< what is counted as overturned
+  std::optional<double> least_uplift;  ///< StripeGroup::least_uplift; not of the curve of one record
+};
+
 /// Measures of the intensity of a recorded motion.
 enum class IntensityMeasure : std::uint8_t {
   pga,        ///< peak ground acceleration over g [-]
@@ -32,8 +42,8 @@ enum class IntensityMeasure : std::uint8_t {
 inline constexpr std::array all_intensity_measures{IntensityMeasure::pga, IntensityMeasure::pgv,
                                                    IntensityMeasure::pga_ratio, IntensityMeasure::pgv_ratio};
 
-/// The word for a measure in files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`.
-[[nodiscard]] std::string_view name_of(IntensityMeasure measure);
+/// In files: `pga_g`, `pgv_m_s`, `pga_over_g_tan_psi`, `p_pgv_over_g_tan_psi`.
+[[nodiscard]] std::string_view to_string(IntensityMeasure measure);
 
 /// What a stripe of a multiple-stripe analysis holds: all realisations of one block under one motion at one level.
 struct Stripe {
@@ -42,6 +52,7 @@ struct Stripe {
   std::array<std::optional<double>, all_intensity_measures.size()> measures = {};  ///< by IntensityMeasure
   std::vector<bool> overturned;                                                    ///< by number of the realisation
   std::vector<double> peak_tilts;                                                  ///< likewise
+  std::optional<Shaking> shaking = std::nullopt;                                   ///< of its scene
   std::optional<double> uplift = std::nullopt;  ///< rocking::least_uplift of its scene
 
   [[nodiscard]] std::optional<double> measure(IntensityMeasure which) const {
@@ -64,12 +75,17 @@ struct StripeGroup {
   [[nodiscard]] std::optional<double> least_uplift() const;
 };
 
+[[nodiscard]] CurveSubject subject_of(const StripeGroup& group, const FragilityEvent& event);
+
 /// Outcomes of a stripe. An overturned block has exceeded every peak tilt.
 [[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
 
-/// JSON pointer to the intensity that an experiment sweeps: `/excitation/amplitude`, `/excitation/amplitude_g`,
-/// `/excitation/amplitude_m_s2`, `/excitation/scale`, `/excitation/pga_g` or `/excitation/pgv_m_s`; empty where it
-/// sweeps none of them.
+/// JSON pointers to numbers that are intensities of the excitation.
+inline constexpr std::array<std::string_view, 6> all_intensity_pointers{
+    "/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2",
+    "/excitation/scale",     "/excitation/pga_g",       "/excitation/pgv_m_s"};
+
+/// The one of them that an experiment sweeps; empty where it sweeps none.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
 
 /// Groups by the grid of the other entries of the sweep. An intensity of 0 has no logarithm and is left out. Throws

@@ -43,13 +43,13 @@ template <class Value>
 std::optional<stats::Interval> interval_of_samples(const SuiteCurve& curve, Value&& value) {
   std::vector<double> values;
   for (const stats::SuiteLaw& law : curve.bootstrap.laws) values.push_back(value(law));
-  return stats::percentile_interval(std::move(values), curve.bootstrap.samples, curve.confidence);
+  return stats::percentile_interval(std::move(values), curve.bootstrap.samples, curve.subject.confidence);
 }
 
 SuiteEstimate estimate_of(const stats::SuiteLevels& suite, const stats::SuiteLaw& law, stats::SuiteQuantity quantity,
                           const SuiteCurve& curve) {
   return {.value = value_of(quantity, law),
-          .interval = profile_interval(suite, law, quantity, curve.confidence),
+          .interval = profile_interval(suite, law, quantity, curve.subject.confidence),
           .bootstrap = interval_of_samples(
               curve, [quantity](const stats::SuiteLaw& sample) { return value_of(quantity, sample); })};
 }
@@ -64,11 +64,11 @@ void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, const base:
   std::array<SuiteEstimate, quantities.size()> found;
   base::for_each_part(how, quantities.size(),
                       [&](std::size_t i) { found[i] = estimate_of(suite, *fit.law, quantities[i], curve); });
-  curve.pooled = PooledSuite{.law = *fit.law,
-                             .median = found[0],
+  curve.pooled = PooledSuite{.median = found[0],
                              .dispersion = found[1],
                              .between_records = found[2],
-                             .within_record = found[3]};
+                             .within_record = found[3],
+                             .log_likelihood = fit.law->log_likelihood};
 }
 
 void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
@@ -80,10 +80,10 @@ void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
     dispersions.push_back(sample.dispersion);
   }
   const std::uint64_t samples = curve.bootstrap.samples;
-  curve.simple =
-      SimpleLaw{.median = {law->median, stats::percentile_interval(medians, samples, curve.confidence)},
-                .dispersion = {law->dispersion, stats::percentile_interval(dispersions, samples, curve.confidence)},
-                .deviance = law->deviance};
+  curve.simple = SimpleLaw{
+      .median = {law->median, stats::percentile_interval(medians, samples, curve.subject.confidence)},
+      .dispersion = {law->dispersion, stats::percentile_interval(dispersions, samples, curve.subject.confidence)},
+      .deviance = law->deviance};
 }
 
 std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const SuiteCurve& curve) {
@@ -102,7 +102,7 @@ std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const Sui
   for (auto& [intensity, level] : levels) {
     level.estimate /= static_cast<double>(level.records);
     if (curve.pooled) {
-      level.fitted = curve.pooled->law.probability(intensity);
+      level.fitted = curve.pooled->law().probability(intensity);
       level.band =
           interval_of_samples(curve, [x = intensity](const stats::SuiteLaw& law) { return law.probability(x); });
     }
@@ -119,15 +119,21 @@ std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const Fragi
     std::vector<stats::IntensityLevel> levels;
     for (const Stripe& stripe : records[r]) levels.push_back(level_of(stripe, event));
     FragilityCurve curve = fragility_curve(levels, group.confidence, seed, {.stop = how.stop});
-    curve.parameter = group.parameter;
-    curve.others = group.others;
-    curve.event = event;
+    curve.subject = subject_of(group, event);
+    curve.subject.least_uplift.reset();
     curves[r] = {.name = records[r].front().record, .curve = std::move(curve)};
   });
   return curves;
 }
 
 }  // namespace
+
+stats::SuiteLaw PooledSuite::law() const {
+  return {.median = median.value,
+          .between_records = between_records.value,
+          .within_record = within_record.value,
+          .log_likelihood = log_likelihood};
+}
 
 std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const FragilityEvent& event,
                                            const base::ManyParts& how) {
@@ -136,22 +142,27 @@ std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, c
     const bool has_measure = std::all_of(stripes.begin(), stripes.end(), [&](const Stripe& stripe) {
       return stripe.measure(measure) && *stripe.measure(measure) > 0.0;
     });
-    if (has_measure) ranked.push_back({.measure = measure, .law = std::nullopt});
+    if (has_measure) ranked.emplace_back().measure = measure;
   }
   base::for_each_part(how, ranked.size(), [&](std::size_t i) {
     RankedMeasure& found = ranked[i];
-    found.law = stats::fit_suite(levels_of_records(stripes, event, found.measure)).law;
-    if (!found.law) return;
-    found.deviance = -2.0 * found.law->log_likelihood;
-    found.aic = found.deviance + 2.0 * parameters_of_a_law;
+    const auto law = stats::fit_suite(levels_of_records(stripes, event, found.measure)).law;
+    if (!law) return;
+    found.median = law->median;
+    found.dispersion = law->dispersion();
+    found.between_records = law->between_records;
+    found.within_record = law->within_record;
+    found.deviance = -2.0 * law->log_likelihood;
+    found.aic = *found.deviance + 2.0 * parameters_of_a_law;
   });
   std::stable_sort(ranked.begin(), ranked.end(), [](const RankedMeasure& a, const RankedMeasure& b) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     // Measures that are proportional to each other have equal laws up to rounding; they keep their order.
     const auto key = [](const RankedMeasure& found) {
-      return found.law ? std::round(1e6 * found.law->dispersion()) : infinity;
+      return std::tuple(found.dispersion ? std::round(1e6 * *found.dispersion) : infinity,
+                        std::round(1e3 * found.deviance.value_or(0.0)));
     };
-    return std::tuple(key(a), std::round(1e3 * a.deviance)) < std::tuple(key(b), std::round(1e3 * b.deviance));
+    return key(a) < key(b);
   });
   return ranked;
 }
@@ -165,15 +176,15 @@ SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, st
                        const base::ManyParts& how) {
   ROCKING_EXPECT(group.is_suite());
   SuiteCurve curve;
-  curve.parameter = group.parameter;
-  curve.others = group.others;
-  curve.confidence = group.confidence;
-  curve.event = event;
-  curve.least_uplift = group.least_uplift();
+  curve.subject = subject_of(group, event);
   const stats::SuiteLevels suite = levels_of_records(group.stripes, event);
   set_pooled(suite, seed, how, curve);
   set_simple(suite, curve);
   curve.levels = pooled_levels(suite, curve);
+  if (curve.pooled) {
+    const double median = curve.pooled->median.value;
+    curve.pooled->is_extrapolated = median < curve.levels.front().intensity || curve.levels.back().intensity < median;
+  }
   curve.records = curves_of_records(group, event, seed, how);
   curve.measures = ranked_measures(group.stripes, event, how);
   return curve;

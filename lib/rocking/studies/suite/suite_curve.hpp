@@ -31,8 +31,12 @@ struct SimpleEstimate {
 
 /// The law of a suite with its intervals.
 struct PooledSuite {
-  stats::SuiteLaw law;
-  SuiteEstimate median, dispersion, between_records, within_record;
+  SuiteEstimate median;
+  bool is_extrapolated = false;  ///< the median lies outside the levels
+  SuiteEstimate dispersion, between_records, within_record;
+  double log_likelihood = 0.0;
+
+  [[nodiscard]] stats::SuiteLaw law() const;
 };
 
 /// The pooled law of Baker (2015).
@@ -58,20 +62,17 @@ struct RecordCurve {
 };
 
 /// How well a measure of intensity predicts the event: the law of the suite with this measure as its intensity.
+/// Numbers are absent where no law could be fitted.
 struct RankedMeasure {
   IntensityMeasure measure = IntensityMeasure::pga;
-  std::optional<stats::SuiteLaw> law;  ///< absent where none could be fitted
-  double deviance = 0.0;               ///< -2 ln likelihood, without binomial coefficients
-  double aic = 0.0;  ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
+  std::optional<double> median, dispersion, between_records, within_record;
+  std::optional<double> deviance;  ///< -2 ln likelihood, without binomial coefficients
+  std::optional<double> aic;  ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
 };
 
 /// Fragility of a suite of records.
 struct SuiteCurve {
-  std::string parameter;          ///< JSON pointer to the intensity
-  std::vector<Parameter> others;  ///< the rest of the sweep
-  double confidence = 0.95;
-  FragilityEvent event;
-  std::optional<double> least_uplift;                                 ///< of the group (StripeGroup)
+  CurveSubject subject;
   stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
   std::optional<PooledSuite> pooled;
   std::optional<SimpleLaw> simple;

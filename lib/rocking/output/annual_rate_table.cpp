@@ -1,10 +1,10 @@
-#include "rocking/output/write_annual_rate.hpp"
+#include "rocking/output/annual_rate_table.hpp"
 
 #include <vector>
 
 #include "rocking/output/fragility_words.hpp"
-#include "rocking/output/result_json.hpp"
 #include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -44,38 +44,15 @@ std::string extrapolation_text(const AnnualRate& rate, std::optional<double> lea
 
 }  // namespace
 
-Json annual_rate_json(const std::optional<AnnualRate>& rate) {
-  if (!rate) return nullptr;
-  Json json = Json::object();
-  json["value"] = rate->value;
-  json["interval"] = rate->interval ? interval_json(*rate->interval) : Json();
-  json["from"] = rate->source == RateSource::law ? "law" : "levels";
-  json["impossible"] = rate->impossible;
-  json["below_levels"] = rate->below_levels;
-  json["untested_share"] = rate->untested_share;
-  json["probability_at_first"] = rate->probability_at_first;
-  json["measure_assumed"] = rate->is_measure_assumed;
-  Json& ranges = json["by_level"] = Json::array();
-  for (const RateInRange& range : rate->by_level) {
-    ranges.push_back({{"from", range.from},
-                      {"to", range.to ? Json(*range.to) : Json()},
-                      {"rate", range.rate},
-                      {"share", range.share},
-                      {"tested", range.is_tested}});
-  }
-  return json;
-}
-
-std::string annual_rate_table(const AnnualRate& rate, const FragilityEvent& event, const std::string& parameter,
-                              std::optional<double> least_uplift) {
-  const std::string measure = last_key(parameter);
-  std::string text = value_text(rate, event);
+std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject) {
+  const std::string measure = last_key(subject.parameter);
+  std::string text = value_text(rate, subject.event);
   if (rate.source == RateSource::levels) {
     text +=
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
-  text += range_table(rate, measure) + extrapolation_text(rate, least_uplift);
+  text += range_table(rate, measure) + extrapolation_text(rate, subject.least_uplift);
   if (rate.probability_at_first > 0.001) {
     text += "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
             " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";

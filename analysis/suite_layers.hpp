@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "analysis/figure.hpp"
+#include "rocking/output/fragility_report.hpp"
+
+namespace rocking::analysis {
+
+/// Points at which a law is drawn, less one.
+inline constexpr int points_of_a_law = 120;
+
+/// `overturned`, or `peak tilt > 0.5`.
+[[nodiscard]] std::string event_in_words(const FragilityEvent& event);
+/// Of what a probability is: `overturning`, or `peak tilt > 0.5`.
+[[nodiscard]] std::string probability_of(const FragilityEvent& event);
+/// Quantities and values; empty if there are none.
+[[nodiscard]] std::string values_in_words(const std::vector<Parameter>& others);
+
+/// Adds to the last panel curve `number` of its run: a thin line through the shares of each record of a suite, the means
+/// of these shares as markers, and the law of the suite with its band.
+void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure);
+
+}  // namespace rocking::analysis

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "rocking/studies/annual_rate.hpp"
+
+namespace rocking {
+
+/// The rate and its disaggregation as lines.
+[[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject);
+
+}  // namespace rocking

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "rocking/fields/struct_type.hpp"
+#include "rocking/output/fragility_report.hpp"
+
+/// How the parts of a fragility report stand in documents.
+namespace rocking {
+
+/// `[low, high]`; an infinite upper end is null.
+[[nodiscard]] const ValueType& open_interval_type();
+
+[[nodiscard]] const StructType& fields_of(const CurveRun*);
+[[nodiscard]] const StructType& fields_of(const CurveSubject*);
+/// Of a curve without its subject, as each record of a suite has one.
+[[nodiscard]] const StructType& fields_of(const FragilityCurve*);
+[[nodiscard]] const StructType& fields_of(const AnnualRate*);
+[[nodiscard]] const StructType& fields_of(const ReportedSuite*);
+[[nodiscard]] const StructType& fields_of(const ReportedAnalysis*);
+
+template <>
+struct TypeOf<stats::FragilityOutcome> {
+  static const ValueType& get();
+};
+
+}  // namespace rocking

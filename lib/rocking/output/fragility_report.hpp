@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "rocking/base/digest.hpp"
+#include "rocking/fields/document.hpp"
+#include "rocking/studies/run_fragility.hpp"
+
+namespace rocking {
+
+/// The run to which a curve belongs.
+struct CurveRun {
+  std::string title;
+  base::Sha256 experiment = {};  ///< digest of its canonical text
+};
+
+/// The curve of one motion.
+struct ReportedCurve {
+  CurveRun run;
+  FragilityCurve curve;
+  std::optional<AnnualRate> rate;  ///< absent without a hazard curve
+};
+
+/// The curve of a suite of ground motions.
+struct ReportedSuite {
+  CurveRun run;
+  SuiteCurve curve;
+  std::optional<AnnualRate> rate;  ///< absent without a hazard curve, and where the suite has no law
+};
+
+/// The incremental dynamic analysis of a run.
+struct ReportedAnalysis {
+  CurveRun run;
+  IncrementalAnalysis analysis;
+};
+
+/// Probabilities of overturning against the intensity, of several runs.
+struct FragilityReport {
+  std::vector<std::variant<ReportedCurve, ReportedSuite>> curves;
+  std::vector<ReportedAnalysis> incremental;
+};
+
+[[nodiscard]] FragilityReport fragility_report(const std::vector<RunFragility>& runs);
+
+[[nodiscard]] const StructType& fields_of(const FragilityReport*);
+
+/// `fragility.json`, and the output of `rocking fragility --json`.
+[[nodiscard]] const DocumentOf<FragilityReport>& fragility_document();
+
+}  // namespace rocking

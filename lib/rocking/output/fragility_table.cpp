@@ -1,0 +1,182 @@
+#include "rocking/output/fragility_table.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "rocking/output/annual_rate_table.hpp"
+#include "rocking/output/fragility_words.hpp"
+#include "rocking/output/shaking_text.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+using stats::FragilityOutcome;
+
+/// The words that replace a fit.
+std::string_view words_for(FragilityOutcome outcome) {
+  switch (outcome) {
+    case FragilityOutcome::fitted: return "";
+    case FragilityOutcome::never_happened:
+      return "no function is fitted: the block never overturned; add higher intensities";
+    case FragilityOutcome::always_happened:
+      return "no function is fitted: the block always overturned; add lower intensities";
+    case FragilityOutcome::separated:
+      return "no function is fitted: the block never overturned below an intensity and always above it; add "
+             "intensities between";
+    case FragilityOutcome::does_not_rise:
+      return "no function is fitted: the share of overturned realisations does not clearly increase with intensity, "
+             "or too\nfew realisations differ to show it";
+    case FragilityOutcome::no_scatter:
+      return "no function is fitted: the realisations overturn at the same levels, or differ in one way only, so the "
+             "uncertainty\ncannot be estimated; make more parameters random, or add realisations and intensities";
+    case FragilityOutcome::rejected:
+      return "the lognormal function is rejected; the isotonic estimate and its band, of all levels at once, take its "
+             "place";
+    case FragilityOutcome::not_monotone:
+      return "no function describes these levels: the share of overturned realisations falls as the intensity "
+             "increases,\nwhich contradicts the lognormal function and every other that only rises";
+    case FragilityOutcome::too_little: break;
+  }
+  return "no function is fitted: this requires two intensities, and two realisations with different random numbers";
+}
+
+/// Pointers to all swept parameters.
+std::vector<std::string> swept_in(const FragilityCurve& curve) {
+  std::vector<std::string> swept{curve.subject.parameter};
+  for (const Parameter& other : curve.subject.others) swept.push_back(other.pointer);
+  return swept;
+}
+
+/// `2.31 [2.20, 2.43]`; outside the levels `> 1.2 (extrapolated: 1.31 [1.24, 1.42])`.
+std::string median_in_words(const FragilityCurve& curve) {
+  const stats::Bounded& median = curve.law->median;
+  if (!curve.law->is_extrapolated) return bounded_in_words(median);
+  const bool is_above = curve.levels.back().intensity < median.value;
+  const double nearest = is_above ? curve.levels.back().intensity : curve.levels.front().intensity;
+  return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + bounded_in_words(median) + ')';
+}
+
+std::string in_words(const stats::LackOfFit& test) {
+  return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
+         std::to_string(test.samples) + " bootstrap samples)\n";
+}
+
+TextRow row_of(const FragilityLevel& level) {
+  TextRow row{significant(level.intensity, 6),
+              std::to_string(level.overturned.trials),
+              per_cent(level.estimate) + count_if_open(level.overturned.successes, level.overturned.trials),
+              per_cent(level.exact),
+              ".",
+              "."};
+  if (level.fitted) row[4] = per_cent(*level.fitted) + (level.is_missed() ? " *" : "");
+  if (level.isotonic) row[4] = per_cent(*level.isotonic);
+  if (level.band) row[5] = per_cent(*level.band);
+  return row;
+}
+
+std::string curve_table(const FragilityCurve& curve) {
+  const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
+  std::vector<TextRow> rows{{last_key(curve.subject.parameter), "n", column_of(curve.subject.event), "exact",
+                             is_isotonic ? "isotonic" : "fitted", "band"}};
+  std::vector<std::optional<Shaking>> shakings;
+  for (const FragilityLevel& level : curve.levels) shakings.push_back(level.shaking);
+  const auto beside = shaking_columns(swept_in(curve), shakings);
+  rows.front().insert(rows.front().begin() + 1, beside.begin(), beside.end());
+  for (std::size_t i = 0; i < curve.levels.size(); ++i) {
+    TextRow row = row_of(curve.levels[i]);
+    for (std::size_t k = beside.size(); k-- > 0;) row.insert(row.begin() + 1, column_cell(shakings[i], beside[k]));
+    rows.push_back(std::move(row));
+  }
+  const std::string common = common_shaking(swept_in(curve), shakings);
+  std::string text = aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
+  if (curve.law) {
+    text += "median " + median_in_words(curve) + ", dispersion " + bounded_in_words(curve.law->dispersion) + '\n';
+  } else {
+    text += std::string(words_for(curve.outcome)) + '\n';
+  }
+  if (curve.test) text += in_words(*curve.test);
+  const std::size_t missed = curve.missed_levels();
+  if (missed == 0) return text;
+  return text + "* at " + std::to_string(missed) + " of " + std::to_string(curve.levels.size()) +
+         " levels the fitted function lies outside the simultaneous exact interval: it does not describe these data\n";
+}
+
+const stats::Proportion& counted_at(const FragilityLevel& level) { return level.overturned; }
+const stats::Proportion& counted_at(const SuiteLevel& level) { return level.happened; }
+
+/// Largest number of realisations of a level.
+template <class Levels>
+std::uint64_t most_realisations(const Levels& levels) {
+  std::uint64_t most = 0;
+  for (const auto& level : levels) most = std::max(most, counted_at(level).trials);
+  return most;
+}
+
+/// What the tables of a report have, for the legends below them.
+struct Shown {
+  bool has_curve = false, has_isotonic = false, has_suite = false;
+  std::uint64_t most = 0;  ///< realisations of a level
+};
+
+std::string legends(const Shown& shown) {
+  std::string text;
+  if (shown.has_curve) {
+    text +=
+        "per cent of n realisations [exact interval of each level alone]; fitted: lognormal function of maximum "
+        "likelihood "
+        "with its\nband; realisations with the same index use common random numbers at all levels; intervals treat "
+        "them as one\ncluster" +
+        count_legend(shown.most) + '\n';
+  }
+  if (shown.has_isotonic) {
+    text += "isotonic: most likely probabilities that do not decrease; their band covers all levels at once\n";
+  }
+  if (shown.has_suite) {
+    text +=
+        "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within "
+        "records; "
+        "its band\nis a bootstrap over records; the probability is that of a record like those of the suite" +
+        count_legend(shown.most) + '\n';
+  }
+  return text;
+}
+
+std::string table_of(const ReportedCurve& reported, RecordTable, Shown& shown) {
+  shown.has_curve = true;
+  shown.has_isotonic = shown.has_isotonic || reported.curve.outcome == FragilityOutcome::rejected;
+  return curve_table(reported.curve);
+}
+
+std::string table_of(const ReportedSuite& reported, RecordTable records, Shown& shown) {
+  shown.has_suite = true;
+  return suite_table(reported.curve, records);
+}
+
+}  // namespace
+
+std::string fragility_table(const FragilityReport& report, RecordTable records) {
+  std::string text;
+  Shown shown;
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&](const auto& reported) {
+          const CurveSubject& subject = reported.curve.subject;
+          shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
+          text += heading_of_curve(reported.run.title, subject.others) + table_of(reported, records, shown);
+          if (reported.rate) text += annual_rate_table(*reported.rate, subject);
+          text += '\n';
+        },
+        curve);
+  }
+  for (const auto& [run, analysis] : report.incremental) {
+    text += heading_of_curve(run.title, analysis.others) + incremental_table(analysis) + '\n';
+  }
+  return text + legends(shown);
+}
+
+}  // namespace rocking

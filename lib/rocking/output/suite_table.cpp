@@ -1,0 +1,113 @@
+#include "rocking/output/suite_table.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "rocking/output/fragility_words.hpp"
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+std::string_view words_for_suite(stats::FragilityOutcome outcome) {
+  switch (outcome) {
+    case stats::FragilityOutcome::never_happened: return "it never happened; add higher intensities";
+    case stats::FragilityOutcome::always_happened: return "it always happened; add lower intensities";
+    case stats::FragilityOutcome::separated:
+      return "every record has its threshold between the same levels, so the scatter may be 0; add intensities between";
+    case stats::FragilityOutcome::does_not_rise: return "the share does not clearly increase with intensity";
+    default: break;
+  }
+  return "this requires two records and two intensities";
+}
+
+std::string bootstrap_text(const std::optional<stats::Interval>& interval) {
+  return interval ? interval_in_words(*interval) : ".";
+}
+
+std::string law_table(const SuiteCurve& curve) {
+  if (!curve.pooled) return "no law is fitted: " + std::string(words_for_suite(curve.outcome)) + '\n';
+  const PooledSuite& pooled = *curve.pooled;
+  std::vector<TextRow> rows{{"", "value", "profile likelihood", "bootstrap over records"}};
+  for (const auto& [name, estimate] :
+       {std::pair{"median", &pooled.median}, std::pair{"dispersion", &pooled.dispersion},
+        std::pair{"between records", &pooled.between_records}, std::pair{"within a record", &pooled.within_record}}) {
+    rows.push_back({name, significant(estimate->value, 3), interval_in_words(estimate->interval),
+                    bootstrap_text(estimate->bootstrap)});
+  }
+  std::string text = aligned(rows);
+  if (pooled.is_extrapolated) text += "the median lies outside the levels: it is extrapolated\n";
+  if (pooled.within_record.value == 0.0) {
+    text += "the outcomes of every record are a step: its realisations show no scatter at these levels\n";
+  }
+  return text;
+}
+
+std::string simple_text(const SimpleLaw& simple) {
+  return "pooled law without records (Baker 2015): median " + significant(simple.median.value, 3) + ' ' +
+         bootstrap_text(simple.median.bootstrap) + ", dispersion " + significant(simple.dispersion.value, 3) + ' ' +
+         bootstrap_text(simple.dispersion.bootstrap) + '\n';
+}
+
+std::string level_table_of(const SuiteCurve& curve) {
+  std::vector<TextRow> rows{
+      {last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event), "fitted", "band"}};
+  for (const SuiteLevel& level : curve.levels) {
+    rows.push_back({significant(level.intensity, 6), std::to_string(level.records),
+                    std::to_string(level.happened.trials),
+                    per_cent(level.estimate) + count_if_open(level.happened.successes, level.happened.trials),
+                    level.fitted ? per_cent(*level.fitted) : ".", level.band ? per_cent(*level.band) : "."});
+  }
+  return aligned(rows);
+}
+
+std::string record_table(const SuiteCurve& curve) {
+  std::vector<TextRow> rows{{"record", "outcome", "median", "dispersion"}};
+  for (const RecordCurve& record : curve.records) {
+    const auto& law = record.curve.law;
+    rows.push_back({record.name, std::string(to_string(record.curve.outcome)),
+                    law ? bounded_in_words(law->median) : ".", law ? bounded_in_words(law->dispersion) : "."});
+  }
+  return aligned(rows);
+}
+
+std::string measure_table(const std::vector<RankedMeasure>& measures) {
+  std::vector<TextRow> rows{{"measure", "median", "dispersion", "between", "within", "deviance", "AIC"}};
+  for (const RankedMeasure& found : measures) {
+    TextRow row{std::string(to_string(found.measure))};
+    const auto add = [&row](const std::optional<double>& number, int digits) {
+      row.push_back(number ? significant(*number, digits) : ".");
+    };
+    for (const auto& number : {found.median, found.dispersion, found.between_records, found.within_record})
+      add(number, 3);
+    for (const auto& number : {found.deviance, found.aic}) add(number, 6);
+    rows.push_back(std::move(row));
+  }
+  return "measures of intensity, smallest dispersion first\n" + aligned(rows);
+}
+
+}  // namespace
+
+std::string suite_table(const SuiteCurve& curve, RecordTable records) {
+  std::string text = level_table_of(curve) + law_table(curve);
+  if (curve.simple) text += simple_text(*curve.simple);
+  if (records == RecordTable::shown) text += record_table(curve);
+  if (!curve.measures.empty()) text += measure_table(curve.measures);
+  return text;
+}
+
+std::string incremental_table(const IncrementalAnalysis& analysis) {
+  std::vector<TextRow> rows{{last_key(analysis.parameter), "n", "overturned", "16 %", "median", "84 %"}};
+  for (const PeakTiltLevel& level : analysis.all) {
+    TextRow row{significant(level.intensity, 6), std::to_string(level.trials), std::to_string(level.overturned)};
+    for (const auto& quantile : level.quantiles) row.push_back(quantile ? significant(*quantile, 3) : "overturned");
+    rows.push_back(std::move(row));
+  }
+  return aligned(rows) + "peak tilt, abs(theta)/psi, over all records and realisations\n" +
+         std::to_string(analysis.resurrections.trials) + " of " + std::to_string(analysis.resurrections.of) +
+         " realisations that overturned at some level stood again at a stronger one\n";
+}
+
+}  // namespace rocking

@@ -163,7 +163,8 @@ std::string description_of(const ReportedSuite& reported) {
   const SuiteCurve& curve = reported.curve;
   const std::string begin = reported.run.title + ": ";
   if (!curve.pooled) return begin + "no law of the suite (" + std::string(to_string(curve.outcome)) + ").";
-  const auto& [median, is_extrapolated, dispersion, between, within, likelihood] = *curve.pooled;
+  const SuiteEstimate& median = curve.pooled->median;
+  const SuiteEstimate& dispersion = curve.pooled->dispersion;
   return begin + "median " + value_and_interval(median.value, median.interval) + ", dispersion " +
          value_and_interval(dispersion.value, dispersion.interval) + '.' + uplift_sentence(curve.subject);
 }

@@ -244,6 +244,17 @@ TEST_F(SuiteFragility, AnalysesPeakTiltsAndCountsResurrections) {
                                  HasSubstr("stood again at a stronger one")));
 }
 
+TEST_F(SuiteFragility, SaysThatASuiteWithoutALawHasNoAnnualRate) {
+  Json calm = experiment();
+  calm["sweep"][0]["values"] = {0.01, 0.02};
+  write("e.json", calm.dump());
+  run();
+  EXPECT_THAT(rocking("fragility out --hazard hazard.csv").output, HasSubstr("no annual rate: the suite has no law"));
+  const Json curve = fragility("--hazard hazard.csv")["curves"][0];
+  EXPECT_TRUE(curve.at("annual_rate").is_null()) << curve.dump();
+  EXPECT_FALSE(fragility()["curves"][0].contains("annual_rate"));
+}
+
 // Far more curves than a fraction of a second allows. Without --foreground `timeout` may send the signal twice, and the
 // second one kills the program.
 TEST_F(SuiteFragility, IsStoppedByASignalWithoutWriting) {

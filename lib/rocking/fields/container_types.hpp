@@ -34,6 +34,29 @@ struct TypeOf<std::optional<T>> {
   static const ValueType& get() { return the_only<Type>(); }
 };
 
+/// A key that may be absent, and whose value may be null: for fields that are omitted without a value.
+template <class T>
+struct TypeOf<std::optional<std::optional<T>>> {
+  class Type final : public ValueType {
+   public:
+    [[nodiscard]] Json json(const void* value) const override {
+      const auto& held = *static_cast<const std::optional<std::optional<T>>*>(value);
+      return held ? inner().json(&*held) : Json();
+    }
+    void read(const Json& json, const ReadingPlace& place, void* value) const override {
+      inner().read(json, place, &static_cast<std::optional<std::optional<T>>*>(value)->emplace());
+    }
+    [[nodiscard]] Json schema(const Rule& rule) const override { return inner().schema(rule); }
+    void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
+      inner().describe(prefix, rows);
+    }
+
+   private:
+    static const ValueType& inner() { return type_of<std::optional<T>>(); }
+  };
+  static const ValueType& get() { return the_only<Type>(); }
+};
+
 /// A list of any length, or of `size` entries.
 template <class List, std::size_t size = 0>
 class ListType : public ValueType {

@@ -262,7 +262,7 @@ static const StructType& fields_of(const ReportedCurve*) {
       inlined<&Reported::run>(),
       inlined<&Reported::curve, &FragilityCurve::subject>(),
       inlined<&Reported::curve>(),
-      field<&Reported::rate>("annual_rate", "with `--hazard`", {}, WithoutValue::omitted),
+      field<&Reported::rate>("annual_rate", "with `--hazard`; null: a suite without a law", {}, WithoutValue::omitted),
   };
   return fields;
 }

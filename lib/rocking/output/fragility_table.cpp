@@ -157,6 +157,15 @@ std::string table_of(const ReportedSuite& reported, RecordTable records, Shown& 
   return suite_table(reported.curve, records);
 }
 
+std::string rate_text(const std::optional<AnnualRate>& rate, const CurveSubject& subject) {
+  return rate ? annual_rate_table(*rate, subject) : "";
+}
+
+std::string rate_text(const std::optional<std::optional<AnnualRate>>& asked, const CurveSubject& subject) {
+  if (!asked) return "";
+  return *asked ? annual_rate_table(**asked, subject) : "no annual rate: the suite has no law\n";
+}
+
 }  // namespace
 
 std::string fragility_table(const FragilityReport& report, RecordTable records) {
@@ -168,7 +177,7 @@ std::string fragility_table(const FragilityReport& report, RecordTable records) 
           const CurveSubject& subject = reported.curve.subject;
           shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
           text += heading_of_curve(reported.run.title, subject.others) + table_of(reported, records, shown);
-          if (reported.rate) text += annual_rate_table(*reported.rate, subject);
+          text += rate_text(reported.rate, subject);
           text += '\n';
         },
         curve);

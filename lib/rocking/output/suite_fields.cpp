@@ -156,7 +156,8 @@ const StructType& fields_of(const ReportedSuite*) {
   static const StructType fields{
       inlined<&ReportedSuite::run>(),
       inlined<&ReportedSuite::curve>(),
-      field<&ReportedSuite::rate>("annual_rate", "with `--hazard`, and a law", {}, WithoutValue::omitted),
+      field<&ReportedSuite::rate>("annual_rate", "with `--hazard`; null: the suite has no law", {},
+                                  WithoutValue::omitted),
   };
   return fields;
 }

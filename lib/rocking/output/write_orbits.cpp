@@ -7,7 +7,7 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/output/mode_table.hpp"
-#include "rocking/output/result_json.hpp"
+#include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
@@ -195,7 +195,7 @@ Json labels_json(const std::vector<OrbitsOfCondition>& conditions) {
 }
 
 std::string condition_json(const OrbitsOfCondition& found, const Condition& condition) {
-  std::string text = "\n    { \"parameters\": " + parameters_json(condition).dump();
+  std::string text = "\n    { \"parameters\": " + type_of<std::vector<Parameter>>().json(&condition.parameters).dump();
   text += ",\n      \"run\": " + run_json(found).dump();
   text += ",\n      \"searches\": " + std::to_string(found.searches);
   text += ", \"converged\": " + std::to_string(found.converged) + ",\n      \"orbits\": [";

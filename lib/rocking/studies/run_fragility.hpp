@@ -21,10 +21,10 @@ struct ShownCurve {
   std::optional<AnnualRate> rate = std::nullopt;
 };
 
-/// The curve of a suite; with the annual rate where a hazard curve is given and the suite has a law.
+/// The curve of a suite; with the annual rate, or its absence without a law, where a hazard curve is given.
 struct ShownSuite {
   SuiteCurve curve;
-  std::optional<AnnualRate> rate = std::nullopt;
+  std::optional<std::optional<AnnualRate>> rate = std::nullopt;
 };
 
 /// The curves of a run.

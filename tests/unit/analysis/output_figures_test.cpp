@@ -377,6 +377,23 @@ TEST(FragilityFigure, SaysThatAMedianIsExtrapolated) {
   EXPECT_THAT(described(json), HasSubstr("median 5.5 [4.5, unbounded], dispersion"));
 }
 
+TEST(FragilityFigure, RefusesLevelsThatContradictThemselves) {
+  const auto refusal = [](const char* key, const Json& value) -> std::string {
+    Json json = sample_fragility();
+    json["curves"][0]["levels"][1][key] = value;
+    try {
+      static_cast<void>(output_figures({{"f.json", json.dump()}}, {}));
+    } catch (const rocking::base::InputError& error) {
+      return error.what();
+    }
+    return "accepted";
+  };
+  EXPECT_EQ(refusal("overturned", 100), "accepted");
+  EXPECT_THAT(refusal("overturned", 101), HasSubstr("/curves/0/levels/1/overturned"));
+  EXPECT_THAT(refusal("intensity", 1.0), HasSubstr("not greater than that of the previous level"));
+  EXPECT_THAT(refusal("exact", {0.6, 0.4}), HasSubstr("/curves/0/levels/1/exact"));
+}
+
 TEST(OutputFigures, AreOfEachFileAndOfAllTogether) {
   const std::string text = sample_trajectory().dump();
   std::vector<std::string> names;

@@ -5,12 +5,10 @@
 #include <cmath>
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "analysis/output_file.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/output/parameter_names.hpp"
 
@@ -19,39 +17,35 @@ namespace {
 
 constexpr double most_tilt = 2.0;  ///< of an axis: some unstable orbits go far beyond the balance
 
-/// The kinds of bifurcation as in the file, with the marker of each.
-constexpr std::array<std::pair<std::string_view, int>, 5> markers{
-    {{"fold", 9}, {"period_doubling", 5}, {"symmetry_breaking", 13}, {"grazing", 2}, {"contact_change", 1}}};
+/// With the marker of each.
+constexpr std::array<std::pair<BifurcationKind, int>, 5> markers{{{BifurcationKind::fold, 9},
+                                                                  {BifurcationKind::period_doubling, 5},
+                                                                  {BifurcationKind::symmetry_breaking, 13},
+                                                                  {BifurcationKind::grazing, 2},
+                                                                  {BifurcationKind::contact_change, 1}}};
 
-std::string in_words(std::string_view kind) {
-  std::string words(kind);
+std::string words_of(BifurcationKind kind) {
+  std::string words(to_string(kind));
   std::ranges::replace(words, '_', ' ');
   return words;
 }
-
-bool is_stable(const Json& point) { return point.at("stable").is_boolean() && point.at("stable").get<bool>(); }
 
 Column value_column(const std::string& pointer) { return {last_key(pointer), label_of(axis_of_parameter(pointer))}; }
 
 /// The lines of all orbits that are stable, or of all that are not: one line for each point of the section, separated by
 /// empty rows. A line goes on to the first point behind a change of stability.
-Table line_table(const Json& output, bool stable) {
+Table line_table(const FoundBranches& found, bool stable) {
   Table table{.name = stable ? "stable orbits" : "unstable orbits",
-              .columns = {value_column(output.at("parameter")), {"tilt", "Θ at the strobe"}, {"branch", "its place"}},
+              .columns = {value_column(found.pointer), {"tilt", "Θ at the strobe"}, {"branch", "its place"}},
               .rows = {}};
   double place = 0.0;
-  for (const Json& branch : output.at("branches")) {
-    const Json& points = branch.at("points");
-    const auto period = branch.at("period").get<std::size_t>();
-    for (std::size_t k = 0; k < period; ++k) {
+  for (const OrbitBranch& branch : found.study.branches) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(branch.period); ++k) {
       bool is_open = false;
-      for (std::size_t i = 0; i < points.size(); ++i) {
-        const bool belongs = is_stable(points[i]) == stable;
+      for (const BranchPoint& point : branch.points) {
+        const bool belongs = point.orbit.stability.is_stable() == stable;
         const bool follows = is_open && !belongs;
-        if (belongs || follows) {
-          table.rows.push_back(
-              {points[i].at("value").get<double>(), points[i].at("points").at(k).at(0).get<double>(), place});
-        }
+        if (belongs || follows) table.rows.push_back({point.value, point.orbit.points[k].point.tilt, place});
         if (follows) table.rows.push_back({Cell{}, Cell{}, Cell{}});
         is_open = belongs;
       }
@@ -62,32 +56,31 @@ Table line_table(const Json& output, bool stable) {
   return table;
 }
 
-Table bifurcation_table(const Json& output, std::string_view kind) {
-  Table table{.name = in_words(kind),
-              .columns = {value_column(output.at("parameter")),
+Table bifurcation_table(const FoundBranches& found, BifurcationKind kind) {
+  Table table{.name = words_of(kind),
+              .columns = {value_column(found.pointer),
                           {"tilt", "Θ at the strobe"},
                           {"error", "error of the parameter"},
                           {"branch", "its place"}},
               .rows = {}};
-  for (const Json& one : output.at("bifurcations")) {
-    if (one.at("kind").get<std::string>() != kind || one.at("orbit").is_null()) continue;
-    for (const Json& point : one.at("orbit").at("points")) {
-      table.rows.push_back({one.at("value").get<double>(), point.at(0).get<double>(), one.at("error").get<double>(),
-                            one.at("branch").get<double>()});
+  for (const Bifurcation& one : found.study.bifurcations) {
+    if (one.kind != kind || !one.orbit) continue;
+    for (const SectionState& state : one.orbit->points) {
+      table.rows.push_back({one.value, state.point.tilt, one.error, static_cast<double>(one.branch)});
     }
   }
   return table;
 }
 
 /// Orbits on which the runs ended.
-Table run_table(const Json& output) {
-  const std::string pointer = output.at("parameter");
+Table run_table(const OrbitStudy& study) {
+  const std::string& pointer = study.branches->pointer;
   Table table{.name = "ends of runs", .columns = {value_column(pointer), {"tilt", "Θ at the strobe"}}, .rows = {}};
-  for (const Json& condition : output.at("conditions")) {
-    const Json& place = condition.at("run").at("orbit");
-    if (place.is_null()) continue;
-    for (const Json& point : condition.at("orbits").at(place.get<std::size_t>()).at("points")) {
-      table.rows.push_back({condition.at("parameters").at(pointer).get<double>(), point.at(0).get<double>()});
+  for (const OrbitsOfCondition& condition : study.conditions) {
+    const std::optional<double> value = swept_number(condition, pointer);
+    if (!condition.run_on || !value) continue;
+    for (const SectionState& state : condition.orbits[*condition.run_on].points) {
+      table.rows.push_back({*value, state.point.tilt});
     }
   }
   return table;
@@ -103,60 +96,62 @@ void add_layer(Table table, LayerKind kind, const Style& style, const std::strin
   figure.tables.push_back(std::move(table));
 }
 
-void add_branches(const Json& output, Figure& figure) {
-  add_layer(line_table(output, false), LayerKind::line, {.colour = "#b03a2e", .dash = 2, .marker = 0, .width = 1.2},
+void add_branches(const FoundBranches& found, Figure& figure) {
+  add_layer(line_table(found, false), LayerKind::line, {.colour = "#b03a2e", .dash = 2, .marker = 0, .width = 1.2},
             "unstable orbit", figure);
-  add_layer(line_table(output, true), LayerKind::line, {.colour = "#1f4e79", .dash = 1, .marker = 0, .width = 1.8},
+  add_layer(line_table(found, true), LayerKind::line, {.colour = "#1f4e79", .dash = 1, .marker = 0, .width = 1.8},
             "stable orbit", figure);
   for (const auto& [kind, marker] : markers) {
-    add_layer(bifurcation_table(output, kind), LayerKind::points, {.colour = "#000000", .marker = marker, .size = 0.9},
-              in_words(kind), figure);
+    add_layer(bifurcation_table(found, kind), LayerKind::points, {.colour = "#000000", .marker = marker, .size = 0.9},
+              words_of(kind), figure);
   }
+}
+
+/// Limits the axis to the orbits that are not far beyond the balance.
+void set_tilt_range(const std::vector<Table>& tables, Axis& axis) {
+  double low = 0.0;
+  double high = 0.0;
+  for (const Table& table : tables) {
+    for (const auto& row : table.rows) {
+      if (const double* tilt = std::get_if<double>(&row.at(1)); tilt && std::abs(*tilt) < most_tilt) {
+        low = std::min(low, *tilt);
+        high = std::max(high, *tilt);
+      }
+    }
+  }
+  const double room = std::max(0.05 * (high - low), 0.01);
+  axis.low = low - room;
+  axis.high = high + room;
 }
 
 }  // namespace
 
-bool has_branches(const Json& output) { return output.contains("branches"); }
-
-Figure branch_figure(const Json& output) {
+Figure branch_figure(const OrbitsReport& report) {
+  const FoundBranches& found = *report.study.branches;
   Figure figure;
-  read_or_refuse(output, [&] {
-    figure.name = "branches";
-    figure.title = "Periodic orbits";
-    figure.subtitle = output.at("input").at("experiment").at("title");
-    figure.arrangement = Arrangement::stacked;
-    figure.panels.push_back({.title = "",
-                             .x = axis_of_parameter(output.at("parameter")),
-                             .y = {"tilt at the strobe", "Θ", ""},
-                             .layers = {},
-                             .height = 1.6});
-    figure.panels.back().x.low = output.at("range").at(0);
-    figure.panels.back().x.high = output.at("range").at(1);
-    add_layer(run_table(output), LayerKind::points, {.colour = "#808080", .marker = 7, .size = 0.5}, "end of a run",
-              figure);
-    add_branches(output, figure);
-    double low = 0.0;
-    double high = 0.0;
-    for (const Table& table : figure.tables) {
-      for (const auto& row : table.rows) {
-        if (const double* tilt = std::get_if<double>(&row.at(1)); tilt && std::abs(*tilt) < most_tilt) {
-          low = std::min(low, *tilt);
-          high = std::max(high, *tilt);
-        }
-      }
-    }
-    const double room = std::max(0.05 * (high - low), 0.01);
-    figure.panels.back().y.low = low - room;
-    figure.panels.back().y.high = high + room;
-    figure.caption =
-        "Solid: stable orbits; dashed: unstable ones; markers: bifurcations. Of two orbits that are mirror images of "
-        "each other one is drawn.";
-  });
+  figure.name = "branches";
+  figure.title = "Periodic orbits";
+  figure.subtitle = report.input.title();
+  figure.arrangement = Arrangement::stacked;
+  figure.panels.push_back({.title = "",
+                           .x = axis_of_parameter(found.pointer),
+                           .y = {"tilt at the strobe", "Θ", ""},
+                           .layers = {},
+                           .height = 1.6});
+  figure.panels.back().x.low = found.range.low;
+  figure.panels.back().x.high = found.range.high;
+  add_layer(run_table(report.study), LayerKind::points, {.colour = "#808080", .marker = 7, .size = 0.5}, "end of a run",
+            figure);
+  add_branches(found, figure);
+  set_tilt_range(figure.tables, figure.panels.back().y);
+  figure.caption =
+      "Solid: stable orbits; dashed: unstable ones; markers: bifurcations. Of two orbits that are mirror images of "
+      "each other one is drawn.";
   return figure;
 }
 
-void draw_branches_over(const Json& output, Figure& figure) {
-  read_or_refuse(output, [&] { add_branches(output, figure); });
+void draw_branches_over(const OrbitStudy& study, Figure& figure) {
+  add_branches(*study.branches, figure);
   figure.caption += " Solid lines: stable orbits; dashed: unstable ones; markers: bifurcations.";
 }
 

@@ -6,7 +6,6 @@
 
 #include "analysis/bifurcation_figure.hpp"
 #include "analysis/branch_figure.hpp"
-#include "analysis/check_output.hpp"
 #include "analysis/cost_figures.hpp"
 #include "analysis/curve_figure.hpp"
 #include "analysis/fragility_figure.hpp"
@@ -28,35 +27,41 @@ struct Collection {
   std::vector<TrajectoryFile> trajectories;
   std::vector<Figure> figures;
   std::vector<BifurcationReport> bifurcations;
-  std::vector<Json> branches;
+  std::vector<OrbitsReport> orbits;  ///< with branches
 };
 
 /// Branches are drawn over the strobe points of diagrams over the same parameter, and by themselves.
 void draw_bifurcations(Collection& found) {
   for (const BifurcationReport& report : found.bifurcations) {
     for (Figure& figure : bifurcation_figures(report)) {
-      for (const Json& branches : found.branches) {
-        if (branches.at("parameter") == report.parameter) draw_branches_over(branches, figure);
+      for (const OrbitsReport& orbits : found.orbits) {
+        if (orbits.study.branches->pointer == report.parameter) draw_branches_over(orbits.study, figure);
       }
       found.figures.push_back(std::move(figure));
     }
   }
-  for (const Json& branches : found.branches) {
-    found.figures.push_back(branch_figure(branches));
-    if (has_curves(branches)) found.figures.push_back(curve_figure(branches));
+  for (const OrbitsReport& orbits : found.orbits) {
+    found.figures.push_back(branch_figure(orbits));
+    if (orbits.study.curves && !orbits.study.curves->curves.empty()) found.figures.push_back(curve_figure(orbits));
   }
 }
 
 void collect(const OutputFile& file, Collection& found) {
   const Json output = parsed_output(file.text);
   const std::string format = format_of(output);
-  check_output(output);
   if (format == "rocking.trajectory/1") {
-    found.trajectories.push_back(read_trajectory(output, std::filesystem::path(file.path).stem().string()));
+    found.trajectories.push_back(
+        shown(trajectory_document().read(output), std::filesystem::path(file.path).stem().string()));
   } else if (format == "rocking.bifurcation/1") {
     found.bifurcations.push_back(bifurcation_document().read(output));
-  } else if (format == "rocking.orbits/1" && has_branches(output)) {
-    found.branches.push_back(output);
+  } else if (format == "rocking.orbits/1") {
+    found.orbits.push_back(orbits_document().read(output));
+    if (!found.orbits.back().study.branches) {
+      throw base::InputError({.place = "/branches",
+                              .value = "",
+                              .reason = "are missing: a figure shows the branches of orbits",
+                              .remedy = "sweep one number of the motion, and omit --no-branches"});
+    }
   } else if (format == "rocking.cost/1") {
     for (Figure& figure : cost_figures(cost_document().read(output))) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.fragility/1") {

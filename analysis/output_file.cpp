@@ -21,15 +21,4 @@ Json parsed_output(std::string_view text) {
 
 std::string format_of(const Json& output) { return output.at("format").get<std::string>(); }
 
-void read_or_refuse(const Json& output, const std::function<void()>& read) {
-  try {
-    read();
-  } catch (const Json::exception& error) {
-    throw base::InputError({.place = "/",
-                            .value = "",
-                            .reason = "does not conform to " + format_of(output) + ": " + error.what(),
-                            .remedy = ""});
-  }
-}
-
 }  // namespace rocking::analysis

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <functional>
 #include <string>
 #include <string_view>
 
@@ -14,8 +13,5 @@ namespace rocking::analysis {
 
 /// The format name of an output, such as `rocking.trajectory/1`.
 [[nodiscard]] std::string format_of(const Json& output);
-
-/// Calls `read`. Turns a key that is missing or has the wrong type into base::InputError.
-void read_or_refuse(const Json& output, const std::function<void()>& read);
 
 }  // namespace rocking::analysis

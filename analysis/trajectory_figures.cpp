@@ -11,6 +11,8 @@
 namespace rocking::analysis {
 namespace {
 
+using dynamics::EventKind;
+
 const Column time_column{"time", "time since the start [excitation periods]"};
 
 std::string described(const TrajectoryFile& file) {
@@ -65,7 +67,7 @@ Table path_table(const TrajectoryFile& file, const Window& window) {
   for (const HistoryRow& row : file.history) {
     bool jumps = false;
     for (; event != file.events.end() && event->time <= row.time; ++event) {
-      jumps = jumps || event->kind == "impact_stick" || event->kind == "impact_slip";
+      jumps = jumps || event->kind == EventKind::impact_stick || event->kind == EventKind::impact_slip;
     }
     if (!is_within(row.time, window)) continue;
     if (jumps && !table.rows.empty()) table.rows.push_back({Cell(), Cell(), row.time});
@@ -92,7 +94,7 @@ Table span_table(const TrajectoryFile& file, std::string_view contact, const Win
               .columns = {{"from", time_column.meaning}, {"to", time_column.meaning}},
               .rows = {}};
   for (const ContactSpan& span : file.contacts) {
-    if (span.contact != contact || span.to <= window.from || window.to <= span.from) continue;
+    if (to_string(span.contact) != contact || span.to <= window.from || window.to <= span.from) continue;
     table.rows.push_back({std::max(span.from, window.from), std::min(span.to, window.to)});
   }
   return table;
@@ -101,7 +103,7 @@ Table span_table(const TrajectoryFile& file, std::string_view contact, const Win
 Table impact_table(const TrajectoryFile& file, std::string_view kind, const Window& window) {
   Table table{.name = std::string(kind), .columns = {time_column, {"tilt", "Θ"}}, .rows = {}};
   for (const EventRow& event : file.events) {
-    if (event.kind == kind && is_within(event.time, window)) table.rows.push_back({event.time, 0.0});
+    if (to_string(event.kind) == kind && is_within(event.time, window)) table.rows.push_back({event.time, 0.0});
   }
   return table;
 }

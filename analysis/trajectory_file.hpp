@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/text/json.hpp"
+#include "rocking/output/trajectory_report.hpp"
 
 namespace rocking::analysis {
 
@@ -21,16 +21,16 @@ struct HistoryRow {
 
 struct EventRow {
   double time;  ///< in excitation periods
-  std::string kind;
+  dynamics::EventKind kind;
 };
 
 /// An interval of time with one contact state.
 struct ContactSpan {
   double from, to;  ///< in excitation periods
-  std::string contact;
+  dynamics::ContactState contact;
 };
 
-/// The output of `rocking trajectory`.
+/// The output of `rocking trajectory` as figures show it: normalised, in excitation periods.
 struct TrajectoryFile {
   std::string name;  ///< name of its file, to distinguish it from others
   std::uint64_t condition = 0, realisation = 0;
@@ -41,8 +41,8 @@ struct TrajectoryFile {
   std::vector<ContactSpan> contacts;
 };
 
-/// Throws base::InputError if the output is not a trajectory.
-[[nodiscard]] TrajectoryFile read_trajectory(const Json& output, const std::string& name);
+/// Throws base::InputError if the history is shorter than a period.
+[[nodiscard]] TrajectoryFile shown(const TrajectoryReport& report, const std::string& name);
 
 /// The shown interval of time, in excitation periods.
 struct Window {

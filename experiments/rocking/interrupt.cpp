@@ -27,7 +27,7 @@ void catch_unless_ignored(int number, const struct sigaction& action) {
 
 }  // namespace
 
-const std::atomic<bool>& stop_on_interrupt() {
+std::atomic<bool>& stop_on_interrupt() {
   struct sigaction action {};
   action.sa_handler = &request_stop;
   action.sa_flags = SA_RESTART;

@@ -15,7 +15,7 @@ enum class StopReason : std::uint8_t { none, signal, time };
 /// From this call on SIGINT (Ctrl-C), SIGTERM, SIGHUP and SIGUSR1 (a scheduler's warning) request a stop instead of
 /// ending the process; a second signal ends it. Signals that the process inherited as ignored stay ignored. Returns the
 /// flag that a request sets.
-[[nodiscard]] const std::atomic<bool>& stop_on_interrupt();
+[[nodiscard]] std::atomic<bool>& stop_on_interrupt();
 
 /// A request that only a signal sets, not a time limit.
 [[nodiscard]] base::StopRequest stop_on_signal();

@@ -1,7 +1,7 @@
 #include "trajectory_output.hpp"
 
 #include "exit_code.hpp"
-#include "rocking/output/write_trajectory.hpp"
+#include "rocking/output/trajectory_report.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
@@ -24,7 +24,8 @@ void expect_consistent(const TrajectoryOutput& output, const Loudness& loudness)
 
 std::string text_of(const RealisationKey& key, const Trajectory& trajectory, const TrajectoryOutput& output) {
   const TrajectoryUnits units = output.units == "si" ? TrajectoryUnits::si : TrajectoryUnits::normalised;
-  return output.format == "csv" ? trajectory_csv(key, trajectory, units) : trajectory_text(key, trajectory, units);
+  const TrajectoryReport report = trajectory_report(key, trajectory, units);
+  return output.format == "csv" ? trajectory_table(report) : trajectory_document().text(report);
 }
 
 }  // namespace rocking::program

@@ -124,8 +124,9 @@ py::tuple orbits_watched(const Experiment& experiment, int longest,
   if (range) std::tie(request.from, request.to) = *range;
   std::tie(request.second_from, request.second_to) = span;
   Watched<std::string> watched(std::move(on_progress));
-  auto text = watched.run({.threads = threads},
-                          [&](const Execution& execution) { return orbits(experiment, request, execution); });
+  auto text = watched.run({.threads = threads}, [&](const Execution& execution) {
+    return orbits_text(experiment, orbit_study(experiment, request, execution));
+  });
   return py::make_tuple(std::move(text), watched.was_interrupted());
 }
 

@@ -12,7 +12,7 @@ supported_systems=("Debian 12" "Debian 13" "Ubuntu 24.04")
 # Packages of the system whose names are the same on all of these systems. Boost differs: see boost_packages.
 build_packages=(
   g++ cmake make pkg-config git
-  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libvalijson-dev libssl-dev libsqlite3-dev libeigen3-dev
+  nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libssl-dev libsqlite3-dev libeigen3-dev
   libgtest-dev libgmock-dev
   gnuplot-nox  # draws the figures
   python3  # writes reports/jeong_yang_2012 from its results
@@ -27,7 +27,7 @@ oldest_boost=107400  # 1.74, as BOOST_VERSION writes it
 python_packages=(pybind11-dev python3-dev python3-numpy)
 # For `tests/all`. Tests that need a package which the system does not offer are skipped with a message.
 test_packages=(
-  clang libclang-rt-14-dev clang-format
+  clang libclang-rt-14-dev clang-format libvalijson-dev
   "${python_packages[@]}"
   libopenmpi-dev openmpi-bin  # for rocking-mpi
   python3-matplotlib  # for a tutorial

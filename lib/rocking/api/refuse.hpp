@@ -14,4 +14,12 @@ namespace rocking {
       {.place = std::string(name), .value = value, .reason = std::move(reason), .remedy = {}, .where = {}});
 }
 
+/// Refuses an argument that is not a whole number from `least` to `largest`.
+template <class Number>
+void expect(std::string_view name, Number value, Number least, Number largest) {
+  if (least <= value && value <= largest) return;
+  refuse(name, std::to_string(value),
+         "must be a whole number from " + std::to_string(least) + " to " + std::to_string(largest));
+}
+
 }  // namespace rocking

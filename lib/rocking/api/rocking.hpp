@@ -16,6 +16,7 @@
 #include "rocking/api/experiment.hpp"
 #include "rocking/api/ground_motions.hpp"
 #include "rocking/api/intervals.hpp"
+#include "rocking/api/orbits.hpp"
 #include "rocking/api/plan.hpp"
 #include "rocking/api/rare.hpp"
 #include "rocking/api/run.hpp"

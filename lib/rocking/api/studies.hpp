@@ -1,6 +1,5 @@
 #pragma once
 
-#include <complex>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -9,8 +8,6 @@
 
 #include "rocking/api/export.hpp"
 #include "rocking/api/run.hpp"
-#include "rocking/output/write_orbits.hpp"
-#include "rocking/output/write_trajectory.hpp"
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison.hpp"
@@ -41,68 +38,6 @@ struct TrajectoryRequest {
 /// The same as a table (CSV).
 [[nodiscard]] ROCKING_API std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& trajectory,
                                                      TrajectoryUnits units = TrajectoryUnits::normalised);
-
-/// Which periodic orbits are searched.
-struct OrbitsRequest {
-  int longest = 5;  ///< largest period, in excitation periods; at most 12
-  /// Follow the orbits over the swept parameter, where the experiment sweeps one number on which the motion depends
-  /// continuously.
-  bool branches = false;
-  std::optional<double> from = {};   ///< smallest value of the parameter for branches; absent: of the sweep
-  std::optional<double> to = {};     ///< largest value
-  std::uint64_t most_points = 1000;  ///< of a branch
-  std::uint64_t most_branches = 50;
-  /// JSON pointers of a second parameter, over which the folds, period doublings and losses of symmetry of the branches
-  /// are followed too; the numbers at the others keep their ratio to the first. Empty: none.
-  std::vector<std::string> second = {};
-  std::optional<double> second_from = {};  ///< smallest value of it; needed with `second`, as the next one
-  std::optional<double> second_to = {};    ///< largest value
-  std::uint64_t most_curve_points = 400;   ///< of a curve in each direction
-};
-
-/// A periodic orbit, stable or not.
-struct PeriodicOrbit {
-  int period = 0;                                 ///< n: excitation periods until it repeats
-  int cycles = 0;                                 ///< m: pairs of impacts in them
-  std::vector<section::StrobePoint> points;       ///< at the n instants of the section
-  std::vector<std::complex<double>> multipliers;  ///< by falling modulus
-  std::string kind;                               ///< `node`, `focus`, `saddle`, ... (lib/docs/formats.md)
-  bool is_stable = false;
-  double residual = 0.0;  ///< of the map over n periods
-};
-
-/// Periodic orbits of each condition, without branches. Throws base::InputError if a condition is random or not harmonic,
-/// and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts
-/// conditions.
-[[nodiscard]] ROCKING_API std::vector<std::vector<PeriodicOrbit>> periodic_orbits(const Experiment& experiment,
-                                                                                  int longest = 5,
-                                                                                  const Execution& execution = {});
-
-/// What a search for periodic orbits has found.
-struct OrbitStudy {
-  int longest = 0;                                       ///< largest period searched from the grid
-  std::vector<OrbitsOfCondition> conditions;             ///< of the experiment
-  std::optional<FoundBranches> branches = std::nullopt;  ///< and their bifurcations, if asked for
-  std::optional<FoundCurves> curves = std::nullopt;      ///< of bifurcations over two parameters, if asked for
-};
-
-/// Periodic orbits, their branches and the curves of their bifurcations as values. Throws as periodic_orbits, and
-/// base::InputError if branches or curves are asked for and nothing can be followed.
-[[nodiscard]] ROCKING_API OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& request = {},
-                                                 const Execution& execution = {});
-
-/// The study as JSON text (`rocking.orbits/1`), the same bytes as `orbits.json` of the program.
-[[nodiscard]] ROCKING_API std::string orbits_text(const Experiment& experiment, const OrbitStudy& study);
-
-/// The study as the program prints it: orbits, branches, bifurcations, curves, and which response modes an orbit backs.
-[[nodiscard]] ROCKING_API std::string orbits_table(const Experiment& experiment, const OrbitStudy& study);
-
-/// Periodic orbits, and their branches if asked for, as JSON text (`rocking.orbits/1`). Throws as periodic_orbits, and
-/// base::InputError if branches are asked for and nothing can be followed.
-[[nodiscard]] ROCKING_API std::string orbits(const Experiment& experiment, const OrbitsRequest& request,
-                                             const Execution& execution = {});
-[[nodiscard]] ROCKING_API std::string orbits(const Experiment& experiment, int longest,
-                                             const Execution& execution = {});
 
 /// Probability of overturning as a function of the swept intensity, and what else is asked. Throws base::InputError if the
 /// experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out of range,

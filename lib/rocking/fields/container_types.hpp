@@ -57,22 +57,22 @@ struct TypeOf<std::optional<std::optional<T>>> {
   static const ValueType& get() { return the_only<Type>(); }
 };
 
-/// A list of any length, or of `size` entries.
-template <class List, std::size_t size = 0>
+/// A list of any length, or of `size` entries. `item_type` gives the type of an entry.
+template <class List, std::size_t size = 0, const ValueType& (*item_type)() = type_of<typename List::value_type>>
 class ListType : public ValueType {
   using Item = typename List::value_type;
 
  public:
   [[nodiscard]] Json json(const void* value) const override {
     Json list = Json::array();
-    for (const Item& item : *static_cast<const List*>(value)) list.push_back(type_of<Item>().json(&item));
+    for (const Item& item : *static_cast<const List*>(value)) list.push_back(item_type().json(&item));
     return list;
   }
   void write(const void* value, std::string_view key, JsonWriter& out) const override {
     const auto& list = *static_cast<const List*>(value);
     if (list.empty()) return out.member(key, Json::array());
     out.begin_list(key);
-    for (const Item& item : list) type_of<Item>().write_element(&item, out);
+    for (const Item& item : list) item_type().write_element(&item, out);
     out.end();
   }
   void read(const Json& json, const ReadingPlace& place, void* value) const override {
@@ -85,27 +85,27 @@ class ListType : public ValueType {
       if (!json.is_array()) return place.reject(json, "must be a list");
       list.assign(json.size(), Item{});
     }
-    for (std::size_t i = 0; i < list.size(); ++i) type_of<Item>().read(json[i], place.at(std::to_string(i)), &list[i]);
+    for (std::size_t i = 0; i < list.size(); ++i) item_type().read(json[i], place.at(std::to_string(i)), &list[i]);
   }
   [[nodiscard]] Json schema(const Rule& rule) const override {
-    Json schema = {{"type", "array"}, {"items", type_of<Item>().schema(rule)}};
+    Json schema = {{"type", "array"}, {"items", item_type().schema(rule)}};
     if (size > 0) schema.update({{"minItems", size}, {"maxItems", size}});
     return schema;
   }
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
-    type_of<Item>().describe(prefix + "[i]", rows);
+    item_type().describe(prefix + "[i]", rows);
   }
 };
 
 /// A list with a line for each entry, so that thousands of entries remain readable, also for tools that read lines.
-template <class List>
-class LinesType final : public ListType<List> {
+template <class List, const ValueType& (*item_type)() = type_of<typename List::value_type>>
+class LinesType final : public ListType<List, 0, item_type> {
  public:
   void write(const void* value, std::string_view key, JsonWriter& out) const override {
     const auto& list = *static_cast<const List*>(value);
     if (list.empty()) return out.member(key, Json::array());
     out.begin_list(key);
-    for (const auto& item : list) out.line(type_of<typename List::value_type>().json(&item));
+    for (const auto& item : list) out.line(item_type().json(&item));
     out.end();
   }
 };

@@ -8,16 +8,24 @@
 namespace rocking {
 namespace {
 
+/// Null: an optional member on the way has no value.
 void* owner_of(const Field& field, const void* outermost) {
   void* owner = const_cast<void*>(outermost);  // written to only by Field::read
-  for (void* (*const member)(void*) : field.inlined_by) owner = member(owner);
+  for (const InlinedMember& member : field.inlined_by) {
+    if (owner != nullptr) owner = member.find(owner);
+  }
   return owner;
 }
 
 }  // namespace
 
+bool Field::may_be_absent() const {
+  return without_value == WithoutValue::omitted || std::ranges::any_of(inlined_by, &InlinedMember::is_optional);
+}
+
 bool Field::is_omitted(const void* outermost) const {
-  return without_value == WithoutValue::omitted && has_value != nullptr && !has_value(owner_of(*this, outermost));
+  const void* owner = owner_of(*this, outermost);
+  return owner == nullptr || (without_value == WithoutValue::omitted && has_value != nullptr && !has_value(owner));
 }
 
 Json Field::json(const void* outermost) const {
@@ -35,6 +43,14 @@ void Field::read(const Json& json, const ReadingPlace& place, void* outermost) c
   if (member != nullptr) type->read(json, place, member(owner_of(*this, outermost)));
 }
 
+void Field::make_owner(void* outermost) const {
+  for (const InlinedMember& inlined : inlined_by) outermost = inlined.make(outermost);
+}
+
+bool Field::is_needed(const void* outermost) const {
+  return without_value == WithoutValue::null && owner_of(*this, outermost) != nullptr;
+}
+
 StructType::StructType(std::initializer_list<Field> fields) {
   for (const Field& field : fields) {
     if (!field.key.empty()) {
@@ -42,7 +58,7 @@ StructType::StructType(std::initializer_list<Field> fields) {
       continue;
     }
     for (Field inner : dynamic_cast<const StructType&>(*field.type).fields_) {
-      inner.inlined_by.insert(inner.inlined_by.begin(), field.member);
+      inner.inlined_by.insert(inner.inlined_by.begin(), field.inlined_by.front());
       fields_.push_back(std::move(inner));
     }
   }
@@ -81,13 +97,16 @@ void StructType::read(const Json& json, const ReadingPlace& place, void* value) 
     if (std::ranges::none_of(fields_, has_key)) reject_unknown(item.key(), item.value(), place);
   }
   for (const Field& field : fields_) {
+    if (json.contains(std::string(field.key))) field.make_owner(value);
+  }
+  for (const Field& field : fields_) {
     ReadingPlace inner = place.at(field.key);
     inner.rule = field.rule;
     const auto found = json.find(std::string(field.key));
-    if (found == json.end()) {
-      if (field.without_value == WithoutValue::null) place.at(field.key).reject(Json(), "is missing");
-    } else {
+    if (found != json.end()) {
       field.read(*found, inner, value);
+    } else if (field.is_needed(value)) {
+      place.at(field.key).reject(Json(), "is missing");
     }
   }
 }
@@ -105,7 +124,7 @@ Json StructType::schema(const Rule&) const {
   for (const Field& field : fields_) {
     Json& property = properties[std::string(field.key)] = field.type->schema(field.rule);
     property["description"] = field.sentence;
-    if (field.without_value == WithoutValue::null) required.push_back(field.key);
+    if (!field.may_be_absent()) required.push_back(field.key);
   }
   return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
 }

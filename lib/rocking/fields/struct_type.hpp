@@ -15,6 +15,13 @@ namespace rocking {
 /// How a field without a value, or an empty list, stands in a document. A list is never null.
 enum class WithoutValue : std::uint8_t { null, omitted };
 
+/// A member whose fields stand among those of its owner.
+struct InlinedMember {
+  void* (*find)(void* owner);  ///< null: an optional member without a value
+  void* (*make)(void* owner);  ///< the same; first gives an optional member a value
+  bool is_optional = false;
+};
+
 /// A field of a struct: its key, what it means in one sentence, and how to reach it.
 struct Field {
   std::string_view key;
@@ -25,11 +32,18 @@ struct Field {
   void* (*member)(void* owner) = nullptr;          ///< null: derived
   bool (*has_value)(const void* owner) = nullptr;  ///< of an optional member, or a list
   Json (*derive)(const void* owner) = nullptr;     ///< from other members; written, and not read
-  std::vector<void* (*)(void*)> inlined_by = {};   ///< members on the way to the owner, from the outermost on
+  std::vector<InlinedMember> inlined_by = {};      ///< on the way to the owner, from the outermost on
 
+  /// Whether a document may lack it.
+  [[nodiscard]] bool may_be_absent() const;
+  /// Whether the document of this value must have it.
+  [[nodiscard]] bool is_needed(const void* outermost) const;
   [[nodiscard]] bool is_omitted(const void* outermost) const;
   [[nodiscard]] Json json(const void* outermost) const;
   void write(const void* outermost, JsonWriter& out) const;
+  /// Gives the optional members on the way a value.
+  void make_owner(void* outermost) const;
+  /// Precondition: make_owner was called.
   void read(const Json& json, const ReadingPlace& place, void* outermost) const;
 };
 
@@ -86,6 +100,10 @@ inline constexpr bool is_optional = false;
 template <class T>
 inline constexpr bool is_optional<std::optional<T>> = true;
 template <class T>
+struct Contained : std::type_identity<T> {};
+template <class T>
+struct Contained<std::optional<T>> : std::type_identity<T> {};
+template <class T>
 inline constexpr bool is_list = false;
 template <class T>
 inline constexpr bool is_list<std::vector<T>> = true;
@@ -140,10 +158,36 @@ template <auto first, auto... rest>
   return field<first, rest...>(key, sentence, type_of<detail::Reached<first, rest...>>(), rule, without_value);
 }
 
-/// The fields of a member, or of a member of a member, stand among those of its owner, without a key of their own.
-template <auto... member>
+/// The fields of a member, or of a member of a member, stand among those of its owner, without a key of their own. Those
+/// of an optional member are all there, or none is.
+template <auto first, auto... rest>
+[[nodiscard]] Field inlined(const StructType& fields) {
+  using Owner = typename detail::OwnerOf<decltype(first)>::Type;
+  using Member = detail::Reached<first, rest...>;
+  if constexpr (detail::is_optional<Member>) {
+    const auto find = [](void* owner) -> void* {
+      Member& member = detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
+      return member ? &*member : nullptr;
+    };
+    const auto make = [](void* owner) -> void* {
+      Member& member = detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
+      return member ? &*member : &member.emplace();
+    };
+    return {
+        .key = "", .sentence = "", .type = &fields, .inlined_by = {{.find = find, .make = make, .is_optional = true}}};
+  } else {
+    const auto find = [](void* owner) -> void* {
+      return &detail::reach<Owner, first, rest...>(*static_cast<Owner*>(owner));
+    };
+    return {.key = "", .sentence = "", .type = &fields, .inlined_by = {{.find = find, .make = find}}};
+  }
+}
+
+/// The same, with the fields that the member's C++ type has everywhere.
+template <auto first, auto... rest>
 [[nodiscard]] Field inlined() {
-  return field<member...>("", "");
+  using Struct = typename detail::Contained<detail::Reached<first, rest...>>::type;
+  return inlined<first, rest...>(dynamic_cast<const StructType&>(type_of<Struct>()));
 }
 
 /// A field whose value is made of several members of its owner; `type` is that of the whole owner.

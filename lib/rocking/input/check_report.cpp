@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "rocking/base/digest.hpp"
-#include "rocking/input/check_document.hpp"
+#include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
 
@@ -16,13 +16,12 @@ namespace {
 constexpr std::size_t most_report_problems = 20;
 constexpr const char* experiment_place = "/input/experiment";
 
-/// What a report's experiment holds whether its author wrote it or not.
-constexpr const char* written_defaults[] = {
-    "/title", "/block/gravity_m_s2", "/excitation/kind", "/horizon", "/accuracy/tolerance", "/confidence", "/seed"};
-
 class ReportChecker {
  public:
-  explicit ReportChecker(const Json& report) : report_(report), experiment_(report["input"]["experiment"]) {}
+  explicit ReportChecker(const Json& report)
+      : report_(report), experiment_(report["input"]["experiment"]), one_record_(experiment_) {
+    if (suite_axis(experiment_)) one_record_["excitation"].erase("suite");
+  }
 
   Problems check() {
     check_experiment();
@@ -42,20 +41,47 @@ class ReportChecker {
   }
 
   void check_experiment() {
-    check_document(experiment_, "experiment", experiment_place, problems_);
+    check_form();
     if (!problems_.empty()) return;
-    for (const char* pointer : written_defaults) {
-      if (experiment_.contains(Json::json_pointer(pointer))) continue;
-      reject(std::string(experiment_place) + pointer, "",
-             "is missing: a report's experiment has its defaults written out");
-    }
-    if (problems_.empty() && !experiment_["seed"].is_string()) {
-      reject("/input/experiment/seed", brief(experiment_["seed"]), "must be text in a report");
-    }
     const Json& digest = report_["input"]["sha256"];
     if (base::to_hex(base::sha256(experiment_.dump())) != digest.get_ref<const std::string&>()) {
       reject("/input/sha256", brief(digest), "is not the digest of /input/experiment: one of them was changed");
     }
+  }
+
+  /// The experiment must be what an experiment file may hold, with every default written out. Files of ground motions are
+  /// not looked at.
+  void check_form() {
+    if (!suite_axis(experiment_)) return check_form(experiment_, experiment_);
+    const Json& records = experiment_["excitation"]["suite"];
+    for (std::size_t i = 0; i < records.size() && problems_.empty(); ++i) {
+      if (!records[i].is_object()) {
+        return reject(experiment_place + child_pointer("/excitation/suite", std::to_string(i)), brief(records[i]),
+                      "is not a record with a file and its digest");
+      }
+      put_record(one_record_, records[i]);
+      check_form(one_record_, with_suite_as_sweep(one_record_));
+    }
+  }
+
+  /// `read`: the document as its defaults are worked out.
+  void check_form(const Json& document, const Json& read) {
+    Problems found;
+    Json canonical = read_question(read, nullptr, found).canonical;
+    for (base::Problem& problem : found) {
+      problem.place = experiment_place + problem.place;
+      problems_.push_back(std::move(problem));
+    }
+    if (!problems_.empty()) return;
+    canonical.erase("sweep");
+    Json stated = document;
+    stated.erase("sweep");
+    const Json changes = Json::diff(stated, canonical);
+    if (changes.empty()) return;
+    const auto& place = changes.front()["path"].get_ref<const std::string&>();
+    const Json::json_pointer pointer(place);
+    reject(experiment_place + place, stated.contains(pointer) ? brief(stated.at(pointer)) : "",
+           "is not as in a canonical experiment, where every default is written out");
   }
 
   /// One condition for each point of the sweep, with the values of that point.
@@ -84,7 +110,7 @@ class ReportChecker {
     }
   }
 
-  /// Swept values against the schema of experiments. Of the numbers of an entry the two extremes tell of all of them.
+  /// Swept values must be allowed in their places. Of the numbers of an entry the two extremes tell of all of them.
   void check_swept_values(const std::vector<SweepAxis>& axes) {
     for (std::size_t i = 0; i < axes.size(); ++i) {
       std::vector<const Json*> tried;
@@ -106,11 +132,11 @@ class ReportChecker {
   }
 
   void check_swept_value(const std::string& pointer, const Json& value, std::size_t entry) {
-    Json document = experiment_;
+    Json document = one_record_;
     const bool is_whole = document.at(Json::json_pointer(pointer)).is_number_integer() && value.is_number_float();
     document[Json::json_pointer(pointer)] = is_whole ? Json(std::llround(value.get<double>())) : value;
     Problems found;
-    check_document(document, "experiment", "", found);
+    static_cast<void>(read_question(document, nullptr, found));
     if (found.empty()) return;
     reject(std::string(experiment_place) + "/sweep/" + std::to_string(entry), brief(value),
            "is not allowed at " + pointer + ": " + found.front().reason);
@@ -138,6 +164,7 @@ class ReportChecker {
 
   const Json& report_;
   const Json& experiment_;
+  Json one_record_;  ///< the experiment with one record in place of its suite
   Problems problems_;
 };
 

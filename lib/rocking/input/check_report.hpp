@@ -6,8 +6,8 @@
 
 namespace rocking {
 
-/// Checks the experiment in a report of the right form: against the schema of experiments and the digest that the report
-/// states, and that the report has one condition for each point of the sweep, with the parameters of that point.
+/// Checks the experiment in a report of the right form: against what an experiment file may hold and the digest that the
+/// report states, and that the report has one condition for each point of the sweep, with the parameters of that point.
 [[nodiscard]] Problems problems_of_report(const Json& report);
 
 }  // namespace rocking

@@ -67,7 +67,7 @@ class ExperimentBuilder {
     take_strength_from_sweep(document_);
     suite_ = take_suite(document_, matches_, files_, found);
     const bool is_bad_suite = !found.empty();
-    QuestionAsRead base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), files_, found);
+    QuestionAsRead base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), &files_, found);
     // Merging and sweeping compare keys with each other, which takes hours where there are 10^5 of them.
     const bool is_hopeless = found.size() > enough_problems;
     const bool swept = !is_hopeless && document_.is_object() && document_.contains("sweep");
@@ -146,7 +146,7 @@ class ExperimentBuilder {
         if (!put(document, i, *values[i])) return;
       }
       Problems found;
-      QuestionAsRead read = read_question(document, files_, found, swept);
+      QuestionAsRead read = read_question(document, &files_, found, swept);
       check_relations_of(read.question.condition, document, found);
       if (!found.empty()) merge(found, setting_in_words(values));
       if (problems_.empty()) keep(std::move(read), index);

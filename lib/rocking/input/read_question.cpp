@@ -17,14 +17,14 @@ void read_format(ObjectReader& in) {
 
 }  // namespace
 
-QuestionAsRead read_question(const Json& document, GroundMotionFiles& files, Problems& problems,
+QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Problems& problems,
                              std::span<const std::string> written) {
   QuestionAsRead read;
   ObjectReader in(document, "", problems);
   if (!written.empty()) in.write_only(written);
   read_format(in);
   const bool is_swept = document.is_object() && document.contains("sweep");
-  ReadingKeys keys(in, {.sweep = is_swept ? &document["sweep"] : nullptr, .files = &files});
+  ReadingKeys keys(in, {.sweep = is_swept ? &document["sweep"] : nullptr, .files = files});
   keys_of(keys, read.question);
   read.canonical = in.finish();
   return read;

@@ -21,9 +21,9 @@ struct QuestionAsRead {
 };
 
 /// Reads each key by itself; what values demand of each other is for check_relations.
-/// `files`: of recorded motion. Throws std::system_error where one is named that cannot be read.
+/// `files`: of recorded motion; null: none is looked at. Throws std::system_error where one is named that cannot be read.
 /// `written`: the keys of the file that the canonical text has; none: all.
-[[nodiscard]] QuestionAsRead read_question(const Json& document, GroundMotionFiles& files, Problems& problems,
+[[nodiscard]] QuestionAsRead read_question(const Json& document, GroundMotionFiles* files, Problems& problems,
                                            std::span<const std::string> written = {});
 
 }  // namespace rocking

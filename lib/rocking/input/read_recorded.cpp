@@ -45,14 +45,14 @@ void check_digest(ObjectReader& keys, std::string_view key, const std::string& d
 }  // namespace
 
 std::string read_named_file(ObjectReader& keys, std::string_view key, std::string_view digest_key,
-                            GroundMotionFiles& files) {
+                            GroundMotionFiles* files) {
   std::string name = read_file_name(keys, key);
   if (name.empty()) {
     static_cast<void>(keys.has(digest_key));
     return name;
   }
-  const std::string digest = files.digest(name);
-  check_digest(keys, digest_key, digest);
+  const std::string digest = files == nullptr ? keys.text(digest_key, "") : files->digest(name);
+  if (files != nullptr) check_digest(keys, digest_key, digest);
   keys.write(digest_key, digest);
   return name;
 }

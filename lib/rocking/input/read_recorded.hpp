@@ -11,9 +11,9 @@
 namespace rocking {
 
 /// A file and its digest, which must be that of the file and is written; empty where there is no usable name. Throws
-/// std::system_error where the file cannot be read.
+/// std::system_error where the file cannot be read. Without `files` the digest is that which is stated.
 [[nodiscard]] std::string read_named_file(ObjectReader& keys, std::string_view key, std::string_view digest_key,
-                                          GroundMotionFiles& files);
+                                          GroundMotionFiles* files);
 
 /// The factor that gives the motion its strength.
 [[nodiscard]] double scale_for(ObjectReader& keys, const Strength& strength, const GroundMotion& motion,

@@ -164,7 +164,7 @@ void ReadingKeys::record_format(const Key& key, std::optional<RecordFormat>& val
 }
 
 void ReadingKeys::file(const Key& file, const Key& digest, std::string& name) {
-  name = read_named_file(in_, file.name, digest.name, *context_.files);
+  name = read_named_file(in_, file.name, digest.name, context_.files);
 }
 
 bool ReadingKeys::suite(const Key& key) {
@@ -180,7 +180,7 @@ void ReadingKeys::ground_motion(const GroundMotionReading& how, const std::optio
     return in_.reject("units", "is missing; \"format\": \"columns\" does not state the unit of the accelerations",
                       "add \"units\": \"m/s2\"; known: " + record_units_in_words());
   }
-  if (how.name.empty()) return;
+  if (how.name.empty() || context_.files == nullptr) return;
   auto motion = context_.files->motion(how, in_.problems());
   if (!motion) return;
   if (strength) recorded.scale = scale_for(in_, *strength, *motion, how.gravity);

@@ -8,8 +8,8 @@ namespace rocking {
 
 /// What is needed to read a question beside the object in which the keys stand.
 struct ReadingContext {
-  const Json* sweep;  ///< as it is written; null: none
-  GroundMotionFiles* files;
+  const Json* sweep;         ///< as it is written; null: none
+  GroundMotionFiles* files;  ///< null: none is looked at
 };
 
 /// Reads each key from an object of a file, and writes it to the canonical text.

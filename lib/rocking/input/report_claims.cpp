@@ -4,7 +4,6 @@
 #include "rocking/base/error.hpp"
 #include "rocking/text/json.hpp"
 #include "rocking/text/parse_json.hpp"
-#include "rocking/text/schema.hpp"
 
 namespace rocking {
 namespace {

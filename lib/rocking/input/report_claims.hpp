@@ -5,6 +5,9 @@
 
 namespace rocking {
 
+/// Value of `format` in a report.
+inline constexpr std::string_view report_format = "rocking.report/1";
+
 /// What a report says of itself.
 struct ReportClaims {
   std::string experiment;  ///< text of `input.experiment`, canonical if nobody changed it

@@ -7,9 +7,10 @@
 #include "rocking/output/cost_report.hpp"
 #include "rocking/output/fragility_report.hpp"
 #include "rocking/output/motion_report.hpp"
+#include "rocking/output/orbits_report.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/text/schema.hpp"
+#include "rocking/output/trajectory_report.hpp"
 
 namespace rocking {
 namespace {
@@ -26,7 +27,8 @@ const Document* document_named(std::string_view name) {
 
 std::vector<const Document*> documents() {
   return {&bifurcation_document(), &check_normal_document(), &comparison_document(), &cost_document(),
-          &fragility_document(),   &motion_document(),       &rare_document(),       &report_document()};
+          &fragility_document(),   &motion_document(),       &orbits_document(),     &rare_document(),
+          &report_document(),      &trajectory_document()};
 }
 
 std::string name_of(const Document& document) {
@@ -37,7 +39,6 @@ std::string name_of(const Document& document) {
 
 std::vector<std::string> format_names() {
   std::vector<std::string> names{"experiment"};
-  for (const Schema& schema : schemas()) names.emplace_back(schema.name);
   for (const Document* document : documents()) names.push_back(name_of(*document));
   return names;
 }
@@ -50,9 +51,8 @@ std::optional<std::string> keys_of(std::string_view name) {
 
 std::optional<std::string> schema_of(std::string_view name) {
   if (name == "experiment") return experiment_schema_text();
-  if (const Document* document = document_named(name)) return document->schema_text();
-  const auto text = schema_text(name);
-  return text ? std::optional(std::string(*text)) : std::nullopt;
+  const Document* document = document_named(name);
+  return document == nullptr ? std::nullopt : std::optional(document->schema_text());
 }
 
 }  // namespace rocking

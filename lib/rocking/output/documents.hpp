@@ -10,7 +10,7 @@
 /// The kinds of files that rocking reads and writes.
 namespace rocking {
 
-/// Those whose schema and tables follow from a list of fields.
+/// Those that rocking writes.
 [[nodiscard]] std::vector<const Document*> documents();
 
 /// The part of a format between `rocking.` and `/1`: `comparison`.
@@ -22,7 +22,7 @@ namespace rocking {
 /// JSON Schema (draft 07) of a format, as in reports/schemas; absent if there is none of this name.
 [[nodiscard]] std::optional<std::string> schema_of(std::string_view name);
 
-/// Its keys as a table in Markdown, as in lib/docs/formats.md; absent where they do not follow from a list of fields.
+/// Its keys as a table in Markdown, as in lib/docs/formats.md; absent likewise.
 [[nodiscard]] std::optional<std::string> keys_of(std::string_view name);
 
 }  // namespace rocking

@@ -4,6 +4,7 @@
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/converted_type.hpp"
+#include "rocking/input/report_claims.hpp"
 #include "rocking/output/effort_fields.hpp"
 #include "rocking/output/ensemble_fields.hpp"
 #include "rocking/output/provenance_fields.hpp"
@@ -81,7 +82,7 @@ const StructType& fields_of(const Report*) {
 }
 
 const DocumentOf<Report>& report_document() {
-  static const DocumentOf<Report> document("rocking.report/1",
+  static const DocumentOf<Report> document(report_format,
                                            "A run: all but `system` has the same bytes for equal input.");
   return document;
 }

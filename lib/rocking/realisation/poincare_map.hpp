@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/dynamics/contact.hpp"
+#include "rocking/realisation/section_state.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
 #include "rocking/scene/experiment.hpp"
@@ -15,12 +15,6 @@ namespace rocking {
 
 /// Derivative of Theta, Theta', V (rows) at the end with respect to those at the start (columns).
 using SectionMatrix = std::array<std::array<double, 3>, 3>;
-
-/// The state at an instant of the section, and the contact state then.
-struct SectionState {
-  section::StrobePoint point;
-  dynamics::ContactState contact = dynamics::ContactState::rest;
-};
 
 /// Changes of contact in their order, each as its kind with the side and the slip direction after it; the impacts of a
 /// chatter that ends are left out, as are passages of the balance.

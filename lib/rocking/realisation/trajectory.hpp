@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rocking/base/stop_request.hpp"
@@ -62,6 +63,13 @@ struct Trajectory {
   EnergyAccount energy;
   Termination termination = Termination::reached_horizon;
 };
+
+/// Units of the states and times in which a trajectory is written: Theta, Theta', X, V and tau; or rad, rad/s, m, m/s and s, for
+/// the block of the realisation.
+enum class TrajectoryUnits : std::uint8_t { normalised, si };
+
+/// `normalised`, `si`.
+[[nodiscard]] std::string_view to_string(TrajectoryUnits units);
 
 /// Requested length and sampling of a trajectory.
 struct TrajectoryExtent {

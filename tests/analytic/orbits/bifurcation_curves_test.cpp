@@ -1,6 +1,6 @@
 // Curves of bifurcations over two parameters: branches that are followed elsewhere cross them where they are.
 
-#include "rocking/studies/orbits/bifurcation_curve.hpp"
+#include "rocking/studies/orbits/bifurcation_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -62,12 +62,12 @@ TEST(BifurcationCurves, AreCrossedByTheBranchesOfOtherFrequencies) {
       EXPECT_NEAR(one->real(), curve.kind == BifurcationKind::period_doubling ? -1.0 : 1.0, 1e-6);
     }
     for (const BifurcationPoint* end : {&curve.points.front(), &curve.points.back()}) {
-      if (end->values[1] != 10.3) continue;
+      if (end->second_value != 10.3) continue;
       double nearest = 1.0;
       for (const Bifurcation& one : other.bifurcations) {
-        if (one.kind == curve.kind) nearest = std::min(nearest, std::abs(one.value - end->values[0]));
+        if (one.kind == curve.kind) nearest = std::min(nearest, std::abs(one.value - end->value));
       }
-      EXPECT_LT(nearest, 1e-8) << to_string(curve.kind) << " at " << end->values[0];
+      EXPECT_LT(nearest, 1e-8) << to_string(curve.kind) << " at " << end->value;
       ++compared;
     }
   }
@@ -83,7 +83,7 @@ TEST(BifurcationCurves, AreNotFollowedTwiceAndKeepTheKindOfTheirStart) {
     EXPECT_EQ(curves[i].kind, from.kind);
     double nearest = 1.0;
     for (const BifurcationPoint& point : curves[i].points) {
-      if (point.values[1] == 10.0) nearest = std::min(nearest, std::abs(point.values[0] - from.value));
+      if (point.second_value == 10.0) nearest = std::min(nearest, std::abs(point.value - from.value));
     }
     EXPECT_LT(nearest, 1e-8);
     for (std::size_t j = i + 1; j < curves.size(); ++j) EXPECT_NE(curves[i].bifurcation, curves[j].bifurcation);

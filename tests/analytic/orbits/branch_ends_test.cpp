@@ -83,7 +83,7 @@ TEST(EndsOfBranches, GrazeAFrictionLimitAtTheSameValueOverAnyRange) {
 TEST(EndsOfBranches, EndAtTheirLastPointWhereNothingIsLocated) {
   for (const BranchStudy& study : over_three_ranges()) {
     for (const Bifurcation& one : study.bifurcations) {
-      EXPECT_FALSE(one.kind == BifurcationKind::grazing && one.orbit.period == 6) << one.value;
+      EXPECT_FALSE(one.kind == BifurcationKind::grazing && one.orbit->period == 6) << one.value;
     }
     for (std::size_t i = 0; i < study.branches.size(); ++i) {
       const OrbitBranch& branch = study.branches[i];

@@ -35,11 +35,11 @@ TEST(Branches, FoldWhereRunsFallOff) {
   const BranchStudy study = branches_of(amplitudes(values, {.low = 1.8, .high = 3.0}), found, {});
   const Bifurcation* fold = nullptr;
   for (const Bifurcation& one : study.bifurcations) {
-    if (one.kind == BifurcationKind::fold && one.orbit.period == 5) fold = &one;
+    if (one.kind == BifurcationKind::fold && one.orbit->period == 5) fold = &one;
   }
   ASSERT_NE(fold, nullptr);
   EXPECT_LE(fold->error, 1e-8);
-  const section::StrobePoint start = fold->orbit.points.front().point;
+  const section::StrobePoint start = fold->orbit->points.front().point;
   EXPECT_EQ(mode_from(start, fold->value + 1e-4), section::periodic(1, 5));
   EXPECT_NE(mode_from(start, fold->value - 1e-4), section::periodic(1, 5));
   // On one side of the fold the orbits are stable, on the other they are not.
@@ -61,7 +61,7 @@ TEST(Branches, BranchOffWhereSymmetryBreaks) {
   ASSERT_NE(breaking, nullptr);
   EXPECT_LE(breaking->error, 1e-8);
   // The multiplier of the period is the square of that of the half, which is -1.
-  EXPECT_NEAR(breaking->orbit.stability.multipliers.at(0).real(), 1.0, 1e-6);
+  EXPECT_NEAR(breaking->orbit->stability.multipliers.at(0).real(), 1.0, 1e-6);
   const auto place = static_cast<std::size_t>(breaking - study.bifurcations.data());
   const auto child = std::ranges::find_if(study.branches, [&](const OrbitBranch& one) { return one.from == place; });
   ASSERT_NE(child, study.branches.end());

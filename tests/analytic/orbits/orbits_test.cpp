@@ -15,6 +15,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/realisation/exponent.hpp"
 #include "rocking/realisation/trajectory.hpp"
+#include "rocking/studies/orbits/fixed_point.hpp"
 #include "support/event_log.hpp"
 #include "support/excitation.hpp"
 
@@ -148,8 +149,9 @@ TEST(Orbits, AreDistinctAndPairedWithTheirMirrorImages) {
       for (std::size_t k = i + 1; k < orbits.size(); ++k) {
         EXPECT_FALSE(is_same_cycle(orbits[i].points, orbits[k].points)) << name_of(orbits[i]);
       }
-      ASSERT_LT(orbits[i].mirror, orbits.size());
-      const Orbit& mirror = orbits[orbits[i].mirror];
+      ASSERT_LT(orbits[i].mirror.value(), orbits.size());
+      const Orbit& mirror = orbits[*orbits[i].mirror];
+      EXPECT_EQ(orbits[i].is_symmetric, orbits[i].mirror == i);
       EXPECT_EQ(mirror.mirror, i);
       EXPECT_EQ(mirror.period, orbits[i].period);
       EXPECT_EQ(mirror.cycles, orbits[i].cycles);

@@ -15,7 +15,7 @@
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
-#include "rocking/studies/orbits/bifurcation_curve.hpp"
+#include "rocking/studies/orbits/bifurcation_curves.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
@@ -431,16 +431,17 @@ TEST(SlenderOrbit, HasItsCurvesOfFoldsAndLossesOfSymmetryWhereTheClosedFormHasTh
       const bool is_fold = curve.kind == BifurcationKind::fold;
       EXPECT_TRUE(is_fold || curve.kind == BifurcationKind::symmetry_breaking);
       const std::string where = std::to_string(family.omega) + ' ' + std::string(to_string(curve.kind)) + " from " +
-                                std::to_string(curve.points.front().values[1]) + " to " +
-                                std::to_string(curve.points.back().values[1]);
+                                std::to_string(curve.points.front().second_value) + " to " +
+                                std::to_string(curve.points.back().second_value);
       EXPECT_EQ(to_string(curve.ends[0]), "range") << where;
       EXPECT_EQ(to_string(curve.ends[1]), "range") << where;
-      EXPECT_NEAR(std::abs(curve.points.back().values[1] - curve.points.front().values[1]), 0.2 * family.omega, 1e-12);
+      EXPECT_NEAR(std::abs(curve.points.back().second_value - curve.points.front().second_value), 0.2 * family.omega,
+                  1e-12);
       double largest = 0.0;
       for (const BifurcationPoint& point : curve.points) {
-        const Family here{.r = family.r, .omega = point.values[1], .n = family.n};
+        const Family here{.r = family.r, .omega = point.second_value, .n = family.n};
         const double exact = here.amplitude(is_fold ? here.x_fold() : here.x_symmetry());
-        largest = std::max(largest, std::abs(point.values[0] - exact));
+        largest = std::max(largest, std::abs(point.value - exact));
         EXPECT_LE(point.orbit.residual, 1e-10);
         EXPECT_LE(point.test, 1e-10);
       }

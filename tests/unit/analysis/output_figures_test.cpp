@@ -33,8 +33,8 @@ using rocking::analysis::normal_histogram;
 using rocking::analysis::output_figures;
 using rocking::analysis::phase_portrait;
 using rocking::analysis::poincare;
-using rocking::analysis::read_trajectory;
 using rocking::analysis::responses;
+using rocking::analysis::shown;
 using rocking::analysis::Table;
 using rocking::analysis::time_history;
 using rocking::analysis::TrajectoryFile;
@@ -44,30 +44,29 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// Two periods of length 0.5, four samples each: rest, a lift at 0.2, a slip from 0.3 to the impact at 0.7.
-Json sample_trajectory() {
-  Json json = Json::parse(R"({ "format": "rocking.trajectory/1", "condition": 2, "realisation": 7,
-    "block": { "width_m": 1.0, "height_m": 4.0, "gravity_m_s2": 9.81 },
-    "strobe": [ { "period": 1, "tilt": 0.25, "tilt_rate": -0.5, "slip": 0.0, "slip_rate": 0.0, "contact": "rock_slide" },
-                { "period": 2, "tilt": 0.125, "tilt_rate": 0.5, "slip": 0.0, "slip_rate": 0.0, "contact": "rock" } ],
-    "events": [ { "tau": 0.1, "kind": "lift" }, { "tau": 0.15, "kind": "slip_start" },
-                { "tau": 0.35, "kind": "impact_stick" }, { "tau": 0.35, "kind": "past_balance" } ],
-    "samples_per_period": 4, "history": [],
-    "validity": { "losses_of_contact": 0, "first_loss_of_contact": null, "contradictions": 0 },
-    "energy": { "at_start": 0.0, "at_end": 0.0, "base_work": 0.0, "friction_work": 0.0, "lost_in_impacts": 0.0,
-                "gained_in_impacts": 0.0, "unaccounted": 0.0 }, "termination": "reached_horizon" })");
-  for (Json& event : json["events"]) {
-    event.update({{"tilt", 0.0}, {"tilt_rate", 0.1}, {"slip", 0.01}, {"slip_rate", 0.0}});
-  }
+rocking::TrajectoryReport sample_trajectory() {
+  using rocking::dynamics::ContactState;
+  using rocking::dynamics::EventKind;
+  rocking::TrajectoryReport report;
+  report.key = {.condition = 2, .realisation = 7};
+  report.strobe = {
+      {.period = 1, .time = 0.5, .state = {.tilt = 0.25, .tilt_rate = -0.5}, .contact = ContactState::rock_slide},
+      {.period = 2, .time = 1.0, .state = {.tilt = 0.125, .tilt_rate = 0.5}, .contact = ContactState::rock}};
+  const rocking::ReportedState after{.tilt = 0.0, .tilt_rate = 0.1, .slip = 0.01};
+  report.events = {{.time = 0.1, .kind = EventKind::lift, .state = after},
+                   {.time = 0.15, .kind = EventKind::slip_start, .state = after},
+                   {.time = 0.35, .kind = EventKind::impact_stick, .state = after},
+                   {.time = 0.35, .kind = EventKind::past_balance, .state = after}};
+  report.samples_per_period = 4;
   for (int i = 0; i <= 8; ++i) {
-    json["history"].push_back({{"tau", 0.125 * i},
-                               {"tilt", 0.01 * i},
-                               {"tilt_rate", 0.0},
-                               {"slip", -0.001 * i},
-                               {"slip_rate", 0.0},
-                               {"contact", i == 0 ? "rest" : "rock"}});
+    report.history.push_back({.time = 0.125 * i,
+                              .state = {.tilt = 0.01 * i, .slip = -0.001 * i},
+                              .contact = i == 0 ? ContactState::rest : ContactState::rock});
   }
-  return json;
+  return report;
 }
+
+std::string text_of(const rocking::TrajectoryReport& report) { return rocking::trajectory_document().text(report); }
 
 rocking::BifurcationReport sample_bifurcation(std::size_t steps, std::size_t points) {
   rocking::BifurcationReport report;
@@ -93,9 +92,9 @@ const Table* table_named(const Figure& figure, const std::string& name) {
 }
 
 TEST(TrajectoryFile, TellsTheStateOfContactFromTheEvents) {
-  const TrajectoryFile file = read_trajectory(sample_trajectory(), "x");
+  const TrajectoryFile file = shown(sample_trajectory(), "x");
   std::vector<std::string> contacts;
-  for (const auto& span : file.contacts) contacts.push_back(span.contact);
+  for (const auto& span : file.contacts) contacts.emplace_back(to_string(span.contact));
   EXPECT_THAT(contacts, ElementsAre("rest", "rock", "rock_slide", "rock"));
   EXPECT_EQ(file.contacts[2].from, 0.15 / 0.5);
   EXPECT_EQ(file.contacts[2].to, 0.35 / 0.5);
@@ -103,7 +102,7 @@ TEST(TrajectoryFile, TellsTheStateOfContactFromTheEvents) {
 }
 
 TEST(TimeHistory, HasTheSamplesAndTheEventsInOrder) {
-  const Figure figure = time_history(read_trajectory(sample_trajectory(), "x"), {});
+  const Figure figure = time_history(shown(sample_trajectory(), "x"), {});
   const Table& table = figure.tables.front();
   ASSERT_EQ(table.rows.size(), 13U);
   for (std::size_t i = 1; i < table.rows.size(); ++i) {
@@ -115,7 +114,7 @@ TEST(TimeHistory, HasTheSamplesAndTheEventsInOrder) {
 }
 
 TEST(TimeHistory, ShowsTheAskedPartOnly) {
-  const Figure figure = time_history(read_trajectory(sample_trajectory(), "x"), {.from = 0.5, .to = 1.0});
+  const Figure figure = time_history(shown(sample_trajectory(), "x"), {.from = 0.5, .to = 1.0});
   EXPECT_EQ(figure.panels[0].x.low, 0.5);
   EXPECT_EQ(figure.panels[0].x.high, 1.0);
   for (const auto& row : figure.tables.front().rows) EXPECT_GE(std::get<double>(row[0]), 0.5);
@@ -124,7 +123,7 @@ TEST(TimeHistory, ShowsTheAskedPartOnly) {
 }
 
 TEST(TimeHistory, OfATrajectoryThatEndedBeforeTheWindowSaysSo) {
-  const TrajectoryFile file = read_trajectory(sample_trajectory(), "x");
+  const TrajectoryFile file = shown(sample_trajectory(), "x");
   const auto figures = {time_history(file, {.from = 60.0}), responses({file, file}, {.from = 60.0})};
   for (const Figure& figure : figures) {
     EXPECT_EQ(figure.panels[0].x.low, 60.0);
@@ -137,7 +136,7 @@ TEST(TimeHistory, OfATrajectoryThatEndedBeforeTheWindowSaysSo) {
 }
 
 TEST(Poincare, HasThePointsOfTheFile) {
-  const Figure figure = poincare({read_trajectory(sample_trajectory(), "x")}, {.from = 2.0});
+  const Figure figure = poincare({shown(sample_trajectory(), "x")}, {.from = 2.0});
   EXPECT_THAT(figure.tables.front().rows, ElementsAre(ElementsAre(Cell(0.125), Cell(0.5), Cell(2.0))));
 }
 
@@ -291,7 +290,7 @@ TEST(Cost, OfABadFileIsRefusedWithEveryFault) {
 }
 
 TEST(PhasePortrait, IsThePathOfTheHistoryWithItsStrobePoints) {
-  const Figure figure = phase_portrait({read_trajectory(sample_trajectory(), "x")}, {.from = 0.5, .to = 1.0});
+  const Figure figure = phase_portrait({shown(sample_trajectory(), "x")}, {.from = 0.5, .to = 1.0});
   ASSERT_EQ(figure.panels.size(), 1U);
   ASSERT_EQ(figure.panels[0].layers.size(), 2U);
   const auto& path = figure.panels[0].layers[0];
@@ -309,7 +308,7 @@ TEST(PhasePortrait, IsThePathOfTheHistoryWithItsStrobePoints) {
 }
 
 TEST(PhasePortrait, OfSeveralFilesNamesEachOnce) {
-  const TrajectoryFile file = read_trajectory(sample_trajectory(), "x");
+  const TrajectoryFile file = shown(sample_trajectory(), "x");
   TrajectoryFile other = file;
   other.name = "y";
   const Figure figure = phase_portrait({file, other}, {});
@@ -395,14 +394,14 @@ TEST(FragilityFigure, RefusesLevelsThatContradictThemselves) {
 }
 
 TEST(OutputFigures, AreOfEachFileAndOfAllTogether) {
-  const std::string text = sample_trajectory().dump();
+  const std::string text = text_of(sample_trajectory());
   std::vector<std::string> names;
   for (const Figure& figure : output_figures({{"a.json", text}, {"b.json", text}}, {})) names.push_back(figure.name);
   EXPECT_THAT(names, ElementsAre("time_history", "time_history_2", "responses", "phase_portrait", "poincare"));
 }
 
 TEST(OutputFigures, RefuseWithTheFilesName) {
-  Json torn = sample_trajectory();
+  Json torn = Json::parse(text_of(sample_trajectory()));
   torn.erase("strobe");
   const auto refusal = [](const std::string& text) -> std::string {
     try {
@@ -413,11 +412,12 @@ TEST(OutputFigures, RefuseWithTheFilesName) {
     return "accepted";
   };
   EXPECT_THAT(refusal(torn.dump()), HasSubstr("some.json"));
-  Json mixed = sample_trajectory();
+  Json mixed = Json::parse(text_of(sample_trajectory()));
   mixed["units"] = "si";
-  EXPECT_THAT(refusal(mixed.dump()), HasSubstr("/block"));
-  mixed["block"].update(Json{{"shape_angle_rad", 0.2}, {"half_diagonal_m", 2.0}, {"frequency_parameter_rad_s", 1.9}});
-  EXPECT_THAT(refusal(mixed.dump()), HasSubstr("other units"));
+  EXPECT_THAT(refusal(mixed.dump()), HasSubstr("/strobe/0/tilt_rad"));
+  Json reversed = Json::parse(text_of(sample_trajectory()));
+  std::swap(reversed["history"][3], reversed["history"][4]);
+  EXPECT_THAT(refusal(reversed.dump()), HasSubstr("/history/4"));
   EXPECT_THAT(refusal(R"({"format": "rocking.report/1"})"), HasSubstr("rocking report DIR"));
   EXPECT_THAT(refusal("[1]"), HasSubstr("/format"));
 }

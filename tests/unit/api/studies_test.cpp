@@ -8,6 +8,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/output/orbits_report.hpp"
 #include "rocking/pages.hpp"
 #include "rocking/rocking.hpp"
 #include "rocking/text/files.hpp"
@@ -71,24 +72,27 @@ TEST(OrbitStudies, HaveTheBranchesOfTheirTextAsValues) {
       EXPECT_EQ(text["branches"][b]["points"][k]["value"], points[k].value);
     }
   }
-  EXPECT_THAT(orbits_table(experiment, study), HasSubstr("branch"));
+  EXPECT_THAT(orbits_table(study), HasSubstr("branch"));
+  // Read again, the text gives the same bytes.
+  EXPECT_EQ(orbits_document().text(orbits_document().read(text)), orbits_text(experiment, study));
 }
 
 // The state of an orbit returns after its period: the motion is that of trajectory(), which knows nothing of orbits.
 TEST(OrbitStudies, HaveOrbitsWhoseMotionReturns) {
   const Experiment experiment = swept_experiment();
-  const auto found = periodic_orbits(experiment, 1);
+  const auto found = orbit_study(experiment, {.longest = 1}).conditions;
   ASSERT_EQ(found.size(), 2U);
   for (std::size_t i = 0; i < found.size(); ++i) {
-    ASSERT_FALSE(found[i].empty());
-    for (const PeriodicOrbit& orbit : found[i]) {
+    ASSERT_FALSE(found[i].orbits.empty());
+    for (const Orbit& orbit : found[i].orbits) {
       Condition condition = experiment.conditions[i];
-      condition.scene.initial.tilt = orbit.points.front().tilt;
-      condition.scene.initial.tilt_rate = orbit.points.front().tilt_rate;
+      const section::StrobePoint& start = orbit.points.front().point;
+      condition.scene.initial.tilt = start.tilt;
+      condition.scene.initial.tilt_rate = start.tilt_rate;
       const Trajectory motion = trajectory(experiment_of({condition}), {.periods = orbit.period});
       ASSERT_EQ(motion.strobe.size(), static_cast<std::size_t>(orbit.period));
-      EXPECT_NEAR(motion.strobe.back().tilt, orbit.points.front().tilt, 1e-9);
-      EXPECT_NEAR(motion.strobe.back().tilt_rate, orbit.points.front().tilt_rate, 1e-9);
+      EXPECT_NEAR(motion.strobe.back().tilt, start.tilt, 1e-9);
+      EXPECT_NEAR(motion.strobe.back().tilt_rate, start.tilt_rate, 1e-9);
     }
   }
 }

@@ -23,6 +23,11 @@ struct Sized {
   std::uint64_t count = 0;
 };
 
+struct Extent {
+  double low = 0.0;
+  double high = 1.0;
+};
+
 struct Everything {
   Sized size;
   Inner inner;
@@ -34,12 +39,21 @@ struct Everything {
   int number = 0;
   std::optional<std::string> note;
   std::optional<std::optional<double>> scale;
+  std::optional<Extent> extent;
 };
 
 static const StructType& fields_of(const Inner*) {
   static const StructType fields{
       field<&Inner::share>("share", "of the total", rule::share),
       field<&Inner::mean>("mean", "null where nothing was counted", rule::positive),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Extent*) {
+  static const StructType fields{
+      field<&Extent::low>("low", "lower end"),
+      field<&Extent::high>("high", "upper end"),
   };
   return fields;
 }
@@ -58,6 +72,7 @@ static const StructType& fields_of(const Everything*) {
       field<&Everything::number>("number", "any whole number"),
       field<&Everything::note>("note", "in words", {}, WithoutValue::omitted),
       field<&Everything::scale>("scale", "null where none will do", rule::positive, WithoutValue::omitted),
+      inlined<&Everything::extent>(),
   };
   return fields;
 }
@@ -141,6 +156,19 @@ TEST(Fields, ThatAreOmittedDifferFromThoseThatAreNull) {
   all.scale.emplace();
   EXPECT_TRUE(json_of(document().text(all)).at("scale").is_null());
   EXPECT_EQ(json_of(document().schema_text())["properties"]["scale"]["type"], Json::array({"number", "null"}));
+}
+
+TEST(Fields, OfAnOptionalMemberAreAllThereOrNoneIs) {
+  Everything all = example();
+  EXPECT_FALSE(document().read(json_of(document().text(all))).extent);
+  all.extent = {.low = -1.0, .high = 3.0};
+  Json json = json_of(document().text(all));
+  EXPECT_EQ(json["low"], -1.0);
+  EXPECT_EQ(document().read(json).extent->high, 3.0);
+  json.erase("low");
+  EXPECT_THAT(complaints(json), ::testing::ElementsAre("/low = null: is missing"));
+  json.erase("high");
+  EXPECT_THAT(complaints(json), ::testing::IsEmpty());
 }
 
 TEST(Fields, ReportEveryFaultWithItsPlaceAndRemedy) {

@@ -8,7 +8,7 @@
 #include "rocking/output/check_normal_fields.hpp"
 #include "rocking/output/check_normal_summary.hpp"
 #include "rocking/output/report.hpp"
-#include "rocking/output/write_trajectory.hpp"
+#include "rocking/output/trajectory_report.hpp"
 #include "support/experiment_text.hpp"
 #include "support/json_schema.hpp"
 
@@ -173,7 +173,9 @@ TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
                        .friction_work = -1.0,
                        .lost_in_impacts = 1.5,
                        .gained_in_impacts = 0.25};
-  const std::string text = trajectory_text({.condition = 3, .realisation = 7}, trajectory);
+  const TrajectoryReport report =
+      trajectory_report({.condition = 3, .realisation = 7}, trajectory, TrajectoryUnits::normalised);
+  const std::string text = trajectory_document().text(report);
   EXPECT_EQ(objections("trajectory", text), "");
   const Json json = Json::parse(text);
   EXPECT_EQ(json["strobe"][0]["tilt"].get<double>(), 1.0 / 3.0);
@@ -190,7 +192,27 @@ TEST(Trajectory, KeepsToItsSchemaAndEveryBit) {
   EXPECT_EQ(json["block"]["width_m"], 0.3);
   EXPECT_EQ(json["block"]["height_m"], 1.2);
   EXPECT_EQ(json["block"]["gravity_m_s2"], 1.62);
-  EXPECT_EQ(objections("trajectory", trajectory_text({}, {})), "") << "an empty one";
+  EXPECT_EQ(objections("trajectory", trajectory_document().text({})), "") << "an empty one";
+  EXPECT_FALSE(json.contains("history"));
+}
+
+// In both units: what is written follows the schema, and what is read gives the same text.
+TEST(Trajectory, IsReadAsItWasWritten) {
+  Trajectory trajectory;
+  trajectory.block = {.width = 0.3, .height = 1.2, .gravity = 1.62};
+  trajectory.period_length = 0.5;
+  trajectory.strobe.push_back({1, 0.25, -0.1, 0.5, -0.0, dynamics::ContactState::rock_slide});
+  trajectory.events.push_back({0.3, dynamics::EventKind::past_balance, 1.0, 1e-300, 2.0 / 3.0, 1.5});
+  trajectory.history.push_back({0.0, 0.1, 0.2, 0.3, 0.4, dynamics::ContactState::slide, 0.0});
+  trajectory.history.push_back({0.5, 0.1, 0.2, 0.3, 0.4, dynamics::ContactState::rest, 0.0});
+  trajectory.samples_per_period = 1;
+  trajectory.first_loss_of_contact = 0.125;
+  for (const TrajectoryUnits units : {TrajectoryUnits::normalised, TrajectoryUnits::si}) {
+    const std::string text = trajectory_document().text(trajectory_report({}, trajectory, units));
+    EXPECT_EQ(objections("trajectory", text), "");
+    EXPECT_EQ(trajectory_document().text(trajectory_document().read(Json::parse(text))), text);
+    EXPECT_EQ(text.find("tilt_rad") != std::string::npos, units == TrajectoryUnits::si);
+  }
 }
 
 /// 200 evenly spaced numbers: not normal, with the right mean.

@@ -125,7 +125,7 @@ TEST(Branches, GrazeWhereABisectionHasTheLastOrbit) {
     if (one.kind == BifurcationKind::grazing && std::abs(one.value - 4.4645268) < 1e-5) grazings.push_back(&one);
   }
   ASSERT_FALSE(grazings.empty());
-  const section::StrobePoint start = grazings.front()->orbit.points.front().point;
+  const section::StrobePoint start = grazings.front()->orbit->points.front().point;
   double below = grazings.front()->value - 1e-6;
   double above = grazings.front()->value + 1e-6;
   const auto first = find_fixed_point(PoincareMap(shaken(below)), start, 3, {});

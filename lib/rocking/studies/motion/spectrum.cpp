@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "rocking/dynamics/excitation/recorded.hpp"
+
 namespace rocking {
 namespace {
 

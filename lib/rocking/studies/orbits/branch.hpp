@@ -63,10 +63,17 @@ struct OrbitBranch {
 /// A bifurcation on a branch.
 struct Bifurcation {
   BifurcationKind kind = BifurcationKind::fold;
-  double value = 0.0;      ///< of the parameter
-  double error = 0.0;      ///< largest error of `value`
-  std::size_t branch = 0;  ///< place of the branch
-  Orbit orbit;             ///< there
+  double value = 0.0;                         ///< of the parameter
+  double error = 0.0;                         ///< largest error of `value`
+  std::size_t branch = 0;                     ///< place of the branch
+  std::optional<Orbit> orbit = std::nullopt;  ///< there
+};
+
+/// Branches and their bifurcations.
+struct BranchStudy {
+  std::vector<OrbitBranch> branches;
+  std::vector<Bifurcation> bifurcations;
+  bool is_complete = true;  ///< every known orbit was followed: `most_branches` was enough
 };
 
 }  // namespace rocking

@@ -10,6 +10,7 @@
 
 #include "rocking/section/period.hpp"
 #include "rocking/studies/orbits/critical_orbit.hpp"
+#include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/studies/orbits/trace.hpp"
 
@@ -148,7 +149,9 @@ class BranchSearch {
     branch.period = orbits.orbits().period;
     branch.is_symmetric = orbits.orbits().is_symmetric;
     for (const CurvePoint& point : points) {
-      branch.points.push_back(branch_point(orbits, point));
+      if (auto orbit = whole_orbit(orbits, point)) {
+        branch.points.push_back({.value = value_at(point), .orbit = std::move(*orbit)});
+      }
       const std::size_t c = condition_at(point.at[3]);
       if (c < wanted_.size()) mark(c, orbits, point, place);
     }
@@ -159,19 +162,26 @@ class BranchSearch {
   void mark(std::size_t condition, const MapFamily& orbits, const CurvePoint& point, std::size_t branch) {
     const auto place = orbit_at(condition, orbits, point);
     if (!place) return;
-    const std::size_t mirror = (*found_)[condition].orbits[*place].mirror;
-    for (const std::size_t one : {*place, mirror}) {
+    const auto mirror = (*found_)[condition].orbits[*place].mirror;
+    for (const std::size_t one : {*place, mirror.value_or(*place)}) {
       if (!branch_of_[condition][one]) branch_of_[condition][one] = branch;
     }
   }
 
-  [[nodiscard]] BranchPoint branch_point(const MapFamily& orbits, const CurvePoint& point) const {
-    BranchPoint result{.value = question_->range.value(point.at[3]), .orbit = {}};
+  /// Of the parameter.
+  [[nodiscard]] double value_at(const CurvePoint& point) const {
     const std::size_t c = condition_at(point.at[3]);
-    if (c < wanted_.size()) result.value = question_->values[c];
-    const auto image = orbits.orbits().is_symmetric ? orbits.full_image(point.at) : std::optional(point.image);
-    if (image) result.orbit = orbit_through(state_of(point.at), *image, point.residual, FoundBy::continuation);
-    return result;
+    return c < wanted_.size() ? question_->values[c] : question_->range.value(point.at[3]);
+  }
+
+  /// Absent where the motion ends within the second half of the period.
+  [[nodiscard]] static std::optional<Orbit> whole_orbit(const MapFamily& orbits, const CurvePoint& point) {
+    const bool is_symmetric = orbits.orbits().is_symmetric;
+    const auto image = is_symmetric ? orbits.full_image(point.at) : std::optional(point.image);
+    if (!image) return std::nullopt;
+    Orbit orbit = orbit_through(state_of(point.at), *image, point.residual, FoundBy::continuation);
+    orbit.is_symmetric = is_symmetric;
+    return orbit;
   }
 
   /// Locates a bifurcation by its critical multiplier; false where there is none near. Next to it the orbits that branch
@@ -220,12 +230,11 @@ class BranchSearch {
         located.kind == BifurcationKind::period_doubling || located.kind == BifurcationKind::symmetry_breaking;
     const bool is_parent = orbits.orbits().is_symmetric || !is_own_joint(orbits, located);
     if (!solve(orbits, located) && ((branches_off && !is_parent) || !is_nearly_critical(located))) return;
-    BranchPoint at = branch_point(orbits, located.point);
     Bifurcation bifurcation{.kind = located.kind,
                             .value = question_->range.value(located.share),
                             .error = error_of(located),
                             .branch = branch,
-                            .orbit = std::move(at.orbit)};
+                            .orbit = whole_orbit(orbits, located.point)};
     if (located.kind == BifurcationKind::grazing && is_listed(bifurcation)) return;
     if (branches_off) {
       if (const auto known = known_bifurcation(bifurcation)) {
@@ -252,9 +261,8 @@ class BranchSearch {
              is_same_point(other.orbit, grazing.orbit);
     });
   }
-  static bool is_same_point(const Orbit& a, const Orbit& b) {
-    return !a.points.empty() && !b.points.empty() &&
-           distance(a.points.front().point, b.points.front().point) < grazing_state;
+  static bool is_same_point(const std::optional<Orbit>& a, const std::optional<Orbit>& b) {
+    return a && b && distance(a->points.front().point, b->points.front().point) < grazing_state;
   }
 
   /// Whether the family ends there: its orbits become those of half the period, or symmetric.
@@ -265,15 +273,14 @@ class BranchSearch {
   }
 
   [[nodiscard]] std::optional<Bifurcation*> known_bifurcation(const Bifurcation& one) {
+    if (!one.orbit) return std::nullopt;
+    const section::StrobePoint& point = one.orbit->points.front().point;
     for (Bifurcation& other : study_.bifurcations) {
-      if (other.kind != one.kind) continue;
+      if (other.kind != one.kind || !other.orbit) continue;
       const double range = question_->range.high - question_->range.low;
       if (std::abs(other.value - one.value) > same_parameter * range) continue;
-      const auto is_near = [&](const section::StrobePoint& point) {
-        return std::ranges::any_of(
-            other.orbit.points, [&](const SectionState& state) { return distance(state.point, point) < same_state; });
-      };
-      if (!one.orbit.points.empty() && is_near(one.orbit.points.front().point)) return &other;
+      const auto is_near = [&point](const SectionState& state) { return distance(state.point, point) < same_state; };
+      if (std::ranges::any_of(other.orbit->points, is_near)) return &other;
     }
     return std::nullopt;
   }

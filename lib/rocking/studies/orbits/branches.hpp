@@ -23,13 +23,6 @@ struct BranchQuestion {
 inline constexpr std::size_t default_branch_points = 1000;
 inline constexpr std::size_t default_branches = 50;
 
-/// Branches and their bifurcations.
-struct BranchStudy {
-  std::vector<OrbitBranch> branches;
-  std::vector<Bifurcation> bifurcations;
-  bool is_complete = true;  ///< every known orbit was followed: `most_branches` was enough
-};
-
 /// Whether an experiment's parameter is a real number on which the motion depends continuously: lengths and gravity of
 /// the block, amplitude and frequency, friction coefficients, restitution.
 [[nodiscard]] bool can_be_continued(std::string_view pointer);

@@ -6,26 +6,13 @@
 #include "rocking/realisation/poincare_map.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/bordered.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
+#include "rocking/studies/orbits/parameter_range.hpp"
 
 namespace rocking {
 
 /// A condition for each value of a parameter; absent where the value is not allowed.
 using ConditionFamily = std::function<std::optional<Condition>(double value)>;
-
-/// Values of the parameter within which orbits are followed: low < high.
-struct ParameterRange {
-  double low = 0.0;
-  double high = 1.0;
-
-  [[nodiscard]] double value(double q) const { return low + q * (high - low); }
-  [[nodiscard]] double share(double value) const { return (value - low) / (high - low); }
-};
-
-/// Orbits that are followed together: their period, and whether they are symmetric.
-struct OrbitFamily {
-  int period = 1;
-  bool is_symmetric = false;
-};
 
 /// The map whose fixed points are the orbits of a family, over the parameter. Of symmetric orbits it is the mirrored map
 /// over half the period (PoincareMap::mirrored_half), else that over the period. The last unknown q is the share of the

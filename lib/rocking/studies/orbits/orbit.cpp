@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "rocking/studies/orbits/fixed_point.hpp"
+
 namespace rocking {
 namespace {
 

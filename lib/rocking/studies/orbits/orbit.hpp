@@ -6,7 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/base/stop_request.hpp"
+#include "rocking/realisation/section_state.hpp"
 #include "rocking/studies/orbits/stability.hpp"
 
 namespace rocking {
@@ -26,13 +27,24 @@ struct Orbit {
   double residual = 0.0;             ///< of the map over n periods, from the first point
   Stability stability;
   FoundBy found_by = FoundBy::run;
-  std::size_t mirror = 0;  ///< place of its mirror image in the list: its own if it is symmetric
+  bool is_symmetric = true;                          ///< it is its own mirror image, or none is known
+  std::optional<std::size_t> mirror = std::nullopt;  ///< place of its mirror image in a list of all; absent elsewhere
 };
+
+/// Orbits that are followed together: their period, and whether they are symmetric.
+struct OrbitFamily {
+  int period = 1;
+  bool is_symmetric = false;
+};
+
+struct FixedPoint;
+struct PoincareImage;
+class PoincareMap;
 
 /// Whether two cycles are the same one, up to a shift by whole periods and the residual.
 [[nodiscard]] bool is_same_cycle(const std::vector<SectionState>& a, const std::vector<SectionState>& b);
 
-/// The orbit through a point that the map takes back to itself. Its mirror image is itself until another is known.
+/// The orbit through a point that the map takes back to itself.
 [[nodiscard]] Orbit orbit_through(const section::StrobePoint& point, const PoincareImage& image, double residual,
                                   FoundBy found_by);
 

@@ -10,6 +10,7 @@
 #include "rocking/base/on_threads.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/studies/orbits/fixed_point.hpp"
 
 namespace rocking {
 namespace {
@@ -17,6 +18,13 @@ namespace {
 /// A run has come to its orbit when its last point is so close; later it comes closer. Orbits are known far more closely
 /// (orbit.cpp), and different ones are farther apart, but for those next to a bifurcation where they meet.
 constexpr double on_orbit = 1e-6;
+
+/// Of two orbits in a list, each is the mirror image of the other, or they are one that is its own.
+void set_mirror_images(std::vector<Orbit>& orbits, std::size_t one, std::size_t other) {
+  orbits[one].mirror = other;
+  orbits[other].mirror = one;
+  orbits[one].is_symmetric = orbits[other].is_symmetric = one == other;
+}
 
 /// Collects the orbits of one condition.
 class OrbitSearch {
@@ -88,10 +96,7 @@ class OrbitSearch {
       const auto mirror = mirror_image_of(map_, found_.orbits[i]);
       if (!mirror) continue;
       if (!place_of(*mirror, found_.orbits)) search(mirror->front().point, found_.orbits[i].period, FoundBy::mirror);
-      if (const auto place = place_of(*mirror, found_.orbits)) {
-        found_.orbits[i].mirror = *place;
-        found_.orbits[*place].mirror = i;
-      }
+      if (const auto place = place_of(*mirror, found_.orbits)) set_mirror_images(found_.orbits, i, *place);
     }
   }
 
@@ -141,6 +146,7 @@ class OrbitWorkers {
     try {
       for (std::size_t i = next_++; i < found_.size() && !is_to_stop(); i = next_++) {
         found_[i] = orbits_of(experiment_->conditions[i], longest_, options_->stop_requested);
+        found_[i].parameters = experiment_->conditions[i].parameters;
         const std::lock_guard lock(mutex_);
         ++done_;
         if (options_->on_progress) options_->on_progress(done_, found_.size());
@@ -168,6 +174,7 @@ std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit or
   if (const auto place = place_of(orbit.points, found.orbits)) return *place;
   const std::size_t place = found.orbits.size();
   orbit.mirror = place;
+  orbit.is_symmetric = true;
   const FoundBy found_by = orbit.found_by;
   const auto mirror = mirror_image_of(map, orbit);
   found.orbits.push_back(std::move(orbit));
@@ -178,10 +185,10 @@ std::size_t add_orbit(OrbitsOfCondition& found, const PoincareMap& map, Orbit or
     auto image = fixed ? orbit_of(map, std::move(*fixed), found_by, stop) : std::nullopt;
     if (!image || !is_same_cycle(image->points, *mirror)) return place;
     other = found.orbits.size();
+    image->mirror = *other;
     found.orbits.push_back(std::move(*image));
   }
-  found.orbits[place].mirror = *other;
-  found.orbits[*other].mirror = place;
+  set_mirror_images(found.orbits, place, *other);
   return place;
 }
 

@@ -5,6 +5,8 @@
 
 #include <Eigen/Dense>
 
+#include "rocking/realisation/poincare_map.hpp"
+
 namespace rocking {
 namespace {
 

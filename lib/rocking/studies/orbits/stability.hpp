@@ -6,8 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/realisation/poincare_map.hpp"
-
 namespace rocking {
 
 /// How motions near a periodic orbit approach or leave it, by its multipliers.
@@ -40,6 +38,7 @@ struct Stability {
   }
 };
 
+struct PoincareImage;
 [[nodiscard]] Stability stability_of(const PoincareImage& image);
 
 /// The kind that belongs to multipliers sorted as in Stability.

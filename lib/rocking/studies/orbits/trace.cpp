@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/grazing.hpp"
 
 namespace rocking {

@@ -3,23 +3,20 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-#include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/bifurcation_curve.hpp"
-#include "rocking/studies/orbits/branches.hpp"
+#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/orbits_of_condition.hpp"
+#include "rocking/studies/orbits/parameter_range.hpp"
 
 namespace rocking {
 
-inline constexpr std::string_view orbits_format = "rocking.orbits/1";
-
 /// The branches of an experiment that sweeps one number.
 struct FoundBranches {
-  std::string pointer;  ///< of the parameter
+  std::string pointer;  ///< JSON pointer of the parameter
   ParameterRange range;
-  std::size_t most_points;
+  std::size_t most_points = 0;
   BranchStudy study;
 };
 
@@ -32,20 +29,21 @@ struct FoundCurves {
   std::vector<BifurcationCurve> curves;
 };
 
-/// The orbits of an experiment.
-struct FoundOrbits {
-  const Experiment* experiment;
-  int longest;                                           ///< largest period searched from the grid
+/// What a search for periodic orbits has found.
+struct OrbitStudy {
+  int longest = 0;                                       ///< largest period searched from the grid
   std::vector<OrbitsOfCondition> conditions;             ///< of the experiment
   std::optional<FoundBranches> branches = std::nullopt;  ///< absent where none were asked for, or nothing is swept
   std::optional<FoundCurves> curves = std::nullopt;      ///< absent where none were asked for
 };
 
-/// `rocking.orbits/1` (lib/docs/formats.md): a line for each orbit.
-[[nodiscard]] std::string orbits_text(const FoundOrbits& found);
+/// The runs with a response (m,n), and how many of them an orbit backs.
+struct OrbitLabels {
+  std::size_t periodic = 0;
+  std::size_t certified = 0;               ///< those that ended on a stable orbit of this m and n
+  std::vector<std::size_t> not_certified;  ///< places of the other conditions
+};
 
-/// The orbits as text: a row for each orbit; the branches and their bifurcations; which response modes of runs are
-/// backed by an orbit.
-[[nodiscard]] std::string orbits_table(const FoundOrbits& found);
+[[nodiscard]] OrbitLabels labels_of(const OrbitStudy& study);
 
 }  // namespace rocking

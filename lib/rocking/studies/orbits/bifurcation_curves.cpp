@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/bifurcation_curve.hpp"
+#include "rocking/studies/orbits/bifurcation_curves.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rocking/studies/orbits/critical_orbit.hpp"
+#include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/passage.hpp"
 
 namespace rocking {
@@ -130,7 +131,7 @@ class CurveSearch {
 
  private:
   [[nodiscard]] PlaneUnknowns unknowns_at(const Bifurcation& one) const {
-    const section::StrobePoint& point = one.orbit.points.front().point;
+    const section::StrobePoint& point = one.orbit->points.front().point;
     return {point.tilt, point.tilt_rate, point.slip_rate, question_->ranges[0].share(one.value),
             question_->ranges[1].share(question_->second)};
   }
@@ -138,7 +139,7 @@ class CurveSearch {
   void follow(std::size_t place) {
     const Bifurcation& one = study_->bifurcations[place];
     const OrbitBranch& branch = study_->branches[one.branch];
-    if (one.orbit.points.empty()) return;
+    if (!one.orbit) return;
     for (const CriticalOrbits& critical :
          critical_orbits(one.kind, {.period = branch.period, .is_symmetric = branch.is_symmetric})) {
       const CriticalFamily family{.conditions = &question_->conditions,
@@ -159,9 +160,9 @@ class CurveSearch {
       BifurcationCurve curve{
           .bifurcation = place, .kind = one.kind, .orbits = family.orbits, .ends = {down.end, up.end}};
       std::ranges::reverse(down.points);
-      for (const CriticalPoint& point : down.points) curve.points.push_back(point_of(family, point));
-      curve.points.push_back(point_of(family, *start));
-      for (const CriticalPoint& point : up.points) curve.points.push_back(point_of(family, point));
+      for (const CriticalPoint& point : down.points) add(family, point, curve);
+      add(family, *start, curve);
+      for (const CriticalPoint& point : up.points) add(family, point, curve);
       curves_.push_back(std::move(curve));
       return;
     }
@@ -169,16 +170,16 @@ class CurveSearch {
 
   /// Whether a curve that was followed has crossed the second parameter's value at this bifurcation.
   [[nodiscard]] bool is_on_a_curve(const Bifurcation& one) const {
-    const section::StrobePoint& at = one.orbit.points.front().point;
+    const section::StrobePoint& at = one.orbit->points.front().point;
     for (const BifurcationCurve& curve : curves_) {
       if (curve.kind != one.kind) continue;
       for (std::size_t i = 0; i + 1 < curve.points.size(); ++i) {
         const BifurcationPoint& a = curve.points[i];
         const BifurcationPoint& b = curve.points[i + 1];
-        const double below = a.values[1] - question_->second;
-        const double above = b.values[1] - question_->second;
+        const double below = a.second_value - question_->second;
+        const double above = b.second_value - question_->second;
         if (below * above > 0.0 || below == above) continue;
-        const double value = a.values[0] + below / (below - above) * (b.values[0] - a.values[0]);
+        const double value = a.value + below / (below - above) * (b.value - a.value);
         if (std::abs(question_->ranges[0].share(value) - question_->ranges[0].share(one.value)) > same_orbit) continue;
         if (is_near_the_cycle(a.orbit, at) || is_near_the_cycle(b.orbit, at)) return true;
       }
@@ -191,17 +192,19 @@ class CurveSearch {
                                [&](const SectionState& state) { return distance(state.point, at) < 3.0 * same_orbit; });
   }
 
-  [[nodiscard]] BifurcationPoint point_of(const CriticalFamily& family, const CriticalPoint& point) const {
-    BifurcationPoint result{
-        .values = {question_->ranges[0].value(point.at[3]), question_->ranges[1].value(point.at[4])},
-        .orbit = {},
-        .test = point.test};
+  /// Adds nothing where the motion ends within the second half of the period.
+  void add(const CriticalFamily& family, const CriticalPoint& point, BifurcationCurve& curve) const {
     CriticalFamily whole = family;
     whole.orbits.is_symmetric = false;
     const auto image = family.orbits.is_symmetric ? image_of(whole, point.at) : std::optional(point.image);
     const section::StrobePoint state{.tilt = point.at[0], .tilt_rate = point.at[1], .slip_rate = point.at[2]};
-    if (image) result.orbit = orbit_through(state, *image, point.residual, FoundBy::continuation);
-    return result;
+    if (!image) return;
+    BifurcationPoint& added = curve.points.emplace_back();
+    added = {.value = question_->ranges[0].value(point.at[3]),
+             .second_value = question_->ranges[1].value(point.at[4]),
+             .orbit = orbit_through(state, *image, point.residual, FoundBy::continuation),
+             .test = point.test};
+    added.orbit.is_symmetric = family.orbits.is_symmetric;
   }
 
   const CurveQuestion* question_;

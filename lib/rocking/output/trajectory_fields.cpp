@@ -1,0 +1,271 @@
+#include <array>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "rocking/fields/container_types.hpp"
+#include "rocking/fields/named_type.hpp"
+#include "rocking/output/trajectory_report.hpp"
+
+namespace rocking {
+namespace {
+
+using dynamics::ContactState;
+using dynamics::EventKind;
+
+constexpr std::array both_units{TrajectoryUnits::normalised, TrajectoryUnits::si};
+constexpr std::array contact_states{ContactState::rest, ContactState::slide, ContactState::rock,
+                                    ContactState::rock_slide, ContactState::overturned};
+constexpr std::array event_kinds{EventKind::lift,        EventKind::impact_stick, EventKind::impact_slip,
+                                 EventKind::slip_start,  EventKind::slip_stop,    EventKind::slip_reverse,
+                                 EventKind::slide_start, EventKind::slide_stop,   EventKind::to_rest,
+                                 EventKind::to_slide,    EventKind::tip,          EventKind::past_balance,
+                                 EventKind::overturn};
+static_assert(event_kinds.size() == dynamics::event_kind_count);
+
+constexpr const char* words_on_tilt = "Theta = theta/psi, or theta [rad]";
+constexpr const char* words_on_tilt_rate = "Theta' = dTheta/dtau, or dtheta/dt [rad/s]";
+constexpr const char* words_on_time = "tau = p t, or t [s]";
+
+const ValueType& contact_type() { return the_only<NamedType<contact_states>>(); }
+
+const StructType& state_fields(TrajectoryUnits units) {
+  using State = ReportedState;
+  constexpr const char* words_on_slip = "X over R, or in [m]";
+  constexpr const char* words_on_slip_rate = "V over R p, or in [m/s]";
+  static const StructType normalised{
+      field<&State::tilt>("tilt", words_on_tilt),
+      field<&State::tilt_rate>("tilt_rate", words_on_tilt_rate),
+      field<&State::slip>("slip", words_on_slip),
+      field<&State::slip_rate>("slip_rate", words_on_slip_rate),
+  };
+  static const StructType si{
+      field<&State::tilt>("tilt_rad", words_on_tilt),
+      field<&State::tilt_rate>("tilt_rate_rad_s", words_on_tilt_rate),
+      field<&State::slip>("slip_m", words_on_slip),
+      field<&State::slip_rate>("slip_rate_m_s", words_on_slip_rate),
+  };
+  return units == TrajectoryUnits::si ? si : normalised;
+}
+
+/// The fields of a state stand among those of what has it.
+template <auto member>
+Field state_in(TrajectoryUnits units) {
+  return inlined<member>(state_fields(units));
+}
+
+const char* time_key(TrajectoryUnits units) { return units == TrajectoryUnits::si ? "time_s" : "tau"; }
+
+const StructType& fields_in(TrajectoryUnits units, const ReportedStrobe*) {
+  using Strobe = ReportedStrobe;
+  static const Field period = field<&Strobe::period>("period", "excitation periods, from 1", Rule{.least = 1.0});
+  static const Field contact = field<&Strobe::contact>("contact", "contact state", contact_type());
+  static const StructType normalised{period, state_in<&Strobe::state>(TrajectoryUnits::normalised), contact};
+  static const StructType si{period, field<&Strobe::time>("time_s", "t [s]"),
+                             state_in<&Strobe::state>(TrajectoryUnits::si), contact};
+  return units == TrajectoryUnits::si ? si : normalised;
+}
+
+const StructType& fields_in(TrajectoryUnits units, const ReportedEvent*) {
+  using Event = ReportedEvent;
+  const auto made = [](TrajectoryUnits in) {
+    return StructType{
+        field<&Event::time>(time_key(in), words_on_time),
+        field<&Event::kind>("kind", "what happens", the_only<NamedType<event_kinds>>()),
+        state_in<&Event::state>(in),
+    };
+  };
+  static const StructType normalised = made(TrajectoryUnits::normalised);
+  static const StructType si = made(TrajectoryUnits::si);
+  return units == TrajectoryUnits::si ? si : normalised;
+}
+
+const StructType& fields_in(TrajectoryUnits units, const ReportedSample*) {
+  using Sample = ReportedSample;
+  const auto made = [](TrajectoryUnits in) {
+    return StructType{
+        field<&Sample::time>(time_key(in), words_on_time),
+        state_in<&Sample::state>(in),
+        field<&Sample::contact>("contact", "contact state", contact_type()),
+    };
+  };
+  static const StructType normalised = made(TrajectoryUnits::normalised);
+  static const StructType si = made(TrajectoryUnits::si);
+  return units == TrajectoryUnits::si ? si : normalised;
+}
+
+const StructType& fields_in(TrajectoryUnits units, const PeakValues*) {
+  const auto made = [](bool si) {
+    return StructType{
+        field<&PeakValues::tilt>(si ? "tilt_rad" : "tilt", words_on_tilt, rule::not_negative),
+        field<&PeakValues::tilt_rate>(si ? "tilt_rate_rad_s" : "tilt_rate", words_on_tilt_rate, rule::not_negative),
+        field<&PeakValues::slip>("slip", "X over R", rule::not_negative),
+        field<&PeakValues::slip_m>("slip_m", "X [m]", rule::not_negative),
+        field<&PeakValues::final_slip>("final_slip", "X at the end over R, > 0 to the right"),
+        field<&PeakValues::final_slip_m>("final_slip_m", "the same [m]"),
+    };
+  };
+  static const StructType normalised = made(false);
+  static const StructType si = made(true);
+  return units == TrajectoryUnits::si ? si : normalised;
+}
+
+const StructType& fields_in(TrajectoryUnits units, const TrajectoryValidity*) {
+  using Found = TrajectoryValidity;
+  const auto made = [](bool si) {
+    return StructType{
+        field<&Found::losses_of_contact>("losses_of_contact", "downward crossings of N = 0"),
+        field<&Found::first_loss_of_contact>(si ? "first_loss_of_contact_s" : "first_loss_of_contact",
+                                             "time of the first one, tau or [s]; null: there is none",
+                                             rule::not_negative),
+        field<&Found::losses_before_fall>("losses_before_fall", "losses of contact but for those of the final fall"),
+        field<&Found::contradictions>("contradictions",
+                                      "instants at which neither sticking nor slipping agrees with the equations"),
+    };
+  };
+  static const StructType normalised = made(false);
+  static const StructType si = made(true);
+  return units == TrajectoryUnits::si ? si : normalised;
+}
+
+template <class Item, TrajectoryUnits units>
+const ValueType& item_in() {
+  return fields_in(units, static_cast<const Item*>(nullptr));
+}
+
+template <class Part, TrajectoryUnits units>
+const ValueType& type_in() {
+  if constexpr (detail::is_list<Part>) {
+    return the_only<LinesType<Part, item_in<typename Part::value_type, units>>>();
+  } else {
+    return item_in<Part, units>();
+  }
+}
+
+/// A part of a trajectory whose keys have the units of the file, which are read before.
+template <auto part>
+class PartType final : public ValueType {
+  using Part = std::remove_cvref_t<decltype(std::declval<TrajectoryReport>().*part)>;
+
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    const auto& report = *static_cast<const TrajectoryReport*>(value);
+    return type(report.units).json(&(report.*part));
+  }
+  void write(const void* value, std::string_view key, JsonWriter& out) const override {
+    const auto& report = *static_cast<const TrajectoryReport*>(value);
+    type(report.units).write(&(report.*part), key, out);
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    auto& report = *static_cast<TrajectoryReport*>(value);
+    type(report.units).read(json, place, &(report.*part));
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override {
+    return {{"anyOf", {type(TrajectoryUnits::normalised).schema(rule), type(TrajectoryUnits::si).schema(rule)}}};
+  }
+  void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override {
+    type(TrajectoryUnits::normalised).describe(prefix, rows);
+  }
+
+ private:
+  static const ValueType& type(TrajectoryUnits units) {
+    return units == TrajectoryUnits::si ? type_in<Part, TrajectoryUnits::si>()
+                                        : type_in<Part, TrajectoryUnits::normalised>();
+  }
+};
+
+template <auto part>
+Field part_in_units(std::string_view key, std::string_view sentence) {
+  return of_owner<TrajectoryReport>(key, sentence, the_only<PartType<part>>());
+}
+
+Field history_field() {
+  Field made = part_in_units<&TrajectoryReport::history>(
+      "history", "states evenly spaced in time from tau = 0 on, with `--samples`; they change no other value");
+  made.without_value = WithoutValue::omitted;
+  made.has_value = [](const void* report) { return !static_cast<const TrajectoryReport*>(report)->history.empty(); };
+  return made;
+}
+
+const StructType& energy_fields() {
+  using Account = EnergyAccount;
+  static const StructType fields{
+      field<&Account::at_start>("at_start", "kinetic and potential energy, relative to the base"),
+      field<&Account::at_end>("at_end", "the same at the end"),
+      field<&Account::base_work>("base_work", "of the base on the block"),
+      field<&Account::friction_work>("friction_work", "of kinetic friction; 0 or less while N > 0"),
+      field<&Account::lost_in_impacts>("lost_in_impacts", "energy"),
+      field<&Account::gained_in_impacts>("gained_in_impacts", "energy; 0 except for squat blocks with e > 1/3"),
+      derived<[](const Account& account) { return account.unaccounted(); }>(
+          "unaccounted",
+          "the remaining difference: 0 to rounding and tolerance in correct mechanics, but not with `slide_inertia` "
+          "`edge`"),
+  };
+  return fields;
+}
+
+}  // namespace
+
+const StructType& block_fields() {
+  using dynamics::Block;
+  using dynamics::geometry_of;
+  static const StructType fields{
+      field<&Block::width>("width_m", "B [m]", rule::positive),
+      field<&Block::height>("height_m", "H [m]", rule::positive),
+      field<&Block::gravity>("gravity_m_s2", "g [m/s^2]", rule::positive),
+      derived<[](const Block& block) { return geometry_of(block).shape_angle; }>("shape_angle_rad", "psi [rad]"),
+      derived<[](const Block& block) { return geometry_of(block).half_diagonal; }>("half_diagonal_m", "R [m]"),
+      derived<[](const Block& block) { return geometry_of(block).frequency_parameter; }>("frequency_parameter_rad_s",
+                                                                                         "p [rad/s]"),
+  };
+  return fields;
+}
+
+template <>
+struct TypeOf<TrajectoryUnits> {
+  static const ValueType& get() { return the_only<NamedType<both_units>>(); }
+};
+
+const StructType& fields_of(const TrajectoryReport*) {
+  using Report = TrajectoryReport;
+  static const StructType fields{
+      field<&Report::key, &RealisationKey::condition>("condition", "its number, from 0"),
+      field<&Report::key, &RealisationKey::realisation>("realisation", "its number, from 0"),
+      field<&Report::units>("units", "`si` with `--units si`"),
+      field<&Report::block>("block", "of this realisation, and the scales that follow from it", block_fields()),
+      part_in_units<&Report::strobe>("strobe", "states at tau = 2 pi period/Omega_h, after the events of that instant"),
+      part_in_units<&Report::events>("events", "with the state after each"),
+      field<&Report::samples_per_period>("samples_per_period", "of the history, with `--samples`", Rule{.least = 1.0},
+                                         WithoutValue::omitted),
+      history_field(),
+      part_in_units<&Report::peaks>("peaks", "largest absolute values of the motion until it ended, from tau = 0 on"),
+      part_in_units<&Report::validity>("validity", "departures from the model (model.md, 7)"),
+      field<&Report::energy>("energy", "over m R^2 p^2, since the mass of the block is not known", energy_fields()),
+      field<&Report::termination>("termination", "why it ended", the_only<NamedType<dynamics::terminations>>()),
+  };
+  return fields;
+}
+
+namespace {
+
+void check_report(const TrajectoryReport& report, const ReadingPlace& place) {
+  if (report.samples_per_period.has_value() == report.history.empty()) {
+    return place.at("history").reject(Json(), "and samples_per_period must both be given or both be absent");
+  }
+  for (std::size_t i = 1; i < report.history.size(); ++i) {
+    if (report.history[i].time > report.history[i - 1].time) continue;
+    return place.at("history")
+        .at(std::to_string(i))
+        .reject(Json(report.history[i].time), "is not later than the previous sample");
+  }
+}
+
+}  // namespace
+
+const DocumentOf<TrajectoryReport>& trajectory_document() {
+  static const DocumentOf<TrajectoryReport> document("rocking.trajectory/1", "The motion of one realisation.",
+                                                     check_report);
+  return document;
+}
+
+}  // namespace rocking

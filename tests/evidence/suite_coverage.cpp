@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "rocking/stats/suite_law.hpp"
+#include "rocking/stats/fit_suite.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace {

@@ -13,6 +13,7 @@
 
 #include <gtest/gtest.h>
 
+#include "rocking/stats/lack_of_fit.hpp"
 #include "rocking/stats/normal_law.hpp"
 #include "rocking/stats/probit.hpp"
 #include "rocking/studies/fragility.hpp"

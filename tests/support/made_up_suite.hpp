@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "rocking/stats/suite_law.hpp"
+#include "rocking/stats/fit_suite.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::support {

@@ -2,18 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <span>
 #include <vector>
 
-#include "rocking/section/response_mode.hpp"
+#include "rocking/ensemble/mode_tally.hpp"
 #include "rocking/stats/family.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking {
-
-/// Number of realisations of a condition, by response mode.
-using ModeTally = std::map<section::ResponseMode, std::uint64_t>;
 
 /// The modes with the largest counts, `most` at most, in the order of the modes. Of equal counts the first modes.
 [[nodiscard]] std::vector<section::ResponseMode> most_frequent(const ModeTally& tally, std::size_t most);

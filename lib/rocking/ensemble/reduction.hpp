@@ -11,6 +11,7 @@
 #include "rocking/ensemble/peak_tally.hpp"
 #include "rocking/ensemble/response_times.hpp"
 #include "rocking/ensemble/result.hpp"
+#include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/interval.hpp"

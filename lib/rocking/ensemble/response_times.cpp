@@ -4,6 +4,7 @@
 
 #include "rocking/ensemble/settling_tally.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/survival.hpp"
 
 namespace rocking {
 namespace {

@@ -1,28 +1,13 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
-#include <vector>
 
+#include "rocking/ensemble/settling.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/stats/incidence.hpp"
-#include "rocking/stats/quantile_interval.hpp"
-#include "rocking/stats/survival.hpp"
 #include "rocking/store/summary.hpp"
 
 namespace rocking {
-
-/// When the realisations of a condition with UntilClassified have settled, in whatever mode, and when pairs diverged.
-struct ResponseTimes {
-  static constexpr std::size_t most_times = 200;
-  static constexpr double tolerable_share = 0.01;  ///< of unsettled realisations
-
-  std::vector<stats::Incidence> any_mode;          ///< probability of having settled, thinned to `most_times` times
-  std::vector<stats::QuantileEstimate> quartiles;  ///< of the settling period
-  stats::TimeToShare nearly_all;                   ///< by which period all but `tolerable_share` have settled
-  std::vector<stats::QuantileEstimate> divergence_quartiles;  ///< of the divergence time of pairs
-};
 
 /// Upper bound of the share of realisations with a property that none of so many had: the upper end of the interval of
 /// Clopper and Pearson.

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "rocking/base/digest.hpp"
-#include "rocking/ensemble/peak_tally.hpp"
-#include "rocking/ensemble/settling_tally.hpp"
-#include "rocking/ensemble/stopping.hpp"
+#include "rocking/ensemble/peak_quantiles.hpp"
+#include "rocking/ensemble/settling.hpp"
+#include "rocking/ensemble/stop_cause.hpp"
 #include "rocking/ensemble/tolerance_sensitivity.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/section/classification.hpp"

@@ -3,58 +3,20 @@
 #include <cstdint>
 #include <map>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "rocking/ensemble/mode_family.hpp"
-#include "rocking/ensemble/response_times.hpp"
+#include "rocking/ensemble/settling.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/stats/incidence.hpp"
 #include "rocking/stats/mean_share.hpp"
-#include "rocking/stats/quantile_interval.hpp"
 #include "rocking/store/summary.hpp"
 
 namespace rocking {
 
-/// How often settled responses of one mode were left while they were watched.
-struct Leaving {
-  std::uint64_t watched_periods = 0;  ///< of all of them, from the end of the last held window until they were left
-  std::uint64_t left = 0;
-  stats::Interval per_1000_periods;  ///< exact interval of the rate, if it is constant
-};
-
 /// Upper end of the exact interval of the rate of leaving, per 1000 periods, where nothing was left in so many > 0 periods.
 [[nodiscard]] double bound_of_none_left(std::uint64_t watched_periods, double confidence);
 
-/// Windows of the long runs of a condition.
-struct LongRuns {
-  std::uint64_t windows = 0;  ///< counted in each of them
-  std::uint64_t count = 0;    ///< number of long runs
-  struct Share {
-    double share = 0.0;  ///< of these windows
-    stats::Interval interval;
-  };
-  std::map<section::ResponseMode, Share> shares;
-};
-
 /// Periods from the settling period, the end of the first held window, to the end of the last one.
 [[nodiscard]] std::int64_t confirmation_periods(const Horizon& horizon);
-
-/// Which response, and by when, of the realisations of a condition with UntilClassified.
-struct SettlingResult {
-  static constexpr std::size_t most_times = 200;
-
-  ModeTally at_horizon;          ///< modes at the fixed horizon
-  std::optional<double> differ;  ///< probability that two runs differ there; absent for fewer than two
-  std::optional<stats::Interval> differ_interval;  ///< Clopper-Pearson on disjoint pairs; likewise
-  std::uint64_t censored = 0;                      ///< realisations that were not classified
-  /// By mode, thinned to `most_times` times.
-  std::map<section::ResponseMode, std::vector<stats::Incidence>> incidence;
-  std::map<section::ResponseMode, Leaving> leaving;  ///< empty unless settled responses are watched
-  std::vector<stats::Incidence> divergence;          ///< of pairs, censored at the fixed horizon
-  std::optional<LongRuns> long_runs;                 ///< absent unless asked for
-  ResponseTimes times;
-};
 
 /// Collects the settling of the realisations of a condition. Memory is proportional to the number of distinct periods.
 class SettlingTally {

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "rocking/base/error.hpp"
+#include "rocking/ensemble/mode_family.hpp"
 
 namespace rocking {
 namespace {

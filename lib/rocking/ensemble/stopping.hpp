@@ -1,23 +1,13 @@
 #pragma once
 
 #include <cstdint>
-#include <string_view>
 
-#include "rocking/ensemble/mode_family.hpp"
+#include "rocking/ensemble/mode_tally.hpp"
+#include "rocking/ensemble/stop_cause.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/stopping_rule.hpp"
 
 namespace rocking {
-
-/// Why a condition has this number of realisations. Reports use the names of the enumerators.
-enum class StoppedBecause : std::uint8_t {
-  deterministic,          ///< nothing is random: one realisation suffices
-  all_realisations_done,  ///< the requested number
-  half_width_reached,     ///< all intervals, or that of the requested mode, are as narrow as requested
-  at_most_reached,        ///< they are not, but the largest allowed number was reached
-};
-
-[[nodiscard]] std::string_view to_string(StoppedBecause cause);
 
 /// Number of realisations that a condition needs, as far as known at present.
 struct Target {

@@ -7,10 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "rocking/ensemble/response_times.hpp"
 #include "rocking/output/report.hpp"
+#include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/quantile_interval.hpp"
-#include "rocking/stats/survival.hpp"
 
 namespace rocking {
 

@@ -8,6 +8,14 @@
 namespace rocking {
 namespace {
 
+/// What a condition fixes for a realisation with this block.
+dynamics::Setting setting_of(const Condition& condition, const dynamics::Geometry& block) {
+  return {.block = block,
+          .inertia = dynamics::inertia_ratio(condition.scene.slide_inertia),
+          .impact_slip_rule = condition.scene.impact_slip_rule,
+          .tolerance = condition.tolerance};
+}
+
 using random::Source;
 
 class QuantityReader {

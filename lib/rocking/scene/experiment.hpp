@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "rocking/dynamics/formulation.hpp"
-#include "rocking/dynamics/setting.hpp"
 #include "rocking/scene/block.hpp"
 #include "rocking/scene/excitation.hpp"
 #include "rocking/scene/restitution.hpp"
@@ -121,14 +120,6 @@ void for_each_quantity(const Scene& scene, Visit&& visit) {
 /// The block that stands for all blocks of a scene where only one can: in tables and sketches, in the horizon and the
 /// strobe under a ground motion.
 [[nodiscard]] inline dynamics::Block mean_block(const Scene& scene) { return mean_of(scene.block); }
-
-/// What a condition fixes for a realisation with this block.
-[[nodiscard]] inline dynamics::Setting setting_of(const Condition& condition, const dynamics::Geometry& block) {
-  return {.block = block,
-          .inertia = dynamics::inertia_ratio(condition.scene.slide_inertia),
-          .impact_slip_rule = condition.scene.impact_slip_rule,
-          .tolerance = condition.tolerance};
-}
 
 /// Mean of e for a block of this shape.
 [[nodiscard]] double restitution_of(const Scene& scene, const dynamics::Geometry& block);

@@ -93,4 +93,12 @@ struct FragilityFit {
 /// converges to rounding accuracy.
 [[nodiscard]] FragilityFit fit_lognormal(const std::vector<IntensityLevel>& levels, double confidence = 0.95);
 
+/// Test of the lognormal law against a probability of its own at each level.
+struct LackOfFit {
+  double deviance = 0.0;       ///< twice the difference of the log-likelihoods (probit_deviance)
+  std::uint64_t samples = 0;   ///< bootstrap samples
+  std::uint64_t as_large = 0;  ///< those whose deviance is at least as large
+  double p_value = 1.0;        ///< (as_large + 1)/(samples + 1)
+};
+
 }  // namespace rocking::stats

@@ -33,6 +33,15 @@ struct Incidence {
   Interval simultaneous;  ///< holds at all times at once
 };
 
+/// By when all but a share of the observations have met the event.
+struct TimeToShare {
+  bool is_observed = false;          ///< the curve reaches it; otherwise it is extrapolated
+  std::optional<std::int64_t> time;  ///< absent: cannot be told
+  std::optional<std::int64_t> low;   ///< ends of its interval; absent: open
+  std::optional<std::int64_t> high;
+  std::uint64_t events = 0;  ///< on which the extrapolation rests
+};
+
 /// Probability that `event` has occurred by each time at which its estimate changes (Aalen & Johansen 1978, Scand. J.
 /// Stat. 5, 141-150). With one kind of event it is 1 minus the estimate of Kaplan and Meier.
 ///

@@ -11,14 +11,6 @@
 
 namespace rocking::stats {
 
-/// Test of the lognormal law against a probability of its own at each level.
-struct LackOfFit {
-  double deviance = 0.0;       ///< twice the difference of the log-likelihoods (probit_deviance)
-  std::uint64_t samples = 0;   ///< bootstrap samples
-  std::uint64_t as_large = 0;  ///< those whose deviance is at least as large
-  double p_value = 1.0;        ///< (as_large + 1)/(samples + 1)
-};
-
 /// Two independent uniform numbers in [0, 1) that belong to trial `number` of bootstrap sample `sample`. A pure
 /// function of both, so that the test repeats to the bit; called by several threads.
 using BootstrapNumbers = std::function<std::array<double, 2>(std::uint64_t sample, std::uint64_t number)>;

@@ -19,15 +19,6 @@ namespace rocking::stats {
 [[nodiscard]] QuantileEstimate incidence_quantile(const std::vector<Incidence>& curve, std::uint64_t observations,
                                                   double level, double confidence);
 
-/// By when all but a share of the observations have met the event.
-struct TimeToShare {
-  bool is_observed = false;          ///< the curve reaches it; otherwise it is extrapolated
-  std::optional<std::int64_t> time;  ///< absent: cannot be told
-  std::optional<std::int64_t> low;   ///< ends of its interval; absent: open
-  std::optional<std::int64_t> high;
-  std::uint64_t events = 0;  ///< on which the extrapolation rests
-};
-
 /// Observations are looked at every `step` after `from` > 0: an event is seen at the end of the step in which it
 /// happened.
 struct Steps {

@@ -7,16 +7,9 @@
 #include "rocking/base/digest.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/realisation/realisation_result.hpp"
+#include "rocking/store/realisation_key.hpp"
 
 namespace rocking {
-
-/// Identifies one realisation of one condition; both numbers count from 0.
-struct RealisationKey {
-  std::uint64_t condition = 0;
-  std::uint64_t realisation = 0;
-
-  friend auto operator<=>(const RealisationKey&, const RealisationKey&) = default;
-};
 
 /// The part of a result that is stored, after the comparison with the neighbouring realisation: a few hundred bytes,
 /// whatever the horizon.

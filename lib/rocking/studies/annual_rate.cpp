@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/stats/fit_suite.hpp"
 #include "rocking/stats/student_law.hpp"
 #include "rocking/studies/hazard_integral.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "rocking/scene/hazard.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/fragility_curve.hpp"
 #include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {

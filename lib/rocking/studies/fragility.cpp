@@ -6,6 +6,7 @@
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/stats/isotonic.hpp"
+#include "rocking/stats/lack_of_fit.hpp"
 
 namespace rocking {
 namespace {

@@ -1,57 +1,12 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <vector>
 
-#include "rocking/scene/experiment.hpp"
-#include "rocking/scene/shaking.hpp"
-#include "rocking/stats/fragility.hpp"
-#include "rocking/stats/lack_of_fit.hpp"
-#include "rocking/studies/suite/stripes.hpp"
+#include "rocking/base/many_parts.hpp"
+#include "rocking/studies/fragility_curve.hpp"
 
 namespace rocking {
-
-/// The event at one intensity: overturning, or the event of the curve.
-struct FragilityLevel {
-  double intensity = 0.0;
-  std::optional<Shaking> shaking = std::nullopt;  ///< of the condition; absent under a ground motion
-  stats::Proportion overturned;
-  double estimate = 0.0;         ///< share of the realisations that overturned
-  stats::Interval exact;         ///< Clopper-Pearson, of this level alone
-  stats::Interval simultaneous;  ///< Bonferroni-Clopper-Pearson over the levels of the curve
-  std::optional<double> fitted;  ///< by the law; absent where none is fitted
-  /// Of `fitted` at this intensity alone; of `isotonic` it is `simultaneous`, which holds also if the probability decreases
-  /// somewhere. Absent without both.
-  std::optional<stats::Interval> band;
-  /// Most likely probability that does not decrease with the intensity; present where the fitted function was rejected.
-  std::optional<double> isotonic;
-
-  /// Whether the fitted function lies outside the simultaneous interval.
-  [[nodiscard]] bool is_missed() const;
-};
-
-/// The fitted function of a curve, and what follows from it at the curve's confidence and levels.
-struct FittedLaw {
-  stats::LognormalFragility function;
-  stats::Bounded median;
-  bool is_extrapolated = false;  ///< the median lies outside the levels
-  stats::Bounded dispersion;
-};
-
-/// Probability of overturning as a function of intensity, from conditions that differ in nothing else.
-struct FragilityCurve {
-  CurveSubject subject;
-  stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;
-  std::optional<FittedLaw> law;          ///< present if and only if the outcome is `fitted`
-  std::optional<stats::LackOfFit> test;  ///< of the fitted function; absent where none could be fitted
-  std::vector<FragilityLevel> levels;    ///< by growing intensity
-
-  /// Levels at which the fitted function lies outside the simultaneous interval.
-  [[nodiscard]] std::size_t missed_levels() const;
-};
 
 /// Bootstrap samples of the test of the fitted function, and its significance level.
 inline constexpr std::uint64_t fragility_samples = 999;

@@ -6,6 +6,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/suite/suite_fragility.hpp"
 
 namespace rocking {
 namespace {

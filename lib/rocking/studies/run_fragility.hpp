@@ -6,7 +6,7 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
 #include "rocking/studies/annual_rate.hpp"
-#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/fragility_curve.hpp"
 #include "rocking/studies/suite/incremental.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 #include "rocking/studies/suite/suite_curve.hpp"

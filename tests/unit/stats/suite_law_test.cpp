@@ -12,7 +12,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
-#include "rocking/stats/suite_law.hpp"
+#include "rocking/stats/fit_suite.hpp"
 #include "support/made_up_suite.hpp"
 
 namespace {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/studies/annual_rate.hpp"
+#include "rocking/studies/fragility.hpp"
 
 namespace rocking {
 namespace {

@@ -7,8 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "rocking/ensemble/mode_family.hpp"
 #include "rocking/output/cost_report.hpp"
 #include "rocking/output/cost_table.hpp"
+#include "rocking/studies/cost/half_width_forecast.hpp"
 #include "rocking/text/json.hpp"
 #include "support/json_schema.hpp"
 #include "support/made_up_cost.hpp"

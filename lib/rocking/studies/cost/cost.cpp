@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/studies/cost/half_width_forecast.hpp"
 #include "rocking/studies/cost/measurement.hpp"
 #include "rocking/studies/cost/sample.hpp"
 

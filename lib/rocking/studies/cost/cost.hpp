@@ -7,7 +7,7 @@
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/cost/curve.hpp"
-#include "rocking/studies/cost/half_width_forecast.hpp"
+#include "rocking/studies/cost/half_widths.hpp"
 #include "rocking/studies/cost/recommendation.hpp"
 #include "rocking/studies/cost/timing.hpp"
 

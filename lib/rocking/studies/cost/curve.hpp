@@ -8,7 +8,7 @@
 #include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/stats/paired.hpp"
-#include "rocking/store/summary.hpp"
+#include "rocking/store/realisation_key.hpp"
 
 namespace rocking {
 

@@ -7,13 +7,10 @@
 #include <vector>
 
 #include "rocking/stats/suite_law.hpp"
-#include "rocking/studies/fragility.hpp"
+#include "rocking/studies/fragility_curve.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 
 namespace rocking {
-
-/// Bootstrap samples of the records of a suite.
-inline constexpr std::uint64_t suite_samples = 499;
 
 /// A parameter of the law of a suite.
 struct SuiteEstimate {
@@ -81,17 +78,5 @@ struct SuiteCurve {
   std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
   stats::RecordBootstrap bootstrap;     ///< of the records
 };
-
-/// The curve of a group that is a suite. `seed`: of the bootstraps.
-[[nodiscard]] SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
-                                     const base::ManyParts& how = {});
-
-/// Its parts, at most: bootstrap samples, parameters, records and measures of intensity.
-[[nodiscard]] std::uint64_t parts_of_suite_curve(const StripeGroup& group);
-
-/// The measures by growing dispersion of the law of the suite; of equal ones the one with the smaller deviance first.
-/// Without measures: empty. A measure is a part.
-[[nodiscard]] std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes,
-                                                         const FragilityEvent& event, const base::ManyParts& how = {});
 
 }  // namespace rocking

@@ -1,4 +1,4 @@
-#include "rocking/studies/suite/suite_curve.hpp"
+#include "rocking/studies/suite/suite_fragility.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,6 +10,8 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
+#include "rocking/stats/fit_suite.hpp"
+#include "rocking/studies/fragility.hpp"
 
 namespace rocking {
 namespace {

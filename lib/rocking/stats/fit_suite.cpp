@@ -1,4 +1,4 @@
-#include "rocking/stats/suite_law.hpp"
+#include "rocking/stats/fit_suite.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,41 @@ namespace rocking {
 namespace {
 
 constexpr std::size_t most_problems = 20;
+constexpr std::size_t least_repetition = 4;  ///< rows that stand in a table once, and are referred to later
+
+/// Rows from `from` on that say under `prefix` what rows from `of` on say under another prefix.
+struct Repetition {
+  std::size_t rows = 0;
+  std::size_t of = 0;
+  std::string prefix;
+  std::string prefix_there;
+};
+
+/// The longest one that begins at row `from` and repeats rows that are printed.
+Repetition repetition_at(const std::vector<KeyRow>& rows, const std::vector<bool>& is_printed, std::size_t from) {
+  Repetition longest;
+  const std::string& key = rows[from].key;
+  for (std::size_t dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1)) {
+    const std::string suffix = key.substr(dot);
+    for (std::size_t of = 0; of < from; ++of) {
+      if (!rows[of].key.ends_with(suffix)) continue;
+      Repetition found{.rows = 0,
+                       .of = of,
+                       .prefix = key.substr(0, dot),
+                       .prefix_there = rows[of].key.substr(0, rows[of].key.size() - suffix.size())};
+      while (from + found.rows < rows.size() && of + found.rows < from && is_printed[of + found.rows]) {
+        const KeyRow& here = rows[from + found.rows];
+        const KeyRow& there = rows[of + found.rows];
+        const bool is_same = here.sentence == there.sentence && there.key.starts_with(found.prefix_there) &&
+                             here.key == found.prefix + there.key.substr(found.prefix_there.size());
+        if (!is_same) break;
+        ++found.rows;
+      }
+      if (found.rows > longest.rows) longest = found;
+    }
+  }
+  return longest;
+}
 
 }  // namespace
 
@@ -44,8 +79,19 @@ std::string Document::schema_text() const {
 std::string Document::table() const {
   std::vector<KeyRow> rows;
   fields_->describe("", rows);
+  std::vector<bool> is_printed(rows.size(), false);
   std::string table = "| key | meaning |\n| --- | --- |\n";
-  for (const KeyRow& row : rows) table += "| `" + row.key + "` | " + std::string(row.sentence) + " |\n";
+  for (std::size_t i = 0; i < rows.size();) {
+    const Repetition again = repetition_at(rows, is_printed, i);
+    if (again.rows < least_repetition) {
+      table += "| `" + rows[i].key + "` | " + std::string(rows[i].sentence) + " |\n";
+      is_printed[i++] = true;
+    } else {
+      const std::string last = rows[i + again.rows - 1].key.substr(again.prefix.size());
+      table += "| `" + rows[i].key + "` to `" + last + "` | as of `" + again.prefix_there + "` |\n";
+      i += again.rows;
+    }
+  }
   return table;
 }
 

@@ -18,7 +18,7 @@ class Document {
   [[nodiscard]] std::string_view format() const { return format_; }
   /// JSON Schema, draft 7, as `rocking schema` prints it.
   [[nodiscard]] std::string schema_text() const;
-  /// The keys after `format` as a table in Markdown.
+  /// The keys after `format` as a table in Markdown. Several keys in a row that mean what they mean elsewhere are one row.
   [[nodiscard]] std::string table() const;
 
  protected:

@@ -28,6 +28,15 @@ struct Extent {
   double high = 1.0;
 };
 
+struct Corners {
+  double left = 0.0, right = 0.0, top = 0.0, bottom = 0.0;
+};
+
+struct Pair {
+  Corners first, second;
+  double left = 0.0;
+};
+
 struct Everything {
   Sized size;
   Inner inner;
@@ -54,6 +63,25 @@ static const StructType& fields_of(const Extent*) {
   static const StructType fields{
       field<&Extent::low>("low", "lower end"),
       field<&Extent::high>("high", "upper end"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Corners*) {
+  static const StructType fields{
+      field<&Corners::left>("left", "edge"),
+      field<&Corners::right>("right", "edge"),
+      field<&Corners::top>("top", "edge"),
+      field<&Corners::bottom>("bottom", "edge"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Pair*) {
+  static const StructType fields{
+      field<&Pair::first>("first", "one"),
+      field<&Pair::second>("second", "another"),
+      field<&Pair::left>("left", "edge"),
   };
   return fields;
 }
@@ -212,6 +240,20 @@ TEST(Fields, DescribeThemselves) {
   EXPECT_EQ(schema["properties"]["count"]["minimum"], 0.0);
   EXPECT_EQ(schema["properties"]["list"]["items"]["required"], Json::array({"share", "mean"}));
   EXPECT_THAT(document().table(), ::testing::HasSubstr("| `list` | of parts |\n| `list[i].share` | of the total |\n"));
+}
+
+TEST(Fields, ThatMeanTheSameElsewhereAreOneRowOfATable) {
+  EXPECT_EQ(DocumentOf<Pair>("rocking.pair/1", "Two.").table(), R"(| key | meaning |
+| --- | --- |
+| `first` | one |
+| `first.left` | edge |
+| `first.right` | edge |
+| `first.top` | edge |
+| `first.bottom` | edge |
+| `second` | another |
+| `second.left` to `.bottom` | as of `first` |
+| `left` | edge |
+)");
 }
 
 }  // namespace

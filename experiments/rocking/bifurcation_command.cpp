@@ -1,23 +1,22 @@
 #include <filesystem>
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 
 #include "campaign.hpp"
 #include "commands.hpp"
-#include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "progress.hpp"
+#include "rocking/api/studies.hpp"
 #include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/bifurcation_table.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/studies/bifurcation.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
+#include "watched.hpp"
 
 namespace rocking::program {
 namespace {
@@ -54,13 +53,9 @@ void expect_all_free(const DiagramFiles& files, bool overwrite) {
   expect_free(files.tables, overwrite);
 }
 
-std::optional<std::vector<Diagram>> draw(const Experiment& experiment, const BifurcationRequest& request) {
+std::vector<Diagram> draw(const Experiment& experiment, const BifurcationRequest& request) {
   Progress progress(suitable_progress_style(request.execution.loudness), "steps");
-  RunOptions options;
-  options.threads = request.execution.threads;
-  options.stop_requested = &stop_on_interrupt();
-  options.on_progress = [&](std::uint64_t done, std::uint64_t all) { progress.show(done, all); };
-  return bifurcation(experiment, request.realisation, options);
+  return diagrams(experiment, request.realisation, watched(request.execution, progress));
 }
 
 /// Throws InputError, with the file and the line, where the experiment has no diagram.
@@ -79,14 +74,8 @@ ExitCode bifurcation(const BifurcationRequest& request) {
   const DiagramFiles files = files_in(request.folder, experiment);
   expect_all_free(files, request.overwrite);
   ensure_writable(request.folder);
-  auto diagrams = draw(experiment, request);
-  if (!diagrams) {
-    print_notice(fmt::format("interrupted; nothing was written. `rocking bifurcation {} -o {}` starts again",
-                             request.file, request.folder));
-    return ExitCode::interrupted;
-  }
   const DrawnDiagrams drawn{
-      .experiment = &experiment, .realisation = request.realisation, .diagrams = std::move(*diagrams)};
+      .experiment = &experiment, .realisation = request.realisation, .diagrams = draw(experiment, request)};
   const std::string text =
       bifurcation_document().text(bifurcation_report(experiment, request.realisation, drawn.diagrams));
   expect_all_free(files, request.overwrite);

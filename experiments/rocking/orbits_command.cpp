@@ -1,7 +1,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -10,14 +9,13 @@
 #include "campaign.hpp"
 #include "commands.hpp"
 #include "exit_code.hpp"
-#include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "progress.hpp"
 #include "rocking/api/orbits.hpp"
 #include "rocking/section/period.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"
+#include "watched.hpp"
 
 namespace rocking::program {
 namespace {
@@ -62,12 +60,7 @@ OrbitStudy search(const Experiment& experiment, const OrbitsRequest& request, co
     print_notice("following branches, too; --no-branches omits them");
   }
   Progress progress(suitable_progress_style(execution.loudness), "conditions");
-  const auto show = [&progress](std::uint64_t done, std::uint64_t all) {
-    progress.show(done, all);
-    return Decision::proceed;
-  };
-  return orbit_study(experiment, request,
-                     {.threads = execution.threads, .on_progress = show, .stop = &stop_on_interrupt()});
+  return orbit_study(experiment, request, watched(execution, progress));
 }
 
 ExitCode orbits(const OrbitsCommand& command) {
@@ -76,20 +69,13 @@ ExitCode orbits(const OrbitsCommand& command) {
   const std::filesystem::path file = std::filesystem::path(command.folder) / "orbits.json";
   expect_free(file, command.overwrite);
   ensure_writable(command.folder);
-  std::optional<OrbitStudy> study;
-  try {
-    study = search(experiment, request, command.execution);
-  } catch (const base::Stopped&) {
-    print_notice(fmt::format("interrupted; nothing was written. `rocking orbits {} -o {}` starts again", command.file,
-                             command.folder));
-    return ExitCode::interrupted;
-  }
-  const std::string text = orbits_text(experiment, *study);
+  const OrbitStudy study = search(experiment, request, command.execution);
+  const std::string text = orbits_text(experiment, study);
   expect_free(file, command.overwrite);
   write_atomically(file, text);
   const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
   const std::string where = fmt::format("orbits: {}\n", file.string());
-  print_result(command.execution.loudness.json ? text : base::printable(title + orbits_table(*study) + where));
+  print_result(command.execution.loudness.json ? text : base::printable(title + orbits_table(study) + where));
   return ExitCode::done;
 }
 

@@ -9,9 +9,7 @@
 #include "rocking/studies/rare/rare.hpp"
 
 namespace rocking {
-namespace {
-
-void check(const RareRequest& request) {
+void check_request(const Experiment& experiment, const RareRequest& request) {
   if (request.particles < 20 || request.particles > 100'000) {
     refuse("particles", std::to_string(request.particles), "must be a whole number from 20 to 100000");
   }
@@ -22,7 +20,10 @@ void check(const RareRequest& request) {
   }
   const auto tilt = request.question.event.peak_tilt;
   if (tilt && !(*tilt >= 0.0 && *tilt <= 100.0)) refuse("peak_tilt", base::shortest(*tilt), "must be from 0 to 100");
+  check_rare(experiment);
 }
+
+namespace {
 
 /// Progress by condition as progress of all.
 class TotalProgress {
@@ -47,8 +48,7 @@ class TotalProgress {
 
 std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareRequest& request,
                                              const Execution& execution) {
-  check(request);
-  check_rare(experiment);
+  check_request(experiment, request);
   const OptionsOfExecution asked(execution);
   TotalProgress progress(asked.options());
   RareSettings settings{

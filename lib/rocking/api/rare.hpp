@@ -23,10 +23,12 @@ struct RareRequest {
   std::function<double()> elapsed_seconds = {};
 };
 
+/// Throws base::InputError if nothing in a condition is random or a number is out of range.
+ROCKING_API void check_request(const Experiment& experiment, const RareRequest& request);
+
 /// Estimates the probability of overturning, or of a large tilt, by multilevel splitting: one entry for each condition.
 /// Uses `threads`, `on_progress` and `stop` of the execution; progress counts repetitions, and their number grows while
-/// the precision is not reached. Throws base::InputError if nothing in a condition is random or a number is out of range,
-/// and base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
+/// the precision is not reached. Throws as check_request, and base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
 [[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
                                                                        const RareRequest& request,
                                                                        const Execution& execution = {});

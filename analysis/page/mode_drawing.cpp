@@ -54,6 +54,7 @@ std::vector<Arc> periodic_arcs(int rocks, int periods) {
   return arcs;
 }
 
+/// None: the mode has no sketch.
 std::vector<Arc> arcs_of(const section::ResponseMode& mode) {
   switch (mode.kind) {
     case ResponseKind::periodic:
@@ -63,9 +64,8 @@ std::vector<Arc> arcs_of(const section::ResponseMode& mode) {
       return arcs_of({0.5, 0.7, 0.4, 0.9, 1.1, 0.5, 0.6, 0.4, 0.9}, {0.5, 0.75, 0.35, 0.9, 1.0, 0.4, 0.7, 0.3, 0.85});
     case ResponseKind::overturned: return arcs_of({0.4, 0.5, 0.6, 0.75, 0.9, 1.6}, {0.12, 0.18, 0.27, 0.4, 0.55, 0.0});
     case ResponseKind::rest: return arcs_of({0.6, 0.5, 0.4, 0.3, 2.2}, {0.5, 0.35, 0.2, 0.1, 0.0});
-    case ResponseKind::unresolved: break;
+    default: return {};
   }
-  return {};
 }
 
 /// Parabolas, as quadratic Bezier curves; the last arc of an overturning leaves the drawing instead.

@@ -8,7 +8,7 @@ namespace rocking {
 /// read without a fault, or reports what in it contradicts itself.
 template <class T, class Written, Written (*to_written)(const T&),
           void (*from_written)(const Written&, const ReadingPlace&, T&)>
-class ConvertedType final : public ValueType {
+class ConvertedType : public ValueType {
  public:
   [[nodiscard]] Json json(const void* value) const override {
     const Written written = to_written(*static_cast<const T*>(value));

@@ -63,14 +63,14 @@ void Document::read_into(void* value, const Json& json, std::vector<base::Proble
 }
 
 std::string Document::schema_text() const {
+  const Json fields = fields_->schema({});
   Json schema = {{"$schema", "http://json-schema.org/draft-07/schema#"},
-                 {"title", format_},
+                 {"title", fields["title"]},
                  {"description", sentence_},
                  {"type", "object"},
                  {"properties", {{"format", {{"const", format_}}}}},
                  {"required", Json::array({"format"})},
                  {"additionalProperties", false}};
-  const Json fields = fields_->schema({});
   schema["properties"].update(fields["properties"]);
   for (const Json& key : fields["required"]) schema["required"].push_back(key);
   return schema.dump(2) + '\n';

@@ -51,7 +51,7 @@ bool Field::is_needed(const void* outermost) const {
   return without_value == WithoutValue::null && owner_of(*this, outermost) != nullptr;
 }
 
-StructType::StructType(std::initializer_list<Field> fields) {
+StructType::StructType(std::string_view name, std::initializer_list<Field> fields) : name_(name) {
   for (const Field& field : fields) {
     if (!field.key.empty()) {
       fields_.push_back(field);
@@ -126,7 +126,11 @@ Json StructType::schema(const Rule&) const {
     property["description"] = field.sentence;
     if (!field.may_be_absent()) required.push_back(field.key);
   }
-  return {{"type", "object"}, {"properties", properties}, {"required", required}, {"additionalProperties", false}};
+  return {{"title", name_},
+          {"type", "object"},
+          {"properties", properties},
+          {"required", required},
+          {"additionalProperties", false}};
 }
 
 void StructType::describe(const std::string& prefix, std::vector<KeyRow>& rows) const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+#include <cstdint>
 #include <initializer_list>
 #include <optional>
 #include <string>
@@ -47,10 +49,12 @@ struct Field {
   void read(const Json& json, const ReadingPlace& place, void* outermost) const;
 };
 
-/// The list of a struct's fields, in the order in which they are written.
+/// The name of a struct and the list of its fields, in the order in which they are written.
 class StructType final : public ValueType {
  public:
-  StructType(std::initializer_list<Field> fields);
+  /// `name` stands in schemas as the title of the object, and names its class in Python.
+  template <std::same_as<Field>... Fields>
+  explicit StructType(std::string_view name, const Fields&... fields) : StructType(name, {fields...}) {}
 
   [[nodiscard]] Json json(const void* value) const override;
   void write(const void* value, std::string_view key, JsonWriter& out) const override;
@@ -62,8 +66,10 @@ class StructType final : public ValueType {
   void describe(const std::string& prefix, std::vector<KeyRow>& rows) const override;
 
  private:
+  StructType(std::string_view name, std::initializer_list<Field> fields);
   void reject_unknown(const std::string& key, const Json& value, const ReadingPlace& place) const;
 
+  std::string_view name_;
   std::vector<Field> fields_;
 };
 

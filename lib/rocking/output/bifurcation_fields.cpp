@@ -50,6 +50,7 @@ static const StructType& fields_of(const ReportedStep*) {
   using section::Classification;
   constexpr auto step = &Reported::step;
   static const StructType fields{
+      "DiagramStep",
       field<&Reported::value>("value", "of the parameter"),
       field<&Reported::branch>("branch",
                                "`initial`: from the initial state of the file; `upwards`, `downwards`: by "
@@ -77,6 +78,7 @@ static const StructType& fields_of(const ReportedStep*) {
 static const StructType& fields_of(const ReportedDiagram*) {
   using Reported = ReportedDiagram;
   static const StructType fields{
+      "BifurcationDiagram",
       field<&Reported::others>("others", "JSON pointer to value, for each other entry of the sweep"),
       field<&Reported::steps>("steps", "by branch, then by increasing value",
                               the_only<LinesType<std::vector<ReportedStep>>>()),
@@ -87,6 +89,7 @@ static const StructType& fields_of(const ReportedDiagram*) {
 const StructType& fields_of(const BifurcationReport*) {
   using File = BifurcationReport;
   static const StructType fields{
+      "BifurcationDiagrams",
       field<&File::input>("input", "what was asked"),
       field<&File::realisation>("realisation", "whose random numbers were used"),
       field<&File::parameter>("parameter", "JSON pointer to the swept parameter"),

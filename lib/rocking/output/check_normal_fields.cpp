@@ -14,6 +14,7 @@ static constexpr Rule probability = rule::share;
 
 static const StructType& fields_of(const NormalLaw*) {
   static const StructType fields{
+      "NormalLaw",
       field<&NormalLaw::mean>("mean", "mean of the distribution"),
       field<&NormalLaw::sigma>("sigma", "its standard deviation", rule::positive),
   };
@@ -22,6 +23,7 @@ static const StructType& fields_of(const NormalLaw*) {
 
 static const StructType& fields_of(const MomentTest*) {
   static const StructType fields{
+      "MomentTest",
       field<&MomentTest::moment, &Moment::value>("value", "of the sample"),
       field<&MomentTest::moment, &Moment::standard_error>(
           "standard_error", "standard deviation of the value under the distribution", rule::positive),
@@ -33,6 +35,7 @@ static const StructType& fields_of(const MomentTest*) {
 
 static const StructType& fields_of(const Nearness*) {
   static const StructType fields{
+      "Nearness",
       field<&Nearness::distance>("distance", "from the value of the distribution", rule::not_negative),
       field<&Nearness::probability>("probability", "that a normal sample of this size is at most this far off",
                                     probability),
@@ -42,6 +45,7 @@ static const StructType& fields_of(const Nearness*) {
 
 static const StructType& fields_of(const ShapeTest*) {
   static const StructType fields{
+      "ShapeTest",
       inlined<&ShapeTest::test>(),
       field<&ShapeTest::nearness>("nearness", "for a distance of 0.01 and for the distance found"),
   };
@@ -53,6 +57,7 @@ static const StructType& fields_of(const CorrelationTest*) {
       "members_of_a_pair",         "squares_in_a_pair",   "lag_1", "lag_2", "lag_3", "lag_200",
       "neighbouring_realisations", "neighbouring_sources"};
   static const StructType fields{
+      "CorrelationTest",
       field<&CorrelationTest::between>("between", "which numbers; `lag_200` from 201 numbers on", {.choices = pairs}),
       inlined<&CorrelationTest::test>(),
   };
@@ -61,6 +66,7 @@ static const StructType& fields_of(const CorrelationTest*) {
 
 static const StructType& fields_of(const TestOfFit*) {
   static const StructType fields{
+      "TestOfFit",
       field<&TestOfFit::statistic>("statistic", "of the test"),
       field<&TestOfFit::p_value>("p_value", "of the test", probability),
   };
@@ -69,6 +75,7 @@ static const StructType& fields_of(const TestOfFit*) {
 
 static const StructType& fields_of(const TailCount*) {
   static const StructType fields{
+      "TailCount",
       field<&TailCount::sigmas>("sigmas", "distance from the mean in standard deviations", rule::positive),
       field<&TailCount::beyond, &Proportion::successes>("count", "numbers beyond it"),
       field<&TailCount::expected>("expected", "number", rule::not_negative),
@@ -79,6 +86,7 @@ static const StructType& fields_of(const TailCount*) {
 
 static const StructType& fields_of(const Histogram*) {
   static const StructType fields{
+      "Histogram",
       field<&Histogram::edges>("edges", "of the bins, rising"),
       field<&Histogram::counts>("counts", "numbers in each bin"),
       field<&Histogram::expected>("expected", "in each bin", rule::not_negative),
@@ -92,6 +100,7 @@ static const StructType& fields_of(const Histogram*) {
 
 static const StructType& fields_of(const NormalCheck*) {
   static const StructType fields{
+      "NormalCheck",
       field<&NormalCheck::law>("law", "the distribution that was asked for"),
       field<&NormalCheck::n>("n", "how many numbers", {.least = 4}),
       field<&NormalCheck::mean>("mean", "of the numbers"),
@@ -118,6 +127,7 @@ static const StructType& fields_of(const NormalCheck*) {
 const StructType& fields_of(const SamplerCheck*) {
   static constexpr std::array<std::string_view, 3> samplers{"box-muller", "ziggurat", "inverse-cdf"};
   static const StructType fields{
+      "SamplerCheck",
       field<&SamplerCheck::sampler>("sampler", "that generated the numbers", {.choices = samplers}),
       field<&SamplerCheck::seed>("seed", "of the random numbers, as text", seed_type()),
       inlined<&SamplerCheck::found>(),

@@ -15,6 +15,7 @@ static const StructType& fields_of(const ModeComparison*) {
   using stats::McNemar;
   using stats::PairedCounts;
   static const StructType fields{
+      "ModeComparison",
       field<&Mode::counts, &PairedCounts::both>("both", "realisations that have the mode in both runs"),
       field<&Mode::counts, &PairedCounts::first_only>("first_only", "in the first run only"),
       field<&Mode::counts, &PairedCounts::second_only>("second_only", "in the second run only"),
@@ -34,6 +35,7 @@ static const StructType& fields_of(const ModeComparison*) {
 
 static const StructType& fields_of(const ChangedModes*) {
   static const StructType fields{
+      "ChangedModes",
       field<&ChangedModes::counts, &stats::Proportion::successes>("count", "number of them"),
       field<&ChangedModes::interval>("interval", "of their share: Clopper-Pearson", rule::share),
   };
@@ -43,6 +45,7 @@ static const StructType& fields_of(const ChangedModes*) {
 static const StructType& fields_of(const ConditionComparison*) {
   using Compared = ConditionComparison;
   static const StructType fields{
+      "ConditionComparison",
       field<&Compared::parameters>("parameters", "of the first run: JSON pointer to value"),
       field<&Compared::confidence>("confidence", "of the intervals of this condition", rule::confidence),
       field<&Compared::realisations>("realisations", "that both runs have"),
@@ -54,6 +57,7 @@ static const StructType& fields_of(const ConditionComparison*) {
 
 const StructType& fields_of(const Comparison*) {
   static const StructType fields{
+      "Comparison",
       field<&Comparison::settings>("settings", "what differs between the experiments, in words"),
       field<&Comparison::confidence>("confidence", "of the intervals of all conditions; null where it is swept",
                                      rule::confidence),

@@ -28,6 +28,7 @@ struct ExcessOverFloor {
 static const StructType& fields_of(const ExcessOverFloor*) {
   using Excess = ExcessOverFloor;
   static const StructType fields{
+      "ExcessOverFloor",
       field<&Excess::here_only>("here_only", "realisations that flip only here"),
       field<&Excess::floor_only>("floor_only", "realisations that flip only at the floor"),
       field<&Excess::interval>("interval", "of the difference of the shares, exact", rule::difference_of_shares),
@@ -37,6 +38,7 @@ static const StructType& fields_of(const ExcessOverFloor*) {
 
 static const StructType& fields_of(const Flip*) {
   static const StructType fields{
+      "Flip",
       field<&Flip::key, &RealisationKey::condition>("condition", "from 0, for `rocking trajectory`"),
       field<&Flip::key, &RealisationKey::realisation>("realisation", "from 0"),
       field<&Flip::mode>("mode", "its response mode"),
@@ -63,6 +65,7 @@ using ExcessType = ConvertedType<Departure, std::optional<ExcessOverFloor>, exce
 
 const StructType& error_fields() {
   static const StructType fields{
+      "TrajectoryError",
       field<&Departure::moving>("of", "realisations that moved"),
       field<&Departure::median_error>("median", "of an even number the lower one; null: nothing moved",
                                       rule::not_negative),
@@ -74,6 +77,7 @@ const StructType& error_fields() {
 const StructType& flip_fields() {
   using stats::Proportion;
   static const StructType fields{
+      "Flips",
       field<&Departure::flips, &Proportion::successes>("count", "realisations"),
       field<&Departure::flips, &Proportion::trials>("of", "realisations", Rule{.least = 1.0}),
       field<&Departure::flips_interval>("interval", "of the share, Clopper-Pearson", rule::share),
@@ -85,6 +89,7 @@ const StructType& flip_fields() {
 
 static const StructType& fields_of(const Departure*) {
   static const StructType fields{
+      "Departure",
       of_owner<Departure>("error", "largest difference in Theta, Theta', V at the ends of the first periods",
                           error_fields()),
       field<&Departure::diverged>("diverged",
@@ -101,6 +106,7 @@ static const StructType& fields_of(const Departure*) {
 static const StructType& fields_of(const ToleranceCost*) {
   using Entry = ToleranceCost;
   static const StructType fields{
+      "ToleranceCost",
       field<&Entry::tolerance>("tolerance", "of a step", rule::positive),
       field<&Entry::periods>("periods", "excitation periods run, of all realisations"),
       derived<[](const Entry& entry) { return entry.steps_per_period(); }>("steps_per_period", "steps in a period",
@@ -113,6 +119,7 @@ static const StructType& fields_of(const ToleranceCost*) {
 static const StructType& fields_of(const PlannedRealisations*) {
   using Plan = PlannedRealisations;
   static const StructType fields{
+      "PlannedRealisations",
       field<&Plan::factor>("factor", "on the requested realisations", Rule{.least = 1.0}),
       field<&Plan::half_widths, &HalfWidths::mean>(
           "half_width_mean", "half-width of a condition's widest simultaneous interval, mean over the conditions",
@@ -128,6 +135,7 @@ static const StructType& fields_of(const PlannedRealisations*) {
 static const StructType& fields_of(const HalfWidthGoal*) {
   using Goal = HalfWidthGoal;
   static const StructType fields{
+      "HalfWidthGoal",
       field<&Goal::half_width>("half_width", "in every condition", rule::positive),
       field<&Goal::needed, &RealisationsNeeded::by_shares>(
           "realisations", "of a condition, if the shares of the response modes stay the same"),
@@ -145,6 +153,7 @@ std::optional<double> tolerance_at(const Cost& cost, const std::optional<std::si
 
 const StructType& sample_fields() {
   static const StructType fields{
+      "CostSample",
       field<&Cost::sample>("realisations", "measured", Rule{.least = 1.0}),
       field<&Cost::sampled_conditions>("conditions", "from which they come", Rule{.least = 1.0}),
       field<&Cost::yardstick, &Yardstick::is_everything>("is_everything",
@@ -155,6 +164,7 @@ const StructType& sample_fields() {
 
 const StructType& recommendation_fields() {
   static const StructType fields{
+      "Recommendation",
       derived<[](const Cost& cost) { return tolerance_at(cost, cost.recommendation.place); }>(
           "tolerance", "that is recommended; null: none", rule::positive),
       derived<[](const Cost& cost) { return tolerance_at(cost, cost.recommendation.coarsest); }>(
@@ -177,6 +187,7 @@ const StructType& recommendation_fields() {
 
 static const StructType& fields_of(const Cost*) {
   static const StructType fields{
+      "Cost",
       of_owner<Cost>("sample", "what was measured", sample_fields()),
       derived<[](const Cost&) { return static_cast<std::uint64_t>(cost_error_periods); }>(
           "error_periods", "periods, from the start, over which errors are measured", Rule{.least = 1.0}),
@@ -192,6 +203,7 @@ namespace {
 
 const StructType& timed_fields() {
   static const StructType fields{
+      "MeasuredTime",
       field<&CostTiming::realisations>("realisations", "advanced together on each thread"),
       field<&CostTiming::periods>("periods", "of the longest horizon"),
   };
@@ -201,6 +213,7 @@ const StructType& timed_fields() {
 const StructType& system_fields() {
   using File = CostReport;
   static const StructType fields{
+      "CostSystem",
       inlined<&File::system>(),
       field<&File::cost, &Cost::timing, &CostTiming::seconds_per_period>(
           "processor_s_per_period", "processor time in a period at each of `tolerances` [s]", rule::not_negative),
@@ -236,6 +249,7 @@ void check(const CostReport& report, const ReadingPlace& place) {
 
 const StructType& fields_of(const CostReport*) {
   static const StructType fields{
+      "CostOfAccuracy",
       field<&CostReport::input>("input", "what was asked"),
       field<&CostReport::cost>("result", "what was measured, but for times"),
       of_owner<CostReport>("system", "on which machine, and how long it took", system_fields()),

@@ -35,7 +35,7 @@ class EventsType final : public ValueType {
     if (json.size() > events.size()) place.reject(json, "has an unknown kind of event");
   }
   [[nodiscard]] Json schema(const Rule& rule) const override {
-    Json schema = {{"type", "object"}, {"additionalProperties", false}};
+    Json schema = {{"title", "EventCounts"}, {"type", "object"}, {"additionalProperties", false}};
     for (std::size_t kind = 0; kind < Events{}.size(); ++kind) {
       schema["properties"][name_of_event(kind)] = type_of<std::uint64_t>().schema(rule);
       schema["required"].push_back(name_of_event(kind));
@@ -49,6 +49,7 @@ class EventsType final : public ValueType {
 static const StructType& fields_of(const OperationCounts*) {
   using Counts = OperationCounts;
   static const StructType draws{
+      "Draws",
       field<&Counts::static_friction_draws>("static_friction", "of the static friction"),
       field<&Counts::kinetic_friction_draws>("kinetic_friction", "of the kinetic friction"),
       field<&Counts::restitution_draws>("restitution", "of the restitution"),
@@ -56,6 +57,7 @@ static const StructType& fields_of(const OperationCounts*) {
       field<&Counts::initial_draws>("initial", "of block, phase and initial state"),
   };
   static const StructType fields{
+      "OperationCounts",
       field<&Counts::steps>("steps", "Taylor steps"),
       field<&Counts::slip_steps>("slip_steps", "of these, steps of the equations with slip"),
       field<&Counts::root_isolations>("root_isolations",
@@ -71,6 +73,7 @@ static const StructType& fields_of(const OperationCounts*) {
 
 const StructType& fields_of(const Effort*) {
   static const StructType fields{
+      "Effort",
       inlined<&Effort::operations>(),
       field<&Effort::clamps>("clamped_draws", "clamped random numbers by kind"),
       field<&Effort::operations, &OperationCounts::events>("events", "by kind", the_only<EventsType>()),

@@ -54,6 +54,7 @@ using QuartilesType = ConvertedType<DivergenceTimes, Quartiles, quartiles_of, se
 static const StructType& fields_of(const DivergenceTimes*) {
   using Times = DivergenceTimes;
   static const StructType fields{
+      "DivergenceTimes",
       field<&Times::pairs>("pairs", "number of pairs of runs"),
       field<&Times::diverged>("diverged", "of these, by the horizon"),
       of_owner<Times>("quartiles_periods",
@@ -67,11 +68,13 @@ static const StructType& fields_of(const NonRecurrence*) {
   using Found = NonRecurrence;
   using stats::Proportion;
   static const StructType flips{
+      "FlippedModes",
       field<&Found::arithmetic_flips, &Proportion::successes>("count", "response modes that differ"),
       field<&Found::arithmetic_flips, &Proportion::trials>("of", "realisations that were rerun"),
       field<&Found::arithmetic_flips_interval>("interval", "of that share", rule::share),
   };
   static const StructType fields{
+      "NonRecurrence",
       field<&Found::differ>("differ", "probability that two runs differ in response mode", rule::share),
       field<&Found::differ_interval>("differ_interval", "its interval", rule::share),
       field<&Found::entropy>("entropy_nat", "of the response modes", rule::not_negative),
@@ -86,6 +89,7 @@ static const StructType& fields_of(const NonRecurrence*) {
 
 static const StructType& fields_of(const Quantiles*) {
   static const StructType fields{
+      "Quantiles",
       field<&Quantiles::realisations>("realisations", "on which the quantiles are based"),
       field<&Quantiles::beyond>("beyond",
                                 "of these, the ones that ended before their horizon; they count as above every value"),
@@ -99,6 +103,7 @@ static const StructType& fields_of(const Quantiles*) {
 static const StructType& fields_of(const PeakQuantiles::Slip*) {
   using Slip = PeakQuantiles::Slip;
   static const StructType fields{
+      "SlipQuantiles",
       inlined<&Slip::over_half_diagonal>(),
       field<&Slip::metres>("quantiles_m", "the same in metres"),
   };
@@ -108,6 +113,7 @@ static const StructType& fields_of(const PeakQuantiles::Slip*) {
 static const StructType& fields_of(const PeakQuantiles*) {
   using Peaks = PeakQuantiles;
   static const StructType fields{
+      "PeakQuantiles",
       field<&Peaks::tilt>("peak_tilt", "largest abs(Theta) of a realisation"),
       field<&Peaks::tilt_rate>("peak_tilt_rate", "largest abs(Theta')"),
       field<&Peaks::slip>("peak_slip", "largest abs(X), over R and in metres; null without friction"),
@@ -121,6 +127,7 @@ static const StructType& fields_of(const PeakQuantiles*) {
 const StructType& fields_of(const ConditionResult*) {
   using Result = ConditionResult;
   static const StructType fields{
+      "ConditionResult",
       field<&Result::realisations>("realisations", "n; 1 if nothing is random, whatever number was requested",
                                    Rule{.least = 1.0}),
       field<&Result::modes>("counts",
@@ -146,6 +153,7 @@ const StructType& fields_of(const ToleranceSensitivity*) {
   using Found = ToleranceSensitivity;
   using stats::Proportion;
   static const StructType fields{
+      "ToleranceSensitivity",
       field<&Found::flips, &Proportion::successes>("flips", "reruns whose response mode changed"),
       field<&Found::flips, &Proportion::trials>("of", "realisations that were rerun", Rule{.least = 1.0}),
       field<&Found::interval>("interval", "of that share; if the confidence is swept, at the highest", rule::share),

@@ -13,6 +13,7 @@ namespace rocking {
 static const StructType& fields_of(const Corrected*) {
   using stats::CheckedCounts;
   static const StructType fields{
+      "Corrected",
       field<&Corrected::counts, &CheckedCounts::checked>("checked", "realisations that were run for longer",
                                                          Rule{.least = 1.0}),
       field<&Corrected::counts, &CheckedCounts::gained>("gained", "of these, have the mode in the longer run only"),
@@ -25,6 +26,7 @@ static const StructType& fields_of(const Corrected*) {
 
 static const StructType& fields_of(const Estimate*) {
   static const StructType fields{
+      "Estimate",
       field<&Estimate::estimate>("estimate", "count/n", rule::share),
       field<&Estimate::wilson>("wilson", "interval for this mode alone: Wilson's", rule::share),
       field<&Estimate::jeffreys>("jeffreys", "interval for this mode alone: Jeffreys's", rule::share),

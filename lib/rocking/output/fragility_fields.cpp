@@ -42,7 +42,8 @@ class EventType final : public ValueType {
     event.peak_tilt = json["peak_tilt"].get<double>();
   }
   [[nodiscard]] Json schema(const Rule&) const override {
-    const Json tilt = {{"type", "object"},
+    const Json tilt = {{"title", "PeakTiltExceeded"},
+                       {"type", "object"},
                        {"properties", {{"peak_tilt", {{"type", "number"}, {"exclusiveMinimum", 0}}}}},
                        {"required", {"peak_tilt"}},
                        {"additionalProperties", false}};
@@ -71,6 +72,7 @@ struct TypeOf<RateSource> {
 
 const StructType& fields_of(const CurveRun*) {
   static const StructType fields{
+      "CurveRun",
       field<&CurveRun::title>("title", "of the run's experiment"),
       field<&CurveRun::experiment>("sha256", "of the experiment's canonical text, as `input.sha256` of its report"),
   };
@@ -79,6 +81,7 @@ const StructType& fields_of(const CurveRun*) {
 
 const StructType& fields_of(const CurveSubject*) {
   static const StructType fields{
+      "CurveSubject",
       field<&CurveSubject::parameter>("parameter", "JSON pointer to the intensity",
                                       Rule{.choices = all_intensity_pointers}),
       field<&CurveSubject::others>("others", "values of the other entries of the sweep"),
@@ -96,6 +99,7 @@ const StructType& fields_of(const CurveSubject*) {
 
 static const StructType& bounded_fields() {
   static const StructType fields{
+      "BoundedEstimate",
       field<&stats::Bounded::value>("value", "estimate", rule::not_negative),
       field<&stats::Bounded::interval>("interval", "of it; null: without an upper bound", open_interval_type(),
                                        rule::not_negative),
@@ -127,6 +131,7 @@ using CovarianceType = ConvertedType<stats::LognormalFragility, Covariance, cova
 static const StructType& lognormal_fields() {
   using Law = stats::LognormalFragility;
   static const StructType fields{
+      "LognormalLaw",
       field<&Law::centre>("centre", "P = Phi(intercept + slope (ln x - centre))"),
       field<&Law::intercept>("intercept", "of the line"),
       field<&Law::slope>("slope", "of the line", Rule{.above = 0.0}),
@@ -146,6 +151,7 @@ namespace {
 
 const StructType& median_fields() {
   static const StructType fields{
+      "Median",
       inlined<&FittedLaw::median>(),
       field<&FittedLaw::is_extrapolated>("extrapolated", "whether it lies outside the levels"),
   };
@@ -156,6 +162,7 @@ const StructType& median_fields() {
 
 static const StructType& fields_of(const FittedLaw*) {
   static const StructType fields{
+      "FittedLaw",
       of_owner<FittedLaw>("median", "of the function", median_fields()),
       field<&FittedLaw::dispersion>("dispersion", "standard deviation of the logarithm of the capacity"),
       inlined<&FittedLaw::function>(),
@@ -166,6 +173,7 @@ static const StructType& fields_of(const FittedLaw*) {
 static const StructType& lack_of_fit_fields() {
   using Test = stats::LackOfFit;
   static const StructType fields{
+      "LackOfFit",
       field<&Test::deviance>("deviance", "of the function from a probability of its own at each level",
                              rule::not_negative),
       field<&Test::samples>("samples", "bootstrap samples", Rule{.least = 1.0}),
@@ -183,6 +191,7 @@ struct TypeOf<stats::LackOfFit> {
 static const StructType& fields_of(const FragilityLevel*) {
   using Level = FragilityLevel;
   static const StructType fields{
+      "FragilityLevel",
       field<&Level::intensity>("intensity", "of the excitation; 0 is left out", Rule{.above = 0.0}),
       field<&Level::shaking>("shaking",
                              "amplitude and frequency of the base in every unit, for the mean block; absent under a "
@@ -206,6 +215,7 @@ static const StructType& fields_of(const FragilityLevel*) {
 const StructType& fields_of(const FragilityCurve*) {
   using Curve = FragilityCurve;
   static const StructType fields{
+      "FittedCurve",
       field<&Curve::outcome>("outcome", "whether a function could be fitted, and why not"),
       field<&Curve::law>("law", "lognormal function of maximum likelihood; null: none, or it was rejected"),
       field<&Curve::test>("test", "of the fitted function; null: none could be fitted"),
@@ -219,6 +229,7 @@ const StructType& fields_of(const FragilityCurve*) {
 
 static const StructType& fields_of(const RateInRange*) {
   static const StructType fields{
+      "RateInRange",
       field<&RateInRange::from>("from", "lower end of the range of intensity", rule::not_negative),
       field<&RateInRange::to>("to", "its upper end; null: no end", rule::not_negative),
       field<&RateInRange::rate>("rate", "part of the rate [1/year]", rule::not_negative),
@@ -232,6 +243,7 @@ static const StructType& fields_of(const RateInRange*) {
 const StructType& fields_of(const AnnualRate*) {
   using Rate = AnnualRate;
   static const StructType fields{
+      "AnnualRate",
       field<&Rate::value>("value", "mean annual rate of the event from intensities of at least `least_uplift` [1/year]",
                           rule::not_negative),
       field<&Rate::interval>("interval", "of the probabilities' uncertainty, the hazard taken as exact; null: unknown",
@@ -259,6 +271,7 @@ const StructType& fields_of(const AnnualRate*) {
 static const StructType& fields_of(const ReportedCurve*) {
   using Reported = ReportedCurve;
   static const StructType fields{
+      "FragilityCurve",
       inlined<&Reported::run>(),
       inlined<&Reported::curve, &FragilityCurve::subject>(),
       inlined<&Reported::curve>(),
@@ -312,6 +325,7 @@ struct TypeOf<std::variant<ReportedCurve, ReportedSuite>> {
 
 const StructType& fields_of(const FragilityReport*) {
   static const StructType fields{
+      "Fragility",
       field<&FragilityReport::curves>("curves", "of one motion, or of a suite, which has `pooled`"),
       field<&FragilityReport::incremental>("incremental", "incremental dynamic analyses, with `--ida`", {},
                                            WithoutValue::omitted),

@@ -7,6 +7,7 @@ namespace rocking {
 static const StructType& fields_of(const SpectrumEntry*) {
   using Entry = SpectrumEntry;
   static const StructType fields{
+      "SpectrumEntry",
       field<&Entry::period_s>("period_s", "of the undamped oscillator [s]", rule::positive),
       field<&Entry::sa_g>("sa_g", "largest absolute acceleration over gravity", rule::not_negative),
       field<&Entry::sv_m_s>("sv_m_s", "largest velocity relative to the base [m/s]", rule::not_negative),
@@ -20,6 +21,7 @@ static const StructType& fields_of(const SpectrumEntry*) {
 static const StructType& fields_of(const MotionSeries*) {
   using Series = MotionSeries;
   static const StructType fields{
+      "MotionSeries",
       field<&Series::time_s>("time_s", "of the samples [s]"),
       field<&Series::acceleration_g>("acceleration_g", "of the base over gravity"),
       field<&Series::velocity_m_s>("velocity_m_s", "of the base, from rest [m/s]"),
@@ -32,6 +34,7 @@ static const StructType& fields_of(const MotionSeries*) {
 static const StructType& fields_of(const IntensityMeasures*) {
   using Measures = IntensityMeasures;
   static const StructType fields{
+      "IntensityMeasures",
       field<&Measures::pga_g>("pga_g", "largest abs(a) over g", rule::not_negative),
       field<&Measures::pga_time_s>("pga_time_s", "when it is reached first [s]"),
       field<&Measures::pgv_m_s>("pgv_m_s", "largest absolute velocity of the base, from rest at the first sample [m/s]",
@@ -57,6 +60,7 @@ static const StructType& fields_of(const IntensityMeasures*) {
 static const StructType& fields_of(const ReportedMotion*) {
   using Motion = ReportedMotion;
   static const StructType fields{
+      "GroundMotion",
       field<&Motion::file>("file", "that was read"),
       field<&Motion::sha256>("sha256", "of the file"),
       field<&Motion::format>("format", "in which it was read"),
@@ -81,6 +85,7 @@ static const StructType& fields_of(const ReportedMotion*) {
 
 static const StructType& fields_of(const BlockSize*) {
   static const StructType fields{
+      "BlockSize",
       field<&BlockSize::width_m>("width_m", "[m]", rule::positive),
       field<&BlockSize::height_m>("height_m", "[m]", rule::positive),
   };
@@ -89,6 +94,7 @@ static const StructType& fields_of(const BlockSize*) {
 
 const StructType& fields_of(const MotionReport*) {
   static const StructType fields{
+      "GroundMotions",
       field<&MotionReport::gravity_m_s2>("gravity_m_s2", "1 g [m/s^2]", rule::positive),
       field<&MotionReport::damping>("damping", "ratio, of the response spectra", {.least = 0.0, .below = 1.0}),
       field<&MotionReport::block>("block", "whose least scale of uplift was asked for", rule::none,

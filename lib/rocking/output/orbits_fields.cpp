@@ -74,6 +74,15 @@ void set_parts(const RealAndImaginary& read, const ReadingPlace&, std::complex<d
   number = {read[0], read[1]};
 }
 
+class ComplexType final : public ConvertedType<std::complex<double>, RealAndImaginary, parts_of, set_parts> {
+ public:
+  [[nodiscard]] Json schema(const Rule& rule) const override {
+    Json schema = ConvertedType::schema(rule);
+    schema["title"] = "Complex";
+    return schema;
+  }
+};
+
 using Ends = std::array<double, 2>;
 
 Ends ends_of(const ParameterRange& range) { return {range.low, range.high}; }
@@ -107,9 +116,7 @@ struct TypeOf<BranchEnd> {
 };
 template <>
 struct TypeOf<std::complex<double>> {
-  static const ValueType& get() {
-    return the_only<ConvertedType<std::complex<double>, RealAndImaginary, parts_of, set_parts>>();
-  }
+  static const ValueType& get() { return the_only<ComplexType>(); }
 };
 template <>
 struct TypeOf<ParameterRange> {
@@ -119,6 +126,7 @@ struct TypeOf<ParameterRange> {
 static const StructType& state_fields() {
   using Point = section::StrobePoint;
   static const StructType fields{
+      "State",
       field<&Point::tilt>("tilt", "Theta"),
       field<&Point::tilt_rate>("tilt_rate", "Theta'"),
       field<&Point::slip_rate>("slip_rate", "V"),
@@ -133,6 +141,7 @@ struct TypeOf<section::StrobePoint> {
 
 static const StructType& fields_of(const Orbit*) {
   static const StructType fields{
+      "Orbit",
       field<&Orbit::period>("period", "n: excitation periods until it repeats", at_least_one),
       field<&Orbit::cycles>("cycles", "m: pairs of impacts in them, rounded up", rule::not_negative),
       derived<[](const Orbit& orbit) { return orbit.points.front().point; }>(
@@ -169,6 +178,7 @@ static const StructType& fields_of(const Orbit*) {
 static const StructType& run_fields() {
   using Found = OrbitsOfCondition;
   static const StructType fields{
+      "OrbitRun",
       field<&Found::termination>("termination", "why it ended", the_only<NamedType<dynamics::terminations>>()),
       field<&Found::mode>("mode", "response mode"),
       field<&Found::run_on>(
@@ -183,6 +193,7 @@ static const StructType& run_fields() {
 static const StructType& fields_of(const OrbitsOfCondition*) {
   using Found = OrbitsOfCondition;
   static const StructType fields{
+      "OrbitsOfCondition",
       field<&Found::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
       of_owner<Found>("run", "from the initial state of the file", run_fields()),
       field<&Found::searches>("searches", "Newton iterations that were started"),
@@ -195,6 +206,7 @@ static const StructType& fields_of(const OrbitsOfCondition*) {
 
 static const StructType& fields_of(const BranchPoint*) {
   static const StructType fields{
+      "BranchPoint",
       field<&BranchPoint::value>("value", "of the parameter"),
       inlined<&BranchPoint::orbit>(),
   };
@@ -204,6 +216,7 @@ static const StructType& fields_of(const BranchPoint*) {
 static const StructType& fields_of(const OrbitBranch*) {
   using Found = OrbitBranch;
   static const StructType fields{
+      "Branch",
       field<&Found::period>("period", "of its orbits", at_least_one),
       field<&Found::is_symmetric>("symmetric",
                                   "whether its orbits are; the mirror image of a branch that is not is not listed"),
@@ -239,6 +252,7 @@ void set_orbit(const OrbitThere& read, const ReadingPlace&, Bifurcation& found) 
 static const StructType& fields_of(const Bifurcation*) {
   using Found = Bifurcation;
   static const StructType fields{
+      "Bifurcation",
       field<&Found::kind>("kind", "what happens to the orbits"),
       field<&Found::value>("value", "of the parameter"),
       field<&Found::error>("error", "largest error of the value", rule::positive),
@@ -252,6 +266,7 @@ static const StructType& fields_of(const Bifurcation*) {
 static const StructType& fields_of(const FoundBranches*) {
   using Found = FoundBranches;
   static const StructType fields{
+      "FoundBranches",
       field<&Found::pointer>("parameter", "JSON pointer of the swept number over which branches were followed"),
       field<&Found::range>("range", "its smallest and largest value on branches"),
       field<&Found::most_points>("most_points", "largest number of points of a branch in each direction", at_least_one),
@@ -266,6 +281,7 @@ static const StructType& fields_of(const FoundBranches*) {
 static const StructType& fields_of(const BifurcationPoint*) {
   using Point = BifurcationPoint;
   static const StructType fields{
+      "BifurcationPoint",
       field<&Point::value>("value", "of the swept parameter"),
       field<&Point::second_value>("second_value", "of the second parameter"),
       inlined<&Point::orbit>(),
@@ -280,6 +296,7 @@ static const StructType& fields_of(const BifurcationPoint*) {
 static const StructType& fields_of(const BifurcationCurve*) {
   using Curve = BifurcationCurve;
   static const StructType fields{
+      "BifurcationCurve",
       field<&Curve::bifurcation>("bifurcation", "place of the one from which the curve was followed"),
       field<&Curve::kind>("kind", "of the bifurcation"),
       field<&Curve::orbits, &OrbitFamily::period>("period", "of its orbits", at_least_one),
@@ -295,6 +312,7 @@ static const StructType& fields_of(const BifurcationCurve*) {
 static const StructType& fields_of(const FoundCurves*) {
   using Found = FoundCurves;
   static const StructType fields{
+      "FoundCurves",
       field<&Found::pointers>(
           "second_parameter",
           "JSON pointers of the second number over which bifurcations were followed; the numbers at "
@@ -310,6 +328,7 @@ static const StructType& fields_of(const FoundCurves*) {
 
 static const StructType& fields_of(const OrbitLabels*) {
   static const StructType fields{
+      "OrbitLabels",
       field<&OrbitLabels::periodic>("periodic", "runs with a response (m,n)"),
       field<&OrbitLabels::certified>("certified", "of these, those that ended on a stable orbit of this m and n"),
       field<&OrbitLabels::not_certified>("not_certified", "places of the other conditions"),
@@ -319,6 +338,7 @@ static const StructType& fields_of(const OrbitLabels*) {
 
 static const StructType& fields_of(const OrbitStudy*) {
   static const StructType fields{
+      "OrbitStudy",
       field<&OrbitStudy::longest>(
           "longest_period", "longest period that was searched from the grid, in excitation periods", at_least_one),
       derived<[](const OrbitStudy& study) { return labels_of(study); }>(
@@ -332,6 +352,7 @@ static const StructType& fields_of(const OrbitStudy*) {
 
 const StructType& fields_of(const OrbitsReport*) {
   static const StructType fields{
+      "Orbits",
       field<&OrbitsReport::input>("input", "what was asked"),
       inlined<&OrbitsReport::study>(),
   };

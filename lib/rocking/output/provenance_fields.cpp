@@ -107,6 +107,7 @@ const ValueType& TypeOf<base::Sha256>::get() { return the_only<DigestType>(); }
 
 const StructType& fields_of(const InputFacts*) {
   static const StructType fields{
+      "Input",
       field<&InputFacts::experiment>("experiment", "the canonical experiment; null: it was made in C++",
                                      the_only<QuotedExperimentType>()),
       field<&InputFacts::sha256>("sha256", "of its text, as `rocking validate --json` prints it"),
@@ -118,6 +119,7 @@ const StructType& fields_of(const SystemFacts*) {
   using base::BuildInfo;
   using System = SystemFacts;
   static const StructType fields{
+      "System",
       field<&System::build, &BuildInfo::version>("version", "of rocking"),
       field<&System::build, &BuildInfo::revision>("revision", "of its source"),
       field<&System::build, &BuildInfo::compiler>("compiler", "its name and version"),

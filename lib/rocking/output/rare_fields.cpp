@@ -68,6 +68,7 @@ namespace {
 
 const StructType& ancestor_fields() {
   static const StructType fields{
+      "Ancestors",
       field<&RareEstimate::median_ancestors>("median", "of the repetitions", rule::not_negative),
       field<&RareEstimate::least_ancestors>("least", "of the repetitions"),
   };
@@ -81,6 +82,7 @@ static const StructType& fields_of(const ReportedRare*) {
   using Found = RareEstimate;
   constexpr auto estimate = &Reported::estimate;
   static const StructType fields{
+      "RareEstimate",
       field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
       field<estimate, &Found::probability>("probability", "mean of the repetitions; null: none was finished in time",
                                            rule::share),
@@ -118,6 +120,7 @@ namespace {
 const StructType& question_fields() {
   using File = RareReport;
   static const StructType fields{
+      "RareQuestion",
       derived<[](const File& report) {
         return std::string(report.question.event.peak_tilt ? "peak_tilt" : "overturned");
       }>("event", "`overturned` or `peak_tilt`"),
@@ -132,6 +135,7 @@ const StructType& question_fields() {
 const StructType& settings_fields() {
   using File = RareReport;
   static const StructType fields{
+      "RareSettings",
       field<&File::seed>("seed", "of the experiment", seed_type()),
       field<&File::particles>("particles", "of a repetition", Rule{.least = 20.0}),
       field<&File::score>("score", "what measures how near a motion is to the event"),
@@ -144,6 +148,7 @@ const StructType& settings_fields() {
 const StructType& fields_of(const RareReport*) {
   using File = RareReport;
   static const StructType fields{
+      "RareEvents",
       field<&File::input>("input", "what was asked"),
       of_owner<File>("question", "the event", question_fields()),
       of_owner<File>("settings", "of the estimate", settings_fields()),

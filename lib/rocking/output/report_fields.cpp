@@ -16,6 +16,7 @@ namespace rocking {
 static const StructType& fields_of(const ReportedCondition*) {
   using Reported = ReportedCondition;
   static const StructType fields{
+      "Condition",
       field<&Reported::parameters>("parameters", "JSON pointer to value, for each entry of the sweep"),
       field<&Reported::shaking>("shaking",
                                 "amplitude and frequency of the base in every unit, for the mean block; absent under a "
@@ -57,6 +58,7 @@ using InternalType = ConvertedType<Report, ReportedEffort, internal_of, set_oper
 
 static const StructType& fields_of(const ReportedEffort*) {
   static const StructType fields{
+      "ReportedEffort",
       field<&ReportedEffort::total>("total", "of all conditions"),
       field<&ReportedEffort::conditions>("conditions", "of each"),
   };
@@ -65,6 +67,7 @@ static const StructType& fields_of(const ReportedEffort*) {
 
 const StructType& fields_of(const Report*) {
   static const StructType result{
+      "RunResult",
       field<&Report::digest>("digest", "SHA-256 over the realisation results of all realisations, in order"),
       field<&Report::tolerance_sensitivity>("tolerance_sensitivity",
                                             "of all conditions together: response modes that change at a tighter "
@@ -72,6 +75,7 @@ const StructType& fields_of(const Report*) {
       field<&Report::conditions>("conditions", "one entry for each point of the sweep"),
   };
   static const StructType fields{
+      "Report",
       field<&Report::input>("input", "what was asked"),
       of_owner<Report>("result", "what was found", result),
       field<&Report::system>("system", "all that may differ between two equal runs"),

@@ -48,6 +48,7 @@ void convert(const WrittenTimeToShare& read, const ReadingPlace&, stats::TimeToS
 static const StructType& fields_of(const WrittenTimeToShare*) {
   using Time = WrittenTimeToShare;
   static const StructType fields{
+      "TimeToShare",
       field<&Time::unsettled>("unsettled", "the share that is left", rule::confidence),
       field<&Time::basis>("basis", "how it is known", Rule{.choices = bases}),
       field<&Time::periods>("periods", "by when the others have settled; null: unknown", rule::not_negative),
@@ -67,6 +68,7 @@ struct TypeOf<stats::TimeToShare> {
 
 static const StructType& fields_of(const Leaving*) {
   static const StructType fields{
+      "Leaving",
       field<&Leaving::left>("left", "responses that were left again while they were watched"),
       field<&Leaving::watched_periods>("watched_periods", "of all of them", Rule{.least = 1.0}),
       derived<[](const Leaving& found) {
@@ -79,6 +81,7 @@ static const StructType& fields_of(const Leaving*) {
 
 static const StructType& fields_of(const LongRuns::Share*) {
   static const StructType fields{
+      "LongRunShare",
       field<&LongRuns::Share::share>("share", "of the windows", rule::share),
       field<&LongRuns::Share::interval>("interval", "its interval, for this mode alone", rule::share),
   };
@@ -87,6 +90,7 @@ static const StructType& fields_of(const LongRuns::Share*) {
 
 static const StructType& fields_of(const LongRuns*) {
   static const StructType fields{
+      "LongRuns",
       field<&LongRuns::count>("realisations", "with a long run"),
       field<&LongRuns::windows>("windows", "counted in each of them"),
       field<&LongRuns::shares>("modes", "response mode to its share of the windows"),
@@ -98,11 +102,13 @@ const StructType& fields_of(const SettlingResult*) {
   using Found = SettlingResult;
   using Times = ResponseTimes;
   static const StructType at_horizon{
+      "AtHorizon",
       field<&Found::at_horizon>("counts", "response mode to realisations"),
       field<&Found::differ>("differ", "probability that two runs differ there; null with fewer than two", rule::share),
       field<&Found::differ_interval>("differ_interval", "its interval; null likewise", rule::share),
   };
   static const StructType fields{
+      "SettlingResult",
       field<&Found::censored>("censored", "realisations that had not settled"),
       field<&Found::times, &Times::quartiles>("settling_periods", "quartiles of the settling period, as `quantiles`"),
       field<&Found::times, &Times::nearly_all>("nearly_all", "the period by which all but a small share have settled"),

@@ -36,6 +36,7 @@ using GivenType = ConvertedType<Shaking, Given, given_of, set_given>;
 
 const StructType& fields_of(const Shaking*) {
   static const StructType fields{
+      "Shaking",
       of_owner<Shaking>("given", "keys of the experiment: of the amplitude, of the frequency", the_only<GivenType>()),
       field<&Shaking::amplitude>("amplitude", "A_h", rule::not_negative),
       field<&Shaking::amplitude_g>("amplitude_g", "peak acceleration over gravity", rule::not_negative),

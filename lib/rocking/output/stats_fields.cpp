@@ -84,6 +84,7 @@ void convert(const WrittenCurve& curve, const ReadingPlace& place, std::vector<s
 
 static const StructType& fields_of(const WrittenCurve*) {
   static const StructType fields{
+      "CurveOfTime",
       field<&WrittenCurve::periods>("periods", "where the estimate changes; at most 200", rule::not_negative),
       field<&WrittenCurve::estimate>("estimate", "of the probability by then", rule::share),
       field<&WrittenCurve::variance>("variance", "of the estimate", rule::not_negative),

@@ -18,6 +18,7 @@ struct TypeOf<IntensityMeasure> {
 static const StructType& fields_of(const SuiteEstimate*) {
   using Found = SuiteEstimate;
   static const StructType fields{
+      "SuiteEstimate",
       field<&Found::value>("value", "estimate", rule::not_negative),
       field<&Found::interval>("interval", "by profile likelihood; null: without an upper bound", open_interval_type(),
                               rule::not_negative),
@@ -29,6 +30,7 @@ static const StructType& fields_of(const SuiteEstimate*) {
 
 static const StructType& fields_of(const SimpleEstimate*) {
   static const StructType fields{
+      "SimpleEstimate",
       field<&SimpleEstimate::value>("value", "estimate", rule::not_negative),
       field<&SimpleEstimate::bootstrap>(
           "bootstrap", "interval by bootstrap over records; null: too few samples with a law", rule::not_negative),
@@ -40,6 +42,7 @@ namespace {
 
 const StructType& pooled_median_fields() {
   static const StructType fields{
+      "PooledMedian",
       inlined<&PooledSuite::median>(),
       field<&PooledSuite::is_extrapolated>("extrapolated", "whether it lies outside the levels"),
   };
@@ -49,6 +52,7 @@ const StructType& pooled_median_fields() {
 const StructType& bootstrap_fields() {
   using Bootstrap = stats::RecordBootstrap;
   static const StructType fields{
+      "Bootstrap",
       field<&Bootstrap::samples>("samples", "of the records"),
       derived<[](const Bootstrap& bootstrap) { return std::uint64_t{bootstrap.laws.size()}; }>(
           "with_law", "samples that have a law"),
@@ -81,6 +85,7 @@ using TiltQuantilesType = ConvertedType<TiltQuantiles, WrittenTiltQuantiles, wri
 static const StructType& fields_of(const PooledSuite*) {
   using Pooled = PooledSuite;
   static const StructType fields{
+      "PooledSuite",
       of_owner<Pooled>("median", "of the law", pooled_median_fields()),
       field<&Pooled::dispersion>("dispersion", "standard deviation of the logarithm of the capacity"),
       field<&Pooled::between_records>("between_records", "its part between records"),
@@ -92,6 +97,7 @@ static const StructType& fields_of(const PooledSuite*) {
 
 static const StructType& fields_of(const SimpleLaw*) {
   static const StructType fields{
+      "SimpleLaw",
       field<&SimpleLaw::median>("median", "of the law"),
       field<&SimpleLaw::dispersion>("dispersion", "standard deviation of the logarithm of the capacity"),
       field<&SimpleLaw::deviance>("deviance", "from a probability of its own at each level", rule::not_negative),
@@ -102,6 +108,7 @@ static const StructType& fields_of(const SimpleLaw*) {
 static const StructType& fields_of(const SuiteLevel*) {
   using Level = SuiteLevel;
   static const StructType fields{
+      "SuiteLevel",
       field<&Level::intensity>("intensity", "of the excitation", Rule{.above = 0.0}),
       field<&Level::records>("records", "at this intensity", Rule{.least = 1.0}),
       field<&Level::happened, &stats::Proportion::trials>("realisations", "sum over the records", Rule{.least = 1.0}),
@@ -116,6 +123,7 @@ static const StructType& fields_of(const SuiteLevel*) {
 
 static const StructType& fields_of(const RecordCurve*) {
   static const StructType fields{
+      "RecordCurve",
       field<&RecordCurve::name>("name", "path of the ground motion, as in the experiment"),
       inlined<&RecordCurve::curve>(),
   };
@@ -125,6 +133,7 @@ static const StructType& fields_of(const RecordCurve*) {
 static const StructType& fields_of(const RankedMeasure*) {
   using Ranked = RankedMeasure;
   static const StructType fields{
+      "RankedMeasure",
       field<&Ranked::measure>("measure", "of intensity"),
       field<&Ranked::median>("median", "of the law in this measure; null with the following ones: none fitted",
                              rule::not_negative),
@@ -140,6 +149,7 @@ static const StructType& fields_of(const RankedMeasure*) {
 static const StructType& fields_of(const SuiteCurve*) {
   using Curve = SuiteCurve;
   static const StructType fields{
+      "SuiteCurve",
       inlined<&Curve::subject>(),
       field<&Curve::outcome>("outcome", "of the pooled law"),
       field<&Curve::pooled>("pooled", "law of the suite; null: none"),
@@ -154,6 +164,7 @@ static const StructType& fields_of(const SuiteCurve*) {
 
 const StructType& fields_of(const ReportedSuite*) {
   static const StructType fields{
+      "SuiteFragility",
       inlined<&ReportedSuite::run>(),
       inlined<&ReportedSuite::curve>(),
       field<&ReportedSuite::rate>("annual_rate", "with `--hazard`; null: the suite has no law", {},
@@ -165,6 +176,7 @@ const StructType& fields_of(const ReportedSuite*) {
 static const StructType& fields_of(const PeakTiltLevel*) {
   using Level = PeakTiltLevel;
   static const StructType fields{
+      "PeakTiltLevel",
       field<&Level::intensity>("intensity", "of the excitation", rule::not_negative),
       field<&Level::trials>("realisations", "under all records, or under one"),
       field<&Level::overturned>("overturned", "those that overturned"),
@@ -176,6 +188,7 @@ static const StructType& fields_of(const PeakTiltLevel*) {
 
 static const StructType& fields_of(const Resurrections*) {
   static const StructType fields{
+      "Resurrections",
       field<&Resurrections::trials>("trials", "that stand at a level and overturned at a weaker one"),
       field<&Resurrections::of>("of", "those that overturned at some level"),
   };
@@ -184,6 +197,7 @@ static const StructType& fields_of(const Resurrections*) {
 
 static const StructType& fields_of(const PeakTiltCurve*) {
   static const StructType fields{
+      "PeakTiltCurve",
       field<&PeakTiltCurve::record>("name", "path of the ground motion; empty without a suite"),
       field<&PeakTiltCurve::resurrections>("resurrections", "under this record"),
       field<&PeakTiltCurve::levels>("levels", "by increasing intensity"),
@@ -194,6 +208,7 @@ static const StructType& fields_of(const PeakTiltCurve*) {
 static const StructType& fields_of(const IncrementalAnalysis*) {
   using Analysis = IncrementalAnalysis;
   static const StructType fields{
+      "IncrementalAnalysis",
       field<&Analysis::parameter>("parameter", "JSON pointer to the intensity"),
       field<&Analysis::others>("others", "values of the other entries of the sweep"),
       field<&Analysis::resurrections>("resurrections", "sum over the records"),
@@ -205,6 +220,7 @@ static const StructType& fields_of(const IncrementalAnalysis*) {
 
 const StructType& fields_of(const ReportedAnalysis*) {
   static const StructType fields{
+      "ReportedAnalysis",
       inlined<&ReportedAnalysis::run>(),
       inlined<&ReportedAnalysis::analysis>(),
   };

@@ -34,12 +34,14 @@ const StructType& state_fields(TrajectoryUnits units) {
   constexpr const char* words_on_slip = "X over R, or in [m]";
   constexpr const char* words_on_slip_rate = "V over R p, or in [m/s]";
   static const StructType normalised{
+      "State",
       field<&State::tilt>("tilt", words_on_tilt),
       field<&State::tilt_rate>("tilt_rate", words_on_tilt_rate),
       field<&State::slip>("slip", words_on_slip),
       field<&State::slip_rate>("slip_rate", words_on_slip_rate),
   };
   static const StructType si{
+      "StateSi",
       field<&State::tilt>("tilt_rad", words_on_tilt),
       field<&State::tilt_rate>("tilt_rate_rad_s", words_on_tilt_rate),
       field<&State::slip>("slip_m", words_on_slip),
@@ -60,8 +62,8 @@ const StructType& fields_in(TrajectoryUnits units, const ReportedStrobe*) {
   using Strobe = ReportedStrobe;
   static const Field period = field<&Strobe::period>("period", "excitation periods, from 1", Rule{.least = 1.0});
   static const Field contact = field<&Strobe::contact>("contact", "contact state", contact_type());
-  static const StructType normalised{period, state_in<&Strobe::state>(TrajectoryUnits::normalised), contact};
-  static const StructType si{period, field<&Strobe::time>("time_s", "t [s]"),
+  static const StructType normalised{"Strobe", period, state_in<&Strobe::state>(TrajectoryUnits::normalised), contact};
+  static const StructType si{"StrobeSi", period, field<&Strobe::time>("time_s", "t [s]"),
                              state_in<&Strobe::state>(TrajectoryUnits::si), contact};
   return units == TrajectoryUnits::si ? si : normalised;
 }
@@ -70,6 +72,7 @@ const StructType& fields_in(TrajectoryUnits units, const ReportedEvent*) {
   using Event = ReportedEvent;
   const auto made = [](TrajectoryUnits in) {
     return StructType{
+        in == TrajectoryUnits::si ? "EventSi" : "Event",
         field<&Event::time>(time_key(in), words_on_time),
         field<&Event::kind>("kind", "what happens", the_only<NamedType<event_kinds>>()),
         state_in<&Event::state>(in),
@@ -84,6 +87,7 @@ const StructType& fields_in(TrajectoryUnits units, const ReportedSample*) {
   using Sample = ReportedSample;
   const auto made = [](TrajectoryUnits in) {
     return StructType{
+        in == TrajectoryUnits::si ? "SampleSi" : "Sample",
         field<&Sample::time>(time_key(in), words_on_time),
         state_in<&Sample::state>(in),
         field<&Sample::contact>("contact", "contact state", contact_type()),
@@ -97,6 +101,7 @@ const StructType& fields_in(TrajectoryUnits units, const ReportedSample*) {
 const StructType& fields_in(TrajectoryUnits units, const PeakValues*) {
   const auto made = [](bool si) {
     return StructType{
+        si ? "PeaksSi" : "Peaks",
         field<&PeakValues::tilt>(si ? "tilt_rad" : "tilt", words_on_tilt, rule::not_negative),
         field<&PeakValues::tilt_rate>(si ? "tilt_rate_rad_s" : "tilt_rate", words_on_tilt_rate, rule::not_negative),
         field<&PeakValues::slip>("slip", "X over R", rule::not_negative),
@@ -114,6 +119,7 @@ const StructType& fields_in(TrajectoryUnits units, const TrajectoryValidity*) {
   using Found = TrajectoryValidity;
   const auto made = [](bool si) {
     return StructType{
+        si ? "TrajectoryValiditySi" : "TrajectoryValidity",
         field<&Found::losses_of_contact>("losses_of_contact", "downward crossings of N = 0"),
         field<&Found::first_loss_of_contact>(si ? "first_loss_of_contact_s" : "first_loss_of_contact",
                                              "time of the first one, tau or [s]; null: there is none",
@@ -190,6 +196,7 @@ Field history_field() {
 const StructType& energy_fields() {
   using Account = EnergyAccount;
   static const StructType fields{
+      "EnergyBalance",
       field<&Account::at_start>("at_start", "kinetic and potential energy, relative to the base"),
       field<&Account::at_end>("at_end", "the same at the end"),
       field<&Account::base_work>("base_work", "of the base on the block"),
@@ -210,6 +217,7 @@ const StructType& block_fields() {
   using dynamics::Block;
   using dynamics::geometry_of;
   static const StructType fields{
+      "Block",
       field<&Block::width>("width_m", "B [m]", rule::positive),
       field<&Block::height>("height_m", "H [m]", rule::positive),
       field<&Block::gravity>("gravity_m_s2", "g [m/s^2]", rule::positive),
@@ -229,6 +237,7 @@ struct TypeOf<TrajectoryUnits> {
 const StructType& fields_of(const TrajectoryReport*) {
   using Report = TrajectoryReport;
   static const StructType fields{
+      "TrajectoryReport",
       field<&Report::key, &RealisationKey::condition>("condition", "its number, from 0"),
       field<&Report::key, &RealisationKey::realisation>("realisation", "its number, from 0"),
       field<&Report::units>("units", "`si` with `--units si`"),

@@ -41,7 +41,7 @@ class ClampsType final : public ValueType {
     for (const auto& [key, count] : counts) place.at(key).reject(Json(count), "is not a known key");
   }
   [[nodiscard]] Json schema(const Rule& rule) const override {
-    Json schema = {{"type", "object"}, {"additionalProperties", false}};
+    Json schema = {{"title", "Clamps"}, {"type", "object"}, {"additionalProperties", false}};
     for (const ClampKind& kind : clamp_kinds) {
       schema["properties"][std::string(kind.key)] = type_of<std::uint64_t>().schema(rule);
       if (kind.in_every_report) schema["required"].push_back(kind.key);
@@ -92,6 +92,7 @@ class FirstRealisationsType final : public ValueType {
 static const StructType& fields_of(const Validity*) {
   using V = Validity;
   static const StructType fields{
+      "Validity",
       field<&V::left_ground>("left_ground", "reached a normal force of zero or less"),
       field<&V::left_ground_before_fall>("left_ground_before_fall", "of these, before any final fall"),
       field<&V::painleve>("painleve", "ended because the equations have no solution (Painleve's paradox)"),
@@ -116,6 +117,7 @@ static const StructType& fields_of(const Validity*) {
 const StructType& validity_fields() {
   using Result = ConditionResult;
   static const StructType fields{
+      "ValidityOfRun",
       inlined<&Result::validity>(),
       derived<[](const Result& result) { return result.operations.draws(); }>("draws", "random numbers of all sources"),
       field<&Result::validity>("first_realisations",

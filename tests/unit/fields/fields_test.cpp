@@ -53,6 +53,7 @@ struct Everything {
 
 static const StructType& fields_of(const Inner*) {
   static const StructType fields{
+      "Inner",
       field<&Inner::share>("share", "of the total", rule::share),
       field<&Inner::mean>("mean", "null where nothing was counted", rule::positive),
   };
@@ -61,6 +62,7 @@ static const StructType& fields_of(const Inner*) {
 
 static const StructType& fields_of(const Extent*) {
   static const StructType fields{
+      "Extent",
       field<&Extent::low>("low", "lower end"),
       field<&Extent::high>("high", "upper end"),
   };
@@ -69,6 +71,7 @@ static const StructType& fields_of(const Extent*) {
 
 static const StructType& fields_of(const Corners*) {
   static const StructType fields{
+      "Corners",
       field<&Corners::left>("left", "edge"),
       field<&Corners::right>("right", "edge"),
       field<&Corners::top>("top", "edge"),
@@ -79,6 +82,7 @@ static const StructType& fields_of(const Corners*) {
 
 static const StructType& fields_of(const Pair*) {
   static const StructType fields{
+      "Pair",
       field<&Pair::first>("first", "one"),
       field<&Pair::second>("second", "another"),
       field<&Pair::left>("left", "edge"),
@@ -89,6 +93,7 @@ static const StructType& fields_of(const Pair*) {
 static const StructType& fields_of(const Everything*) {
   static constexpr std::array<std::string_view, 2> words{"one", "two"};
   static const StructType fields{
+      "Everything",
       field<&Everything::size, &Sized::count>("count", "how many"),
       derived<[](const Everything& all) { return 2.0 * all.inner.share; }>("twice", "twice the share"),
       inlined<&Everything::inner>(),
@@ -231,7 +236,8 @@ TEST(Fields, RefuseAnotherFormatAndNumbersThatNoFileHas) {
 
 TEST(Fields, DescribeThemselves) {
   const Json schema = json_of(document().schema_text());
-  EXPECT_EQ(schema["title"], "rocking.everything/1");
+  EXPECT_EQ(schema["title"], "Everything");
+  EXPECT_EQ(schema["properties"]["list"]["items"]["title"], "Inner");
   EXPECT_EQ(schema["required"], Json::array({"format", "count", "twice", "share", "mean", "list", "by_name", "pair",
                                              "word", "is_on", "number"}));
   EXPECT_EQ(schema["properties"]["mean"], Json::parse(R"({"type": ["number", "null"], "exclusiveMinimum": 0.0,

@@ -86,16 +86,6 @@ Table run_table(const OrbitStudy& study) {
   return table;
 }
 
-/// Adds a table to a figure and a layer of it to each of the panels.
-void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure) {
-  if (table.rows.empty()) return;
-  for (Panel& panel : figure.panels) {
-    panel.layers.push_back(
-        {.kind = kind, .table = figure.tables.size(), .columns = {0, 1}, .style = style, .legend = legend});
-  }
-  figure.tables.push_back(std::move(table));
-}
-
 void add_branches(const FoundBranches& found, Figure& figure) {
   add_layer(line_table(found, false), LayerKind::line, {.colour = "#b03a2e", .dash = 2, .marker = 0, .width = 1.2},
             "unstable orbit", figure);

@@ -65,13 +65,6 @@ Table ends_of(const OrbitStudy& study) {
   return table;
 }
 
-void add_to(Figure& figure, Table table, LayerKind kind, const Style& style, const std::string& legend) {
-  if (table.rows.empty()) return;
-  figure.panels.back().layers.push_back(
-      {.kind = kind, .table = figure.tables.size(), .columns = {0, 1}, .style = style, .legend = legend});
-  figure.tables.push_back(std::move(table));
-}
-
 }  // namespace
 
 Figure curve_figure(const OrbitsReport& report) {
@@ -93,11 +86,11 @@ Figure curve_figure(const OrbitsReport& report) {
   panel.y.low = curves.range.low;
   panel.y.high = curves.range.high;
   for (const CurveLook& look : curve_looks) {
-    add_to(figure, lines_of(report.study, look), LayerKind::line,
-           {.colour = look.colour, .dash = look.dash, .marker = 0, .width = 1.8}, look.legend);
+    add_layer(lines_of(report.study, look), LayerKind::line,
+              {.colour = look.colour, .dash = look.dash, .marker = 0, .width = 1.8}, look.legend, figure);
   }
-  add_to(figure, ends_of(report.study), LayerKind::points, {.colour = "#000000", .marker = 2, .size = 0.9},
-         "change of contact");
+  add_layer(ends_of(report.study), LayerKind::points, {.colour = "#000000", .marker = 2, .size = 0.9},
+            "change of contact", figure);
   figure.caption =
       "On each curve a periodic orbit loses its stability or ceases to exist. Curves end at the edges, or where the "
       "contacts of the orbit change.";

@@ -1,5 +1,7 @@
 #include "analysis/figure.hpp"
 
+#include <utility>
+
 namespace rocking::analysis {
 
 std::string label_of(const Axis& axis) {
@@ -7,6 +9,15 @@ std::string label_of(const Axis& axis) {
   if (!axis.symbol.empty()) label += (label.empty() ? "" : " ") + axis.symbol;
   if (!axis.unit.empty()) label += " [" + axis.unit + ']';
   return label;
+}
+
+void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure) {
+  if (table.rows.empty()) return;
+  for (Panel& panel : figure.panels) {
+    panel.layers.push_back(
+        {.kind = kind, .table = figure.tables.size(), .columns = {0, 1}, .style = style, .legend = legend});
+  }
+  figure.tables.push_back(std::move(table));
 }
 
 }  // namespace rocking::analysis

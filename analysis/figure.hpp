@@ -107,4 +107,7 @@ struct Figure {
   Arrangement arrangement = Arrangement::grid;
 };
 
+/// Adds a table of x and y, unless it has no rows, and a layer of it to each panel.
+void add_layer(Table table, LayerKind kind, const Style& style, const std::string& legend, Figure& figure);
+
 }  // namespace rocking::analysis

@@ -35,8 +35,10 @@ class CMakeBuild(build_ext):
             subprocess.run(command + os.environ.get("CMAKE_ARGS", "").split(), check=True)
         jobs = str(self.parallel or os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", folder, "--target", "rocking_python", "-j", jobs], check=True)
-        (built,) = (Path(folder) / "python/rocking").glob("_core*.so")
+        package = Path(folder) / "python/rocking"
+        (built,) = package.glob("_core*.so")
         shutil.copyfile(built, target)
+        shutil.copyfile(package / "documents.py", target.parent / "documents.py")
 
 
 (TOP / "build").mkdir(exist_ok=True)

@@ -1,4 +1,7 @@
+#include <cstdint>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
@@ -20,39 +23,13 @@ py::array rows(const std::vector<Row>& rows, const py::object& owner) {
   return array;
 }
 
-py::dict peaks_of(const PeakValues& peaks) {
-  py::dict dict;
-  dict["tilt"] = peaks.tilt;
-  dict["tilt_rate"] = peaks.tilt_rate;
-  dict["slip"] = peaks.slip;
-  dict["slip_m"] = peaks.slip_m;
-  dict["final_slip"] = peaks.final_slip;
-  dict["final_slip_m"] = peaks.final_slip_m;
-  return dict;
-}
-
-py::dict energy_of(const EnergyAccount& energy) {
-  py::dict dict;
-  dict["at_start"] = energy.at_start;
-  dict["at_end"] = energy.at_end;
-  dict["base_work"] = energy.base_work;
-  dict["friction_work"] = energy.friction_work;
-  dict["lost_in_impacts"] = energy.lost_in_impacts;
-  dict["gained_in_impacts"] = energy.gained_in_impacts;
-  dict["unaccounted"] = energy.unaccounted();
-  return dict;
-}
-
-py::dict block_of(const dynamics::Block& block) {
-  const dynamics::Geometry geometry = dynamics::geometry_of(block);
-  py::dict dict;
-  dict["width_m"] = block.width;
-  dict["height_m"] = block.height;
-  dict["gravity_m_s2"] = block.gravity;
-  dict["shape_angle_rad"] = geometry.shape_angle;
-  dict["half_diagonal_m"] = geometry.half_diagonal;
-  dict["frequency_parameter_rad_s"] = geometry.frequency_parameter;
-  return dict;
+/// JSON text of the trajectory without its states and events.
+std::string facts_of(const Trajectory& trajectory, std::uint64_t condition, std::uint64_t realisation) {
+  Trajectory facts = trajectory;
+  facts.strobe.clear();
+  facts.events.clear();
+  facts.history.clear();
+  return trajectory_text({.condition = condition, .realisation = realisation}, facts, TrajectoryUnits::normalised);
 }
 
 }  // namespace
@@ -69,23 +46,13 @@ void add_arrays(py::module_& module) {
       .def_property_readonly("history",
                              [](const py::object& self) { return rows(self.cast<const Trajectory&>().history, self); })
       .def_readonly("period_length", &Trajectory::period_length)
-      .def_readonly("losses_of_contact", &Trajectory::losses_of_contact)
-      .def_readonly("first_loss_of_contact", &Trajectory::first_loss_of_contact)
-      .def_readonly("contradictions", &Trajectory::contradictions)
-      .def_property_readonly("block", [](const Trajectory& trajectory) { return block_of(trajectory.block); })
-      .def_property_readonly("peaks", [](const Trajectory& trajectory) { return peaks_of(trajectory.peaks); })
-      .def_property_readonly("energy", [](const Trajectory& trajectory) { return energy_of(trajectory.energy); })
-      .def_property_readonly("termination", [](const Trajectory& trajectory) {
-        return std::string(dynamics::to_string(trajectory.termination));
-      });
-  // (trajectory or None, whether Ctrl-C stopped it)
+      .def("facts", &facts_of);
   module.def("trajectory", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,
                               std::int64_t periods, int samples) {
-    return watched_trajectory([&](const Execution& execution) {
-      return trajectory(
-          experiment,
-          {.condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples},
-          execution);
+    return watch(1, py::none(), [&](const Execution& execution) {
+      const TrajectoryRequest request{
+          .condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples};
+      return std::make_shared<Trajectory>(trajectory(experiment, request, execution));
     });
   });
   module.def(

@@ -99,6 +99,7 @@ PYBIND11_MODULE(_core, module) {
   python::add_arrays(module);
   python::add_checks(module);
   python::add_runs(module);
+  python::add_studies(module);
 #if defined(ROCKING_HAS_PAGES)
   python::add_pages(module);
 #endif

@@ -8,7 +8,7 @@ namespace rocking::python {
 /// Trajectories as structured arrays.
 void add_arrays(pybind11::module_& module);
 
-/// Checks of runs, random numbers and the machine; rare overturning.
+/// Checks of runs and of the machine.
 void add_checks(pybind11::module_& module);
 
 /// Pages and figures, in a library that has them (ROCKING_HAS_PAGES).
@@ -16,5 +16,8 @@ void add_pages(pybind11::module_& module);
 
 /// Runs, which Ctrl-C stops, and their results.
 void add_runs(pybind11::module_& module);
+
+/// Studies of experiments, of recorded ground motions and of random numbers.
+void add_studies(pybind11::module_& module);
 
 }  // namespace rocking::python

@@ -15,17 +15,13 @@ namespace {
 
 namespace py = pybind11;
 
-/// (paths, reasons, whether Ctrl-C stopped it).
+/// (paths, reasons).
 template <class Write>
 py::tuple write_watched(const Write& write) {
-  Watched<Written> watched(py::none{});
-  const auto written = watched.run({}, write);
+  const Written written = watch(1, py::none(), write);
   std::vector<std::string> files;
-  if (written) {
-    for (const auto& file : written->files) files.push_back(file.string());
-  }
-  return py::make_tuple(std::move(files), written ? written->not_drawn : std::vector<std::string>{},
-                        watched.was_interrupted());
+  for (const auto& file : written.files) files.push_back(file.string());
+  return py::make_tuple(std::move(files), written.not_drawn);
 }
 
 }  // namespace

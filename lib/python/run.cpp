@@ -1,11 +1,12 @@
-#include <chrono>
-#include <cmath>
-#include <ctime>
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <functional>
-#include <map>
+#include <limits>
+#include <memory>
 #include <optional>
+#include <set>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -39,25 +40,71 @@ struct RealisationRow {
   double final_slip_m;
 };
 
-/// (names of the modes, array of rows); the array takes the rows over.
-py::tuple rows_of(const RunResult& run) {
+/// In the order of tables: those that a condition lists, or of an incomplete run those that occurred.
+std::vector<section::ResponseMode> modes_of(const RunResult& run) {
+  std::set<section::ResponseMode> modes;
+  if (run.result) {
+    for (const ConditionResult& condition : run.result->conditions) {
+      for (const auto& [mode, probability] : condition.modes) modes.insert(mode);
+    }
+  } else {
+    for (const auto& counts : run.counts) {
+      for (const auto& [mode, count] : counts) modes.insert(mode);
+    }
+  }
+  return {modes.begin(), modes.end()};
+}
+
+std::size_t place_of(const section::ResponseMode& mode, const std::vector<section::ResponseMode>& modes) {
+  return static_cast<std::size_t>(std::ranges::lower_bound(modes, mode) - modes.begin());
+}
+
+std::vector<std::string> names_of(const RunResult& run) {
+  std::vector<std::string> names;
+  for (const section::ResponseMode& mode : modes_of(run)) names.push_back(name_of(mode));
+  return names;
+}
+
+/// Shape (conditions, modes).
+py::array_t<std::int64_t> counts_of(const RunResult& run) {
+  const std::vector<section::ResponseMode> modes = modes_of(run);
+  py::array_t<std::int64_t> table({run.counts.size(), modes.size()});
+  std::fill_n(table.mutable_data(), table.size(), 0);
+  for (std::size_t i = 0; i < run.counts.size(); ++i) {
+    for (const auto& [mode, count] : run.counts[i]) {
+      table.mutable_at(i, place_of(mode, modes)) = static_cast<std::int64_t>(count);
+    }
+  }
+  return table;
+}
+
+/// Shape (conditions, modes, 2): the intervals of the program's table, NaN for a mode that the condition does not list.
+/// Precondition: the run is complete.
+py::array_t<double> intervals_of(const RunResult& run) {
+  const std::vector<section::ResponseMode> modes = modes_of(run);
+  py::array_t<double> table({run.counts.size(), modes.size(), std::size_t{2}});
+  std::fill_n(table.mutable_data(), table.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < run.result->conditions.size(); ++i) {
+    for (const auto& [mode, probability] : run.result->conditions[i].modes) {
+      const auto& interval = probability.anytime ? *probability.anytime : probability.simultaneous;
+      const std::size_t place = place_of(mode, modes);
+      table.mutable_at(i, place, 0) = interval.low;
+      table.mutable_at(i, place, 1) = interval.high;
+    }
+  }
+  return table;
+}
+
+/// Array of rows, whose modes are places in the list of names. It takes the rows over.
+py::array rows_of(const RunResult& run) {
   auto rows = std::make_unique<std::vector<RealisationRow>>();
-  std::map<section::ResponseMode, std::int32_t> places;
-  for (const auto& counts : run.counts) {
-    for (const auto& [mode, count] : counts) places.emplace(mode, 0);
-  }
-  py::list names;
-  for (auto& [mode, place] : places) {
-    place = static_cast<std::int32_t>(names.size());
-    names.append(name_of(mode));
-  }
+  const std::vector<section::ResponseMode> modes = modes_of(run);
   run.store->for_each([&](const RealisationKey& key, const Summary& summary) {
-    const auto place = places.find(summary.mode);
-    if (place == places.end()) return;  // beyond the realisations of the experiment
+    if (!std::ranges::binary_search(modes, summary.mode)) return;  // beyond the realisations of the experiment
     const PeakValues& peaks = summary.peaks;
     rows->push_back({.condition = key.condition,
                      .realisation = key.realisation,
-                     .mode = place->second,
+                     .mode = static_cast<std::int32_t>(place_of(summary.mode, modes)),
                      .termination = static_cast<std::uint8_t>(summary.termination),
                      .left_ground = summary.left_ground,
                      .past_balance = summary.was_past_balance,
@@ -71,37 +118,7 @@ py::tuple rows_of(const RunResult& run) {
   });
   const py::capsule owner(rows.get(), [](void* held) { delete static_cast<std::vector<RealisationRow>*>(held); });
   const std::vector<RealisationRow>& kept = *rows.release();
-  return py::make_tuple(
-      names, py::array(py::dtype::of<RealisationRow>(), {kept.size()}, {sizeof(RealisationRow)}, kept.data(), owner));
-}
-
-py::list counts_of(const RunResult& run) {
-  py::list list;
-  for (const auto& counts : run.counts) {
-    py::dict dict;
-    for (const auto& [mode, count] : counts) dict[py::str(name_of(mode))] = count;
-    list.append(dict);
-  }
-  return list;
-}
-
-py::tuple numbers(const stats::Interval& interval) { return py::make_tuple(interval.low, interval.high); }
-
-/// For each condition, for each listed mode: (name, successes, trials, estimate, interval), where the interval is the
-/// one of the program's table.
-py::list estimates_of(const RunResult& run) {
-  py::list conditions;
-  if (!run.result) return conditions;
-  for (const ConditionResult& condition : run.result->conditions) {
-    py::list modes;
-    for (const auto& [mode, probability] : condition.modes) {
-      const auto& interval = probability.anytime ? *probability.anytime : probability.simultaneous;
-      modes.append(py::make_tuple(name_of(mode), probability.counts.successes, probability.counts.trials,
-                                  probability.estimate, numbers(interval)));
-    }
-    conditions.append(modes);
-  }
-  return conditions;
+  return py::array(py::dtype::of<RealisationRow>(), {kept.size()}, {sizeof(RealisationRow)}, kept.data(), owner);
 }
 
 /// (run, whether Ctrl-C stopped it).
@@ -115,81 +132,17 @@ py::tuple run_watched(const Experiment& experiment, unsigned threads, const std:
   return py::make_tuple(std::move(result), watched.was_interrupted());
 }
 
-/// (JSON text or None, whether Ctrl-C stopped it). `range` of the branches; None: the branches are not followed.
-py::tuple orbits_watched(const Experiment& experiment, int longest,
-                         std::optional<std::pair<std::optional<double>, std::optional<double>>> range,
-                         std::vector<std::string> second, std::pair<std::optional<double>, std::optional<double>> span,
-                         unsigned threads, py::object on_progress) {
-  OrbitsRequest request{.longest = longest, .branches = range.has_value(), .second = std::move(second)};
-  if (range) std::tie(request.from, request.to) = *range;
-  std::tie(request.second_from, request.second_to) = span;
-  Watched<std::string> watched(std::move(on_progress));
-  auto text = watched.run({.threads = threads}, [&](const Execution& execution) {
-    return orbits_text(experiment, orbit_study(experiment, request, execution));
-  });
-  return py::make_tuple(std::move(text), watched.was_interrupted());
-}
-
-/// (JSON text or None, whether Ctrl-C stopped it).
-py::tuple bifurcation_watched(const Experiment& experiment, std::uint64_t realisation, unsigned threads,
-                              py::object on_progress) {
-  Watched<std::string> watched(std::move(on_progress));
-  auto text = watched.run({.threads = threads},
-                          [&](const Execution& execution) { return bifurcation(experiment, realisation, execution); });
-  return py::make_tuple(std::move(text), watched.was_interrupted());
-}
-
-/// (JSON text or None, whether Ctrl-C stopped it).
-py::tuple fragility_watched(const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
-                            const std::optional<std::string>& hazard, bool incremental, unsigned threads,
-                            py::object on_progress) {
-  Watched<std::string> watched(std::move(on_progress));
-  auto text = watched.run({.threads = threads}, [&](const Execution& execution) {
-    FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
-    if (hazard) question.hazard = hazard_curve(*hazard);
-    return fragility(experiment, run, question, execution);
-  });
-  return py::make_tuple(std::move(text), watched.was_interrupted());
-}
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-double seconds_of_this_thread() {
-  timespec time{};
-  ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// ((words, JSON text) or None, whether Ctrl-C stopped it).
-py::tuple plan_watched(const Experiment& experiment, unsigned threads,
-                       std::optional<std::pair<std::uint64_t, std::uint64_t>> shard, bool timed) {
-  Watched<std::pair<std::string, std::string>> watched(py::none{});
-  Execution asked{.threads = threads};
-  if (shard) asked.shard = Shard{.part = shard->first, .parts = shard->second};
+/// (words, JSON text).
+std::pair<std::string, std::string> plan_watched(const Experiment& experiment, unsigned threads,
+                                                 std::optional<std::pair<std::uint64_t, std::uint64_t>> shard,
+                                                 bool timed) {
   std::function<double()> clock;
-  if (timed) clock = [start = std::chrono::steady_clock::now()] { return seconds_since(start); };
-  const auto found = watched.run(std::move(asked), [&](const Execution& execution) {
+  if (timed) clock = seconds_from_now();
+  return watch(threads, py::none(), [&](Execution execution) {
+    if (shard) execution.shard = Shard{.part = shard->first, .parts = shard->second};
     const Plan planned = plan(experiment, clock, execution);
     return std::pair(describe(planned), describe_as_json(planned));
   });
-  return py::make_tuple(found, watched.was_interrupted());
-}
-
-/// (cost or None, whether Ctrl-C stopped it).
-py::tuple cost_watched(const Experiment& experiment, double seconds, std::optional<std::uint64_t> sample,
-                       std::vector<double> tolerances, unsigned threads, py::object on_progress) {
-  const auto start = std::chrono::steady_clock::now();
-  const CostRequest request{.elapsed_seconds = [start] { return seconds_since(start); },
-                            .processor_seconds = seconds_of_this_thread,
-                            .seconds = seconds,
-                            .sample = sample,
-                            .tolerances = std::move(tolerances)};
-  Watched<Cost> watched(std::move(on_progress));
-  auto found = watched.run({.threads = threads},
-                           [&](const Execution& execution) { return cost(experiment, request, execution); });
-  return py::make_tuple(std::move(found), watched.was_interrupted());
 }
 
 }  // namespace
@@ -201,8 +154,9 @@ void add_runs(py::module_& module) {
       .def_readonly("done", &RunResult::done)
       .def_readonly("all", &RunResult::all)
       .def_property_readonly("is_complete", &RunResult::is_complete)
-      .def_property_readonly("counts", &counts_of)
-      .def_property_readonly("estimates", &estimates_of)
+      .def("modes", &names_of)
+      .def("counts", &counts_of)
+      .def("intervals", &intervals_of)
       .def("rows", &rows_of)
       .def("digest", &digest_of)
       .def("table", [](const RunResult& run, const Experiment& experiment,
@@ -216,36 +170,6 @@ void add_runs(py::module_& module) {
       });
   module.def("run", &run_watched);
   module.def("plan", &plan_watched);
-  module.def("orbits", &orbits_watched);
-  module.def("bifurcation", &bifurcation_watched);
-  py::class_<Cost>(module, "Cost")
-      .def("text", [](const Cost& found, const Experiment& experiment, std::string machine, std::string start,
-                      double duration, unsigned threads) {
-        return cost_text(
-            experiment, found,
-            {.machine = std::move(machine), .start = std::move(start), .duration_s = duration, .threads = threads});
-      });
-  module.def("cost", &cost_watched);
-  module.def("compare", [](const Experiment& experiment, const RunResult& run, const Experiment& other_experiment,
-                           const RunResult& other_run) {
-    const py::gil_scoped_release release;
-    return comparison_text(compare({experiment, run}, {other_experiment, other_run}));
-  });
-  module.def("motion", [](std::vector<std::string> files, std::string vertical, std::string format, std::string units,
-                          double time_step, double gravity, double damping, std::vector<double> periods, bool series,
-                          std::optional<std::pair<double, double>> block) {
-    const py::gil_scoped_release release;
-    GroundMotionRequest request{.files = std::move(files),
-                                .vertical = std::move(vertical),
-                                .format = std::move(format),
-                                .units = std::move(units),
-                                .time_step = time_step,
-                                .series = series,
-                                .question = {.gravity = gravity, .damping = damping, .periods = std::move(periods)}};
-    if (block) request.question.block = dynamics::Block{block->first, block->second, gravity};
-    return motion(request);
-  });
-  module.def("fragility", &fragility_watched);
   module.def("open_run", [](const std::string& folder) {
     StoredRun stored = [&] {
       const py::gil_scoped_release release;

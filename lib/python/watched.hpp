@@ -5,10 +5,13 @@
 #include <condition_variable>
 #include <cstdint>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
+#include <type_traits>
+#include <utility>
 
 #include <pybind11/pybind11.h>
 
@@ -103,13 +106,23 @@ class Watched {
   bool has_ended_ = false;
 };
 
-/// (trajectory or None, whether Ctrl-C stopped it).
+/// A clock of the seconds since now.
+inline std::function<double()> seconds_from_now() {
+  return [start = std::chrono::steady_clock::now()] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  };
+}
+
+/// What compute(execution) returns. Ctrl-C raises KeyboardInterrupt.
 template <class Compute>
-pybind11::tuple watched_trajectory(const Compute& compute) {
-  Watched<Trajectory> watched(pybind11::none{});
-  auto found = watched.run({}, compute);
-  return pybind11::make_tuple(found ? std::make_shared<Trajectory>(*std::move(found)) : nullptr,
-                              watched.was_interrupted());
+auto watch(unsigned threads, pybind11::object on_progress, const Compute& compute) {
+  Watched<std::invoke_result_t<const Compute&, const Execution&>> watched(std::move(on_progress));
+  auto found = watched.run({.threads = threads}, compute);
+  if (watched.was_interrupted() || !found) {
+    PyErr_SetNone(PyExc_KeyboardInterrupt);
+    throw pybind11::error_already_set();
+  }
+  return *std::move(found);
 }
 
 }  // namespace rocking::python

@@ -31,6 +31,7 @@ test_packages=(
   "${python_packages[@]}"
   libopenmpi-dev openmpi-bin  # for rocking-mpi
   python3-matplotlib  # for a tutorial
+  mypy  # to check the types of the Python module
 )
 # For `tests/all --release`, too.
 release_packages=(

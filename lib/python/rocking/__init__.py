@@ -16,62 +16,38 @@
 True
 """
 
-from . import _core
-from .bifurcations import BifurcationDiagram, DiagramStep, bifurcation
+import json
+from typing import Any, Dict
+
+from . import _core, documents
 from .checks import RunCheck, check_normal, doctor, replay, verify
-from .comparisons import Comparison, ConditionComparison, ModeComparison, compare
-from .costs import Cost, cost
 from .errors import DifferentBits, InputError, Interrupted, Problem, StoreError
 from .experiments import Experiment, ExperimentLike, experiment, validate
-from .findings import Findings
+from .fields import Document, Fields, Rows
 from .intervals import clopper_pearson, colour, wilson
-from .motions import GroundMotion, motion
+from .motions import motion
 from .pages import Written, draw, write_figures, write_page, write_tables, write_trajectory_page
-from .rare_events import RareEstimate, rare
 from .results import Result
 from .running import Plan, merge, open_run, plan, run
-from .studies import (
-    Bifurcation,
-    BifurcationCurve,
-    Branch,
-    FragilityCurve,
-    Orbit,
-    Orbits,
-    OrbitsOfCondition,
-    fragility,
-    orbits,
-)
+from .studies import bifurcation, compare, cost, fragility, orbits, rare
 from .trajectories import CONTACTS, EVENTS, TERMINATIONS, Trajectory, trajectory
 
 __version__ = _core.version()
 
 __all__ = [
-    "Bifurcation",
-    "BifurcationCurve",
-    "BifurcationDiagram",
-    "Branch",
     "CONTACTS",
-    "Comparison",
-    "ConditionComparison",
-    "Cost",
-    "DiagramStep",
     "DifferentBits",
+    "Document",
     "EVENTS",
     "Experiment",
     "ExperimentLike",
-    "Findings",
-    "FragilityCurve",
-    "GroundMotion",
+    "Fields",
     "InputError",
     "Interrupted",
-    "ModeComparison",
-    "Orbit",
-    "Orbits",
-    "OrbitsOfCondition",
     "Plan",
     "Problem",
-    "RareEstimate",
     "Result",
+    "Rows",
     "RunCheck",
     "StoreError",
     "TERMINATIONS",
@@ -84,6 +60,7 @@ __all__ = [
     "compare",
     "cost",
     "doctor",
+    "documents",
     "draw",
     "experiment",
     "fragility",
@@ -107,16 +84,15 @@ __all__ = [
 ]
 
 
-def schema(name: str) -> dict:
+def schema(name: str) -> Dict[str, Any]:
     """The JSON Schema (draft 07) of a format: ``experiment``, ``report``, ``trajectory``, ...
 
     >>> import rocking
     >>> rocking.schema("experiment")["type"]
     'object'
     """
-    import json
-
     text = _core.schema(name)
     if not text:
         raise KeyError(f"{name}: no format of this name")
-    return json.loads(text)
+    found: Dict[str, Any] = json.loads(text)
+    return found

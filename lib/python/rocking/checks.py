@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import os
-from typing import Any, Dict, List, Mapping, Optional, Union
+from typing import Any, Dict, List, Optional, Union
 
-from . import _core
+from . import _core, documents
 from .results import Result
 from .running import Progress, open_run, processors
 from .trajectories import Trajectory
@@ -42,7 +41,8 @@ def verify(
     """Run realisations of a run again and compare them with the stored ones to the bit.
 
     source: a Result, or the folder of a run; if the folder has a ``report.json``, it must follow from the realisations.
-    If it has a report and no store, its experiment is run again, without ``sample``. sample: about this many realisations, evenly spaced; default: all. Raises OSError and StoreError as open_run().
+    If it has a report and no store, its experiment is run again, without ``sample``. sample: about this many
+    realisations, evenly spaced; default: all. Raises OSError and StoreError as open_run().
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -57,10 +57,9 @@ def verify(
             raise ValueError("sample: there are no stored realisations, only a report; omit it")
         with open(os.path.join(os.fspath(source), "report.json"), encoding="utf-8") as file:
             text = file.read()
-        found, interrupted = _core.verify_report(text, os.fspath(source), threads or processors(), progress)
-        if interrupted or found is None:
-            raise KeyboardInterrupt
-        checked, different, findings = found
+        checked, different, findings = _core.verify_report(
+            text, os.fspath(source), threads or processors(), progress
+        )
         return RunCheck(checked, different, [f"report.json: {each}" for each in findings])
     result = source if isinstance(source, Result) else open_run(source)
     faults: List[str] = []
@@ -70,12 +69,9 @@ def verify(
             text = file.read()
         result._expect_complete()
         faults = [f"report.json: {each}" for each in _core.report_faults(text, result.experiment._core, result._core)]
-    found, interrupted = _core.verify(
+    checked, different, findings = _core.verify(
         result.experiment._core, result._core, sample, threads or processors(), progress
     )
-    if interrupted or found is None:
-        raise KeyboardInterrupt
-    checked, different, findings = found
     return RunCheck(checked, different, faults + findings)
 
 
@@ -112,7 +108,7 @@ def replay(
     result = source if isinstance(source, Result) else open_run(source)
     extent = (periods or 0, samples_per_period)
     found = _core.replay(result.experiment._core, result._core, condition, realisation, *extent)
-    return Trajectory._of(*found, condition, realisation)
+    return Trajectory(found, condition, realisation)
 
 
 def check_normal(
@@ -122,18 +118,18 @@ def check_normal(
     sigma: float = 0.03,
     seed: int = 0x2012,
     sampler: str = "box-muller",
-) -> Mapping[str, Any]:
+) -> documents.SamplerCheck:
     """Compare random numbers with a normal distribution: moments, tests of fit, correlations, histogram.
 
     n: how many numbers, 20 to 1e8. sampler: ``box-muller``, that of simulations, ``ziggurat`` or ``inverse-cdf``.
-    Returns a dictionary as in ``rocking.check_normal/1``. Raises InputError for a number out of range.
+    Raises InputError for a number out of range.
 
     >>> import rocking
     >>> found = rocking.check_normal(1000)
-    >>> abs(found["mean"]["value"] - 0.4) < 0.01
+    >>> abs(found.mean.value - 0.4) < 0.01
     True
     """
-    return json.loads(_core.check_normal(n, mean, sigma, seed, sampler))
+    return documents.SamplerCheck(_core.check_normal(n, mean, sigma, seed, sampler))
 
 
 def doctor() -> Dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple, Sequence, Tuple
+from typing import TYPE_CHECKING, Any, NamedTuple, Sequence, Tuple
 
 if TYPE_CHECKING:
     from .results import Result
@@ -45,7 +45,7 @@ class InputError(ValueError):
         self.problems = tuple(Problem(*problem) for problem in problems)
         super().__init__("\n".join(str(problem) for problem in self.problems))
 
-    def __reduce__(self):  # so that it reaches the parent of a process pool
+    def __reduce__(self) -> Tuple[Any, ...]:  # so that it reaches the parent of a process pool
         return type(self), (tuple(tuple(problem) for problem in self.problems),)
 
     @property

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import os
-from typing import Any, Mapping, Optional, Union
+from typing import Any, Dict, Mapping, Optional, Tuple, Union
 
 from . import _core
 
@@ -42,7 +42,7 @@ class Experiment:
         return self._core.seed
 
     @property
-    def shape(self) -> tuple:
+    def shape(self) -> Tuple[int, ...]:
         """Number of values of each entry of the sweep: the grid of the conditions, whose last entry varies fastest."""
         return tuple(self._core.shape)
 
@@ -50,15 +50,16 @@ class Experiment:
         """Number of conditions."""
         return self._core.conditions
 
-    def parameters(self, condition: int) -> dict:
+    def parameters(self, condition: int) -> Dict[str, Any]:
         """The swept values of a condition, by JSON pointer."""
         if not 0 <= condition < len(self):
             raise IndexError(f"condition {condition}: the experiment has {len(self)}, counted from 0")
         return {pointer: json.loads(value) for pointer, value in self._core.parameters(condition)}
 
-    def to_dict(self) -> dict:
+    def to_dict(self) -> Dict[str, Any]:
         """The experiment with every default written out."""
-        return json.loads(self._core.text)
+        found: Dict[str, Any] = json.loads(self._core.text)
+        return found
 
     def __repr__(self) -> str:
         return f"<rocking.Experiment {self.title!r}, {len(self)} condition{'s' if len(self) != 1 else ''}>"
@@ -96,7 +97,7 @@ def experiment(
 
 def validate(
     source: ExperimentLike, *, seed: Union[int, str, None] = None, realisations: Optional[int] = None
-) -> dict:
+) -> Dict[str, Any]:
     """The experiment with every default written out, as a dictionary. Nothing is simulated. Arguments as experiment().
 
     >>> import rocking

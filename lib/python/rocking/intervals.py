@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Callable, Tuple
+from typing import TYPE_CHECKING, Any, Callable, Tuple
 
 import numpy as np
-import numpy.typing as npt
 
 from . import _core
+
+if TYPE_CHECKING:
+    import numpy.typing as npt
 
 __all__ = ["clopper_pearson", "colour", "wilson"]
 
 
-def clopper_pearson(successes: npt.ArrayLike, trials: npt.ArrayLike, confidence: float = 0.95) -> np.ndarray:
+def clopper_pearson(successes: npt.ArrayLike, trials: npt.ArrayLike, confidence: float = 0.95) -> npt.NDArray[Any]:
     """Exact two-sided intervals of probabilities, as in reports (Clopper & Pearson 1934).
 
     successes, trials: whole numbers, or arrays that are broadcast against each other. Returns (low, high) in the last
@@ -27,7 +29,7 @@ def clopper_pearson(successes: npt.ArrayLike, trials: npt.ArrayLike, confidence:
     return _intervals(_core.clopper_pearson, successes, trials, confidence)
 
 
-def wilson(successes: npt.ArrayLike, trials: npt.ArrayLike, confidence: float = 0.95) -> np.ndarray:
+def wilson(successes: npt.ArrayLike, trials: npt.ArrayLike, confidence: float = 0.95) -> npt.NDArray[Any]:
     """Score intervals of probabilities (Wilson 1927): narrower, right on average. Arguments as clopper_pearson().
 
     >>> import rocking
@@ -57,7 +59,7 @@ def _intervals(
     successes: npt.ArrayLike,
     trials: npt.ArrayLike,
     confidence: float,
-) -> np.ndarray:
+) -> npt.NDArray[Any]:
     counts = np.broadcast_arrays(successes, trials)
     for each in counts:
         if each.size and (not np.issubdtype(each.dtype, np.integer) or (each < 0).any()):

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-import json
+import base64
 import os
+import tempfile
 from pathlib import Path
-from typing import Any, List, Mapping, NamedTuple, Optional, Union
+from typing import Any, List, NamedTuple, Optional, Tuple, Union
 
 from . import _core
+from .errors import InputError
 from .experiments import ExperimentLike, experiment
+from .fields import Document
 from .results import Result
 from .running import open_run
 from .trajectories import Trajectory
@@ -118,8 +121,8 @@ def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:
     """Draw what a study has found, in a folder: as ``rocking figure`` draws what the program printed.
 
     sources: results of trajectory() with ``samples_per_period``, bifurcation(), orbits() with ``branches``, cost(),
-    fragility(), motion() with ``series``, the dictionary of check_normal(), or paths of files that the program wrote. column: as write_figures(). Raises
-    InputError for a source that is none of these.
+    fragility(), motion() with ``series``, check_normal(), or paths of files that the program wrote. column: as
+    write_figures(). Raises InputError for a source that is none of these.
 
     >>> import tempfile, rocking
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -143,22 +146,33 @@ def _number_of(column: str) -> int:
     return _COLUMNS.index(column)
 
 
-def _document_of(source: Any, number: int) -> "tuple[str, str]":
+def _document_of(source: Any, number: int) -> Tuple[str, str]:
     if isinstance(source, (str, os.PathLike)):
         path = os.fspath(source)
         with open(path, encoding="utf-8") as file:
             return path, file.read()
     if isinstance(source, Trajectory):
         return f"source {number}", source.text()
-    data = source if isinstance(source, Mapping) else getattr(source, "data", None)
-    return f"source {number}", json.dumps(data)
+    if isinstance(source, Document):
+        return f"source {number}", source.text
+    raise TypeError(f"source {number} is a {type(source).__name__}: must be what a study returned, or a file")
+
+
+def pictures(source: Union[Result, Document], most: int = 3) -> List[str]:
+    """The first figures as HTML, for notebooks; none where gnuplot or fmt is missing, or there is nothing to draw."""
+    with tempfile.TemporaryDirectory() as folder:
+        try:
+            written = write_figures(source, folder) if isinstance(source, Result) else draw(source, folder=folder)
+        except (InputError, NotImplementedError):
+            return []
+        drawn = [file for file in written.files if file.suffix == ".svg"][:most]
+        images = [base64.b64encode(file.read_bytes()).decode() for file in drawn]
+    return [f'<img src="data:image/svg+xml;base64,{image}"/>' for image in images]
 
 
 def _call(name: str, *arguments: Any) -> Written:
     function = getattr(_core, name, None)
     if function is None:
         raise NotImplementedError(f"{name}: this module was built without fmt (Debian: libfmt-dev)")
-    files, not_drawn, interrupted = function(*arguments)
-    if interrupted:
-        raise KeyboardInterrupt
+    files, not_drawn = function(*arguments)
     return Written([Path(file) for file in files], not_drawn)

@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 import functools
-import json
-from typing import TYPE_CHECKING, Any, Dict, List, Optional, Tuple
+import html
+from typing import TYPE_CHECKING, Any, Optional, Tuple
 
 import numpy as np
 
-from . import _core
+from . import _core, documents
 from .experiments import Experiment
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     import pandas
 
 __all__ = ["Result"]
+
+
+Provenance = Tuple[str, str, float, int]  # machine, start, duration [s], threads
 
 
 class Result:
@@ -25,7 +29,7 @@ class Result:
     the experiment.
     """
 
-    def __init__(self, experiment: Experiment, core: _core.Run, provenance: tuple, folder: Optional[str]) -> None:
+    def __init__(self, experiment: Experiment, core: _core.Run, provenance: Provenance, folder: Optional[str]) -> None:
         self.experiment: Experiment = experiment
         self.folder: Optional[str] = folder
         self._core = core
@@ -49,36 +53,27 @@ class Result:
     @functools.cached_property
     def modes(self) -> Tuple[str, ...]:
         """Names of the response modes, the columns: ``(1,1)``, ``chaotic``, ``overturned``, ..."""
-        if not self.is_complete:
-            return tuple(dict.fromkeys(mode for counts in self._core.counts for mode in counts))
-        listed: Dict[Tuple[Any, ...], str] = {}
-        for condition in self._core.estimates:
-            for name, *_ in condition:
-                listed[_order(name)] = name
-        return tuple(listed[key] for key in sorted(listed))
+        return tuple(self._core.modes())
 
     @functools.cached_property
-    def counts(self) -> np.ndarray:
-        """Realisations by mode: integers, shape (conditions, modes)."""
-        table = np.zeros((len(self.experiment), len(self.modes)), dtype=np.int64)
-        for row, counts in zip(table, self._core.counts):
-            for mode, count in counts.items():
-                row[self.modes.index(mode)] = count
-        return table
+    def counts(self) -> npt.NDArray[np.int64]:
+        """Realisations by mode: shape (conditions, modes)."""
+        return self._core.counts()
 
     @property
-    def trials(self) -> np.ndarray:
+    def trials(self) -> npt.NDArray[np.int64]:
         """Finished realisations of each condition."""
-        return self.counts.sum(axis=1)
+        found: npt.NDArray[np.int64] = self.counts.sum(axis=1)
+        return found
 
     @property
-    def probabilities(self) -> np.ndarray:
+    def probabilities(self) -> npt.NDArray[np.float64]:
         """Shares of the realisations, shape (conditions, modes)."""
         self._expect_complete()
         return self.counts / self.trials[:, np.newaxis]
 
     @functools.cached_property
-    def intervals(self) -> np.ndarray:
+    def intervals(self) -> npt.NDArray[Any]:
         """Ends of the intervals of the program's table, shape (conditions, modes, 2).
 
         Simultaneous Bonferroni-Clopper-Pearson intervals over all possible modes; with ``until`` the confidence
@@ -86,11 +81,7 @@ class Result:
         there, has NaN.
         """
         self._expect_complete()
-        table = np.full((len(self.experiment), len(self.modes), 2), np.nan)
-        for row, condition in zip(table, self._core.estimates):
-            for name, _, _, _, interval in condition:
-                row[self.modes.index(name)] = interval
-        return table
+        return self._core.intervals()
 
     @property
     def digest(self) -> str:
@@ -98,41 +89,36 @@ class Result:
         self._expect_complete()
         return self._core.digest()
 
-    def probability(self, mode: str) -> np.ndarray:
+    def probability(self, mode: str) -> npt.NDArray[Any]:
         """Probability of one mode in each condition; 0 where it did not occur."""
         if mode not in self.modes:
             self._expect_complete()
             return np.zeros(len(self.experiment))
         return self.probabilities[:, self.modes.index(mode)]
 
-    def parameter(self, pointer: str) -> np.ndarray:
+    def parameter(self, pointer: str) -> npt.NDArray[Any]:
         """The values that the sweep sets at a JSON pointer, such as ``/excitation/amplitude``, by condition."""
         values = [self.experiment.parameters(i) for i in range(len(self.experiment))]
         if pointer not in values[0]:
             raise KeyError(f"{pointer}: the sweep sets {', '.join(values[0]) or 'nothing'}")
         return np.array([value[pointer] for value in values])
 
-    def report(self) -> dict:
+    def report(self) -> documents.Report:
         """The whole report (``rocking.report/1``), as the program writes it."""
         self._expect_complete()
-        return json.loads(self._core.report(self.experiment._core, *self._occasion))
+        return documents.Report(self._core.report(self.experiment._core, *self._occasion))
 
-    def realisations(self) -> np.ndarray:
+    def realisations(self) -> npt.NDArray[Any]:
         """A structured array with a row for each finished realisation.
 
-        Fields: condition, realisation, mode (place in ``realisation_modes``), termination (place in
-        ``rocking.TERMINATIONS``), left_ground, past_balance, margin, peak_tilt [-], peak_tilt_rate [-], peak_slip [-],
-        peak_slip_m [m], final_slip [-], final_slip_m [m].
+        Fields: condition, realisation, mode (place in ``modes``), termination (place in ``rocking.TERMINATIONS``),
+        left_ground, past_balance, margin, peak_tilt [-], peak_tilt_rate [-], peak_slip [-], peak_slip_m [m],
+        final_slip [-], final_slip_m [m].
         """
-        return self._rows[1]
-
-    @property
-    def realisation_modes(self) -> List[str]:
-        """Names of the modes in ``realisations()``."""
-        return self._rows[0]
+        return self._rows
 
     @functools.cached_property
-    def _rows(self) -> Tuple[List[str], np.ndarray]:
+    def _rows(self) -> npt.NDArray[Any]:
         return self._core.rows()
 
     def table(self, width: int = 120) -> str:
@@ -179,14 +165,11 @@ class Result:
             raise ValueError("one part of a divided run has no estimates; rocking.merge() joins the parts")
         raise ValueError(f"{self.done} of {self.all} realisations are done: the run was stopped, or parts are missing")
 
+    def _repr_html_(self) -> str:
+        from .pages import pictures  # it imports this
+
+        return f"<pre>{html.escape(self.table())}</pre>" + "".join(pictures(self)) if self.is_complete else repr(self)
+
     def __repr__(self) -> str:
         state = "" if self.is_complete else f", {self.done} done"
         return f"<rocking.Result of {self.all} realisations of {len(self.experiment)} condition(s){state}>"
-
-
-def _order(mode: str) -> tuple:
-    """Order of the columns: periodic by n, then by m; then the others as in tables."""
-    if mode.startswith("("):
-        rocks, periods = mode[1:-1].split(",")
-        return (0, int(periods), int(rocks))
-    return (1, ["chaotic", "overturned", "rest", "unresolved"].index(mode))

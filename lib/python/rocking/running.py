@@ -24,6 +24,11 @@ def processors() -> int:
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
+def now() -> str:
+    """This instant, as reports write it."""
+    return datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
+
+
 def run(
     source: ExperimentLike,
     *,
@@ -71,8 +76,7 @@ def run(
     if threads < 1:
         raise ValueError(f"threads = {threads}: must be at least 1")
     where = None if folder is None else os.fspath(folder)
-    start = datetime.datetime.now(datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M:%SZ")
-    began = time.perf_counter()
+    start, began = now(), time.perf_counter()
     core, interrupted = _core.run(checked._core, threads, where or "", checked._files, shard, progress)
     provenance = (platform.platform(), start, time.perf_counter() - began, threads)
     result = Result(checked, core, provenance, where)
@@ -128,10 +132,8 @@ def plan(
         threads = processors()
     if threads < 1:
         raise ValueError(f"threads = {threads}: must be at least 1")
-    found, interrupted = _core.plan(checked._core, threads, shard, timed)
-    if interrupted or found is None:
-        raise KeyboardInterrupt
-    return Plan(found[0], json.loads(found[1]))
+    words, text = _core.plan(checked._core, threads, shard, timed)
+    return Plan(words, json.loads(text))
 
 
 def open_run(folder: Union[str, "os.PathLike[str]"]) -> Result:

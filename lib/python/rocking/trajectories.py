@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Optional, Union
+import functools
+from typing import TYPE_CHECKING, Any, Optional, Union, cast
 
 import numpy as np
 
-from . import _core
+from . import _core, documents
 from .experiments import ExperimentLike, experiment
 
 if TYPE_CHECKING:
+    import numpy.typing as npt
     import pandas
 
 __all__ = ["CONTACTS", "EVENTS", "TERMINATIONS", "Trajectory", "trajectory"]
@@ -32,15 +34,9 @@ class Trajectory:
         self._core = core
         self.condition = condition  #: number of the condition, from 0
         self.realisation = realisation  #: number of the realisation, from 0
-        self.strobe: np.ndarray = core.strobe  #: at each excitation period: period, tilt, tilt_rate, slip, slip_rate, contact
-        self.events: np.ndarray = core.events  #: tau, kind (place in EVENTS), and the state after the event
-        self.history: np.ndarray = core.history  #: tau, state, contact, base_acceleration [g]; empty unless asked for
-
-    @classmethod
-    def _of(cls, core: Optional[_core.Trajectory], interrupted: bool, condition: int, realisation: int) -> Trajectory:
-        if interrupted or core is None:
-            raise KeyboardInterrupt
-        return cls(core, condition, realisation)
+        self.strobe: npt.NDArray[Any] = core.strobe  #: at each excitation period: period, tilt, tilt_rate, slip, slip_rate, contact
+        self.events: npt.NDArray[Any] = core.events  #: tau, kind (place in EVENTS), and the state after the event
+        self.history: npt.NDArray[Any] = core.history  #: tau, state, contact, base_acceleration [g]; empty unless asked for
 
     def __repr__(self) -> str:
         place = f"condition {self.condition}, realisation {self.realisation}"
@@ -48,44 +44,38 @@ class Trajectory:
         return f"<rocking.Trajectory of {place}: {length}>"
 
     @property
-    def block(self) -> dict:
-        """The block of this realisation: width_m, height_m, gravity_m_s2, shape_angle_rad, ..."""
-        return self._core.block
-
-    @property
     def period_length(self) -> float:
         """Normalised time from one strobe point to the next, 2 pi/Omega_h."""
         return self._core.period_length
 
     @property
-    def peaks(self) -> dict:
-        """Largest tilt, tilt_rate and slip, and the slip at the end."""
-        return self._core.peaks
+    def block(self) -> documents.Block:
+        """The block of this realisation."""
+        return self._facts.block
 
     @property
-    def energy(self) -> dict:
+    def peaks(self) -> documents.Peaks:
+        """Largest tilt, tilt_rate and slip, and the slip at the end."""
+        return cast("documents.Peaks", self._facts.peaks)
+
+    @property
+    def energy(self) -> documents.EnergyBalance:
         """Energy balance, over m R^2 p^2."""
-        return self._core.energy
+        return self._facts.energy
+
+    @property
+    def validity(self) -> documents.TrajectoryValidity:
+        """Departures from the model."""
+        return cast("documents.TrajectoryValidity", self._facts.validity)
 
     @property
     def termination(self) -> str:
         """Why it ended: ``reached_horizon``, ``overturned``, ``painleve`` or ``stopped``."""
-        return self._core.termination
+        return self._facts.termination
 
-    @property
-    def losses_of_contact(self) -> int:
-        """Number of downward crossings of N = 0."""
-        return self._core.losses_of_contact
-
-    @property
-    def first_loss_of_contact(self) -> Optional[float]:
-        """Normalised time of the first one, if there was one."""
-        return self._core.first_loss_of_contact
-
-    @property
-    def contradictions(self) -> int:
-        """Instants at which neither sticking nor slipping agrees with the equations."""
-        return self._core.contradictions
+    @functools.cached_property
+    def _facts(self) -> documents.TrajectoryReport:
+        return documents.TrajectoryReport(self._core.facts(self.condition, self.realisation))
 
     def text(self, format: str = "json", units: str = "normalised") -> str:
         """As ``rocking trajectory`` prints it: ``json`` or ``csv``, in ``normalised`` or ``si`` units."""
@@ -135,4 +125,4 @@ def trajectory(
         raise ValueError(f"periods = {periods}: must be at least 1")
     checked = experiment(source, seed=seed)
     found = _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period)
-    return Trajectory._of(*found, condition, realisation)
+    return Trajectory(found, condition, realisation)

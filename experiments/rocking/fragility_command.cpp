@@ -23,8 +23,8 @@
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_hazard.hpp"
 #include "rocking/output/fragility_table.hpp"
-#include "rocking/studies/annual_rate.hpp"
 #include "rocking/studies/fragility.hpp"
+#include "rocking/studies/run_fragility.hpp"
 #include "rocking/text/files.hpp"
 #include "run_folder.hpp"
 

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 
 #include "output.hpp"
-#include "rocking/studies/motion/intensity.hpp"
+#include "rocking/studies/motion/motion.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::program {

@@ -10,7 +10,7 @@
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
-#include "rocking/api/ground_motions.hpp"
+#include "rocking/api/studies.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/output/motion_report.hpp"
 #include "rocking/scene/rules.hpp"

@@ -13,7 +13,7 @@
 #include "commands.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/api/rare.hpp"
+#include "rocking/api/studies.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/locate.hpp"

@@ -10,7 +10,6 @@
 
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/contact.hpp"
-#include "rocking/dynamics/termination.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/write_facts.hpp"
 #include "rocking/rocking.hpp"

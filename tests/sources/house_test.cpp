@@ -138,6 +138,37 @@ Offences dead_links(const fs::path& folder, const std::string& document) {
   return found;
 }
 
+/// Headers of the library that `header` includes, directly or not, itself among them: paths after lib/.
+std::set<std::string> included_by(const std::string& header) {
+  static const std::regex include("#include \"(rocking/[^\"]+)\"");
+  std::set<std::string> found;
+  std::vector<std::string> waiting{header};
+  while (!waiting.empty()) {
+    const std::string next = waiting.back();
+    waiting.pop_back();
+    if (!found.insert(next).second) continue;
+    std::ifstream stream(fs::path(ROCKING_SOURCE_DIR) / "lib" / next);
+    EXPECT_TRUE(stream) << next;
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    for (std::sregex_iterator match(text.begin(), text.end(), include), end; match != end; ++match) {
+      waiting.push_back(match->str(1));
+    }
+  }
+  return found;
+}
+
+/// Rooms that no public header may show: they compute, read or write.
+const std::set<std::string> private_rooms = {"random", "integrate", "lanes", "text", "fields", "input", "output"};
+
+Offences private_headers(const std::set<std::string>& headers) {
+  Offences found;
+  for (const std::string& header : headers) {
+    const std::string room = header.substr(8, header.find('/', 8) - 8);
+    if (private_rooms.contains(room)) found.push_back(header);
+  }
+  return found;
+}
+
 struct File {
   fs::path path;
   std::string room;  ///< of the library; empty elsewhere
@@ -204,6 +235,13 @@ TEST(TheHouse, DrawsWithoutSimulating) {
   EXPECT_GT(sources, 10U);
 }
 
+TEST(TheHouse, ShowsAtMostFiftyHeadersThatComputeNothing) {
+  const std::set<std::string> headers = included_by("rocking/api/rocking.hpp");
+  EXPECT_GT(headers.size(), 20U);
+  EXPECT_LT(headers.size(), 50U);  // pages.hpp is the other one
+  EXPECT_THAT(private_headers(headers), IsEmpty());
+}
+
 TEST(TheHouse, ComputesNoStatisticsInAWriter) {
   for (const File& file : files_of_tree()) {
     const bool draws = *file.path.lexically_relative(ROCKING_SOURCE_DIR).begin() == "analysis";
@@ -250,6 +288,11 @@ TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
   EXPECT_THAT(forbidden_uses("output", "#include \"rocking/random/normal.hpp\""), ElementsAre("output -> random"));
   EXPECT_THAT(forbidden_uses("section", "#include \"rocking/base/lane.hpp\"\n#include \"rocking/section/a.hpp\"\n"),
               IsEmpty());
+}
+
+TEST(TheHouseRules, FindAPrivateHeader) {
+  EXPECT_THAT(private_headers({"rocking/api/run.hpp", "rocking/integrate/step.hpp", "rocking/text/json.hpp"}),
+              ElementsAre("rocking/integrate/step.hpp", "rocking/text/json.hpp"));
 }
 
 TEST(TheHouseRules, FindASimulatingFigure) {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rocking/base/elementary.hpp"
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 #include "support/split_mix.hpp"
 
 namespace rocking::support {

@@ -1,4 +1,4 @@
-#include "rocking/api/cost.hpp"
+#include "rocking/api/studies.hpp"
 
 #include <stdexcept>
 #include <string>

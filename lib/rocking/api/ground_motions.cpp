@@ -1,4 +1,4 @@
-#include "rocking/api/ground_motions.hpp"
+#include "rocking/api/studies.hpp"
 
 #include <algorithm>
 #include <array>

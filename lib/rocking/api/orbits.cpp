@@ -1,4 +1,4 @@
-#include "rocking/api/orbits.hpp"
+#include "rocking/api/studies.hpp"
 
 #include <algorithm>
 #include <string_view>
@@ -13,7 +13,7 @@
 #include "rocking/output/orbits_report.hpp"
 #include "rocking/output/orbits_table.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 #include "rocking/studies/orbits/bifurcation_curves.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/orbits.hpp"

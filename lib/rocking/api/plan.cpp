@@ -1,4 +1,4 @@
-#include "rocking/api/plan.hpp"
+#include "rocking/api/run.hpp"
 
 #include <algorithm>
 

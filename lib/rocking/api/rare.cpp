@@ -1,4 +1,4 @@
-#include "rocking/api/rare.hpp"
+#include "rocking/api/studies.hpp"
 
 #include <cstdint>
 

@@ -12,13 +12,8 @@
 /// Stable between patch versions: what these headers declare in namespace rocking, and the structs that they return.
 /// Whatever else is installed with them are their details.
 #include "rocking/api/checks.hpp"
-#include "rocking/api/cost.hpp"
 #include "rocking/api/experiment.hpp"
-#include "rocking/api/ground_motions.hpp"
 #include "rocking/api/intervals.hpp"
-#include "rocking/api/orbits.hpp"
-#include "rocking/api/plan.hpp"
-#include "rocking/api/rare.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/base/error.hpp"

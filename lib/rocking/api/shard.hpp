@@ -1,7 +1,7 @@
 #pragma once
 
 #include "rocking/scene/experiment.hpp"
-#include "rocking/store/shard.hpp"
+#include "rocking/store/realisation_key.hpp"
 
 namespace rocking {
 

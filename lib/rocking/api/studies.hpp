@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,10 +13,14 @@
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison.hpp"
+#include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/diagram.hpp"
+#include "rocking/studies/motion/motion.hpp"
+#include "rocking/studies/orbits/orbit_study.hpp"
+#include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/run_fragility.hpp"
 
-/// What is asked of an experiment beside its probabilities. One realisation is looked at with `trajectory_of`.
+/// What is asked of an experiment beside its probabilities, and of ground motions.
 namespace rocking {
 
 /// One realisation of an experiment, and how long it is followed.
@@ -75,5 +81,111 @@ struct TrajectoryRequest {
 /// The same as JSON text (`rocking.bifurcation/1`).
 [[nodiscard]] ROCKING_API std::string bifurcation(const Experiment& experiment, std::uint64_t realisation = 0,
                                                   const Execution& execution = {});
+
+/// Which periodic orbits are searched.
+struct OrbitsRequest {
+  int longest = 5;  ///< largest period, in excitation periods; at most 12
+  /// Follow the orbits over the swept parameter, where the experiment sweeps one number on which the motion depends
+  /// continuously.
+  bool branches = false;
+  std::optional<double> from = {};   ///< smallest value of the parameter for branches; absent: of the sweep
+  std::optional<double> to = {};     ///< largest value
+  std::uint64_t most_points = 1000;  ///< of a branch
+  std::uint64_t most_branches = 50;
+  /// JSON pointers of a second parameter, over which the folds, period doublings and losses of symmetry of the branches
+  /// are followed too; the numbers at the others keep their ratio to the first. Empty: none.
+  std::vector<std::string> second = {};
+  std::optional<double> second_from = {};  ///< smallest value of it; needed with `second`, as the next one
+  std::optional<double> second_to = {};    ///< largest value
+  std::uint64_t most_curve_points = 400;   ///< of a curve in each direction
+};
+
+/// Whether an experiment sweeps one number of the motion, with several values, so that branches can be followed.
+[[nodiscard]] ROCKING_API bool has_branches(const Experiment& experiment);
+
+/// Throws base::InputError if a condition is random or not harmonic, if a number of the request is out of range, or if
+/// branches or curves are asked for and nothing can be followed.
+ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest& request);
+
+/// Periodic orbits, their branches and the curves of their bifurcations. Throws as check_request, and base::Stopped if it
+/// is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions.
+[[nodiscard]] ROCKING_API OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& request = {},
+                                                 const Execution& execution = {});
+
+/// The study as JSON text (`rocking.orbits/1`), the same bytes as `orbits.json` of the program.
+[[nodiscard]] ROCKING_API std::string orbits_text(const Experiment& experiment, const OrbitStudy& study);
+
+/// The study as the program prints it: orbits, branches, bifurcations, curves, and which response modes an orbit backs.
+[[nodiscard]] ROCKING_API std::string orbits_table(const OrbitStudy& study);
+
+/// What is asked of each condition, and with how much work.
+struct RareRequest {
+  RareQuestion question = {};
+  std::size_t particles = 500;            ///< trajectories of a repetition at each level; 20 to 100000
+  rare::Score score = rare::Score::tilt;  ///< what measures how near a motion is to the event
+  /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. What is not
+  /// finished then is left out. Absent: no limit, so that the same is estimated again.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
+};
+
+/// Throws base::InputError if nothing in a condition is random or a number is out of range.
+ROCKING_API void check_request(const Experiment& experiment, const RareRequest& request);
+
+/// Estimates the probability of overturning, or of a large tilt, by multilevel splitting: one entry for each condition.
+/// Uses `threads`, `on_progress` and `stop` of the execution; progress counts repetitions, and their number grows while
+/// the precision is not reached. Throws as check_request, and base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
+[[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
+                                                                       const RareRequest& request,
+                                                                       const Execution& execution = {});
+
+/// The same as JSON text (`rocking.rare/1`).
+[[nodiscard]] ROCKING_API std::string rare_text(const Experiment& experiment, const RareRequest& request,
+                                                const std::vector<RareEstimate>& found);
+
+/// How the cost of an experiment's accuracy is measured.
+struct CostRequest {
+  /// Clocks, which the library does not read itself; both are needed. The first is called by all threads.
+  std::function<double()> elapsed_seconds;    ///< wall-clock time since some instant [s]
+  std::function<double()> processor_seconds;  ///< processor time of the calling thread [s]
+  /// Wall-clock time to spend [s]. With `sample`, for measuring the speed alone.
+  double seconds = 60.0;
+  /// Realisations to measure, from 1 to 100000: gives the same numbers again, except times. Absent: as many as the time
+  /// allows.
+  std::optional<std::uint64_t> sample = {};
+  /// From 1e-16 to 1e-2; the experiment's own are added, and together they are at least three. Empty: 1e-4, 1e-5, ...,
+  /// 1e-14.
+  std::vector<double> tolerances = {};
+};
+
+/// Runs a sample of the realisations at several tolerances with common random numbers: error, changed response modes and
+/// processor time by tolerance, half-widths and time by number of realisations, and a recommended tolerance. Uses
+/// `threads`, `on_progress` and `stop` of the execution; progress counts realisations of the sample. Throws
+/// base::InputError for a number out of range, std::invalid_argument without clocks, and base::Stopped if it is asked to
+/// stop.
+[[nodiscard]] ROCKING_API Cost cost(const Experiment& experiment, const CostRequest& request,
+                                    const Execution& execution = {});
+
+/// A measured cost as JSON text (`rocking.cost/1`); all but `system` is the same for equal tolerances and samples.
+[[nodiscard]] ROCKING_API std::string cost_text(const Experiment& experiment, const Cost& cost,
+                                                const Provenance& provenance = {});
+
+/// Files with recorded accelerations, and how to read them.
+struct GroundMotionRequest {
+  std::vector<std::string> files;
+  std::string vertical = {};     ///< file with the vertical component of a single file; empty: none
+  std::string format = "auto";   ///< `auto`, `columns`, `peer_at2`, `esm_asc`
+  std::string units = {};        ///< as `excitation.units`; empty: that of the file, or m/s^2
+  double time_step = 0.0;        ///< of columns without times [s]; 0: not given
+  bool series = false;           ///< the JSON text also has the motions sample by sample, which draw() needs
+  MotionQuestion question = {};  ///< 1 g, damping, periods of the response spectrum, block
+};
+
+/// The ground motions with their intensity measures, in the order of the files. Throws base::InputError with the file,
+/// line and value of each fault, also for an unknown format or unit, and std::system_error where a file cannot be read.
+[[nodiscard]] ROCKING_API std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request);
+
+/// The same as JSON text (`rocking.motion/1`).
+[[nodiscard]] ROCKING_API std::string motion(const GroundMotionRequest& request);
 
 }  // namespace rocking

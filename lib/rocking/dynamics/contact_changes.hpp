@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <optional>
 
+#include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/contact_rules.hpp"
 #include "rocking/dynamics/known_at_start.hpp"
 #include "rocking/dynamics/observer.hpp"
 #include "rocking/dynamics/peaks.hpp"
-#include "rocking/dynamics/termination.hpp"
 
 namespace rocking::dynamics {
 

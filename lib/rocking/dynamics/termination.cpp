@@ -1,4 +1,4 @@
-#include "rocking/dynamics/termination.hpp"
+#include "rocking/dynamics/contact.hpp"
 
 namespace rocking::dynamics {
 

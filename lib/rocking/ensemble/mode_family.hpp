@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "rocking/ensemble/mode_tally.hpp"
-#include "rocking/stats/family.hpp"
+#include "rocking/ensemble/result.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking {

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rocking/ensemble/peak_quantiles.hpp"
+#include "rocking/ensemble/result.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/summary.hpp"
 

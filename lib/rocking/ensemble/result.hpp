@@ -1,24 +1,81 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "rocking/base/digest.hpp"
-#include "rocking/ensemble/peak_quantiles.hpp"
 #include "rocking/ensemble/settling.hpp"
-#include "rocking/ensemble/stop_cause.hpp"
-#include "rocking/ensemble/tolerance_sensitivity.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/section/classification.hpp"
 #include "rocking/section/response_mode.hpp"
-#include "rocking/stats/double_sampling.hpp"
 #include "rocking/stats/interval.hpp"
+#include "rocking/stats/paired.hpp"
 
 namespace rocking {
+
+/// Why a condition has this number of realisations. Reports use the names of the enumerators.
+enum class StoppedBecause : std::uint8_t {
+  deterministic,          ///< nothing is random: one realisation suffices
+  all_realisations_done,  ///< the requested number
+  half_width_reached,     ///< all intervals, or that of the requested mode, are as narrow as requested
+  at_most_reached,        ///< they are not, but the largest allowed number was reached
+};
+
+[[nodiscard]] std::string_view to_string(StoppedBecause cause);
+
+/// Levels of the reported quantiles.
+inline constexpr std::array quantile_levels{0.05, 0.16, 0.5, 0.84, 0.95};
+
+/// Quantiles of a number over the realisations of a condition, each with its own interval.
+struct Quantiles {
+  std::uint64_t realisations = 0;  ///< on which they are based
+  std::uint64_t beyond = 0;        ///< of these, the ones that count as above every value
+  std::vector<stats::QuantileEstimate> levels;
+};
+
+/// Quantiles of PeakValues. A realisation that ended before its horizon, overturned or not, counts as above every peak:
+/// what is known of it is a lower bound. The final slip is that of the realisations that reached their horizon.
+struct PeakQuantiles {
+  Quantiles tilt;
+  Quantiles tilt_rate;
+  struct Slip {
+    Quantiles over_half_diagonal;
+    std::vector<stats::QuantileEstimate> metres;  ///< of the same realisations
+  };
+  std::optional<Slip> slip;        ///< absent without friction
+  std::optional<Slip> final_slip;  ///< absent without friction
+};
+
+struct ConditionResult;
+
+/// Numerical error of the probabilities, compared with their sampling error.
+enum class NumericalError : std::uint8_t {
+  small,      ///< shown to change no probability by more than a fifth of the half-width of its interval
+  not_small,  ///< shown to be able to
+  undecided,  ///< too few realisations were rerun to decide
+};
+
+[[nodiscard]] std::string_view to_string(NumericalError noise);
+
+/// Sensitivity to tolerance of all conditions together: realisations that were rerun at a tighter tolerance with common
+/// random numbers. If a share f of them changes its response mode, no probability changes by more than f.
+struct ToleranceSensitivity {
+  stats::Proportion flips;   ///< reruns whose response mode changed
+  stats::Interval interval;  ///< Clopper-Pearson interval of the share that changes
+  double half_width = 0.0;   ///< half of the widest simultaneous interval of the condition in which this is smallest
+  NumericalError noise = NumericalError::undecided;
+};
+
+/// Absent if nothing was rerun.
+[[nodiscard]] std::optional<ToleranceSensitivity> tolerance_sensitivity(std::span<const ConditionResult> conditions,
+                                                                        double confidence);
 
 /// Realisations with some property: their number, and the first ones, for inspection with `rocking trajectory`.
 struct Cases {

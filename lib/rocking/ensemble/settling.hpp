@@ -6,12 +6,15 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/ensemble/mode_tally.hpp"
+#include "rocking/section/response_mode.hpp"
 #include "rocking/stats/incidence.hpp"
-#include "rocking/stats/quantile_interval.hpp"
+#include "rocking/stats/interval.hpp"
 
 /// Which response the realisations of a condition with UntilClassified have come to, and by when.
 namespace rocking {
+
+/// Number of realisations of a condition, by response mode.
+using ModeTally = std::map<section::ResponseMode, std::uint64_t>;
 
 /// When the realisations of a condition with UntilClassified have settled, in whatever mode, and when pairs diverged.
 struct ResponseTimes {

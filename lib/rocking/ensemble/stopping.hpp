@@ -2,8 +2,7 @@
 
 #include <cstdint>
 
-#include "rocking/ensemble/mode_tally.hpp"
-#include "rocking/ensemble/stop_cause.hpp"
+#include "rocking/ensemble/result.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/stats/stopping_rule.hpp"
 

@@ -1,8 +1,6 @@
-#include "rocking/ensemble/tolerance_sensitivity.hpp"
+#include "rocking/ensemble/result.hpp"
 
 #include <algorithm>
-
-#include "rocking/ensemble/result.hpp"
 
 namespace rocking {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "rocking/ensemble/stopping.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/store/shard.hpp"
+#include "rocking/store/realisation_key.hpp"
 #include "rocking/store/summary.hpp"
 
 namespace rocking {

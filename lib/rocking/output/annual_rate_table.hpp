@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "rocking/studies/annual_rate.hpp"
+#include "rocking/studies/run_fragility.hpp"
 
 namespace rocking {
 

@@ -11,7 +11,6 @@
 #include "rocking/output/report.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/stats/quantile_interval.hpp"
 
 namespace rocking {
 

@@ -5,7 +5,6 @@
 #include "rocking/fields/struct_type.hpp"
 #include "rocking/stats/incidence.hpp"
 #include "rocking/stats/interval.hpp"
-#include "rocking/stats/quantile_interval.hpp"
 
 /// How values of statistics stand in documents.
 namespace rocking {

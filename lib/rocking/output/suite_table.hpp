@@ -2,7 +2,6 @@
 
 #include <string>
 
-#include "rocking/studies/suite/incremental.hpp"
 #include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {

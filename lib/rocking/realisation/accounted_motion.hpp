@@ -8,7 +8,7 @@
 #include "rocking/dynamics/contact.hpp"
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/setting.hpp"
-#include "rocking/realisation/energy_account.hpp"
+#include "rocking/realisation/trajectory.hpp"
 
 namespace rocking {
 

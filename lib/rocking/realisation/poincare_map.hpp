@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "rocking/realisation/section_state.hpp"
 #include "rocking/realisation/start.hpp"
 #include "rocking/realisation/tangent_motion.hpp"
+#include "rocking/realisation/trajectory.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 
 namespace rocking {
 

@@ -6,13 +6,12 @@
 
 #include "rocking/base/digest.hpp"
 #include "rocking/base/stop_request.hpp"
-#include "rocking/dynamics/termination.hpp"
+#include "rocking/dynamics/contact.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/section/classification.hpp"
 #include "rocking/section/mode_counts.hpp"
-#include "rocking/section/period.hpp"
 
 namespace rocking {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rocking/dynamics/observer.hpp"
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 
 namespace rocking {
 

@@ -1,4 +1,4 @@
-#include "rocking/scene/block.hpp"
+#include "rocking/scene/experiment.hpp"
 
 #include <algorithm>
 

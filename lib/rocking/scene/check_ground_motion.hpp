@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/dynamics/excitation/ground_motion_sample.hpp"
+#include "rocking/dynamics/excitation/shape.hpp"
 #include "rocking/scene/number_rule.hpp"
 #include "rocking/scene/refusal.hpp"
 

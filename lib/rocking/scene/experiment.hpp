@@ -4,15 +4,60 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/formulation.hpp"
-#include "rocking/scene/block.hpp"
 #include "rocking/scene/excitation.hpp"
-#include "rocking/scene/restitution.hpp"
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking {
+
+/// Bounds of a width and of a height [m].
+inline constexpr double least_length = 1e-6;
+inline constexpr double largest_length = 1e6;
+
+/// Asked for: a rigid rectangular block of uniform density. Each realisation draws its own width and height where they
+/// have laws, and truncates them to the bounds.
+struct SceneBlock {
+  Quantity width = 1.0;   ///< B [m]
+  Quantity height = 4.0;  ///< H [m]
+  double gravity = 9.81;  ///< g [m/s^2]
+};
+
+/// Two shapes between which every block of a scene lies.
+struct ShapeRange {
+  dynamics::Geometry most_slender;  ///< smallest B/H
+  dynamics::Geometry squattest;     ///< largest B/H
+};
+
+/// Two sizes between which every block of a scene lies.
+struct SizeRange {
+  dynamics::Geometry smallest;  ///< smallest R
+  dynamics::Geometry largest;   ///< largest R
+};
+
+/// The block with the mean width and the mean height.
+[[nodiscard]] dynamics::Block mean_of(const SceneBlock& block);
+
+[[nodiscard]] ShapeRange shapes_of(const SceneBlock& block);
+[[nodiscard]] SizeRange sizes_of(const SceneBlock& block);
+
+/// e is dynamics::inelastic_rate_ratio of each block. Source: Jeong & Yang (2012) Eq. 25.
+struct Jy25Restitution {
+  friend bool operator==(const Jy25Restitution&, const Jy25Restitution&) = default;
+};
+
+/// The ratio abs(w2/w1) of the tilt rates across an impact without slip, as it is measured on a block that goes on over
+/// its other edge [-]. e follows from each block: dynamics::restitution_of_rate_ratio.
+struct RateRatio {
+  double value = 1.0;
+  friend bool operator==(const RateRatio&, const RateRatio&) = default;
+};
+
+/// The mean of the vertical restitution e of an impact [-], or what it follows from.
+using Restitution = std::variant<double, Jy25Restitution, RateRatio>;
 
 struct Friction {
   double static_coefficient = 0.0;   ///< mean of mu_s [-]

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "rocking/dynamics/excitation/ground_motion_sample.hpp"
+#include "rocking/dynamics/excitation/shape.hpp"
 
 namespace rocking {
 

@@ -1,4 +1,4 @@
-#include "rocking/scene/quantity.hpp"
+#include "rocking/scene/excitation.hpp"
 
 namespace rocking {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "rocking/scene/block.hpp"
+#include "rocking/scene/experiment.hpp"
 #include "rocking/scene/number_rule.hpp"
 
 /// Every bound on a number of a condition, whether it comes from an experiment file or from C++. Bounds far outside

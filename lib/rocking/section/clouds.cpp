@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "rocking/base/error.hpp"
+#include "rocking/section/classification.hpp"
 #include "rocking/section/order_statistics.hpp"
-#include "rocking/section/period.hpp"
 
 namespace rocking::section {
 namespace {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "rocking/section/classification.hpp"
 #include "rocking/section/nearby_sums.hpp"
-#include "rocking/section/period.hpp"
 
 namespace rocking::section {
 namespace {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 
 namespace rocking::section {
 namespace {

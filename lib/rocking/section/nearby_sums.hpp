@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <span>
 
+#include "rocking/section/classification.hpp"
 #include "rocking/section/four.hpp"
-#include "rocking/section/period.hpp"
 #include "rocking/section/plane.hpp"
 
 namespace rocking::section {

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "rocking/section/classification.hpp"
-#include "rocking/section/period.hpp"
 #include "rocking/section/plane.hpp"
 #include "rocking/section/thresholds.hpp"
 

@@ -4,7 +4,6 @@
 #include <span>
 
 #include "rocking/section/classification.hpp"
-#include "rocking/section/period.hpp"
 #include "rocking/section/thresholds.hpp"
 
 namespace rocking::section {

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "rocking/section/classification.hpp"
-#include "rocking/section/period.hpp"
 #include "rocking/section/thresholds.hpp"
 
 namespace rocking::section {

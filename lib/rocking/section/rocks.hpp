@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 
 namespace rocking::section {
 

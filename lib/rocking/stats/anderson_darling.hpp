@@ -3,8 +3,8 @@
 #include <cstddef>
 #include <span>
 
+#include "rocking/stats/normal_check.hpp"
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/stats/test_of_fit.hpp"
 
 namespace rocking::stats {
 

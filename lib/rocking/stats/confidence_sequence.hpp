@@ -1,6 +1,5 @@
 #pragma once
 
-#include "rocking/stats/family.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::stats {

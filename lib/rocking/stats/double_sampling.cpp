@@ -1,4 +1,4 @@
-#include "rocking/stats/double_sampling.hpp"
+#include "rocking/stats/paired.hpp"
 
 #include <algorithm>
 

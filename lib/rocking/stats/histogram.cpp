@@ -1,4 +1,4 @@
-#include "rocking/stats/histogram.hpp"
+#include "rocking/stats/normal_check.hpp"
 
 #include <algorithm>
 

@@ -2,10 +2,43 @@
 
 #include <cstddef>
 #include <cstdint>
-
-#include "rocking/stats/family.hpp"
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace rocking::stats {
+
+/// Significance level of the test of a value p of a category's probability: the probability of rejecting p if it is the
+/// true value, fixed + proportional p.
+struct Significance {
+  double fixed = 0.0;
+  double proportional = 0.0;
+
+  [[nodiscard]] constexpr double at(double p) const { return fixed + proportional * p; }
+};
+
+/// A family of categories; each trial falls into exactly one of them. Some categories are prespecified, that is, fixed
+/// before there were data. There may be any number of others, which are unknown until they occur.
+///
+/// Statements about all categories hold at once with probability `confidence`, in (0, 1), if each uses its significance
+/// level. A prespecified category receives the share 1/(prespecified + 1) of 1 - confidence. All others together
+/// receive one such share, divided in proportion to their probabilities. These add up to 1 at most, however many
+/// categories there are (Bonferroni's inequality with weights that depend on the tested value).
+struct Family {
+  std::size_t prespecified = 0;
+  double confidence = 0.95;
+
+  [[nodiscard]] constexpr double share() const { return (1.0 - confidence) / static_cast<double>(prespecified + 1); }
+  [[nodiscard]] constexpr Significance of_prespecified() const { return {.fixed = share(), .proportional = 0.0}; }
+  [[nodiscard]] constexpr Significance of_others() const { return {.fixed = 0.0, .proportional = share()}; }
+};
+
+/// How often each category of a family occurred in a number of trials.
+struct CategoryCounts {
+  std::uint64_t trials = 0;
+  std::vector<std::uint64_t> prespecified;  ///< one count for each prespecified category, also if it is 0
+  std::vector<std::uint64_t> others;        ///< counts of the others that occurred
+};
 
 /// Closed interval.
 struct Interval {
@@ -61,5 +94,35 @@ struct Proportion {
 /// inequality).
 [[nodiscard]] Interval bonferroni_clopper_pearson(const Proportion& proportion, double confidence,
                                                   std::size_t categories);
+
+/// Numbers, from 1, of the values in ascending order that bound a quantile. Absent: no value bounds it at this
+/// confidence, and the interval is open at this end.
+struct QuantileRanks {
+  std::optional<std::uint64_t> low;
+  std::optional<std::uint64_t> high;
+};
+
+/// The quantile at `level` of the distribution behind n independent values: the interval from the `low`-th to the
+/// `high`-th value covers it with probability at least `confidence`, whatever the distribution is.
+///
+/// With K binomial (n, level), `low` is the largest l with P(K <= l - 1) <= (1 - confidence)/2 and `high` the smallest
+/// u with P(K >= u) <= (1 - confidence)/2. Each end is missed with at most that probability. For a distribution with
+/// ties the coverage is larger. `level` and `confidence` in (0, 1). Source: David & Nagaraja (2003), Order Statistics,
+/// 3rd ed., section 7.1.
+[[nodiscard]] QuantileRanks quantile_ranks(std::uint64_t n, double level, double confidence);
+
+/// A quantile with its interval. `value` is absent if it is one of the values beyond, or if there are no values; an end
+/// is absent if the interval is open there.
+struct QuantileEstimate {
+  double level = 0.0;
+  std::optional<double> value;
+  std::optional<double> low;
+  std::optional<double> high;
+};
+
+/// The quantile at `level` of the values in `ascending` and of `beyond` further values that are only known to be larger
+/// than all of these (censored). The estimate is the nearest rank, as in censored_quantile.
+[[nodiscard]] QuantileEstimate quantile_estimate(std::span<const double> ascending, std::uint64_t beyond, double level,
+                                                 double confidence);
 
 }  // namespace rocking::stats

@@ -2,18 +2,51 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "rocking/stats/histogram.hpp"
+#include "rocking/stats/interval.hpp"
 #include "rocking/stats/moments.hpp"
 #include "rocking/stats/normal_law.hpp"
-#include "rocking/stats/normal_tails.hpp"
-#include "rocking/stats/test_of_fit.hpp"
 
 namespace rocking::stats {
+
+/// Counts of a sample in equal bins, with the counts expected under a normal law. Numbers outside the bins are counted
+/// in `below` and `above`. Bin k is [edges[k], edges[k + 1]).
+struct Histogram {
+  std::vector<double> edges;  ///< bins + 1 of them, ascending
+  std::vector<std::uint64_t> counts;
+  std::vector<double> expected;  ///< n (F(upper edge) - F(lower edge))
+  std::uint64_t below = 0;
+  std::uint64_t above = 0;  ///< numbers >= the last edge
+  double expected_below = 0.0;
+  double expected_above = 0.0;
+};
+
+/// `bins` >= 1 equal bins from mean - reach sigma to mean + reach sigma; reach > 0.
+[[nodiscard]] Histogram normal_histogram(std::span<const double> sample, const NormalLaw& law, std::size_t bins,
+                                         double reach);
+
+/// Number of values of a sample farther from the mean than `sigmas` standard deviations.
+struct TailCount {
+  double sigmas = 0.0;
+  Proportion beyond;      ///< abs(x - mean) > sigmas sigma, out of all
+  double expected = 0.0;  ///< n erfc(sigmas/sqrt 2)
+  double p_value = 1.0;   ///< exact, two-sided
+};
+
+/// Counts beyond 3, 4 and 5 sigma. Faults of samplers appear there first, and tests of the whole law are least
+/// sensitive there.
+[[nodiscard]] std::array<TailCount, 3> normal_tails(std::span<const double> sample, const NormalLaw& law);
+
+/// A test of fit: how far the sample is from the law, and how probable that or more is under the law.
+struct TestOfFit {
+  double statistic = 0.0;
+  double p_value = 1.0;
+};
 
 /// The samples to be checked: one sample, and two samples of equal length that should be independent of each other.
 struct NormalSamples {

@@ -1,4 +1,4 @@
-#include "rocking/stats/normal_tails.hpp"
+#include "rocking/stats/normal_check.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <span>
 
-#include "rocking/stats/test_of_fit.hpp"
+#include "rocking/stats/normal_check.hpp"
 
 namespace rocking::stats {
 

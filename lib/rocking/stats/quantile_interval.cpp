@@ -1,4 +1,4 @@
-#include "rocking/stats/quantile_interval.hpp"
+#include "rocking/stats/interval.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "rocking/stats/confidence_sequence.hpp"
-#include "rocking/stats/family.hpp"
 #include "rocking/stats/interval.hpp"
 
 namespace rocking::stats {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "rocking/stats/incidence.hpp"
-#include "rocking/stats/quantile_interval.hpp"
+#include "rocking/stats/interval.hpp"
 
 /// What follows from the cumulative incidence of an event that every observation meets sooner or later, some of them
 /// after their censoring.

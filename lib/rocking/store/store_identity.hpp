@@ -4,8 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "rocking/store/realisation_key.hpp"
 #include "rocking/store/results_version.hpp"
-#include "rocking/store/shard.hpp"
 #include "rocking/store/sqlite.hpp"
 
 namespace rocking {

@@ -1,4 +1,4 @@
-#include "rocking/studies/annual_rate.hpp"
+#include "rocking/studies/run_fragility.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,9 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "rocking/dynamics/termination.hpp"
+#include "rocking/dynamics/contact.hpp"
 #include "rocking/section/classification.hpp"
-#include "rocking/section/period.hpp"
 
 /// What a bifurcation diagram consists of.
 namespace rocking {

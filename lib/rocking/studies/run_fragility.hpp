@@ -1,17 +1,58 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/hazard.hpp"
-#include "rocking/studies/annual_rate.hpp"
+#include "rocking/stats/interval.hpp"
 #include "rocking/studies/fragility_curve.hpp"
-#include "rocking/studies/suite/incremental.hpp"
 #include "rocking/studies/suite/stripes.hpp"
 #include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {
+
+/// The part of a rate that comes from a range of intensity.
+struct RateInRange {
+  double from = 0.0;         ///< lower end of the range
+  std::optional<double> to;  ///< upper end; absent: no end
+  double rate = 0.0;         ///< [1/year]
+  double share = 0.0;        ///< of the whole rate
+  bool is_tested = false;    ///< lies between the lowest level that can lift the block and the highest level
+};
+
+/// Where the probabilities of a rate come from.
+enum class RateSource : std::uint8_t {
+  law,     ///< the fitted function
+  levels,  ///< no function is fitted: the levels, interpolated linearly in ln x
+};
+
+/// The name of its enumerator.
+[[nodiscard]] std::string_view to_string(RateSource source);
+
+/// Mean annual rate of the event. Where the least intensity that lifts the block is known, it counts from there on.
+struct AnnualRate {
+  double value = 0.0;                       ///< [1/year]
+  std::optional<stats::Interval> interval;  ///< of the uncertainty of the probabilities; the hazard is taken as exact
+  RateSource source = RateSource::law;
+  /// What the same probabilities give below the least intensity that lifts the block; not part of `value` [1/year].
+  double impossible = 0.0;
+  double below_levels = 0.0;          ///< the part of `value` below the lowest level that can lift the block [1/year]
+  std::vector<RateInRange> by_level;  ///< between neighbouring levels, and beyond them; by growing intensity
+  double untested_share = 0.0;        ///< of the ranges that are not tested
+  double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
+  bool is_measure_assumed = false;    ///< the hazard curve does not name its intensity measure
+};
+
+/// Integral of P(x) |dH(x)| of a curve of one motion. With a fitted function the interval is that of the logarithm of the
+/// rate by the delta method; otherwise it adds up the ends of the simultaneous intervals of the levels, on the assumption
+/// that the probability does not decrease: below the lowest level 0 and above the highest 1 are possible.
+[[nodiscard]] AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard);
+
+/// Of a suite, by its pooled law: the interval is that of the rates of its bootstrap samples. Absent where the suite has
+/// no law.
+[[nodiscard]] std::optional<AnnualRate> annual_rate(const SuiteCurve& curve, const HazardCurve& hazard);
 
 struct RunOptions;
 

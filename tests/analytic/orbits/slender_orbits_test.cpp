@@ -18,8 +18,8 @@
 #include "rocking/studies/orbits/bifurcation_curves.hpp"
 #include "rocking/studies/orbits/branches.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
-#include "rocking/studies/orbits/stability.hpp"
 #include "support/event_log.hpp"
 #include "support/excitation.hpp"
 

@@ -1,12 +1,10 @@
 // Numerical error of the probabilities, compared with their sampling error.
 
-#include "rocking/ensemble/tolerance_sensitivity.hpp"
+#include "rocking/ensemble/result.hpp"
 
 #include <vector>
 
 #include <gtest/gtest.h>
-
-#include "rocking/ensemble/result.hpp"
 
 namespace rocking {
 namespace {

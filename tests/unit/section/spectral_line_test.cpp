@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 #include "support/synthetic_response.hpp"
 
 namespace rocking::section {

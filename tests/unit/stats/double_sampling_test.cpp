@@ -1,6 +1,6 @@
 // Probabilities corrected by a sample that was classified twice: coverage computed exactly, over every outcome.
 
-#include "rocking/stats/double_sampling.hpp"
+#include "rocking/stats/paired.hpp"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // Distribution-free intervals of quantiles: exact coverage, open ends, and coverage in samples.
 
-#include "rocking/stats/quantile_interval.hpp"
+#include "rocking/stats/interval.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/annual_rate.hpp"
 #include "rocking/studies/fragility.hpp"
+#include "rocking/studies/run_fragility.hpp"
 
 namespace rocking {
 namespace {

@@ -11,8 +11,8 @@
 #include "rocking/realisation/trajectory.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/bifurcation.hpp"
+#include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/measurement.hpp"
-#include "rocking/studies/cost/timing.hpp"
 #include "rocking/studies/orbits/orbits.hpp"
 #include "rocking/studies/verification.hpp"
 

@@ -1,6 +1,6 @@
 // Measurement of the time of realisations in lanes, with simulated clocks.
 
-#include "rocking/studies/cost/timing.hpp"
+#include "rocking/studies/cost/cost.hpp"
 
 #include <atomic>
 #include <vector>

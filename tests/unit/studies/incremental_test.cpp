@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/suite/incremental.hpp"
+#include "rocking/studies/suite/suite_curve.hpp"
 
 namespace rocking {
 namespace {

@@ -8,8 +8,7 @@
 
 #include <gtest/gtest.h>
 
-#include "rocking/studies/motion/intensity.hpp"
-#include "rocking/studies/motion/spectrum.hpp"
+#include "rocking/studies/motion/motion.hpp"
 #include "support/split_mix.hpp"
 
 namespace {

@@ -10,7 +10,7 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/excitation/base_excitation.hpp"
-#include "rocking/dynamics/excitation/pulse_shape.hpp"
+#include "rocking/dynamics/excitation/shape.hpp"
 
 namespace rocking::dynamics {
 

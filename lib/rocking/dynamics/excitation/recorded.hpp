@@ -13,7 +13,7 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/excitation/base_excitation.hpp"
-#include "rocking/dynamics/excitation/ground_motion_sample.hpp"
+#include "rocking/dynamics/excitation/shape.hpp"
 
 namespace rocking::dynamics {
 

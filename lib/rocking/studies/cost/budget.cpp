@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "rocking/ensemble/run.hpp"
+#include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/measurement.hpp"
-#include "rocking/studies/cost/timing.hpp"
 
 namespace rocking {
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/studies/cost/curve.hpp"
+#include "rocking/studies/cost/cost.hpp"
 
 #include <algorithm>
 

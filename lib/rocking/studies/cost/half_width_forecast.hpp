@@ -7,7 +7,7 @@
 
 #include "rocking/ensemble/mode_family.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/studies/cost/half_widths.hpp"
+#include "rocking/studies/cost/cost.hpp"
 
 namespace rocking {
 

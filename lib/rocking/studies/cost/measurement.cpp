@@ -13,7 +13,7 @@
 #include "rocking/ensemble/group_scheduler.hpp"
 #include "rocking/realisation/divergence.hpp"
 #include "rocking/scene/check_condition.hpp"
-#include "rocking/studies/cost/curve.hpp"
+#include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/cost/sample.hpp"
 
 namespace rocking {

@@ -1,4 +1,4 @@
-#include "rocking/studies/cost/recommendation.hpp"
+#include "rocking/studies/cost/cost.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "rocking/studies/motion/intensity.hpp"
+#include "rocking/studies/motion/motion.hpp"
 
 #include <algorithm>
 #include <array>

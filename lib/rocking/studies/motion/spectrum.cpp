@@ -1,4 +1,4 @@
-#include "rocking/studies/motion/spectrum.hpp"
+#include "rocking/studies/motion/motion.hpp"
 
 #include <algorithm>
 #include <cmath>

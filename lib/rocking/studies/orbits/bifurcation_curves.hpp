@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "rocking/studies/orbits/bifurcation_curve.hpp"
+#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/fold_and_flip.hpp"
 
 /// Curves of folds, period doublings and losses of symmetry over two parameters.

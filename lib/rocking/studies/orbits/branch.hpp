@@ -11,6 +11,15 @@
 
 namespace rocking {
 
+/// Values of a parameter within which orbits are followed: low < high.
+struct ParameterRange {
+  double low = 0.0;
+  double high = 1.0;
+
+  [[nodiscard]] double value(double q) const { return low + q * (high - low); }
+  [[nodiscard]] double share(double value) const { return (value - low) / (high - low); }
+};
+
 /// What happens to the orbits of a branch at a value of the parameter.
 enum class BifurcationKind : std::uint8_t {
   fold,               ///< the branch turns back: a multiplier passes 1
@@ -74,6 +83,24 @@ struct BranchStudy {
   std::vector<OrbitBranch> branches;
   std::vector<Bifurcation> bifurcations;
   bool is_complete = true;  ///< every known orbit was followed: `most_branches` was enough
+};
+
+/// An orbit at its bifurcation.
+struct BifurcationPoint {
+  double value = 0.0;         ///< of the swept parameter
+  double second_value = 0.0;  ///< of the second one
+  Orbit orbit;
+  double test =
+      0.0;  ///< smallest singular value of M - I (fold) or M + I, with M the derivative of the map of the family
+};
+
+/// Orbits at one kind of bifurcation, connected over two parameters.
+struct BifurcationCurve {
+  std::size_t bifurcation = 0;  ///< place of the one from which it was followed
+  BifurcationKind kind = BifurcationKind::fold;
+  OrbitFamily orbits;
+  std::vector<BifurcationPoint> points = {};  ///< by arclength
+  std::array<BranchEnd, 2> ends{};            ///< before the first point and behind the last one
 };
 
 }  // namespace rocking

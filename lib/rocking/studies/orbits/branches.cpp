@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 #include "rocking/studies/orbits/critical_orbit.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 #include "rocking/studies/orbits/orbits.hpp"

@@ -6,7 +6,7 @@
 
 #include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/map_family.hpp"
-#include "rocking/studies/orbits/orbits_of_condition.hpp"
+#include "rocking/studies/orbits/orbit_study.hpp"
 
 /// Branches of periodic orbits over a parameter.
 namespace rocking {

@@ -6,8 +6,8 @@
 #include "rocking/realisation/poincare_map.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/orbits/bordered.hpp"
+#include "rocking/studies/orbits/branch.hpp"
 #include "rocking/studies/orbits/orbit.hpp"
-#include "rocking/studies/orbits/parameter_range.hpp"
 
 namespace rocking {
 

@@ -1,4 +1,4 @@
-#include "rocking/studies/orbits/stability.hpp"
+#include "rocking/studies/orbits/orbit.hpp"
 
 #include <algorithm>
 #include <cstddef>

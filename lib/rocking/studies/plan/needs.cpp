@@ -1,11 +1,11 @@
-#include "rocking/studies/plan/needs.hpp"
+#include "rocking/studies/plan/plan.hpp"
 
 #include <algorithm>
 
 #include "rocking/ensemble/work_list.hpp"
 #include "rocking/lanes/kernels.hpp"
 #include "rocking/scene/experiment.hpp"
-#include "rocking/section/period.hpp"
+#include "rocking/section/classification.hpp"
 
 namespace rocking {
 namespace {

@@ -1,4 +1,4 @@
-#include "rocking/studies/plan/time_estimate.hpp"
+#include "rocking/studies/plan/plan.hpp"
 
 #include <algorithm>
 #include <atomic>

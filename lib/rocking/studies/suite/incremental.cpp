@@ -1,4 +1,4 @@
-#include "rocking/studies/suite/incremental.hpp"
+#include "rocking/studies/suite/suite_curve.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 #include <limits>
 #include <variant>
 
-#include "rocking/studies/motion/intensity.hpp"
+#include "rocking/studies/motion/motion.hpp"
 
 namespace rocking {
 namespace {

@@ -16,4 +16,11 @@ inline constexpr double ricker_half_length = 1.3251763074617886;
   return shape == PulseShape::ricker ? 2.0 * ricker_half_length : 1.0;
 }
 
+/// A sample of a recorded base acceleration.
+struct GroundMotionSample {
+  double time;        ///< [s], from the start of the run; never falls, two equal times are a jump
+  double horizontal;  ///< over g
+  double vertical;    ///< over g
+};
+
 }  // namespace rocking::dynamics

@@ -8,7 +8,7 @@
 
 #include "cli/program.hpp"
 #include "rocking/store/sqlite.hpp"
-#include "rocking/store/store_layout.hpp"
+#include "rocking/store/summary.hpp"
 
 namespace {
 

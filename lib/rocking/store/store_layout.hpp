@@ -1,14 +1,10 @@
 #pragma once
 
-#include <cstdint>
-
 #include "rocking/store/sqlite.hpp"
 
-/// The layout of a store: its tables and what its checksums cover. Its number is stored in PRAGMA user_version. This
-/// program reads its own layout. A new or renamed field of a row (for_each_field) needs a new number.
+/// The layout of a store: its tables and what its checksums cover. Its number (summary.hpp) is stored in PRAGMA
+/// user_version. This program reads its own layout.
 namespace rocking {
-
-inline constexpr std::int64_t current_layout = 7;
 
 /// Turns an empty database into a store without rows and identity.
 void lay_out(sqlite::Database& database);

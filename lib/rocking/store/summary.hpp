@@ -49,6 +49,9 @@ struct Summary {
 
 [[nodiscard]] Summary summarise(const RealisationResult& result, std::uint64_t realisation);
 
+/// Number of the layout of a store. A new or renamed field of a row needs the next one.
+inline constexpr std::int64_t current_layout = 7;
+
 /// Calls visit(name, field) for every field of a summary, in a fixed order. These fields make up a stored row.
 template <class SomeSummary, class Visit>
 void for_each_field(SomeSummary& summary, Visit&& visit) {

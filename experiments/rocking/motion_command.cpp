@@ -40,11 +40,11 @@ GroundMotionRequest asked(const MotionRequest& request) {
 }
 
 void check_usage(const GroundMotionRequest& request) {
-  if (request.format == "columns" && request.units.empty()) {
+  if (request.format == "columns" && !request.units) {
     throw UsageError("--format columns: does not state the unit of the accelerations; add --units " +
                      record_units_in_words());
   }
-  if (!request.vertical.empty() && request.files.size() > 1) {
+  if (request.vertical && request.files.size() > 1) {
     throw UsageError("--vertical: belongs to one file; give one FILE");
   }
 }

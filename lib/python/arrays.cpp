@@ -1,5 +1,6 @@
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,7 +49,7 @@ void add_arrays(py::module_& module) {
       .def_readonly("period_length", &Trajectory::period_length)
       .def("facts", &facts_of);
   module.def("trajectory", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,
-                              std::int64_t periods, int samples) {
+                              std::optional<std::int64_t> periods, int samples) {
     return watch(1, py::none(), [&](const Execution& execution) {
       const TrajectoryRequest request{
           .condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples};

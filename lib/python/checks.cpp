@@ -57,7 +57,7 @@ void add_checks(py::module_& module) {
     return report_faults(report, {experiment, run});
   });
   module.def("replay", [](const Experiment& experiment, const RunResult& run, std::uint64_t condition,
-                          std::uint64_t realisation, std::int64_t periods, int samples) {
+                          std::uint64_t realisation, std::optional<std::int64_t> periods, int samples) {
     return watch(1, py::none(), [&](const Execution& execution) {
       const TrajectoryRequest request{
           .condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples};

@@ -1,5 +1,7 @@
 #include "rocking/pages.hpp"
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,7 +39,7 @@ void add_pages(py::module_& module) {
   });
   module.def(
       "write_trajectory_page", [](const Experiment& experiment, std::uint64_t condition, std::uint64_t realisation,
-                                  std::int64_t periods, int samples, const std::string& file) {
+                                  std::optional<std::int64_t> periods, int samples, const std::string& file) {
         const TrajectoryRequest request{
             .condition = condition, .realisation = realisation, .periods = periods, .samples_per_period = samples};
         return write_watched([&](const Execution& execution) {

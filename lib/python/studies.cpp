@@ -78,8 +78,9 @@ Cost cost_of(const Experiment& experiment, double seconds, std::optional<std::ui
                [&](const Execution& execution) { return cost(experiment, request, execution); });
 }
 
-std::string motion_text_of(std::vector<std::string> files, std::string vertical, std::string format, std::string units,
-                           double time_step, double gravity, double damping, std::vector<double> periods, bool series,
+std::string motion_text_of(std::vector<std::string> files, std::optional<std::string> vertical, std::string format,
+                           std::optional<std::string> units, std::optional<double> time_step, double gravity,
+                           double damping, std::vector<double> periods, bool series,
                            std::optional<std::pair<double, double>> block) {
   GroundMotionRequest request{.files = std::move(files),
                               .vertical = std::move(vertical),

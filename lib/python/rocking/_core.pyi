@@ -104,10 +104,10 @@ def fragility(
 ) -> str: ...
 def motion(
     files: List[str],
-    vertical: str,
+    vertical: Optional[str],
     format: str,
-    units: str,
-    time_step: float,
+    units: Optional[str],
+    time_step: Optional[float],
     gravity: float,
     damping: float,
     periods: List[float],
@@ -115,7 +115,7 @@ def motion(
     block: Optional[Tuple[float, float]],
 ) -> str: ...
 def trajectory(
-    experiment: Experiment, condition: int, realisation: int, periods: int, samples: int
+    experiment: Experiment, condition: int, realisation: int, periods: Optional[int], samples: int
 ) -> Trajectory: ...
 def trajectory_text(
     trajectory: Trajectory, condition: int, realisation: int, si: bool, as_table: bool
@@ -124,7 +124,7 @@ def write_page(
     experiment: Experiment, run: Run, file: str, machine: str, start: str, duration: float, threads: int
 ) -> Tuple[List[str], List[str]]: ...
 def write_trajectory_page(
-    experiment: Experiment, condition: int, realisation: int, periods: int, samples: int, file: str
+    experiment: Experiment, condition: int, realisation: int, periods: Optional[int], samples: int, file: str
 ) -> Tuple[List[str], List[str]]: ...
 def write_figures(
     experiment: Experiment, run: Run, folder: str, column: int
@@ -141,7 +141,7 @@ def verify_report(
 ) -> Tuple[int, int, List[str]]: ...
 def report_faults(report: str, experiment: Experiment, run: Run) -> List[str]: ...
 def replay(
-    experiment: Experiment, run: Run, condition: int, realisation: int, periods: int, samples: int
+    experiment: Experiment, run: Run, condition: int, realisation: int, periods: Optional[int], samples: int
 ) -> Trajectory: ...
 def rare(
     experiment: Experiment,

@@ -103,11 +103,9 @@ def replay(
     >>> rocking.replay(rocking.run(slab), realisation=3).termination
     'reached_horizon'
     """
-    if periods is not None and periods < 1:
-        raise ValueError(f"periods = {periods}: must be at least 1")
     result = source if isinstance(source, Result) else open_run(source)
-    extent = (periods or 0, samples_per_period)
-    found = _core.replay(result.experiment._core, result._core, condition, realisation, *extent)
+    extent = (condition, realisation, periods, samples_per_period)
+    found = _core.replay(result.experiment._core, result._core, *extent)
     return Trajectory(found, condition, realisation)
 
 

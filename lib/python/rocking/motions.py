@@ -11,13 +11,14 @@ __all__ = ["motion"]
 
 _Path = Union[str, "os.PathLike[str]"]
 
+
 def motion(
     files: Union[_Path, Sequence[_Path]],
     *,
-    vertical: _Path = "",
+    vertical: Optional[_Path] = None,
     format: str = "auto",
-    units: str = "",
-    time_step: float = 0.0,
+    units: Optional[str] = None,
+    time_step: Optional[float] = None,
     gravity: float = 9.81,
     damping: float = 0.05,
     periods: Sequence[float] = (0.1, 0.2, 0.3, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 5.0),
@@ -46,10 +47,10 @@ def motion(
         block = (float(width), float(height))
     text = _core.motion(
         [os.fspath(name) for name in names],
-        os.fspath(vertical),
+        None if vertical is None else os.fspath(vertical),
         format,
         units,
-        float(time_step),
+        None if time_step is None else float(time_step),
         float(gravity),
         float(damping),
         [float(period) for period in periods],

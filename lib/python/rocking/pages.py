@@ -109,12 +109,11 @@ def write_trajectory_page(
     ...     rocking.write_trajectory_page(slab, os.path.join(folder, "motion.html"), periods=5).stat().st_size > 1000
     True
     """
-    for name, number in (("periods", periods), ("samples_per_period", samples_per_period)):
-        if number is not None and number < 1:
-            raise ValueError(f"{name} = {number}: must be at least 1")
+    if samples_per_period is not None and samples_per_period < 1:
+        raise ValueError(f"samples_per_period = {samples_per_period}: must be at least 1")
     checked = experiment(source, seed=seed)
-    extent = (periods or 0, samples_per_period or 0)
-    return _call("write_trajectory_page", checked._core, condition, realisation, *extent, os.fspath(file)).files[0]
+    extent = (condition, realisation, periods, samples_per_period or 0)
+    return _call("write_trajectory_page", checked._core, *extent, os.fspath(file)).files[0]
 
 
 def draw(*sources: Any, folder: _Path, column: str = "screen") -> Written:

@@ -121,8 +121,6 @@ def trajectory(
     >>> rocking.EVENTS[motion.events["kind"][0]]
     'lift'
     """
-    if periods is not None and periods < 1:
-        raise ValueError(f"periods = {periods}: must be at least 1")
     checked = experiment(source, seed=seed)
-    found = _core.trajectory(checked._core, condition, realisation, periods or 0, samples_per_period)
+    found = _core.trajectory(checked._core, condition, realisation, periods, samples_per_period)
     return Trajectory(found, condition, realisation)

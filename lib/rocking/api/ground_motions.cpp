@@ -18,22 +18,24 @@
 namespace rocking {
 namespace {
 
+/// The one of this name.
 template <class Enumeration, std::size_t count>
-std::optional<Enumeration> named(std::string_view place, const std::array<std::string_view, count>& names,
-                                 std::string_view none, const std::string& name) {
-  if (name == none) return std::nullopt;
+Enumeration named(std::string_view place, const std::array<std::string_view, count>& names, const std::string& name) {
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) refuse(place, name, "is unknown");
   return static_cast<Enumeration>(found - names.begin());
 }
 
 void check(const GroundMotionRequest& request) {
-  if (request.format == "columns" && request.units.empty()) {
+  if (request.format == "columns" && !request.units) {
     refuse("units", "",
            "is missing: columns do not state the unit of the accelerations; give " + record_units_in_words());
   }
-  if (!request.vertical.empty() && request.files.size() > 1) {
-    refuse("vertical", request.vertical, "belongs to one file, of which there are more");
+  if (request.vertical && request.files.size() > 1) {
+    refuse("vertical", *request.vertical, "belongs to one file, of which there are more");
+  }
+  if (request.time_step && !(*request.time_step > 0.0)) {
+    refuse("time_step", std::to_string(*request.time_step), "must be positive");
   }
   const MotionQuestion& question = request.question;
   if (!(question.damping >= 0.0 && question.damping < 1.0)) {
@@ -53,13 +55,11 @@ void check(const GroundMotionRequest& request) {
 
 std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
   check(request);
-  GroundMotionReading how{.name = {},
-                          .time_step = {},
+  GroundMotionReading how{.time_step = request.time_step,
                           .gravity = request.question.gravity,
-                          .format = named<RecordFormat>("format", record_format_choices, "auto", request.format),
-                          .unit = named<RecordUnit>("units", record_unit_names, "", request.units),
-                          .vertical_name = request.vertical};
-  if (request.time_step > 0.0) how.time_step = request.time_step;
+                          .vertical_name = request.vertical.value_or("")};
+  if (request.format != "auto") how.format = named<RecordFormat>("format", record_format_choices, request.format);
+  if (request.units) how.unit = named<RecordUnit>("units", record_unit_names, *request.units);
   GroundMotionFiles files(files_seen_from(""));
   Problems problems;
   std::vector<MeasuredMotion> motions;

@@ -36,13 +36,13 @@ void check_request(const Experiment& experiment, const TrajectoryRequest& reques
   check_has_conditions(experiment);
   expect("condition", request.condition, std::uint64_t{0}, std::uint64_t{experiment.conditions.size() - 1});
   expect("realisation", request.realisation, std::uint64_t{0}, largest_realisation);
-  expect("periods", request.periods, std::int64_t{0}, most_periods);
+  if (request.periods) expect("periods", *request.periods, std::int64_t{1}, most_periods);
   expect("samples_per_period", request.samples_per_period, 0, most_samples);
 }
 
 std::int64_t periods_of(const Experiment& experiment, const TrajectoryRequest& request) {
   const Horizon& horizon = experiment.conditions[request.condition].horizon;
-  return request.periods > 0 ? request.periods : std::int64_t{horizon.transient_periods} + horizon.sampled_periods;
+  return request.periods.value_or(std::int64_t{horizon.transient_periods} + horizon.sampled_periods);
 }
 
 Trajectory trajectory(const Experiment& experiment, const TrajectoryRequest& request, const Execution& execution) {

@@ -25,10 +25,10 @@ namespace rocking {
 
 /// One realisation of an experiment, and how long it is followed.
 struct TrajectoryRequest {
-  std::uint64_t condition = 0;    ///< from 0
-  std::uint64_t realisation = 0;  ///< from 0
-  std::int64_t periods = 0;       ///< excitation periods; 0: all of the horizon
-  int samples_per_period = 0;     ///< of the history; 0: none
+  std::uint64_t condition = 0;                         ///< from 0
+  std::uint64_t realisation = 0;                       ///< from 0
+  std::optional<std::int64_t> periods = std::nullopt;  ///< excitation periods, at least 1; absent: all of the horizon
+  int samples_per_period = 0;                          ///< of the history; 0: none
 };
 
 /// The trajectory of one realisation: strobe points, events, history, peaks, energy. Throws base::InputError if the
@@ -173,10 +173,10 @@ struct CostRequest {
 /// Files with recorded accelerations, and how to read them.
 struct GroundMotionRequest {
   std::vector<std::string> files;
-  std::string vertical = {};     ///< file with the vertical component of a single file; empty: none
-  std::string format = "auto";   ///< `auto`, `columns`, `peer_at2`, `esm_asc`
-  std::string units = {};        ///< as `excitation.units`; empty: that of the file, or m/s^2
-  double time_step = 0.0;        ///< of columns without times [s]; 0: not given
+  std::optional<std::string> vertical = std::nullopt;  ///< file with the vertical component of a single file
+  std::string format = "auto";                         ///< `auto`, `columns`, `peer_at2`, `esm_asc`
+  std::optional<std::string> units = std::nullopt;     ///< as `excitation.units`; absent: that of the file, or m/s^2
+  std::optional<double> time_step = std::nullopt;      ///< of columns without times [s], positive
   bool series = false;           ///< the JSON text also has the motions sample by sample, which draw() needs
   MotionQuestion question = {};  ///< 1 g, damping, periods of the response spectrum, block
 };

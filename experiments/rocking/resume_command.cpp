@@ -45,7 +45,7 @@ void expect_same_results(const RunFolder& folder, const Identity& identity) {
 Store mended_store(const RunFolder& folder, const Experiment& experiment, Store store) {
   const auto damage = store.damage();
   if (!damage) return store;
-  const RunFolder::Repair repair = folder.mend_store(std::move(store), experiment);
+  const Repair repair = folder.mend_store(std::move(store), experiment);
   Store mended = folder.open_store(sqlite::Access::write);
   const auto missing = missing_realisations(experiment, mended);
   print_notice(fmt::format("{}; {} in it {} intact and kept, the rest is run again: {}. The damaged file is now {}",

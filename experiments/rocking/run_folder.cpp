@@ -19,18 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A store that will replace the one of the run once it is complete, beside it.
-fs::path mended_store_in(const fs::path& folder) { return folder / "mended.sqlite"; }
-fs::path extended_store_in(const fs::path& folder) { return folder / "extended.sqlite"; }
-
-/// The first free name for a damaged store, or the one that a process gave it before it was killed.
-fs::path name_for_damaged(const fs::path& store, const fs::path& folder) {
-  for (int number = 1;; ++number) {
-    fs::path name = folder / fmt::format("damaged-{}.sqlite", number);
-    if (!fs::exists(name) || fs::equivalent(name, store)) return name;
-  }
-}
-
 /// SQLite opens no file whose absolute path, with the ending of its log, has more than 512 bytes.
 void expect_short_path(const std::filesystem::path& store) {
   constexpr std::size_t longest = 512;
@@ -40,16 +28,6 @@ void expect_short_path(const std::filesystem::path& store) {
   throw UsageError(
       fmt::format("the path of the folder is {} bytes too long for SQLite ({} at most); choose a shorter one: {}",
                   length - longest, longest, base::cut_to(store.parent_path().string(), 100)));
-}
-
-bool has_rows(const Store& store) {
-  bool any = false;
-  try {
-    store.for_each_key([&any](const RealisationKey&) { any = true; });
-  } catch (const sqlite::UnusableFile&) {
-    // The earlier finding counts.
-  }
-  return any;
 }
 
 }  // namespace
@@ -100,48 +78,12 @@ Store RunFolder::open_valid_store() const {
   return store;
 }
 
-RunFolder::Repair RunFolder::mend_store(Store damaged, const Experiment& experiment) const {
-  Repair repair;
-  {
-    Store store = Store::create(mended_store_in(files_.folder), damaged.identity());
-    repair.realisations = salvage(experiment, damaged, store);
-    if (repair.realisations == 0 && has_rows(damaged)) {
-      throw sqlite::UnusableFile(
-          fmt::format("{}: is damaged: none of its realisations belongs to its experiment, which may be "
-                      "that of another store; run the experiment again, with --overwrite",
-                      store_path().string()));
-    }
-    store.close_up();
-  }
-  { const Store closed = std::move(damaged); }
-  repair.damaged_file = keep_store_file();
-  sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
-  fs::rename(mended_store_in(files_.folder), store_path());
-  return repair;
+Repair RunFolder::mend_store(Store damaged, const Experiment& experiment) const {
+  return rocking::mend_store(store_path(), path_, std::move(damaged), experiment);
 }
 
 void RunFolder::extend_store(Store former, const Experiment& experiment, const Experiment& extension) const {
-  {
-    Store store = Store::create(extended_store_in(files_.folder), extended_identity(former.identity(), extension));
-    copy_common_realisations(former, experiment, extension, store);
-    store.close_up();
-  }
-  { const Store closed = std::move(former); }
-  sqlite::remove_logs(store_path());  // SQLite would apply them to the new file
-  fs::rename(extended_store_in(files_.folder), store_path());
-}
-
-// Keeps the file under another name, with its logs.
-std::filesystem::path RunFolder::keep_store_file() const {
-  fs::path kept = name_for_damaged(store_path(), path_);
-  std::error_code no_links;
-  if (!fs::exists(kept)) fs::create_hard_link(store_path(), kept, no_links);
-  if (no_links) fs::copy_file(store_path(), kept);
-  for (const char* suffix : sqlite::log_suffixes) {
-    const std::filesystem::path log = store_path().string() + suffix;
-    if (std::filesystem::exists(log)) std::filesystem::rename(log, kept.string() + suffix);
-  }
-  return kept;
+  rocking::extend_store(store_path(), std::move(former), experiment, extension, code_identity());
 }
 
 void RunFolder::begin_replacement() {
@@ -181,8 +123,8 @@ bool RunFolder::forget_what_did_not_begin() const {
   bool lost = replacement().discard_unless_begun();
   for (const RunFiles& files : {RunFiles{path_}, RunFiles{replacement().path()}}) {
     Store::remove_unfinished(files.store());
-    Store::remove(mended_store_in(files.folder));
-    lost = Store::remove(extended_store_in(files.folder)) || lost;
+    Store::remove(mended_store_beside(files.store()));
+    lost = Store::remove(extended_store_beside(files.store())) || lost;
   }
   return lost;
 }
@@ -198,12 +140,6 @@ void RunFolder::expect_installed() const {
 std::string code_identity() {
   const base::BuildInfo build = base::build_info();
   return fmt::format("{} {}", build.version, build.revision);
-}
-
-Identity extended_identity(Identity identity, const Experiment& extension) {
-  identity.experiment = extension.canonical_text;
-  identity.code = code_identity();
-  return identity;
 }
 
 Experiment experiment_of(const Identity& identity, const Overrides& overrides) {

@@ -7,6 +7,7 @@
 
 #include "replacement.hpp"
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/store/salvage.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/folder_lock.hpp"
 
@@ -55,10 +56,6 @@ class RunFolder {
   [[nodiscard]] Store open_store(sqlite::Access access) const;
   /// Opens it for reading after a check of every page and row; throws sqlite::UnusableFile if one is damaged.
   [[nodiscard]] Store open_valid_store() const;
-  struct Repair {
-    std::uint64_t realisations = 0;      ///< taken over
-    std::filesystem::path damaged_file;  ///< where it is now
-  };
   /// Replaces a damaged store by one with its undamaged rows. Throws sqlite::UnusableFile if there is no such row,
   /// because the identity may then be wrong too.
   [[nodiscard]] Repair mend_store(Store damaged, const Experiment& experiment) const;
@@ -73,7 +70,6 @@ class RunFolder {
 
  private:
   [[nodiscard]] bool forget_what_did_not_begin() const;
-  [[nodiscard]] std::filesystem::path keep_store_file() const;
   [[nodiscard]] Replacement replacement() const { return Replacement(path_); }
 
   std::filesystem::path path_;
@@ -83,9 +79,6 @@ class RunFolder {
 
 /// Version and revision of this program, as a store records them.
 [[nodiscard]] std::string code_identity();
-
-/// The identity of a store of an extension of its experiment.
-[[nodiscard]] Identity extended_identity(Identity identity, const Experiment& extension);
 
 /// The experiment of a store. Throws InputError or MissingInput if a file that the experiment names has changed or is
 /// missing.

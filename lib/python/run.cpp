@@ -124,9 +124,9 @@ py::array rows_of(const RunResult& run) {
 /// (run, whether Ctrl-C stopped it).
 py::tuple run_watched(const Experiment& experiment, unsigned threads, const std::string& folder,
                       const std::string& files, std::optional<std::pair<std::uint64_t, std::uint64_t>> shard,
-                      py::object on_progress) {
+                      bool repair, py::object on_progress) {
   Watched<RunResult> watched(std::move(on_progress));
-  Execution asked{.threads = threads, .folder = folder, .files = files};
+  Execution asked{.threads = threads, .folder = folder, .repair = repair, .files = files};
   if (shard) asked.shard = Shard{.part = shard->first, .parts = shard->second};
   auto result = watched.run(std::move(asked), [&](const Execution& execution) { return run(experiment, execution); });
   return py::make_tuple(std::move(result), watched.was_interrupted());
@@ -153,6 +153,10 @@ void add_runs(py::module_& module) {
   py::class_<RunResult>(module, "Run")
       .def_readonly("done", &RunResult::done)
       .def_readonly("all", &RunResult::all)
+      .def_property_readonly("damaged_file",
+                             [](const RunResult& run) {
+                               return run.damaged_file ? std::optional(run.damaged_file->string()) : std::nullopt;
+                             })
       .def_property_readonly("is_complete", &RunResult::is_complete)
       .def("modes", &names_of)
       .def("counts", &counts_of)

@@ -784,6 +784,34 @@ class Interrupting(unittest.TestCase):
             self.assertTrue(100 < part.done < part.all)
             self.assertEqual(rocking.run(longer, folder=folder).digest, rocking.run(longer).digest)
 
+    def test_a_run_is_extended_in_its_folder(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rocking.run(SLAB, folder=folder)
+            longer = rocking.run(SLAB, realisations=31, folder=folder)
+            self.assertEqual(longer.digest, rocking.run(SLAB, realisations=31).digest)
+            self.assertTrue(rocking.verify(folder).is_verified)
+            for other in (SLAB, changed(restitution=0.8, realisations=40)):
+                with self.assertRaises(rocking.InputError):
+                    rocking.run(other, folder=folder)
+            self.assertEqual(rocking.open_run(folder).digest, longer.digest)
+            open(os.path.join(folder, "report.json"), "w").close()
+            with self.assertRaises(rocking.InputError):
+                rocking.run(SLAB, realisations=40, folder=folder)
+
+    def test_a_damaged_store_is_repaired(self):
+        with tempfile.TemporaryDirectory() as folder:
+            store = os.path.join(folder, "realisations.sqlite")
+            digest = rocking.run(SLAB, folder=folder).digest
+            with open(store, "r+b") as file:
+                file.seek(os.path.getsize(store) * 3 // 4)
+                file.write(b"\xff" * 300)
+            with self.assertRaises(rocking.StoreError):
+                rocking.run(SLAB, folder=folder)
+            repaired = rocking.run(SLAB, folder=folder, repair=True)
+            self.assertEqual(repaired.digest, digest)
+            self.assertTrue(os.path.exists(repaired.damaged_file))
+            self.assertIsNone(rocking.run(SLAB, folder=folder, repair=True).damaged_file)
+
     def test_exceptions_of_the_function_that_is_told_reach_the_caller(self):
         class Enough(Exception):
             pass

@@ -46,6 +46,11 @@ class Result:
         return self._core.all
 
     @property
+    def damaged_file(self) -> Optional[str]:
+        """Where the damaged store is that the run has repaired; None if it has not."""
+        return self._core.damaged_file
+
+    @property
     def is_complete(self) -> bool:
         """Whether all realisations are done."""
         return self._core.is_complete

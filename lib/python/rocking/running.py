@@ -37,6 +37,7 @@ def run(
     threads: Optional[int] = None,
     folder: Union[str, "os.PathLike[str]", None] = None,
     shard: Optional[Tuple[int, int]] = None,
+    repair: bool = False,
     progress: Optional[Progress] = None,
 ) -> Result:
     """Simulate all realisations of an experiment and estimate the probability of each response.
@@ -48,10 +49,13 @@ def run(
     threads: default: one for each processor. Changes the time, never the result.
 
     folder: keeps the realisations in ``folder/realisations.sqlite``, as the program does; a run that was stopped goes
-    on there. Default: in memory.
+    on there, and one of fewer realisations is extended, unless its report is there. Default: in memory.
 
     shard: (i, n) runs the i-th of n parts, from 1; merge() joins their folders. The Result of a part has counts and no
     estimates.
+
+    repair: keep the intact realisations of a damaged store, and run the others again; ``damaged_file`` of the Result is
+    where the damaged store is now. Otherwise it raises StoreError.
 
     progress: called now and then with (finished realisations, all).
 
@@ -77,7 +81,7 @@ def run(
         raise ValueError(f"threads = {threads}: must be at least 1")
     where = None if folder is None else os.fspath(folder)
     start, began = now(), time.perf_counter()
-    core, interrupted = _core.run(checked._core, threads, where or "", checked._files, shard, progress)
+    core, interrupted = _core.run(checked._core, threads, where or "", checked._files, shard, repair, progress)
     provenance = (platform.platform(), start, time.perf_counter() - began, threads)
     result = Result(checked, core, provenance, where)
     if interrupted and result.done < result.all:

@@ -1,5 +1,6 @@
 #include "rocking/api/run.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -13,11 +14,15 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/stop_request.hpp"
+#include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/input/read_experiment.hpp"
 #include "rocking/output/report.hpp"
+#include "rocking/output/report_differences.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/store/results_version.hpp"
+#include "rocking/store/salvage.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/text/files.hpp"
 
@@ -31,7 +36,68 @@ std::string code_name() {
   return std::string(build.version) + ' ' + std::string(build.revision);
 }
 
-Store store_for(const Experiment& experiment, const Execution& execution) {
+Experiment experiment_of(const Identity& identity) {
+  return read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)});
+}
+
+/// Whether the experiments differ in a fixed number of realisations only.
+bool is_extension(const Experiment& experiment, const Identity& identity) {
+  if (experiment.conditions.front().until) return false;
+  const std::vector<std::string> differences = experiment_differences(experiment.canonical_text, identity.experiment);
+  return std::ranges::all_of(differences,
+                             [](const std::string& difference) { return difference.starts_with("/realisations is "); });
+}
+
+void expect_extensible(const Experiment& experiment, const fs::path& folder, const Store& store) {
+  if (!is_extension(experiment, store.identity())) {
+    throw refused(folder, "has realisations of another experiment", "choose another folder");
+  }
+  const std::uint64_t stored = most_stored_realisations(store);
+  const std::uint64_t wanted = experiment.conditions.front().realisations;
+  if (stored > wanted) {
+    throw refused(folder,
+                  "has " + std::to_string(stored) + " realisations of a condition, more than " + std::to_string(wanted),
+                  "ask for at least as many, or choose another folder");
+  }
+  if (store.identity().shard) {
+    throw refused(folder, "has a part of a run with another number of realisations", "merge the parts first");
+  }
+  if (fs::exists(folder / "report.json")) {
+    throw refused(folder, "has the report of a run with another number of realisations",
+                  "`rocking resume DIR --realisations N` extends it");
+  }
+}
+
+/// The store in a folder, with the realisations of this experiment.
+Store store_in_folder(const Experiment& experiment, const Execution& execution, std::optional<fs::path>& damaged_file) {
+  const fs::path path = store_in(execution.folder);
+  const auto open = [&path] { return Store::open(path, sqlite::Access::write); };
+  if (execution.repair) count_pages_again(path);
+  Store store = open();
+  if (store.identity().results != results_version) {
+    throw refused(execution.folder, "was written by a version that may give other results", "choose another folder");
+  }
+  if (const auto damage = store.damage()) {
+    if (!execution.repair) {
+      throw sqlite::UnusableFile(*damage + ". `repair` keeps the intact realisations and runs the rest again");
+    }
+    const Experiment stored = experiment_of(store.identity());
+    damaged_file = mend_store(path, execution.folder, std::move(store), stored).damaged_file;
+    store = open();
+  }
+  if (store.identity().experiment != experiment.canonical_text) {
+    expect_extensible(experiment, execution.folder, store);
+    const Experiment former = experiment_of(store.identity());
+    extend_store(path, std::move(store), former, experiment, code_name());
+    store = open();
+  }
+  if (store.identity().shard != execution.shard) {
+    throw refused(execution.folder, "has another part of the experiment", "choose another folder");
+  }
+  return store;
+}
+
+Store store_for(const Experiment& experiment, const Execution& execution, std::optional<fs::path>& damaged_file) {
   const fs::path& folder = execution.folder;
   Identity identity{
       .experiment = experiment.canonical_text, .code = code_name(), .files = ".", .shard = execution.shard};
@@ -40,21 +106,9 @@ Store store_for(const Experiment& experiment, const Execution& execution) {
     throw refused(folder, "an experiment without text cannot be kept in a folder",
                   "read the experiment from a file or from text, or run it in memory");
   }
-  if (!has_store(folder)) {
-    identity.files = fs::absolute(execution.files).lexically_normal().string();
-    return Store::create(store_in(folder), identity);
-  }
-  Store store = Store::open(store_in(folder), sqlite::Access::write);
-  if (store.identity().experiment != experiment.canonical_text) {
-    throw refused(folder, "has realisations of another experiment", "choose another folder");
-  }
-  if (store.identity().shard != execution.shard) {
-    throw refused(folder, "has another part of the experiment", "choose another folder");
-  }
-  if (store.identity().results != results_version) {
-    throw refused(folder, "was written by a version that may give other results", "choose another folder");
-  }
-  return store;
+  if (has_store(folder)) return store_in_folder(experiment, execution, damaged_file);
+  identity.files = fs::absolute(execution.files).lexically_normal().string();
+  return Store::create(store_in(folder), identity);
 }
 
 /// What both ways to a result have in common.
@@ -91,20 +145,20 @@ RunResult run(const Experiment& experiment, const Execution& execution) {
   if (execution.shard) check_shard(experiment, *execution.shard);
   std::optional<FolderLock> lock;
   if (!execution.folder.empty()) lock.emplace(claimed(execution.folder));
-  Store store = store_for(experiment, execution);
+  std::optional<fs::path> damaged_file;
+  Store store = store_for(experiment, execution, damaged_file);
   const OptionsOfExecution asked(execution);
   // Whether it ended or was stopped follows from the rows.
   static_cast<void>(run(experiment, store, asked.options()));
   if (!execution.folder.empty()) store.close_up();
-  return look_at(experiment, std::move(store), asked.stop());
+  RunResult found = look_at(experiment, std::move(store), asked.stop());
+  found.damaged_file = std::move(damaged_file);
+  return found;
 }
 
 StoredRun open_run(const std::filesystem::path& folder) {
   Store store = valid_store(folder);
-  const Identity& identity = store.identity();
-  StoredRun stored{
-      .experiment = read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)}),
-      .run = {}};
+  StoredRun stored{.experiment = experiment_of(store.identity()), .run = {}};
   stored.run = look_at(stored.experiment, std::move(store));
   return stored;
 }

@@ -34,9 +34,11 @@ struct Execution {
   /// must outlive the run, which sets it where on_progress says stop. Null: none.
   std::atomic<bool>* stop = nullptr;
   /// Folder for the store of the realisations, `realisations.sqlite`, which the program reads and resumes; created if
-  /// necessary. A run in a folder that has realisations of the same experiment continues it. Runs in one folder exclude
-  /// each other. Empty: in memory.
+  /// necessary. A run in a folder that has realisations of the same experiment continues it, also of one with fewer
+  /// realisations as long as no report of it is there. Runs in one folder exclude each other. Empty: in memory.
   std::filesystem::path folder = {};
+  /// Whether a damaged store is replaced by one with its intact realisations; the others are run again.
+  bool repair = false;
   /// Folder of the ground motions that the experiment names; kept in the store, so that the run can be resumed.
   std::filesystem::path files = ".";
   /// The part that is run of an experiment divided among processes or machines; merge() joins the folders. A part has
@@ -51,7 +53,8 @@ struct RunResult {
   std::uint64_t all = 0;                   ///< realisations of the experiment, or of the part
   /// Finished realisations by response mode, for each condition; also of a run that was stopped.
   std::vector<std::map<section::ResponseMode, std::uint64_t>> counts;
-  std::shared_ptr<const Store> store;  ///< the realisations
+  std::shared_ptr<const Store> store;                      ///< the realisations
+  std::optional<std::filesystem::path> damaged_file = {};  ///< of a store that was repaired: where it is now
 
   [[nodiscard]] bool is_complete() const { return result.has_value(); }
 };
@@ -59,7 +62,7 @@ struct RunResult {
 /// Runs the realisations of an experiment that are not done yet. The result depends on the experiment alone, not on
 /// threads, interruptions or the machine; calls from several threads are independent. Throws base::InputError if a
 /// condition is not valid, if the folder has realisations of another experiment, or if an experiment without text is to
-/// be kept in a folder; std::system_error with the path where the folder cannot be used or another run is at work in it.
+/// be kept in a folder; std::runtime_error if the store is damaged and is not to be repaired; std::system_error with the path where the folder cannot be used or another run is at work in it.
 [[nodiscard]] ROCKING_API RunResult run(const Experiment& experiment, const Execution& execution = {});
 
 /// The run in a folder, with its experiment.

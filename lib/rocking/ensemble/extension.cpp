@@ -1,6 +1,7 @@
 #include "rocking/ensemble/extension.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "rocking/base/error.hpp"
 
@@ -26,6 +27,27 @@ void copy_common_realisations(const Store& former, const Experiment& experiment,
     if (key.realisation >= after || (is_alone_in_one && before != after)) return;
     into.add(key, summary);
   });
+}
+
+std::filesystem::path extended_store_beside(const std::filesystem::path& path) {
+  return path.parent_path() / "extended.sqlite";
+}
+
+void extend_store(const std::filesystem::path& path, Store former, const Experiment& experiment,
+                  const Experiment& extension, const std::string& code) {
+  const std::filesystem::path extended = extended_store_beside(path);
+  Store::remove(extended);  // of a process that was killed
+  Identity identity = former.identity();
+  identity.experiment = extension.canonical_text;
+  identity.code = code;
+  {
+    Store store = Store::create(extended, identity);
+    copy_common_realisations(former, experiment, extension, store);
+    store.close_up();
+  }
+  { const Store closed = std::move(former); }
+  sqlite::remove_logs(path);  // SQLite would apply them to the new file
+  std::filesystem::rename(extended, path);
 }
 
 }  // namespace rocking

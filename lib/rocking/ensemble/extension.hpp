@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
+#include <string>
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/store.hpp"
@@ -19,5 +21,13 @@ namespace rocking {
 /// is left out, because it contains the comparison with the neighbour. The added rows are not yet durable.
 void copy_common_realisations(const Store& former, const Experiment& experiment, const Experiment& extension,
                               Store& into);
+
+/// Where the new store is made, beside the one that it will replace.
+[[nodiscard]] std::filesystem::path extended_store_beside(const std::filesystem::path& path);
+
+/// Replaces the store at `path` by one of an extension of its experiment, with the realisations that the two have in
+/// common. `code`: version and revision of the program.
+void extend_store(const std::filesystem::path& path, Store former, const Experiment& experiment,
+                  const Experiment& extension, const std::string& code);
 
 }  // namespace rocking

@@ -2,9 +2,13 @@
 
 #include <fstream>
 #include <string>
+#include <system_error>
+#include <utility>
 
 namespace rocking {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Also absent if the path to the row is damaged.
 std::optional<Summary> find_undamaged(const Store& store, const RealisationKey& key) {
@@ -20,6 +24,37 @@ std::uintmax_t number_at(const std::string& header, std::size_t place, std::size
   std::uintmax_t number = 0;
   for (std::size_t i = place; i < place + bytes; ++i) number = number << 8 | static_cast<unsigned char>(header[i]);
   return number;
+}
+
+/// The first free name for a damaged store, or the one that a process gave it before it was killed.
+fs::path name_for_damaged(const fs::path& store, const fs::path& folder) {
+  for (int number = 1;; ++number) {
+    fs::path name = folder / ("damaged-" + std::to_string(number) + ".sqlite");
+    if (!fs::exists(name) || fs::equivalent(name, store)) return name;
+  }
+}
+
+bool has_rows(const Store& store) {
+  bool any = false;
+  try {
+    store.for_each_key([&any](const RealisationKey&) { any = true; });
+  } catch (const sqlite::UnusableFile&) {
+    // The earlier finding counts.
+  }
+  return any;
+}
+
+// Keeps the file under another name, with its logs.
+fs::path keep_store_file(const fs::path& path, const fs::path& folder) {
+  fs::path kept = name_for_damaged(path, folder);
+  std::error_code no_links;
+  if (!fs::exists(kept)) fs::create_hard_link(path, kept, no_links);
+  if (no_links) fs::copy_file(path, kept);
+  for (const char* suffix : sqlite::log_suffixes) {
+    const fs::path log = path.string() + suffix;
+    if (fs::exists(log)) fs::rename(log, kept.string() + suffix);
+  }
+  return kept;
 }
 
 }  // namespace
@@ -53,6 +88,29 @@ std::uint64_t salvage(const Experiment& experiment, const Store& damaged, Store&
     }
   }
   return kept;
+}
+
+fs::path mended_store_beside(const fs::path& path) { return path.parent_path() / "mended.sqlite"; }
+
+Repair mend_store(const fs::path& path, const fs::path& kept_in, Store damaged, const Experiment& experiment) {
+  const fs::path mended = mended_store_beside(path);
+  Store::remove(mended);  // of a process that was killed
+  Repair repair;
+  {
+    Store store = Store::create(mended, damaged.identity());
+    repair.realisations = salvage(experiment, damaged, store);
+    if (repair.realisations == 0 && has_rows(damaged)) {
+      throw sqlite::UnusableFile(path.string() +
+                                 ": is damaged: none of its realisations belongs to its experiment, which may be "
+                                 "that of another store; run the experiment again, with --overwrite");
+    }
+    store.close_up();
+  }
+  { const Store closed = std::move(damaged); }
+  repair.damaged_file = keep_store_file(path, kept_in);
+  sqlite::remove_logs(path);  // SQLite would apply them to the new file
+  fs::rename(mended, path);
+  return repair;
 }
 
 }  // namespace rocking

@@ -11,6 +11,7 @@
 #include <functional>
 #include <map>
 #include <optional>
+#include <regex>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -97,6 +98,21 @@ TEST_F(Interface, MergesInAFolderWhereAMergeWasKilled) {
   EXPECT_TRUE(merge(in("killed"), {whole}).run.is_complete());
   const fs::directory_iterator files(in("killed"));
   EXPECT_EQ(std::distance(begin(files), end(files)), 1) << "realisations.sqlite";
+}
+
+TEST_F(Interface, ExtendsARunToTheBitsOfALongOne) {
+  const auto with = [](int realisations) {
+    static const std::regex number(R"("realisations": ?12)");
+    const std::string wanted = "\"realisations\": " + std::to_string(realisations);
+    return parse_experiment(std::regex_replace(small_experiment().canonical_text, number, wanted));
+  };
+  ASSERT_EQ(with(17).conditions[0].realisations, 17U);
+  static_cast<void>(run(with(12), {.folder = in("one")}));
+  const RunResult longer = run(with(17), {.folder = in("one")});
+  EXPECT_EQ(digest_of(longer), digest_of(run(with(17))));
+  EXPECT_THAT(refusal([&] { static_cast<void>(run(with(12), {.folder = in("one")})); }), HasSubstr("17 realisations"));
+  static_cast<void>(part("part", Shard{.part = 1, .parts = 2}));
+  EXPECT_THAT(refusal([&] { static_cast<void>(run(with(17), {.folder = in("part")})); }), HasSubstr("merge the parts"));
 }
 
 // Each run looks, from its thread, whether another can begin in its folder.

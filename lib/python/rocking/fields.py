@@ -82,7 +82,7 @@ class Rows(List[_Row]):
     def _repr_html_(self) -> str:
         shown = [dict(row._shown()) for row in self[:_MOST_ROWS] if isinstance(row, Fields)]
         names = list(dict.fromkeys(name for row in shown for name in row))
-        rows = [[_brief(row.get(name)) for name in names] for row in shown]
+        rows = [["" if row.get(name) is None else _brief(row[name]) for name in names] for row in shown]
         rest = f"<p>{len(self) - _MOST_ROWS} more rows</p>" if len(self) > _MOST_ROWS else ""
         return _table(names, rows) + rest
 
@@ -157,14 +157,17 @@ def _attribute(row: Any, name: str) -> Any:
 
 
 def _brief(value: Any) -> str:
+    """A number or a text; what is short of a list or an object, else its size."""
     if isinstance(value, float):
         return f"{value:.6g}"
-    if isinstance(value, list):
-        is_short = len(value) <= 3 and not any(isinstance(each, (list, dict)) for each in value)
-        return f"[{', '.join(map(_brief, value))}]" if is_short else f"{len(value)} entries"
+    if not isinstance(value, (list, dict)):
+        return str(value)
+    inner = list(value.values() if isinstance(value, dict) else value)
+    if len(inner) > 3 or any(isinstance(each, (list, dict)) for each in inner):
+        return f"{len(inner)} {'keys' if isinstance(value, dict) else 'entries'}"
     if isinstance(value, dict):
-        return f"{len(value)} keys"
-    return "" if value is None else str(value)
+        return f"{{{', '.join(f'{name}: {_brief(each)}' for name, each in value.items())}}}"
+    return f"[{', '.join(map(_brief, inner))}]"
 
 
 def _table(names: List[str], rows: List[List[str]]) -> str:

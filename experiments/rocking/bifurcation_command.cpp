@@ -55,7 +55,7 @@ void expect_all_free(const DiagramFiles& files, bool overwrite) {
 
 std::vector<Diagram> draw(const Experiment& experiment, const BifurcationRequest& request) {
   Progress progress(suitable_progress_style(request.execution.loudness), "steps");
-  return diagrams(experiment, request.realisation, watched(request.execution, progress));
+  return rocking::bifurcation(experiment, request.realisation, watched(request.execution, progress));
 }
 
 /// Throws InputError, with the file and the line, where the experiment has no diagram.

@@ -51,7 +51,7 @@ void check_usage(const GroundMotionRequest& request) {
 
 std::vector<MeasuredMotion> measure_all(const GroundMotionRequest& request) {
   try {
-    return ground_motions(request);
+    return rocking::motion(request);
   } catch (const std::system_error& error) {
     throw MissingInput(error.what());
   }

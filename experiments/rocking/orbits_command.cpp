@@ -60,7 +60,7 @@ OrbitStudy search(const Experiment& experiment, const OrbitsRequest& request, co
     print_notice("following branches, too; --no-branches omits them");
   }
   Progress progress(suitable_progress_style(execution.loudness), "conditions");
-  return orbit_study(experiment, request, watched(execution, progress));
+  return rocking::orbits(experiment, request, watched(execution, progress));
 }
 
 ExitCode orbits(const OrbitsCommand& command) {

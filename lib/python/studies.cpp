@@ -28,14 +28,15 @@ std::string orbits_text_of(const Experiment& experiment, int longest, std::optio
   if (range) std::tie(request.from, request.to) = *range;
   std::tie(request.second_from, request.second_to) = span;
   return watch(threads, std::move(on_progress), [&](const Execution& execution) {
-    return orbits_text(experiment, orbit_study(experiment, request, execution));
+    return orbits_text(experiment, orbits(experiment, request, execution));
   });
 }
 
 std::string bifurcation_text_of(const Experiment& experiment, std::uint64_t realisation, unsigned threads,
                                 py::object on_progress) {
-  return watch(threads, std::move(on_progress),
-               [&](const Execution& execution) { return bifurcation(experiment, realisation, execution); });
+  return watch(threads, std::move(on_progress), [&](const Execution& execution) {
+    return bifurcation_text(experiment, realisation, bifurcation(experiment, realisation, execution));
+  });
 }
 
 std::string fragility_text_of(const Experiment& experiment, const RunResult& run, std::vector<double> peak_tilts,
@@ -44,7 +45,7 @@ std::string fragility_text_of(const Experiment& experiment, const RunResult& run
   FragilityQuestion question{.peak_tilts = std::move(peak_tilts), .incremental = incremental};
   return watch(threads, std::move(on_progress), [&](const Execution& execution) {
     if (hazard) question.hazard = hazard_curve(*hazard);
-    return fragility(experiment, run, question, execution);
+    return fragility_text(fragility(experiment, run, question, execution));
   });
 }
 
@@ -57,7 +58,7 @@ std::string rare_text_of(const Experiment& experiment, double relative_error, st
   request.seconds = seconds;
   request.elapsed_seconds = seconds_from_now();
   return watch(threads, std::move(on_progress), [&](const Execution& execution) {
-    return rare_text(experiment, request, rare_probabilities(experiment, request, execution));
+    return rare_probabilities_text(experiment, request, rare_probabilities(experiment, request, execution));
   });
 }
 
@@ -90,7 +91,7 @@ std::string motion_text_of(std::vector<std::string> files, std::optional<std::st
                               .series = series,
                               .question = {.gravity = gravity, .damping = damping, .periods = std::move(periods)}};
   if (block) request.question.block = dynamics::Block{block->first, block->second, gravity};
-  return motion(request);
+  return motion_text(request, motion(request));
 }
 
 }  // namespace
@@ -112,7 +113,7 @@ void add_studies(py::module_& module) {
       "compare",
       [](const Experiment& experiment, const RunResult& run, const Experiment& other_experiment,
          const RunResult& other_run) {
-        return comparison_text(compare({experiment, run}, {other_experiment, other_run}));
+        return compare_text(compare({experiment, run}, {other_experiment, other_run}));
       },
       py::call_guard<py::gil_scoped_release>());
   module.def("motion", &motion_text_of, py::call_guard<py::gil_scoped_release>());

@@ -53,7 +53,7 @@ void check(const GroundMotionRequest& request) {
 
 }  // namespace
 
-std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
+std::vector<MeasuredMotion> motion(const GroundMotionRequest& request) {
   check(request);
   GroundMotionReading how{.time_step = request.time_step,
                           .gravity = request.question.gravity,
@@ -65,16 +65,16 @@ std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request) {
   std::vector<MeasuredMotion> motions;
   for (const std::string& file : request.files) {
     how.name = file;
-    auto motion = files.motion(how, problems);
-    if (motion) motions.push_back(measured(std::move(motion), files.digest(file), request.question));
+    auto read = files.motion(how, problems);
+    if (read) motions.push_back(measured(std::move(read), files.digest(file), request.question));
   }
   if (!problems.empty()) throw base::InputError(std::move(problems));
   return motions;
 }
 
-std::string motion(const GroundMotionRequest& request) {
-  return motion_document().text(motion_report(ground_motions(request), request.question,
-                                              request.series ? MotionDetail::series : MotionDetail::measures));
+std::string motion_text(const GroundMotionRequest& request, const std::vector<MeasuredMotion>& found) {
+  const MotionDetail detail = request.series ? MotionDetail::series : MotionDetail::measures;
+  return motion_document().text(motion_report(found, request.question, detail));
 }
 
 }  // namespace rocking

@@ -109,7 +109,7 @@ void check_request(const Experiment& experiment, const OrbitsRequest& request) {
   if (!request.second.empty()) static_cast<void>(curve_request(experiment, request));
 }
 
-OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
+OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request, const Execution& execution) {
   check_request(experiment, request);
   const OptionsOfExecution asked(execution);
   auto conditions = orbits(experiment, request.longest, asked.options());

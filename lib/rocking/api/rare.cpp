@@ -61,8 +61,8 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
   return rare_probabilities(experiment, request.question, settings);
 }
 
-std::string rare_text(const Experiment& experiment, const RareRequest& request,
-                      const std::vector<RareEstimate>& found) {
+std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
+                                    const std::vector<RareEstimate>& found) {
   return rare_document().text(rare_report(
       experiment, {.question = request.question, .score = request.score, .particles = request.particles}, found));
 }

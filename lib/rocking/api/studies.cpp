@@ -77,9 +77,9 @@ Comparison compare(const StoredRun& first, const StoredRun& second) {
                        compare(store_of(first.run), store_of(second.run), confidences));
 }
 
-std::string comparison_text(const Comparison& found) { return comparison_document().text(found); }
+std::string compare_text(const Comparison& found) { return comparison_document().text(found); }
 
-std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
+std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
   expect("realisation", realisation, std::uint64_t{0}, largest_realisation);
   check_has_conditions(experiment);
   auto found = bifurcation(experiment, realisation, OptionsOfExecution(execution).options());
@@ -87,13 +87,13 @@ std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realis
   return std::move(*found);
 }
 
-std::string bifurcation(const Experiment& experiment, std::uint64_t realisation, const Execution& execution) {
-  return bifurcation_document().text(
-      bifurcation_report(experiment, realisation, diagrams(experiment, realisation, execution)));
+std::string bifurcation_text(const Experiment& experiment, std::uint64_t realisation,
+                             const std::vector<Diagram>& found) {
+  return bifurcation_document().text(bifurcation_report(experiment, realisation, found));
 }
 
-RunFragility fragility_curves(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
-                              const Execution& execution) {
+RunFragility fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
+                       const Execution& execution) {
   check_has_conditions(experiment);
   if (intensity_of(experiment).empty()) {
     refuse("/sweep", "",
@@ -106,15 +106,11 @@ RunFragility fragility_curves(const Experiment& experiment, const RunResult& run
   for (const double tilt : question.peak_tilts) {
     if (!(tilt >= 1e-9 && tilt <= 1e9)) refuse("peak_tilts", base::shortest(tilt), "must be from 1e-9 to 1e9");
   }
-  return run_fragility(experiment, stripes_of(experiment, store_of(run)), question,
+  return run_fragility(with_text(experiment), stripes_of(experiment, store_of(run)), question,
                        OptionsOfExecution(execution).options());
 }
 
-std::string fragility(const Experiment& experiment, const RunResult& run, const FragilityQuestion& question,
-                      const Execution& execution) {
-  return fragility_document().text(
-      fragility_report({fragility_curves(with_text(experiment), run, question, execution)}));
-}
+std::string fragility_text(const RunFragility& found) { return fragility_document().text(fragility_report({found})); }
 
 HazardCurve hazard_curve(const std::filesystem::path& file) {
   return read_hazard(read_file(file, most_hazard_bytes), file.string());

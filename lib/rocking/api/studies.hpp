@@ -20,7 +20,8 @@
 #include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/run_fragility.hpp"
 
-/// What is asked of an experiment beside its probabilities, and of ground motions.
+/// What is asked of an experiment beside its probabilities, and of ground motions. NAME(...) gives a struct, NAME_text(...)
+/// the JSON text of it that the program writes.
 namespace rocking {
 
 /// One realisation of an experiment, and how long it is followed.
@@ -49,14 +50,12 @@ struct TrajectoryRequest {
 /// experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out of range,
 /// and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts
 /// parts of about equal work.
-[[nodiscard]] ROCKING_API RunFragility fragility_curves(const Experiment& experiment, const RunResult& run,
-                                                        const FragilityQuestion& question = {},
-                                                        const Execution& execution = {});
+[[nodiscard]] ROCKING_API RunFragility fragility(const Experiment& experiment, const RunResult& run,
+                                                 const FragilityQuestion& question = {},
+                                                 const Execution& execution = {});
 
 /// The same as JSON text (`rocking.fragility/1`).
-[[nodiscard]] ROCKING_API std::string fragility(const Experiment& experiment, const RunResult& run,
-                                                const FragilityQuestion& question = {},
-                                                const Execution& execution = {});
+[[nodiscard]] ROCKING_API std::string fragility_text(const RunFragility& found);
 
 /// Reads a hazard curve: a line `intensity, annual rate of exceedance` for each point. Throws base::InputError with the
 /// line of a fault, and std::system_error where the file cannot be read.
@@ -68,19 +67,19 @@ struct TrajectoryRequest {
 [[nodiscard]] ROCKING_API Comparison compare(const StoredRun& first, const StoredRun& second);
 
 /// The same as JSON text (`rocking.comparison/1`).
-[[nodiscard]] ROCKING_API std::string comparison_text(const Comparison& found);
+[[nodiscard]] ROCKING_API std::string compare_text(const Comparison& found);
 
 /// Bifurcation diagrams of one realisation: for each combination of values of the sweep's entries after the first, the
 /// responses along the first, from the initial state and from the end of the step before, upwards and downwards. Strobe
 /// points are dimensionless. Throws base::InputError if there is no sweep, if its first entry takes values that are not
 /// numbers, or if an excitation is not periodic, and base::Stopped if it is asked to stop. Uses `threads`,
 /// `on_progress` and `stop` of the execution; progress counts steps.
-[[nodiscard]] ROCKING_API std::vector<Diagram> diagrams(const Experiment& experiment, std::uint64_t realisation = 0,
-                                                        const Execution& execution = {});
+[[nodiscard]] ROCKING_API std::vector<Diagram> bifurcation(const Experiment& experiment, std::uint64_t realisation = 0,
+                                                           const Execution& execution = {});
 
 /// The same as JSON text (`rocking.bifurcation/1`).
-[[nodiscard]] ROCKING_API std::string bifurcation(const Experiment& experiment, std::uint64_t realisation = 0,
-                                                  const Execution& execution = {});
+[[nodiscard]] ROCKING_API std::string bifurcation_text(const Experiment& experiment, std::uint64_t realisation,
+                                                       const std::vector<Diagram>& found);
 
 /// Which periodic orbits are searched.
 struct OrbitsRequest {
@@ -109,8 +108,8 @@ ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest
 
 /// Periodic orbits, their branches and the curves of their bifurcations. Throws as check_request, and base::Stopped if it
 /// is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions.
-[[nodiscard]] ROCKING_API OrbitStudy orbit_study(const Experiment& experiment, const OrbitsRequest& request = {},
-                                                 const Execution& execution = {});
+[[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request = {},
+                                            const Execution& execution = {});
 
 /// The study as JSON text (`rocking.orbits/1`), the same bytes as `orbits.json` of the program.
 [[nodiscard]] ROCKING_API std::string orbits_text(const Experiment& experiment, const OrbitStudy& study);
@@ -140,8 +139,8 @@ ROCKING_API void check_request(const Experiment& experiment, const RareRequest& 
                                                                        const Execution& execution = {});
 
 /// The same as JSON text (`rocking.rare/1`).
-[[nodiscard]] ROCKING_API std::string rare_text(const Experiment& experiment, const RareRequest& request,
-                                                const std::vector<RareEstimate>& found);
+[[nodiscard]] ROCKING_API std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
+                                                              const std::vector<RareEstimate>& found);
 
 /// How the cost of an experiment's accuracy is measured.
 struct CostRequest {
@@ -183,9 +182,10 @@ struct GroundMotionRequest {
 
 /// The ground motions with their intensity measures, in the order of the files. Throws base::InputError with the file,
 /// line and value of each fault, also for an unknown format or unit, and std::system_error where a file cannot be read.
-[[nodiscard]] ROCKING_API std::vector<MeasuredMotion> ground_motions(const GroundMotionRequest& request);
+[[nodiscard]] ROCKING_API std::vector<MeasuredMotion> motion(const GroundMotionRequest& request);
 
 /// The same as JSON text (`rocking.motion/1`).
-[[nodiscard]] ROCKING_API std::string motion(const GroundMotionRequest& request);
+[[nodiscard]] ROCKING_API std::string motion_text(const GroundMotionRequest& request,
+                                                  const std::vector<MeasuredMotion>& found);
 
 }  // namespace rocking

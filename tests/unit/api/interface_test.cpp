@@ -165,11 +165,9 @@ TEST_F(Interface, RefusesAnExperimentWithoutConditions) {
       [&] { static_cast<void>(plan(none)); },
       [&] { static_cast<void>(trajectory(none, {})); },
       [&] { write_trajectory_page(none, {}, in("page.html")); },
-      [&] { static_cast<void>(orbit_study(none)); },
-      [&] { static_cast<void>(diagrams(none, 0)); },
+      [&] { static_cast<void>(orbits(none)); },
       [&] { static_cast<void>(bifurcation(none, 0)); },
       [&] { static_cast<void>(rare_probabilities(none, {})); },
-      [&] { static_cast<void>(fragility_curves(none, some)); },
       [&] { static_cast<void>(fragility(none, some)); },
       [&] { static_cast<void>(verify(StoredRun{.experiment = none, .run = some})); }};
   for (std::size_t i = 0; i < calls.size(); ++i) EXPECT_THAT(refusal(calls[i]), HasSubstr("has no conditions")) << i;
@@ -183,7 +181,6 @@ TEST_F(Interface, RefusesARunThatNoCallHasReturned) {
   const std::vector<std::function<void()>> calls{[&] { static_cast<void>(verify(none)); },
                                                  [&] { static_cast<void>(replay(none)); },
                                                  [&] { static_cast<void>(compare(none, none)); },
-                                                 [&] { static_cast<void>(fragility_curves(swept, none.run)); },
                                                  [&] { static_cast<void>(fragility(swept, none.run)); },
                                                  [&] { static_cast<void>(report(swept, none.run)); },
                                                  [&] { static_cast<void>(table(swept, none.run)); },
@@ -195,12 +192,12 @@ TEST_F(Interface, RefusesARunThatNoCallHasReturned) {
 
 TEST_F(Interface, FollowsTheStepsOfADiagram) {
   const Experiment swept = small_experiment(R"(, "sweep": [{"parameter": "/excitation/amplitude", "values": [3, 1]}])");
-  const auto found = diagrams(swept, 2);
+  const auto found = bifurcation(swept, 2);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].conditions, (std::vector<std::size_t>{1, 0})) << "by increasing value";
   EXPECT_EQ(found[0].branches.front()[0].points.size(), 15U);
   std::atomic<bool> stop{true};
-  EXPECT_THROW(static_cast<void>(diagrams(swept, 2, {.stop = &stop})), base::Stopped);
+  EXPECT_THROW(static_cast<void>(bifurcation(swept, 2, {.stop = &stop})), base::Stopped);
 }
 
 TEST_F(Interface, VerifiesTheBitsOfARun) {
@@ -246,8 +243,8 @@ TEST_F(Interface, EstimatesRareEventsAgain) {
   const auto found = rare_probabilities(experiment, request, execution);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(last, found[0].repetitions.size());
-  EXPECT_EQ(rare_text(experiment, request, found),
-            rare_text(experiment, request, rare_probabilities(experiment, request, {.threads = 2})));
+  EXPECT_EQ(rare_probabilities_text(experiment, request, found),
+            rare_probabilities_text(experiment, request, rare_probabilities(experiment, request, {.threads = 2})));
   std::atomic<bool> stop{true};
   EXPECT_THROW(static_cast<void>(rare_probabilities(experiment, request, {.stop = &stop})), base::Stopped);
   EXPECT_THAT(refusal([&] { static_cast<void>(rare_probabilities(experiment, {.particles = 1})); }),

@@ -50,7 +50,7 @@ void expect_same(const Json& written, const Orbit& orbit) {
 // The text is read again, and the values of a branch are checked by following the motion.
 TEST(OrbitStudies, HaveTheBranchesOfTheirTextAsValues) {
   const Experiment experiment = swept_experiment();
-  const OrbitStudy study = orbit_study(experiment, {.longest = 1, .branches = true});
+  const OrbitStudy study = orbits(experiment, {.longest = 1, .branches = true});
   ASSERT_TRUE(study.branches);
   EXPECT_EQ(study.branches->pointer, "/excitation/amplitude");
   const Json text = Json::parse(orbits_text(experiment, study));
@@ -80,7 +80,7 @@ TEST(OrbitStudies, HaveTheBranchesOfTheirTextAsValues) {
 // The state of an orbit returns after its period: the motion is that of trajectory(), which knows nothing of orbits.
 TEST(OrbitStudies, HaveOrbitsWhoseMotionReturns) {
   const Experiment experiment = swept_experiment();
-  const auto found = orbit_study(experiment, {.longest = 1}).conditions;
+  const auto found = orbits(experiment, {.longest = 1}).conditions;
   ASSERT_EQ(found.size(), 2U);
   for (std::size_t i = 0; i < found.size(); ++i) {
     ASSERT_FALSE(found[i].orbits.empty());
@@ -105,7 +105,7 @@ TEST(OrbitStudies, RefuseCurvesThatCannotBeFollowed) {
                             +[](OrbitsRequest& r) { r.second_from = 10.5; }}) {
     OrbitsRequest bad = good;
     spoil(bad);
-    EXPECT_THROW(static_cast<void>(orbit_study(swept_experiment(), bad)), base::InputError);
+    EXPECT_THROW(static_cast<void>(orbits(swept_experiment(), bad)), base::InputError);
   }
 }
 

@@ -108,6 +108,8 @@ class Documents(unittest.TestCase):
     def test_are_tables(self):
         steps = self.found[2].diagrams[0].steps
         self.assertEqual(steps.column("value").tolist(), [step.value for step in steps])
+        points = self.found[1].branches[0].points
+        self.assertEqual(points.column("points").shape, (len(points), self.found[1].branches[0].period, 3))
         errors = self.found[6].result.tolerances.column("departure.error.median")
         self.assertEqual(np.isnan(errors).tolist(), [False] * (len(errors) - 1) + [True])
         try:

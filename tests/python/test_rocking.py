@@ -339,7 +339,7 @@ class AgainstTheProgram(unittest.TestCase):
 
     def test_other_bits_are_found(self):
         run = rocking.run(SLAB)
-        falsified = rocking.Result(rocking.experiment(SLAB, seed=2), run._core, run._occasion, None)
+        falsified = rocking.Result(rocking.experiment(SLAB, seed=2), run._core, run._provenance, None)
         found = rocking.verify(falsified)
         self.assertEqual((found.checked, found.is_verified), (60, False))
         # Of blocks that never move the digest is the same with either seed; verify compares the whole row.

@@ -66,7 +66,7 @@ class Rows(List[_Row]):
     def column(self, name: str) -> npt.NDArray[Any]:
         """The values of one attribute, ``intensity`` or ``law.median.value``, by row; NaN where a number is missing."""
         values = [_attribute(row, name) for row in self]
-        if None in values:
+        if any(value is None for value in values):
             values = [np.nan if value is None else value for value in values]
         return np.array(values)
 

@@ -45,7 +45,7 @@ def write_page(source: Union[Result, _Path], file: _Path) -> Written:
     ['report.html']
     """
     result = _complete(source)
-    return _call("write_page", result.experiment._core, result._core, os.fspath(file), *result._occasion)
+    return _call("write_page", result.experiment._core, result._core, os.fspath(file), *result._provenance)
 
 
 def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = "screen") -> Written:

@@ -33,7 +33,7 @@ class Result:
         self.experiment: Experiment = experiment
         self.folder: Optional[str] = folder
         self._core = core
-        self._occasion = provenance
+        self._provenance = provenance
 
     @property
     def done(self) -> int:
@@ -111,7 +111,7 @@ class Result:
     def report(self) -> documents.Report:
         """The whole report (``rocking.report/1``), as the program writes it."""
         self._expect_complete()
-        return documents.Report(self._core.report(self.experiment._core, *self._occasion))
+        return documents.Report(self._core.report(self.experiment._core, *self._provenance))
 
     def realisations(self) -> npt.NDArray[Any]:
         """A structured array with a row for each finished realisation.

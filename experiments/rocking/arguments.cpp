@@ -36,6 +36,19 @@ std::optional<double> seconds_of_unit(const std::string& unit) {
   return std::nullopt;
 }
 
+/// `2/5` as a shard.
+Shard shard_from(const std::string& text) {
+  constexpr std::uint64_t most_parts = 999'999'999;
+  const std::size_t slash = text.find('/');
+  if (slash != std::string::npos) {
+    const auto part = read_whole<std::uint64_t>(std::string_view(text).substr(0, slash));
+    const auto parts = read_whole<std::uint64_t>(std::string_view(text).substr(slash + 1));
+    if (part && parts && 1 <= *part && *part <= *parts && *parts <= most_parts) return {.part = *part, .parts = *parts};
+  }
+  throw CLI::ValidationError(
+      "--shard", fmt::format("{} is not a part of a whole; give i/n with 1 <= i <= n, for example 2/5", text));
+}
+
 }  // namespace
 
 CLI::Validator whole_number(std::uint64_t low, std::uint64_t high) {
@@ -78,6 +91,18 @@ std::optional<double> seconds_in(std::string_view text) {
   if (!number || !unit) return std::nullopt;
   const double seconds = *number * *unit;
   return seconds > 0.0 && std::isfinite(seconds) ? std::optional<double>(seconds) : std::nullopt;
+}
+
+void add_shard(CLI::App& command, std::optional<Shard>& shard) {
+  const auto set = [&shard](const std::string& text) { shard = shard_from(text); };
+  command.add_option_function<std::string>("--shard", set, "Run only the i-th of n parts; `rocking merge` joins them")
+      ->type_name("I/N");
+}
+
+base::InputError with_flags(const base::InputError& error, const std::map<std::string_view, std::string_view>& flags) {
+  base::Problem problem = error.problems().front();
+  if (const auto flag = flags.find(problem.place); flag != flags.end()) problem.place = flag->second;
+  return base::InputError(problem);
 }
 
 }  // namespace rocking::program

@@ -49,7 +49,7 @@ RunOptions options_of(const Store& store, const ExecutionOptions& execution) {
   };
   if (execution.pool.start_workers) {
     Identity identity = store.identity();
-    identity.code = code_identity();  // of the running processes, whichever program created the store
+    identity.code = base::code_identity();  // of the running processes, whichever program created the store
     options.pair_runner = execution.pool.start_workers(identity, execution.threads);
   }
   return options;

@@ -64,9 +64,8 @@ void add_compare(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking compare out tighter\n"
       "compares each realisation of out with the realisation of tighter that has the same random numbers. Both runs "
-      "have the\n"
-      "same seed and number of conditions; they may differ in anything else (amplitude, tolerance, formulation, "
-      "sigma).");
+      "have the same seed and number of conditions; they may differ in anything else (amplitude, tolerance, "
+      "formulation, sigma).");
   command->add_option("DIR_A", request->first, "Folder of a run")->required();
   command->add_option("DIR_B", request->second, "Folder of another run")->required();
   add_loudness(*command, request->loudness);

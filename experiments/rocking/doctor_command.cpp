@@ -59,7 +59,9 @@ ExitCode examine(const Loudness& loudness) {
 void add_doctor(CLI::App& app, Action& action) {
   const auto loudness = std::make_shared<Loudness>();
   CLI::App* command = app.add_subcommand("doctor", "Print build and machine, and check the arithmetic of this machine");
-  command->footer("Example: rocking doctor\nInclude its output when you report a problem.");
+  command->footer(
+      "Example: rocking doctor\n"
+      "Include its output when you report a problem.");
   add_loudness(*command, *loudness);
   command->final_callback([&action, loudness] { action = [loudness] { return examine(*loudness); }; });
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <system_error>
 
 namespace rocking::program {
 
@@ -21,6 +22,16 @@ enum class ExitCode : int {
 class MissingInput : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// What `read` gives. A file that it cannot read is missing input.
+template <class Read>
+auto input_of(Read read) {
+  try {
+    return read();
+  } catch (const std::system_error& error) {
+    throw MissingInput(error.what());
+  }
+}
 
 /// The command line is invalid.
 class UsageError : public std::runtime_error {

@@ -58,10 +58,8 @@ void add_figure(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking figure first.json second.json -o out --from 100\n"
       "draws two files that `rocking trajectory --samples 100` printed: each against time, both in one figure, their "
-      "phase\n"
-      "portrait and their Poincare section. Also draws bifurcation.json, orbits.json, cost.json, fragility.json and "
-      "the output of\n"
-      "`rocking check-normal --json`. `--style journal` draws for the column of a journal.");
+      "phase portrait and their Poincare section. Also draws bifurcation.json, orbits.json, cost.json, fragility.json "
+      "and the output of `rocking check-normal --json`. `--style journal` draws for the column of a journal.");
   command->add_option("FILE", request->files, "JSON files that rocking printed")->required();
   command->add_option("-o,--output", request->folder, "Folder for the figures; created if necessary")
       ->required()

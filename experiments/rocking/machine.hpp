@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 
@@ -14,6 +15,9 @@ namespace rocking::program {
 
 /// The time now, ISO 8601 in UTC: `2012-02-01T12:00:00Z`.
 [[nodiscard]] std::string utc_now();
+
+/// A clock that begins now [s].
+[[nodiscard]] std::function<double()> seconds_from_now();
 
 /// Processor time that the calling thread has used [s].
 [[nodiscard]] double thread_seconds();

@@ -10,6 +10,7 @@
 
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/store/difference.hpp"
 #include "rocking/store/merge.hpp"
@@ -48,7 +49,7 @@ void expect_current_results(const Source& source) {
   throw InTheWay(
       fmt::format("{}: was run by rocking {}, and this is {}, which may give other results; merge with that "
                   "program",
-                  source.name, identity.code, code_identity()));
+                  source.name, identity.code, base::code_identity()));
 }
 
 void check_same_run(const Source& first, const Source& other) {
@@ -157,8 +158,7 @@ void add_merge(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking merge out shard1 shard2 shard3\n"
       "copies the realisations of the three folders to out and writes the report, with the bytes of one run, except "
-      "`system`. The\n"
-      "order of the folders has no influence; shards may overlap if their common realisations agree.");
+      "`system`. The order of the folders has no influence; shards may overlap if their common realisations agree.");
   command->add_option("DIR", request->folder, "Folder for the whole; created if necessary")->required();
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, after all shards are joined");

@@ -119,10 +119,8 @@ void add_motion(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking motion record.at2 --periods 0.2 0.5 1 --block 0.35 1.6 --figure out\n"
       "prints what was read, peak acceleration, velocity and displacement, Arias intensity, cumulative absolute "
-      "velocity,\n"
-      "significant duration, the response spectrum, and the least scale at which the block rocks; draws the motion and "
-      "its\n"
-      "spectra into the folder out.");
+      "velocity, significant duration, the response spectrum, and the least scale at which the block rocks; draws the "
+      "motion and its spectra into the folder out.");
   command->add_option("FILE", request->motions.files, "Ground motions")->required();
   add_reading_options(*command, request->motions);
   command->add_option("--periods", request->motions.question.periods, "Periods of the response spectrum [s]")

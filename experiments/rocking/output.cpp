@@ -1,7 +1,6 @@
 #include "output.hpp"
 
 #include <cerrno>
-#include <cmath>
 #include <cstdio>
 #include <system_error>
 
@@ -34,22 +33,6 @@ std::string with_escaped_controls(std::string_view text) {
     }
   }
   return escaped;
-}
-
-// To its end, but not much more than an experiment may have.
-std::string text_on_standard_input() {
-  std::string text;
-  char buffer[65536];
-  while (text.size() <= most_experiment_bytes) {
-    const std::size_t count = std::fread(buffer, 1, sizeof buffer, stdin);
-    text.append(buffer, count);
-    if (count == sizeof buffer) continue;
-    if (std::ferror(stdin) != 0) {
-      throw std::system_error(errno, std::generic_category(), "standard input: cannot be read");
-    }
-    break;
-  }
-  return text;
 }
 
 }  // namespace
@@ -86,27 +69,6 @@ void print_result(const std::function<void(const TextSink& sink)>& write) {
 void print_notice(std::string_view text) { print_aside(fmt::format("rocking: {}\n", base::printable(text))); }
 
 void print_aside(const std::string& text) { static_cast<void>(std::fputs(text.c_str(), stderr)); }
-
-ExperimentText load_experiment_text(const std::string& path) {
-  try {
-    if (path == standard_input) return {.text = text_on_standard_input(), .name = "standard input", .folder = "."};
-    return experiment_text_of(path);
-  } catch (const std::system_error& error) {
-    throw MissingInput(error.what());
-  }
-}
-
-Experiment load_experiment(const ExperimentText& source, const Overrides& overrides) {
-  try {
-    return read_experiment(source, overrides);
-  } catch (const std::system_error& error) {
-    throw MissingInput(error.what());
-  }
-}
-
-Experiment load_experiment(const std::string& path, const Overrides& overrides) {
-  return load_experiment(load_experiment_text(path), overrides);
-}
 
 std::string listed_problems(const base::InputError& error) {
   std::string text = counted(error.problems().size(), "problem");

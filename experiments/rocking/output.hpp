@@ -11,7 +11,6 @@
 
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
-#include "rocking/input/read_experiment.hpp"
 #include "rocking/text/json_writer.hpp"
 
 namespace rocking::program {
@@ -48,18 +47,6 @@ void print_aside(const std::string& text);
 /// Throws InTheWay if one of the files exists and may not be replaced.
 void expect_free(std::span<const std::filesystem::path> files, bool overwrite);
 inline void expect_free(const std::filesystem::path& file, bool overwrite) { expect_free({&file, 1}, overwrite); }
-
-/// Name of the argument that means standard input.
-inline constexpr std::string_view standard_input = "-";
-
-/// Reads a file or, if the path is `-`, standard input to its end; file names in the latter are relative to the current
-/// folder. Throws MissingInput where it cannot be read.
-[[nodiscard]] ExperimentText load_experiment_text(const std::string& path);
-
-/// Reads the experiment in it. Throws base::InputError, or MissingInput where it, or a file that it names, cannot be
-/// read.
-[[nodiscard]] Experiment load_experiment(const ExperimentText& source, const Overrides& overrides);
-[[nodiscard]] Experiment load_experiment(const std::string& path, const Overrides& overrides);
 
 /// `FILE: 2 problems` and a line for each.
 [[nodiscard]] std::string listed_problems(const base::InputError& error);

@@ -69,7 +69,7 @@ ExitCode carry_out(const Action& action) {
   try {
     return action();
   } catch (const base::Stopped&) {
-    return fail(ExitCode::interrupted, "interrupted; the same command starts again");
+    return fail(ExitCode::interrupted, "interrupted; nothing was written. The same command starts again");
   } catch (const base::InputError& error) {
     return fail(code_of(error), "the input cannot be used: " + listed_problems(error));
   } catch (const UsageError& error) {

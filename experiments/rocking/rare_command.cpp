@@ -1,22 +1,15 @@
-#include <chrono>
 #include <cstdint>
-#include <filesystem>
-#include <functional>
 #include <memory>
 #include <string>
-#include <vector>
-
-#include <fmt/format.h>
 
 #include "arguments.hpp"
 #include "campaign.hpp"
 #include "commands.hpp"
+#include "experiment_argument.hpp"
 #include "machine.hpp"
-#include "output.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/output/rare_report.hpp"
-#include "rocking/text/files.hpp"
-#include "rocking/text/locate.hpp"
+#include "study_file.hpp"
 #include "usage.hpp"
 #include "watched.hpp"
 
@@ -27,52 +20,26 @@ constexpr std::uint64_t least_particles = 20;
 constexpr std::uint64_t most_particles = 100'000;
 
 struct RareCommand {
-  std::string file;
-  std::string folder;
+  std::string experiment;
+  StudyFile file{"rare.json"};
   RareRequest rare;
   Overrides overrides;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
-  bool overwrite = false;
 };
 
-std::function<double()> seconds_from_now() {
-  return [start = std::chrono::steady_clock::now()] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  };
-}
-
-/// Throws InputError, with the file and the line, where nothing is random.
-void refuse_certainty(const Experiment& experiment, const RareRequest& request, const std::string& file) {
-  try {
-    check_request(experiment, request);
-  } catch (const base::InputError& error) {
-    throw located(error, read_file(file), file);
-  }
-}
-
-std::vector<RareEstimate> estimate(const Experiment& experiment, const RareRequest& request,
-                                   const ExecutionOptions& execution) {
-  Progress progress(suitable_progress_style(execution.loudness), "repetitions");
-  return rare_probabilities(experiment, request, watched(execution, progress));
-}
-
-ExitCode find_rare(const RareCommand& command) {
-  const Experiment experiment = load_experiment(command.file, command.overrides);
+ExitCode rare(const RareCommand& command) {
+  const ExperimentText source = load_experiment_text(command.experiment);
+  const Experiment experiment = load_experiment(source, command.overrides);
   RareRequest request = command.rare;
   request.elapsed_seconds = seconds_from_now();
-  refuse_certainty(experiment, request, command.file);  // before any file is written
-  const std::filesystem::path file = std::filesystem::path(command.folder) / "rare.json";
-  expect_free(file, command.overwrite);
-  ensure_writable(command.folder);
+  check_source(source, [&] { check_request(experiment, request); });
+  command.file.prepare();
+  Progress progress(suitable_progress_style(command.execution.loudness), "repetitions");
   const RareReport report =
       rare_report(experiment, {.question = request.question, .score = request.score, .particles = request.particles},
-                  estimate(experiment, request, command.execution));
+                  rare_probabilities(experiment, request, watched(command.execution, progress)));
   const std::string text = rare_document().text(report);
-  expect_free(file, command.overwrite);
-  write_atomically(file, text);
-  const std::string title = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  const std::string where = fmt::format("numbers: {}\n", file.string());
-  print_result(command.execution.loudness.json ? text : base::printable(title + rare_table(report) + where));
+  print_study(command.execution.loudness, text, heading(experiment) + rare_table(report) + command.file.write(text));
   return ExitCode::done;
 }
 
@@ -113,23 +80,15 @@ void add_rare(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking rare experiments/headline/headline.json -o out --at-most-work 10min\n"
       "goes to the event by levels: trajectories that reach a level are continued, with new random numbers, to the "
-      "next "
-      "one.\n"
-      "Writes the probability of each condition with its interval to out/rare.json and prints it. Something must be "
-      "random.");
-  command->add_option("EXPERIMENT", request->file, "Experiment file (JSON)")->required();
-  command->add_option("-o,--output", request->folder, "Folder for the results; created if necessary")
-      ->required()
-      ->type_name("DIR");
+      "next one. Writes the probability of each condition with its interval to out/rare.json and prints it. Something "
+      "must be random.");
+  add_experiment(*command, request->experiment);
+  request->file.add_to(*command, true);
   add_question(*command, *request);
   add_threads(*command, request->execution);
-  command
-      ->add_option("--seed", request->overrides.seed,
-                   "Seed, instead of the one in the file, for example 0x2012 or 8210")
-      ->type_name("S");
-  command->add_flag("--overwrite", request->overwrite, "Replace the file of this name in the folder");
+  add_seed(*command, request->overrides);
   add_loudness(*command, request->execution.loudness);
-  command->final_callback([&action, request] { action = [request] { return find_rare(*request); }; });
+  command->final_callback([&action, request] { action = [request] { return program::rare(*request); }; });
 }
 
 }  // namespace rocking::program

@@ -6,6 +6,7 @@
 
 #include "commands.hpp"
 #include "output.hpp"
+#include "rocking/base/build_info.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/realisation/realisation_digest.hpp"
 #include "rocking/realisation/realisation_result.hpp"
@@ -41,7 +42,7 @@ ExitCode replay(const ReplayRequest& request) {
     print_notice(
         fmt::format("condition {}, realisation {}: this program gives a result different from the one stored in {}, "
                     "which rocking {} computed; this is {}",
-                    condition_number, number, request.folder, store.identity().code, code_identity()));
+                    condition_number, number, request.folder, store.identity().code, base::code_identity()));
     return ExitCode::check_failed;
   }
   const std::int64_t periods = std::int64_t{condition.horizon.transient_periods} + condition.horizon.sampled_periods;
@@ -57,8 +58,7 @@ void add_replay(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking replay out --condition 12 --realisation 3\n"
       "prints the same as `rocking trajectory`, from the folder of a run. The exit code is 1 if the bits differ from "
-      "those of\n"
-      "the run.");
+      "those of the run.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--condition", request->key.condition, "Number of the condition, from 0")
       ->required()

@@ -10,8 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "analysis/settling_tables.hpp"
-#include "analysis/tables.hpp"
+#include "analysis/table_files.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
 #include "output.hpp"
@@ -48,12 +47,7 @@ Report load_report(const RunFolder& folder) {
             ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
             : folder.name() + ": contains no run (there is no report.json)");
   }
-  std::string text;
-  try {
-    text = read_file(folder.report_path());
-  } catch (const std::system_error& error) {
-    throw MissingInput(error.what());
-  }
+  const std::string text = input_of([&] { return read_file(folder.report_path()); });
   try {
     return parse_report(text);
   } catch (const base::InputError& error) {
@@ -86,28 +80,10 @@ ExitCode report_again(const ReportRequest& request) {
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }
   const fs::path tables = fs::path(request.folder) / "tables";
-  const auto write = [&](const std::string& name, const std::string& text) {
+  for (const auto& [name, text] : analysis::table_files(report, formats)) {
+    ensure_writable(tables);
     write_atomically(tables / name, text);
     written.push_back((tables / name).string());
-  };
-  if (formats.contains("csv") || formats.contains("latex")) ensure_writable(tables);
-  if (formats.contains("csv")) {
-    write("modes.csv", analysis::modes_csv(report));
-    write("non_recurrence.csv", analysis::non_recurrence_csv(report));
-    write("quantiles.csv", analysis::quantiles_csv(report));
-    if (report.has_settling()) {
-      write("settling.csv", analysis::settling_csv(report));
-      write("incidence.csv", analysis::incidence_csv(report));
-      write("leaving.csv", analysis::leaving_csv(report));
-      if (const std::string shares = analysis::long_run_csv(report); !shares.empty())
-        write("long_run_shares.csv", shares);
-    }
-  }
-  if (formats.contains("latex")) {
-    write("modes.tex", analysis::modes_latex(report));
-    if (report.has_settling()) write("settling.tex", analysis::settling_latex(report));
-    if (const std::string shares = analysis::long_run_latex(report); !shares.empty())
-      write("long_run_shares.tex", shares);
   }
   const std::string table = formats.contains("text") ? table_again(report) : "";
   print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})
@@ -126,10 +102,8 @@ void add_report(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking report out --format html,gnuplot\n"
       "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as data "
-      "(tsv), script\n"
-      "(gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: the table of "
-      "response\n"
-      "modes, on standard output.");
+      "(tsv), script (gp) and pictures drawn by gnuplot (svg, png, pdf). csv and latex: tables in out/tables. text: "
+      "the table of response modes, on standard output.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command->add_option("--format", request->formats, "What to write; default: all files")
       ->delimiter(',')

@@ -11,6 +11,7 @@
 #include "needs.hpp"
 #include "output.hpp"
 #include "realisation_list.hpp"
+#include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/extension.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/store/results_version.hpp"
@@ -38,7 +39,7 @@ void expect_same_results(const RunFolder& folder, const Identity& identity) {
   throw InTheWay(fmt::format(
       "{}: was begun by rocking {}, this is {}, which may give different results; finish it with the former, "
       "or start again in another folder",
-      folder.name(), identity.code, code_identity()));
+      folder.name(), identity.code, base::code_identity()));
 }
 
 // Damage is found before rows are added.
@@ -125,11 +126,9 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   command->footer(
       "Example: rocking resume out\n"
       "runs the realisations that are missing in out/realisations.sqlite and writes the report. All of it but `system` "
-      "has the\n"
-      "same bytes as without the interruption. If the file is damaged, the intact rows are kept, and the damaged file "
-      "is "
-      "kept\n"
-      "under another name. With --realisations N it extends the run: the bytes are those of one run of N.");
+      "has the same bytes as without the interruption. If the file is damaged, the intact rows are kept, and the "
+      "damaged file is kept under another name. With --realisations N it extends the run: the bytes are those of one "
+      "run of N.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
       ->add_option("--realisations", request->realisations,

@@ -83,7 +83,20 @@ Repair RunFolder::mend_store(Store damaged, const Experiment& experiment) const 
 }
 
 void RunFolder::extend_store(Store former, const Experiment& experiment, const Experiment& extension) const {
-  rocking::extend_store(store_path(), std::move(former), experiment, extension, code_identity());
+  rocking::extend_store(store_path(), std::move(former), experiment, extension, base::code_identity());
+}
+
+void RunFolder::expect_no_run() const {
+  if (has_report()) {
+    throw InTheWay(report_path().string() +
+                   ": already exists; choose another folder, or add --overwrite to replace it");
+  }
+  if (has_store() || has_replacement()) {
+    throw InTheWay(
+        fmt::format("{0}: contains a run; `rocking resume {0}` continues it. Otherwise choose another folder, "
+                    "or add --overwrite to replace it",
+                    name()));
+  }
 }
 
 void RunFolder::begin_replacement() {
@@ -137,17 +150,9 @@ void RunFolder::expect_installed() const {
                   name()));
 }
 
-std::string code_identity() {
-  const base::BuildInfo build = base::build_info();
-  return fmt::format("{} {}", build.version, build.revision);
-}
-
 Experiment experiment_of(const Identity& identity, const Overrides& overrides) {
-  try {
-    return read_experiment(identity.experiment, overrides, {.files = files_seen_from(identity.files)});
-  } catch (const std::system_error& error) {
-    throw MissingInput(error.what());
-  }
+  return input_of(
+      [&] { return read_experiment(identity.experiment, overrides, {.files = files_seen_from(identity.files)}); });
 }
 
 }  // namespace rocking::program

@@ -50,6 +50,8 @@ class RunFolder {
   /// An empty file, as a full disk or a power failure may leave, does not count: a new run loses nothing.
   [[nodiscard]] bool has_store() const;
   [[nodiscard]] bool has_report() const { return std::filesystem::exists(report_path()); }
+  /// Throws InTheWay if it has a run, finished or not.
+  void expect_no_run() const;
   /// Creates a store. Throws as Store does.
   [[nodiscard]] Store create_store(const Identity& identity) const;
   /// Opens the store. Throws MissingInput if there is none, otherwise as Store does.
@@ -76,9 +78,6 @@ class RunFolder {
   RunFiles files_;
   std::optional<FolderLock> lock_;
 };
-
-/// Version and revision of this program, as a store records them.
-[[nodiscard]] std::string code_identity();
 
 /// The experiment of a store. Throws InputError or MissingInput if a file that the experiment names has changed or is
 /// missing.

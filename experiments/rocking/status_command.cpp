@@ -6,12 +6,10 @@
 
 #include "commands.hpp"
 #include "output.hpp"
-#include "rocking/ensemble/run.hpp"
-#include "rocking/output/progress_note.hpp"
 #include "rocking/output/write_facts.hpp"
-#include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
-#include "run_folder.hpp"
+#include "standing.hpp"
+#include "study_file.hpp"
 
 namespace rocking::program {
 namespace {
@@ -20,48 +18,6 @@ struct StatusRequest {
   std::string folder;
   Loudness loudness;
 };
-
-/// State of a run.
-struct Standing {
-  std::string state;  ///< running, stopped or finished
-  std::string part;   ///< `2/5` of a shard; empty: the whole
-  Completeness realisations;
-  std::uint64_t failed = 0;  ///< of those that are done: stopped, or ended by Painleve's paradox
-  bool replaces = false;     ///< will replace an earlier run in the folder
-  double rate = 0.0;         ///< realisations per second of the active run; 0 if none is active or it has just started
-
-  [[nodiscard]] std::uint64_t missing() const { return realisations.all - realisations.done; }
-};
-
-double rate_of(const RunFolder& folder) {
-  if (!std::filesystem::exists(folder.progress_path())) return 0.0;
-  const auto note = read_progress_note(read_file(folder.progress_path()));
-  if (!note || note->elapsed_s <= 0.0) return 0.0;
-  return static_cast<double>(note->done - note->done_before) / note->elapsed_s;
-}
-
-bool has_no_answer(const Summary& summary) {
-  return summary.termination == dynamics::Termination::painleve ||
-         summary.termination == dynamics::Termination::stopped;
-}
-
-Standing standing_of(RunFolder& folder) {
-  const bool running = folder.is_at_work();
-  if (folder.has_replacement()) folder.enter_replacement();
-  // The running process checked the store when it started.
-  const Store store = running ? folder.open_store(sqlite::Access::read) : folder.open_valid_store();
-  Standing standing;
-  standing.replaces = folder.is_replacement();
-  if (const auto& shard = store.identity().shard) standing.part = fmt::format("{}/{}", shard->part, shard->parts);
-  standing.realisations = completeness(experiment_of(store.identity()), store);
-  store.for_each(
-      [&](const RealisationKey&, const Summary& summary) { standing.failed += has_no_answer(summary) ? 1 : 0; });
-  const bool complete =
-      standing.missing() == 0 && !standing.replaces && (folder.has_report() || !standing.part.empty());
-  standing.state = running ? "running" : complete ? "finished" : "stopped";
-  if (running) standing.rate = rate_of(folder);
-  return standing;
-}
 
 std::string to_text(const StatusRequest& request, const Standing& standing) {
   const auto [done, all] = standing.realisations;
@@ -97,7 +53,7 @@ std::vector<Fact> facts_of(const Standing& standing) {
 ExitCode status(const StatusRequest& request) {
   RunFolder folder(request.folder);
   const Standing standing = standing_of(folder);
-  print_result(request.loudness.json ? facts_text(facts_of(standing)) : base::printable(to_text(request, standing)));
+  print_study(request.loudness, facts_text(facts_of(standing)), to_text(request, standing));
   return ExitCode::done;
 }
 
@@ -109,9 +65,8 @@ void add_status(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking status out\n"
       "prints the numbers of finished, missing and failed realisations (failed: the model has no solution, or a limit "
-      "on the\n"
-      "work was reached); while another `rocking` is working in out, also its rate and the remaining time. It only "
-      "reads.");
+      "on the work was reached); while another `rocking` is working in out, also its rate and the remaining time. It "
+      "only reads.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return status(*request); }; });

@@ -43,9 +43,11 @@ std::string called(const CLI::App& app, const CLI::App& command) {
   return &command == &app ? app.get_name() : app.get_name() + ' ' + command.get_name();
 }
 
-/// Broken at blanks into lines of at most 92 letters, which is what a line of help has room for beside the names.
-std::string in_lines(const std::string& text) {
-  constexpr std::size_t width = 92;
+constexpr std::size_t footer_width = 120;
+constexpr std::size_t description_width = 92;  // beside the names
+
+/// Broken at blanks into lines of at most `width` letters.
+std::string in_lines(const std::string& text, std::size_t width) {
   std::string lines;
   std::size_t begin = 0;
   while (text.size() - begin > width) {
@@ -99,7 +101,16 @@ std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
 
 std::string HelpFormatter::make_option_desc(const CLI::Option* option) const {
   const auto choices = choices_of(*option);
-  return in_lines(option->get_description() + (choices.empty() ? "" : fmt::format(": {}", fmt::join(choices, ", "))));
+  return in_lines(option->get_description() + (choices.empty() ? "" : fmt::format(": {}", fmt::join(choices, ", "))),
+                  description_width);
+}
+
+std::string HelpFormatter::make_footer(const CLI::App* app) const {
+  std::string text;
+  for (const std::string& paragraph : CLI::detail::split(app->get_footer(), '\n')) {
+    text += in_lines(paragraph, footer_width) + '\n';
+  }
+  return text;
 }
 
 std::vector<std::string> choices_of(const CLI::Option& option) {

@@ -12,11 +12,13 @@ namespace rocking::program {
 /// "run"?`. Absent where every word is known.
 [[nodiscard]] std::optional<std::string> explain_unknown_word(const CLI::App& app, int argc, const char* const* argv);
 
-/// Help that shows of an option its type, default and choices, and not how these are checked.
+/// Help that shows of an option its type, default and choices, and not how these are checked, and
+/// wraps the text below.
 class HelpFormatter : public CLI::Formatter {
  public:
   [[nodiscard]] std::string make_option_opts(const CLI::Option* option) const override;
   [[nodiscard]] std::string make_option_desc(const CLI::Option* option) const override;
+  [[nodiscard]] std::string make_footer(const CLI::App* app) const override;
 };
 
 /// Accepts only these words; for another it suggests the most similar one.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "commands.hpp"
+#include "experiment_argument.hpp"
 #include "ground_motion_notes.hpp"
 #include "machine.hpp"
 #include "output.hpp"
@@ -44,8 +45,7 @@ void add_validate(CLI::App& app, Action& action) {
   command->footer(
       "Example: rocking validate my-experiment.json\n"
       "prints all problems together, each with its place, value and remedy; with --json it prints the experiment with "
-      "every\n"
-      "default written out.");
+      "every default written out.");
   command->add_option("FILE", request->file, "Experiment file (JSON); -: standard input")->required();
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return validate(*request); }; });

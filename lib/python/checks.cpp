@@ -1,4 +1,5 @@
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,15 +47,11 @@ void add_checks(py::module_& module) {
       return verify({experiment, run}, sample, execution);
     }));
   });
-  module.def("verify_report",
-             [](const std::string& report, const std::string& files, unsigned threads, py::object on_progress) {
-               return checked(watch(threads, std::move(on_progress), [&](const Execution& execution) {
-                 return verify_report(report, files, execution);
-               }));
-             });
-  module.def("report_faults", [](const std::string& report, const Experiment& experiment, const RunResult& run) {
-    const py::gil_scoped_release release;
-    return report_faults(report, {experiment, run});
+  module.def("verify_folder", [](const std::string& folder, std::optional<std::uint64_t> sample, unsigned threads,
+                                 py::object on_progress) {
+    return checked(watch(threads, std::move(on_progress), [&](const Execution& execution) {
+      return verify(std::filesystem::path(folder), sample, execution);
+    }));
   });
   module.def("replay", [](const Experiment& experiment, const RunResult& run, std::uint64_t condition,
                           std::uint64_t realisation, std::optional<std::int64_t> periods, int samples) {

@@ -293,7 +293,7 @@ TEST_F(RunFolder, IsNotVerifiedWhereTheSeedWasEdited) {
   EXPECT_EQ(foreign.exit_code, 1);
   EXPECT_THAT(
       foreign.output,
-      HasSubstr("report.json and realisations.sqlite have different experiments: /seed is \"0x2013\", not \"0x2012\""));
+      HasSubstr("report.json: another experiment than that of the realisations: /seed is \"0x2013\", not \"0x2012\""));
 }
 
 TEST_F(RunFolder, IsNotVerifiedWhereAnotherVersionGivesOtherBits) {

@@ -9,6 +9,7 @@
 #include "assignment.hpp"
 #include "exit_code.hpp"
 #include "interrupt.hpp"
+#include "rocking/base/build_info.hpp"
 #include "rocking/ensemble/pair_workers.hpp"
 #include "run_folder.hpp"
 
@@ -44,9 +45,9 @@ std::vector<PairOutcome> outcomes_of(const Session& session, const Experiment& e
 }
 
 void expect_same_code(const Identity& identity) {
-  if (identity.code == code_identity()) return;
+  if (identity.code == base::code_identity()) return;
   throw InTheWay(fmt::format("this process runs `rocking` {}, the first process runs {}; use the same build for all",
-                             code_identity(), identity.code));
+                             base::code_identity(), identity.code));
 }
 
 // Works until the assignment ends; returns the message that ended it.

@@ -52,34 +52,11 @@ def verify(
     >>> rocking.verify(rocking.run(slab))
     <rocking.RunCheck of 10 realisations: verified>
     """
-    if not isinstance(source, Result) and _has_only_a_report(source):
-        if sample is not None:
-            raise ValueError("sample: there are no stored realisations, only a report; omit it")
-        with open(os.path.join(os.fspath(source), "report.json"), encoding="utf-8") as file:
-            text = file.read()
-        checked, different, findings = _core.verify_report(
-            text, os.fspath(source), threads or processors(), progress
-        )
-        return RunCheck(checked, different, [f"report.json: {each}" for each in findings])
-    result = source if isinstance(source, Result) else open_run(source)
-    faults: List[str] = []
-    report = None if isinstance(source, Result) else os.path.join(os.fspath(source), "report.json")
-    if report is not None and os.path.exists(report):
-        with open(report, encoding="utf-8") as file:
-            text = file.read()
-        result._expect_complete()
-        faults = [f"report.json: {each}" for each in _core.report_faults(text, result.experiment._core, result._core)]
-    checked, different, findings = _core.verify(
-        result.experiment._core, result._core, sample, threads or processors(), progress
-    )
-    return RunCheck(checked, different, faults + findings)
-
-
-def _has_only_a_report(folder: Union[str, "os.PathLike[str]"]) -> bool:
-    store = os.path.join(os.fspath(folder), "realisations.sqlite")
-    if os.path.exists(store) and os.path.getsize(store) > 0:
-        return False
-    return os.path.exists(os.path.join(os.fspath(folder), "report.json"))
+    if isinstance(source, Result):
+        found = _core.verify(source.experiment._core, source._core, sample, threads or processors(), progress)
+    else:
+        found = _core.verify_folder(os.fspath(source), sample, threads or processors(), progress)
+    return RunCheck(*found)
 
 
 def replay(

@@ -3,8 +3,10 @@
 #include <utility>
 
 #include "rocking/api/refuse.hpp"
+#include "rocking/api/run_folder.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/api/run_store.hpp"
+#include "rocking/base/build_info.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
@@ -19,6 +21,7 @@
 #include "rocking/store/store.hpp"
 #include "rocking/studies/verification.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
 
 namespace rocking {
 namespace {
@@ -33,6 +36,46 @@ std::string text_of(const Difference& difference) {
   return text_of(difference.key) + ": the new result differs from the stored one in " + fields;
 }
 
+/// What makes the other numbers of a report say nothing about the run.
+std::vector<std::string> faults_of_experiment(const ReportClaims& claims, const StoredRun& stored) {
+  if (!has_stated_digest(claims)) return {std::string(wrong_digest_of_experiment)};
+  std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
+  for (std::string& fault : faults) fault.insert(0, "another experiment than that of the realisations: ");
+  return faults;
+}
+
+/// The claims of a report in a file; an error tells the file and the line.
+ReportClaims claims_in(const std::string& text, const std::filesystem::path& file) {
+  try {
+    return claims_of_report(text);
+  } catch (const base::InputError& error) {
+    throw located(error, text, file.string());
+  }
+}
+
+/// Checks a run beside its report. If the experiments differ, nothing is run.
+RunCheck verify_both(const std::string& text, const ReportClaims& claims, const StoredRun& stored,
+                     const std::optional<std::uint64_t>& sample, const Execution& execution) {
+  std::vector<std::string> faults = faults_of_experiment(claims, stored);
+  RunCheck check = faults.empty() ? verify(stored, sample, execution) : RunCheck{};
+  if (faults.empty() && !stored.run.is_complete()) faults = {"counts realisations that realisations.sqlite lacks"};
+  if (faults.empty()) faults = report_differences(text, report(stored.experiment, stored.run));
+  for (std::string& fault : faults) fault.insert(0, "report.json: ");
+  check.findings.insert(check.findings.begin(), faults.begin(), faults.end());
+  return check;
+}
+
+RunCheck verify_alone(const std::string& text, const std::filesystem::path& folder,
+                      const std::optional<std::uint64_t>& sample, const Execution& execution) {
+  if (sample) {
+    refuse("sample", std::to_string(*sample),
+           "asks for realisations of " + store_in(folder).string() + ", which is missing; omit it");
+  }
+  RunCheck check = verify_report(text, folder, execution);
+  for (std::string& finding : check.findings) finding.insert(0, "report.json: ");
+  return check;
+}
+
 }  // namespace
 
 RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, const Execution& execution) {
@@ -42,15 +85,15 @@ RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample, co
   asked.stop().check();
   RunCheck check{.checked = found.checked, .different = found.different, .findings = {}};
   for (const Difference& difference : found.differences) check.findings.push_back(text_of(difference));
+  if (found.different > found.differences.size()) {
+    check.findings.push_back(std::to_string(found.different) + " realisations differ in all");
+  }
   return check;
 }
 
 std::vector<std::string> report_faults(std::string_view text, const StoredRun& stored) {
-  const ReportClaims claims = claims_of_report(text);
-  if (!has_stated_digest(claims)) return {std::string(wrong_digest_of_experiment)};
-  std::vector<std::string> faults = experiment_differences(claims.experiment, stored.experiment.canonical_text);
-  if (!faults.empty()) return faults;  // other numbers follow from that
-  return report_differences(text, report(stored.experiment, stored.run));
+  std::vector<std::string> faults = faults_of_experiment(claims_of_report(text), stored);
+  return faults.empty() ? report_differences(text, report(stored.experiment, stored.run)) : faults;
 }
 
 RunCheck verify_report(std::string_view text, const std::filesystem::path& files, const Execution& execution) {
@@ -61,6 +104,20 @@ RunCheck verify_report(std::string_view text, const std::filesystem::path& files
   const ReportRerun again = rerun_report(text, experiment, asked.options());
   if (again.was_stopped) throw base::Stopped();
   return {.checked = again.checked, .findings = again.differences};
+}
+
+RunCheck verify(const std::filesystem::path& folder, std::optional<std::uint64_t> sample, const Execution& execution) {
+  const std::filesystem::path file = folder / "report.json";
+  if (!std::filesystem::exists(file)) return verify(open_run(folder), sample, execution);
+  const std::string text = read_file(file);
+  const ReportClaims claims = claims_in(text, file);
+  RunCheck check = has_store(folder) ? verify_both(text, claims, open_run(folder), sample, execution)
+                                     : verify_alone(text, folder, sample, execution);
+  if (!check.findings.empty() && claims.code != base::code_identity()) {
+    check.findings.push_back("the run was made by rocking " + claims.code + ", this is " + base::code_identity() +
+                             ": another version may give different results");
+  }
+  return check;
 }
 
 Trajectory replay(const StoredRun& stored, const TrajectoryRequest& request, const Execution& execution) {

@@ -35,6 +35,12 @@ struct RunCheck {
 [[nodiscard]] ROCKING_API RunCheck verify(const StoredRun& stored, std::optional<std::uint64_t> sample = {},
                                           const Execution& execution = {});
 
+/// The same of the run in a folder, with its report where there is one, which must follow from the realisations. Without a
+/// store the experiment of the report is run again, and there is no `sample`. Throws base::InputError with file and line
+/// where the report is none, and otherwise as open_run.
+[[nodiscard]] ROCKING_API RunCheck verify(const std::filesystem::path& folder, std::optional<std::uint64_t> sample = {},
+                                          const Execution& execution = {});
+
 /// What in the text of a report (`rocking.report/1`) does not follow from a complete run: the first ten differences.
 /// Throws base::InputError where the text is no report, and std::invalid_argument if the run is not complete.
 [[nodiscard]] ROCKING_API std::vector<std::string> report_faults(std::string_view report, const StoredRun& stored);

@@ -19,7 +19,9 @@ namespace {
 constexpr double tightest_tolerance = 1e-16;
 constexpr double coarsest_tolerance = 1e-2;
 
-void check_request(const CostRequest& request) {
+}  // namespace
+
+void check_request(const Experiment& experiment, const CostRequest& request) {
   if (!request.elapsed_seconds || !request.processor_seconds) {
     throw std::invalid_argument("a measurement of cost needs both clocks: elapsed_seconds and processor_seconds");
   }
@@ -32,18 +34,16 @@ void check_request(const CostRequest& request) {
     if (tightest_tolerance <= tolerance && tolerance <= coarsest_tolerance) continue;
     refuse("tolerances", base::shortest(tolerance), "must be from 1e-16 to 1e-2");
   }
-}
-
-}  // namespace
-
-Cost cost(const Experiment& experiment, const CostRequest& request, const Execution& execution) {
-  check_request(request);
-  const std::vector<double> tolerances = cost_tolerances(experiment, request.tolerances);
-  if (tolerances.size() < 3) {
+  if (cost_tolerances(experiment, request.tolerances).size() < 3) {
     refuse("tolerances", "",
            "are fewer than three with the experiment's own; the tightest is the reference and the second tightest the "
            "floor, so give at least three, for example 1e-8, 1e-11, 1e-14");
   }
+}
+
+Cost cost(const Experiment& experiment, const CostRequest& request, const Execution& execution) {
+  check_request(experiment, request);
+  const std::vector<double> tolerances = cost_tolerances(experiment, request.tolerances);
   const double start = request.elapsed_seconds();
   auto found = cost_within(experiment, tolerances, {.seconds = request.seconds, .sample = request.sample},
                            {.elapsed_seconds = [&] { return request.elapsed_seconds() - start; },

@@ -31,11 +31,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string code_name() {
-  const base::BuildInfo build = base::build_info();
-  return std::string(build.version) + ' ' + std::string(build.revision);
-}
-
 Experiment experiment_of(const Identity& identity) {
   return read_experiment(identity.experiment, Overrides{}, {.files = files_seen_from(identity.files)});
 }
@@ -88,7 +83,7 @@ Store store_in_folder(const Experiment& experiment, const Execution& execution, 
   if (store.identity().experiment != experiment.canonical_text) {
     expect_extensible(experiment, execution.folder, store);
     const Experiment former = experiment_of(store.identity());
-    extend_store(path, std::move(store), former, experiment, code_name());
+    extend_store(path, std::move(store), former, experiment, base::code_identity());
     store = open();
   }
   if (store.identity().shard != execution.shard) {
@@ -100,7 +95,7 @@ Store store_in_folder(const Experiment& experiment, const Execution& execution, 
 Store store_for(const Experiment& experiment, const Execution& execution, std::optional<fs::path>& damaged_file) {
   const fs::path& folder = execution.folder;
   Identity identity{
-      .experiment = experiment.canonical_text, .code = code_name(), .files = ".", .shard = execution.shard};
+      .experiment = experiment.canonical_text, .code = base::code_identity(), .files = ".", .shard = execution.shard};
   if (folder.empty()) return Store::in_memory(identity);
   if (experiment.canonical_text.empty()) {
     throw refused(folder, "an experiment without text cannot be kept in a folder",

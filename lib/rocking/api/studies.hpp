@@ -157,11 +157,13 @@ struct CostRequest {
   std::vector<double> tolerances = {};
 };
 
+/// Throws base::InputError for a number out of range or too few tolerances, std::invalid_argument without clocks.
+ROCKING_API void check_request(const Experiment& experiment, const CostRequest& request);
+
 /// Runs a sample of the realisations at several tolerances with common random numbers: error, changed response modes and
 /// processor time by tolerance, half-widths and time by number of realisations, and a recommended tolerance. Uses
-/// `threads`, `on_progress` and `stop` of the execution; progress counts realisations of the sample. Throws
-/// base::InputError for a number out of range, std::invalid_argument without clocks, and base::Stopped if it is asked to
-/// stop.
+/// `threads`, `on_progress` and `stop` of the execution; progress counts realisations of the sample. Throws as
+/// check_request, and base::Stopped if it is asked to stop.
 [[nodiscard]] ROCKING_API Cost cost(const Experiment& experiment, const CostRequest& request,
                                     const Execution& execution = {});
 

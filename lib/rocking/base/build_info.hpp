@@ -16,4 +16,7 @@ struct BuildInfo {
 
 [[nodiscard]] BuildInfo build_info();
 
+/// Version and revision in one text, as a store records them.
+[[nodiscard]] std::string code_identity();
+
 }  // namespace rocking::base

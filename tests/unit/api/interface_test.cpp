@@ -230,6 +230,29 @@ TEST_F(Interface, VerifiesTheBitsOfARun) {
   EXPECT_THAT(report_faults(text, stored), ::testing::Not(::testing::IsEmpty()));
 }
 
+TEST_F(Interface, VerifiesAFolderWithItsReport) {
+  const Experiment experiment = small_experiment();
+  const fs::path out = in("out");
+  const RunResult result = run(experiment, {.folder = out});
+  EXPECT_EQ(verify(out, 4).checked, 4U) << "without a report";
+  std::string text = report(experiment, result);
+  write_atomically(out / "report.json", text);
+  EXPECT_THAT(verify(out).findings, ::testing::IsEmpty());
+  const std::size_t digest = text.find(digest_of(result));
+  text[digest] = text[digest] == '0' ? '1' : '0';
+  write_atomically(out / "report.json", text);
+  EXPECT_THAT(verify(out, 4).findings, ::testing::ElementsAre(HasSubstr("report.json: ")));
+  write_atomically(out / "report.json", report(small_experiment(R"(, "title": "other")"), result));
+  const RunCheck other = verify(out);
+  EXPECT_EQ(other.checked, 0U) << "the realisations are those of another experiment";
+  EXPECT_THAT(other.findings, ::testing::ElementsAre(HasSubstr("another experiment")));
+  fs::remove(out / "realisations.sqlite");
+  EXPECT_EQ(verify(out).checked, 12U);
+  EXPECT_THAT(refusal([&] { static_cast<void>(verify(out, 4)); }), HasSubstr("sample"));
+  write_atomically(out / "report.json", "{}");
+  EXPECT_THAT(refusal([&] { static_cast<void>(verify(out)); }), HasSubstr("report.json, line 1"));
+}
+
 TEST_F(Interface, EstimatesRareEventsAgain) {
   const Experiment experiment = small_experiment();
   const RareRequest request{.question = {.event = {.peak_tilt = 0.1}, .relative_error = 0.5}, .particles = 20};

@@ -19,6 +19,12 @@ constexpr double few_seconds = 5.0;
 
 double time_for_sample(const CostBudget& budget) { return budget.seconds / (1.0 + timing_share); }
 
+/// Realisations that a measurement will reach in its time, judged by those that are done.
+std::uint64_t expected_sample(const CostBudget& budget, std::uint64_t done, double elapsed_seconds) {
+  const double all = static_cast<double>(done) * time_for_sample(budget) / std::max(elapsed_seconds, 1e-9);
+  return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_cost_sample))));
+}
+
 }  // namespace
 
 std::vector<double> cost_tolerances(const Experiment& experiment, std::span<const double> asked) {
@@ -29,18 +35,19 @@ std::vector<double> cost_tolerances(const Experiment& experiment, std::span<cons
   return {all.begin(), all.end()};
 }
 
-std::uint64_t expected_sample(const CostBudget& budget, std::uint64_t done, double elapsed_seconds) {
-  const double all = static_cast<double>(done) * time_for_sample(budget) / std::max(elapsed_seconds, 1e-9);
-  return std::max(done, static_cast<std::uint64_t>(std::min(all, static_cast<double>(largest_cost_sample))));
-}
-
 std::optional<Cost> cost_within(const Experiment& experiment, std::span<const double> tolerances,
                                 const CostBudget& budget, const CostClocks& clocks, const RunOptions& options) {
   CostPlan plan{.tolerances = {tolerances.begin(), tolerances.end()},
                 .sample = budget.sample.value_or(largest_cost_sample)};
   const double time = time_for_sample(budget);
   if (!budget.sample) plan.is_enough = [&clocks, time] { return clocks.elapsed_seconds() >= time; };
-  const auto sample = measure_cost(experiment, plan, options);
+  RunOptions sampling = options;
+  if (options.on_progress && !budget.sample) {
+    sampling.on_progress = [&](std::uint64_t done, std::uint64_t all) {
+      options.on_progress(done, std::min(all, expected_sample(budget, done, clocks.elapsed_seconds())));
+    };
+  }
+  const auto sample = measure_cost(experiment, plan, sampling);
   const double spent = clocks.elapsed_seconds();
   const double spare = std::min(few_seconds, budget.sample ? budget.seconds : budget.seconds - spent);
   const double end = spent + std::max(timing_share * spent, spare);

@@ -36,11 +36,9 @@ struct CostClocks {
 /// needs at least three: the last is the reference, the one before it the floor.
 [[nodiscard]] std::vector<double> cost_tolerances(const Experiment& experiment, std::span<const double> asked);
 
-/// Realisations that a measurement will reach in its time, judged by those that are done.
-[[nodiscard]] std::uint64_t expected_sample(const CostBudget& budget, std::uint64_t done, double elapsed_seconds);
-
 /// Measures the cost of accuracy at the given tolerances (see cost_tolerances), first on a sample, then the speed.
-/// Absent if it was asked to stop. `options.on_progress` counts the realisations of the sample.
+/// Absent if it was asked to stop. `options.on_progress` counts the realisations of the sample and those that
+/// it will reach in its time.
 [[nodiscard]] std::optional<Cost> cost_within(const Experiment& experiment, std::span<const double> tolerances,
                                               const CostBudget& budget, const CostClocks& clocks,
                                               const RunOptions& options);

@@ -1,0 +1,24 @@
+#include "dry_run.hpp"
+
+#include <fmt/format.h>
+
+#include "interrupt.hpp"
+#include "machine.hpp"
+#include "rocking/output/plan_text.hpp"
+#include "study_file.hpp"
+
+namespace rocking::program {
+
+ExitCode show_plan(const Experiment& experiment, const Means& means, const ExecutionOptions& execution) {
+  Plan plan = plan_of(experiment, means);
+  plan.time = estimate_time(experiment, means, {.elapsed_seconds = seconds_from_now(), .stop = stop_on_signal()});
+  if (why_stopped() == StopReason::signal) return ExitCode::interrupted;
+  if (plan.time) plan.time->seconds /= execution.pool.processes;
+  if (!plan.time) {
+    print_notice(fmt::format("the time is not known: no realisation was finished within {:g} s", longest_sample_s));
+  }
+  print_study(execution.loudness, facts_text(plan_facts(plan)), plan_text(plan));
+  return ExitCode::done;
+}
+
+}  // namespace rocking::program

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "campaign.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/studies/plan/plan.hpp"
+
+namespace rocking::program {
+
+/// Prints what a run would do, with its time.
+[[nodiscard]] ExitCode show_plan(const Experiment& experiment, const Means& means, const ExecutionOptions& execution);
+
+}  // namespace rocking::program

@@ -34,6 +34,13 @@ Table curve_table(const stats::NormalCheck& check) {
   const double high = check.histogram.edges.back();
   const double width = (high - low) / static_cast<double>(check.histogram.counts.size());
   const double top = static_cast<double>(check.n) * width / (check.law.sigma * std::sqrt(2.0 * 3.14159265358979323846));
+  if (check.skewness.of_law) {  // of a law that is not normal: what is expected in each bin
+    for (std::size_t i = 0; i < check.histogram.counts.size(); ++i) {
+      table.rows.push_back(
+          {0.5 * (check.histogram.edges[i] + check.histogram.edges[i + 1]), check.histogram.expected[i]});
+    }
+    return table;
+  }
   constexpr int parts = 240;
   for (int i = 0; i <= parts; ++i) {
     const double x = low + (high - low) * i / parts;
@@ -51,8 +58,9 @@ Figure normal_histogram(const SamplerCheck& check) {
   const stats::NormalCheck& found = check.found;
   Figure figure;
   figure.name = "normal_histogram";
-  figure.title = std::to_string(found.n) + " random numbers from N(" + number_text(found.law.mean) + ", " +
-                 number_text(found.law.sigma) + "²)";
+  const std::string law = check.distribution.value_or("normal");
+  figure.title = std::to_string(found.n) + " random numbers from " + (check.distribution ? law + " " : "N") + "(" +
+                 number_text(found.law.mean) + ", " + number_text(found.law.sigma) + "²)";
   figure.subtitle = "sampler " + check.sampler + ", seed " + seed_text(check.seed);
   figure.tables = {count_table(found.histogram), curve_table(found)};
   figure.panels.push_back({.title = "",
@@ -68,10 +76,10 @@ Figure normal_histogram(const SamplerCheck& check) {
                                   .table = 1,
                                   .columns = {0, 1},
                                   .style = {.colour = "#d55e00", .marker = 0, .width = 2.0},
-                                  .legend = "normal distribution"}};
+                                  .legend = law + " distribution"}};
   figure.caption = "Mean " + value_text(found.mean) + ", standard deviation " + value_text(found.standard_deviation) +
                    ", skewness " + value_text(found.skewness.test) + ", kurtosis " + value_text(found.kurtosis.test) +
-                   " (3 for a normal distribution).";
+                   " (" + significant(found.kurtosis.of_law.value_or(3.0), 5) + " for a " + law + " distribution).";
   return figure;
 }
 

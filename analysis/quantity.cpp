@@ -1,17 +1,45 @@
 #include "analysis/quantity.hpp"
 
 #include <algorithm>
+#include <optional>
+#include <string_view>
+#include <type_traits>
+#include <variant>
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
+namespace {
 
-double mean_of(const Json& quantity) {
-  if (quantity.is_number()) return quantity.get<double>();
-  if (quantity.contains("normal")) return quantity.at("normal").at("mean").get<double>();
-  const Json& ends = quantity.at("uniform");
-  return 0.5 * (ends.at(0).get<double>() + ends.at(1).get<double>());
+std::string_view name_of_law(const Quantity& quantity) {
+  return std::visit(
+      []<class Law>(const Law&) -> std::string_view {
+        if constexpr (std::is_same_v<Law, double>) {
+          return "";
+        } else {
+          return Law::name;
+        }
+      },
+      quantity);
 }
+
+/// Of a law that is given by it and reaches as far as it does; absent otherwise.
+std::optional<double> standard_deviation_in(const Quantity& quantity) {
+  return std::visit(
+      []<class Law>(const Law& law) -> std::optional<double> {
+        if constexpr (requires { law.between; }) {
+          if (law.between) return std::nullopt;
+        }
+        if constexpr (requires { law.sigma; }) return law.sigma;
+        return std::nullopt;
+      },
+      quantity);
+}
+
+}  // namespace
+
+double mean_of(const Json& quantity) { return rocking::mean_of(quantity_in(quantity)); }
 
 Spread spread_of(const std::vector<double>& numbers) {
   const auto [low, high] = std::ranges::minmax(numbers);
@@ -24,14 +52,19 @@ std::string spread_in_words(const Spread& spread, int digits) {
   return low == high ? low : low + " to " + high;
 }
 
-std::string quantity_in_words(const Json& quantity) {
-  const auto in_words = [](const Json& number) { return significant(number.get<double>(), 6); };
-  if (quantity.is_number()) return in_words(quantity);
-  if (quantity.contains("uniform")) {
-    return in_words(quantity.at("uniform").at(0)) + " to " + in_words(quantity.at("uniform").at(1)) + " (drawn)";
+std::string quantity_in_words(const Json& written) {
+  const auto in_words = [](double number) { return significant(number, 6); };
+  const Quantity quantity = quantity_in(written);
+  const double mean = rocking::mean_of(quantity);
+  if (!is_drawn(quantity)) return in_words(mean);
+  const std::string name(name_of_law(quantity));
+  if (const auto sigma = standard_deviation_in(quantity)) {
+    return in_words(mean) + " (drawn, " + (name == "normal" ? "" : name + ", ") + "standard deviation " +
+           in_words(*sigma) + ')';
   }
-  const Json& normal = quantity.at("normal");
-  return in_words(normal.at("mean")) + " (drawn, standard deviation " + in_words(normal.at("sigma")) + ")";
+  const Reach reach = reach_of(quantity);
+  return in_words(reach.least) + " to " + in_words(reach.largest) +
+         (name == "uniform" ? " (drawn)" : " (drawn, " + name + ')');
 }
 
 }  // namespace rocking::analysis

@@ -7,6 +7,7 @@
 #include "analysis/data_file.hpp"
 #include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/number_text.hpp"
 
@@ -128,8 +129,9 @@ std::string in_metres(const Json& length) {
 /// `, A_h = 4.2`, if the experiment contains it.
 std::string in_words(const Json& experiment, const char* pointer, const std::string& words) {
   const Json::json_pointer place(pointer);
-  if (!experiment.contains(place) || !experiment.at(place).is_number()) return "";
-  return ", " + words + ' ' + significant(experiment.at(place).get<double>(), 6);
+  if (!experiment.contains(place)) return "";
+  const Json& value = experiment.at(place);
+  return value.is_number() || has_law(value) ? ", " + words + ' ' + quantity_in_words(value) : "";
 }
 
 }  // namespace

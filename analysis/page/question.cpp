@@ -17,6 +17,7 @@
 #include "analysis/quantity.hpp"
 #include "analysis/sweep_view.hpp"
 #include "rocking/input/excitation_words.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/output/impacts_text.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
@@ -28,7 +29,9 @@ namespace {
 constexpr std::size_t most_listed = 4;
 
 std::string number(const Json& value) {
-  return value.is_number() ? significant(value.get<double>(), 6) : escaped(brief(value));
+  if (value.is_number()) return significant(value.get<double>(), 6);
+  if (value.is_object() && value.contains("ratio")) return number(value.at("ratio")) + " of it";
+  return value.is_object() ? escaped(quantity_in_words(value)) : escaped(brief(value));
 }
 
 /// Geometry of the mean block, from which the other numbers are computed.
@@ -78,11 +81,11 @@ std::string swept_mark(const Report& report, const std::string& pointer) {
 
 /// Whether each realisation draws what stands at a place, in some condition.
 bool is_random(const Report& report, const std::string& pointer) {
-  const auto has_law = [&](const ReportedCondition& condition) {
-    return value_at(report, condition, pointer).is_object();
+  const auto is_drawn = [&](const ReportedCondition& condition) {
+    return has_law(value_at(report, condition, pointer));
   };
-  return is_swept(report, pointer) ? std::ranges::any_of(report.conditions, has_law)
-                                   : has_law(report.conditions.front());
+  return is_swept(report, pointer) ? std::ranges::any_of(report.conditions, is_drawn)
+                                   : is_drawn(report.conditions.front());
 }
 
 /// A form of the shaking over all conditions; absent if one of them has none.
@@ -156,9 +159,11 @@ std::string shaking_in_brief(const Report& report) {
     const bool is_amplitude = each.key.starts_with("amplitude");
     const std::string both =
         both_forms_html(report, is_amplitude ? &Shaking::given_amplitude : &Shaking::given_frequency);
-    const double written = excitation.at(std::string(each.key));
+    const Json& given = excitation.at(std::string(each.key));
+    const double written = mean_of(given);
     text += is_amplitude ? " with amplitude " : each.key == "period_s" ? " at a period of " : " at ";
     text += both.empty() ? form_html(each.key, {.low = written, .high = written}, 6) : both;
+    if (has_law(given)) text += " on average";
   }
   return text + (has_random_block(report) && report.conditions.front().shaking ? " for the mean block" : "");
 }
@@ -199,15 +204,8 @@ std::string random_in_brief(const Report& report) {
     }
     add(words);
   }
-  constexpr std::array<std::pair<const char*, const char*>, 6> quantities{
-      {{"/block/width_m", "width"},
-       {"/block/height_m", "height"},
-       {"/excitation/phase_rad", "phase"},
-       {"/initial/tilt", "initial tilt"},
-       {"/initial/tilt_rate", "initial tilt rate"},
-       {"/initial/slip_rate", "initial slip rate"}}};
-  for (const auto& [pointer, words] : quantities) {
-    if (is_random(report, pointer)) add(words);
+  for (const DrawnPlace& place : places_of_quantities()) {
+    if (is_random(report, place.pointer)) add(place.name);
   }
   return what;
 }

@@ -30,17 +30,18 @@ bool only_uplift_starts(const Scene& scene, const dynamics::Geometry& block) {
   };
   const bool at_rest =
       is_zero(scene.initial.tilt) && is_zero(scene.initial.tilt_rate) && is_zero(scene.initial.slip_rate);
-  const bool is_random = is_drawn(Quantity(scene.block.width)) || is_drawn(Quantity(scene.block.height));
-  const bool holds = !scene.friction ||
-                     (scene.fluctuation.static_friction == 0.0 && scene.friction->static_coefficient >= block.tangent);
+  const bool is_random = is_drawn(scene.block.width) || is_drawn(scene.block.height);
+  const bool holds = !scene.friction || (scene.fluctuation.static_friction == 0.0 &&
+                                         reach_of(scene.friction->static_coefficient).least >= block.tangent);
   return at_rest && !is_random && holds;
 }
 
 void take_in(const Condition& condition, const Recorded& recorded, UsedMotion& used) {
   const dynamics::Geometry block = dynamics::geometry_of(mean_block(condition.scene));
   const auto uplift = least_uplift_scale(recorded.ground_motion->samples, block);
-  used.largest_scale = std::max(used.largest_scale, recorded.scale);
-  used.may_move = used.may_move || !only_uplift_starts(condition.scene, block) || (uplift && recorded.scale >= *uplift);
+  const double largest_scale = reach_of(recorded.scale).largest;
+  used.largest_scale = std::max(used.largest_scale, largest_scale);
+  used.may_move = used.may_move || !only_uplift_starts(condition.scene, block) || (uplift && largest_scale >= *uplift);
   if (uplift) used.uplift_scale = used.uplift_scale ? std::min(*used.uplift_scale, *uplift) : *uplift;
 }
 

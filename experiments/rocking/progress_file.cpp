@@ -10,7 +10,7 @@
 namespace rocking::program {
 namespace {
 
-constexpr std::chrono::seconds interval(5);
+constexpr std::chrono::seconds between_notes(5);
 
 }  // namespace
 
@@ -24,7 +24,7 @@ ProgressFile::~ProgressFile() {
 void ProgressFile::note(std::uint64_t done, std::uint64_t all) {
   if (!done_before_) done_before_ = done;
   if (Clock::now() < next_) return;
-  next_ = Clock::now() + interval;
+  next_ = Clock::now() + between_notes;
   const ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
                           .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),
                           .done_before = *done_before_,

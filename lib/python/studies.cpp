@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <ctime>
@@ -94,6 +95,14 @@ std::string motion_text_of(std::vector<std::string> files, std::optional<std::st
   return motion_text(request, motion(request));
 }
 
+FluctuationLaw fluctuation_law_named(const std::string& name) {
+  const auto place = std::ranges::find(fluctuation_law_names, name);
+  if (place == fluctuation_law_names.end()) {
+    throw py::value_error("law: \"" + name + "\" is none; they are normal, lognormal, uniform");
+  }
+  return static_cast<FluctuationLaw>(place - fluctuation_law_names.begin());
+}
+
 }  // namespace
 
 void add_studies(py::module_& module) {
@@ -119,8 +128,13 @@ void add_studies(py::module_& module) {
   module.def("motion", &motion_text_of, py::call_guard<py::gil_scoped_release>());
   module.def(
       "check_normal",
-      [](std::uint64_t n, double mean, double sigma, std::uint64_t seed, const std::string& sampler) {
-        const SamplerQuestion question{.n = n, .law = {.mean = mean, .sigma = sigma}, .seed = seed, .sampler = sampler};
+      [](std::uint64_t n, double mean, double sigma, const std::string& law, std::uint64_t seed,
+         const std::string& sampler) {
+        const SamplerQuestion question{.n = n,
+                                       .law = {.mean = mean, .sigma = sigma},
+                                       .distribution = fluctuation_law_named(law),
+                                       .seed = seed,
+                                       .sampler = sampler};
         return check_normal_text(question, check_normal(question));
       },
       py::call_guard<py::gil_scoped_release>());

@@ -69,7 +69,8 @@ struct Subject {
     double largest = 1.0;
     for (const double sign : {1.0, -1.0}) {
       Subject other = *this;
-      support::harmonic(other.condition.scene).amplitude *= 1.0 + sign * change;
+      Quantity& amplitude = support::harmonic(other.condition.scene).amplitude;
+      amplitude = mean_of(amplitude) * (1.0 + sign * change);
       auto* tilt = std::get_if<double>(&other.condition.scene.initial.tilt);
       if (tilt != nullptr) *tilt *= 1.0 - sign * change;
       largest = std::max(largest, distance(other.values(1e-14), here) / change);

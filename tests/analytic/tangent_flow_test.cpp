@@ -189,7 +189,7 @@ TEST(TangentFlow, IsTheSameForTheMirrorImage) {
     Scene scene = support::random_scene(random);
     scene.fluctuation.amplitude = 0.0;  // the mirror image has a negative amplitude, which a draw would be clamped to 0
     const Flow flow = flow_of(scene, seed, 2);
-    support::harmonic(scene).amplitude *= -1.0;
+    support::harmonic(scene).amplitude = -mean_of(support::harmonic(scene).amplitude);
     for (Quantity* quantity : {&scene.initial.tilt, &scene.initial.tilt_rate, &scene.initial.slip_rate}) {
       quantity->emplace<double>(-std::get<double>(*quantity));
     }

@@ -35,14 +35,14 @@ Question displaced(const Question& question, std::uint64_t signs, double size) {
     return value * factor;
   };
   scene.block.height = nudge(mean_block(scene).height);
-  support::harmonic(scene).amplitude = nudge(support::harmonic(scene).amplitude);
+  support::harmonic(scene).amplitude = nudge(mean_of(support::harmonic(scene).amplitude));
   support::harmonic(scene).phase = nudge(std::get<double>(support::harmonic(scene).phase));
-  scene.restitution = nudge(std::get<double>(scene.restitution));
+  scene.restitution = nudge(mean_of(std::get<Quantity>(scene.restitution)));
   if (scene.friction) {
-    auto& [mu_s, mu_k] = *scene.friction;
-    const bool equal = mu_s == mu_k;
-    mu_s = nudge(mu_s);
-    mu_k = equal ? mu_s : nudge(mu_k);
+    Friction& friction = *scene.friction;
+    const bool equal = mean_static(friction) == mean_kinetic(friction);
+    friction.static_coefficient = nudge(mean_static(friction));
+    friction.kinetic_coefficient = equal ? mean_static(friction) : nudge(mean_kinetic(friction));
   }
   for (Quantity* start : {&scene.initial.tilt, &scene.initial.tilt_rate, &scene.initial.slip_rate}) {
     *start = nudge(std::get<double>(*start));

@@ -79,13 +79,13 @@ TEST(Differential, ItsScenesKnowEveryKindOfEvent) {
 }
 
 TEST(Differential, NoticesARestitutionThatIsOffByATenMillionth) {
-  const auto change = [](Scene& scene) { std::get<double>(scene.restitution) += 1e-7; };
+  const auto change = [](Scene& scene) { scene.restitution = mean_of(std::get<Quantity>(scene.restitution)) + 1e-7; };
   EXPECT_GE(noticed(20, change), 5);
 }
 
 TEST(Differential, NoticesAFrictionThatIsOffByATenMillionth) {
   const auto change = [](Scene& scene) {
-    if (scene.friction) scene.friction->kinetic_coefficient *= 1.0 - 1e-7;
+    if (scene.friction) scene.friction->kinetic_coefficient = mean_kinetic(*scene.friction) * (1.0 - 1e-7);
   };
   EXPECT_GE(noticed(20, change), 5);
 }

@@ -22,10 +22,10 @@ peer::Scene peer_scene(const Question& question) {
   const double turn = 2.0 * std::numbers::pi;
   const double phase = std::get<double>(support::harmonic(scene).phase);
   peer::Scene same{.slenderness = mean_block(scene).height / mean_block(scene).width,
-                   .amplitude = support::harmonic(scene).amplitude,
-                   .frequency = support::harmonic(scene).frequency_ratio,
+                   .amplitude = mean_of(support::harmonic(scene).amplitude),
+                   .frequency = mean_of(support::harmonic(scene).frequency_ratio),
                    .phase = phase - turn * std::floor(phase / turn),
-                   .restitution = std::get<double>(scene.restitution),
+                   .restitution = mean_of(std::get<Quantity>(scene.restitution)),
                    .friction = std::nullopt,
                    .edge_inertia = scene.slide_inertia == dynamics::SlideInertia::edge,
                    .signed_impact_rule = scene.impact_slip_rule == dynamics::ImpactSlipRule::signed_ratio,
@@ -39,7 +39,7 @@ peer::Scene peer_scene(const Question& question) {
                    .slip_rate = std::get<double>(scene.initial.slip_rate),
                    .seed = question.seed,
                    .realisation = question.realisation};
-  if (scene.friction) same.friction = {scene.friction->static_coefficient, scene.friction->kinetic_coefficient};
+  if (scene.friction) same.friction = {mean_static(*scene.friction), mean_kinetic(*scene.friction)};
   return same;
 }
 

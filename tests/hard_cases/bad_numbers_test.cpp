@@ -268,7 +268,7 @@ std::vector<Place> places() {
       {"/excitation/phase_rad", [](auto& c, double x) { support::harmonic(c.scene).phase = x; }, true},
       {"/friction/static",
        [](auto& c, double x) {  // kinetic friction is not above it
-         const double kinetic = std::min(c.scene.friction->kinetic_coefficient, x);
+         const double kinetic = std::min(mean_kinetic(*c.scene.friction), x);
          c.scene.friction = Friction{.static_coefficient = x, .kinetic_coefficient = kinetic};
        },
        true},

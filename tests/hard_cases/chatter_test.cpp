@@ -153,7 +153,7 @@ TEST(ChatterToSlide, StopsAtTheTimeAndPlaceOfTheClosedForm) {
     }
     if (!is_one_way) continue;
     ++found;
-    const double mu_k = condition.scene.friction->kinetic_coefficient;
+    const double mu_k = mean_kinetic(*condition.scene.friction);
     const Stop stop = stop_of(slip_rate, tilt_rate * psi, mu_k, psi);
     const TrajectoryEvent& end = trajectory.events.back();
     const double bound = (0.5 * tolerance + 1e-12) / mu_k;

@@ -100,6 +100,8 @@ std::vector<Condition> recorded_crowd() {
       conditions.push_back(recorded(motion, 1.0, rough));
       conditions.back().scene.fluctuation.amplitude = 0.2;  // its jumps are no knots
       conditions.push_back(recorded(motion, 1.0, rough));
+      std::get<Recorded>(conditions.back().scene.excitation).scale = Lognormal{.mean = 1.0, .sigma = 0.3};
+      conditions.push_back(recorded(motion, 1.0, rough));
       conditions.back().tolerance = 1e-6;
     }
   }
@@ -167,6 +169,18 @@ std::vector<Condition> crowd() {
   support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   conditions.back().scene.fluctuation.static_friction = conditions.back().scene.fluctuation.kinetic_friction = 0.02;
   conditions.back().horizon = {.transient_periods = 200, .sampled_periods = 120};
+  for (const FluctuationLaw law : {FluctuationLaw::lognormal, FluctuationLaw::uniform}) {  // correlated friction
+    conditions.push_back(shaken(6.6, rough));
+    Fluctuation& fluctuation = conditions.back().scene.fluctuation;
+    fluctuation = {.static_friction = 0.03, .kinetic_friction = 0.04, .friction_correlation = 0.7};
+    fluctuation.laws.static_friction = fluctuation.laws.kinetic_friction = law;
+  }
+  conditions.push_back(shaken(1.0));  // every number drawn once
+  support::harmonic(conditions.back().scene).amplitude = Lognormal{.mean = 6.0, .sigma = 2.0};
+  support::harmonic(conditions.back().scene).frequency_ratio = Uniform{.low = 8.0, .high = 12.0};
+  conditions.back().scene.restitution = Triangular{.low = 0.0, .mode = 0.1, .high = 0.3};
+  conditions.back().scene.friction =
+      Friction{.static_coefficient = Normal{.mean = 0.4, .sigma = 0.05}, .kinetic_ratio = 0.9};
   conditions.push_back(shaken(0.6));  // chatters to rest, repeatedly
   conditions.push_back(shaken(4.5));
   conditions.back().scene.fluctuation.restitution = 0.05;

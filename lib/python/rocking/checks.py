@@ -91,20 +91,22 @@ def check_normal(
     *,
     mean: float = 0.4,
     sigma: float = 0.03,
+    law: str = "normal",
     seed: int = 0x2012,
     sampler: str = "box-muller",
 ) -> documents.SamplerCheck:
-    """Compare random numbers with a normal distribution: moments, tests of fit, correlations, histogram.
+    """Compare random numbers with a distribution: moments, tests of fit, correlations, histogram.
 
-    n: how many numbers, 20 to 1e8. sampler: ``box-muller``, that of simulations, ``ziggurat`` or ``inverse-cdf``.
-    Raises InputError for a number out of range.
+    n: how many numbers, 20 to 1e8. law: ``normal``, ``lognormal`` or ``uniform``, with this mean and standard deviation
+    (sigma). sampler: ``box-muller``, that of simulations, ``ziggurat`` or ``inverse-cdf``.
+    Raises InputError for a number out of range, ValueError for an unknown law.
 
     >>> import rocking
     >>> found = rocking.check_normal(1000)
     >>> abs(found.mean.value - 0.4) < 0.01
     True
     """
-    return documents.SamplerCheck(_core.check_normal(n, mean, sigma, seed, sampler))
+    return documents.SamplerCheck(_core.check_normal(n, mean, sigma, law, seed, sampler))
 
 
 def doctor() -> Dict[str, Any]:

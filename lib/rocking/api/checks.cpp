@@ -150,6 +150,11 @@ stats::NormalCheck check_normal(const SamplerQuestion& question) {
   if (!is_sampler(question.sampler)) {
     refuse("sampler", question.sampler, "is no sampler: they are box-muller, ziggurat, inverse-cdf");
   }
+  if (question.distribution == FluctuationLaw::lognormal &&
+      !(question.law.mean > 0.0 && question.law.sigma <= 100.0 * question.law.mean)) {
+    refuse("mean", base::shortest(question.law.mean),
+           "must be positive for a lognormal law, and at least a hundredth of sigma");
+  }
   auto found = check_sampler(question);
   if (!found) {
     refuse("sigma", base::shortest(question.law.sigma),
@@ -159,7 +164,7 @@ stats::NormalCheck check_normal(const SamplerQuestion& question) {
 }
 
 std::string check_normal_text(const SamplerQuestion& question, const stats::NormalCheck& found) {
-  return check_normal_document().text({.sampler = question.sampler, .seed = question.seed, .found = found});
+  return check_normal_document().text(sampler_check(question, found));
 }
 
 std::vector<base::ArithmeticCheck> check_arithmetic() { return base::arithmetic_checks(); }

@@ -8,6 +8,7 @@
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/scene/keys.hpp"
+#include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/json.hpp"
 
@@ -37,11 +38,7 @@ Json number_schema(const NumberRule& rule) { return type_of<double>().schema(rul
 
 /// A number, or one of the laws from which it is drawn once.
 Json quantity_schema(const NumberRule& rule) {
-  const Json ends = {{"type", "array"}, {"items", number_schema(rule)}, {"minItems", 2}, {"maxItems", 2}};
-  const Json normal = closed_object({{"mean", number_schema(rule)}, {"sigma", number_schema(rules::sigma)}},
-                                    Json::array({"mean", "sigma"}));
-  return {{"oneOf", Json::array({number_schema(rule), closed_object({{"uniform", ends}}, Json::array({"uniform"})),
-                                 closed_object({{"normal", normal}}, Json::array({"normal"}))})}};
+  return {{"oneOf", Json::array({number_schema(rule), {{"$ref", "#/definitions/law"}}})}};
 }
 
 Json words_schema(std::span<const std::string_view> names) {
@@ -84,6 +81,10 @@ class DescribingKeys final : public Keys {
     add(key, with_default(type_of<std::int64_t>().schema(bounds_of(rule)), value, absent),
         "integer, " + std::to_string(rule.low) + " to " + std::to_string(rule.high), absent, std::to_string(value));
   }
+  void numbers(const Key& key, std::vector<double>&, const ListLength& length, const NumberRule& rule) override {
+    add(key, {{"type", "array"}, {"items", number_schema(rule)}, {"minItems", length.least}, {"maxItems", length.most}},
+        "list", Absent::error, "");
+  }
   void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) override {
     add(key, with_default(quantity_schema(rule), std::get<double>(value), absent),
         "*quantity* " + interval(rule.bounds), absent, base::shortest(std::get<double>(value)));
@@ -94,11 +95,22 @@ class DescribingKeys final : public Keys {
   }
   void restitution(const Key& key, Restitution&, Absent absent) override {
     const Json measured =
-        closed_object({{"rate_ratio", number_schema(rules::rate_ratio)}}, Json::array({"rate_ratio"}));
-    add(key, {{"oneOf", Json::array({number_schema(rules::restitution), {{"const", "jy25"}}, measured})}},
-        interval(rules::restitution.bounds) + ", `jy25`, or `{\"rate_ratio\": r}` with r in " +
-            interval(rules::rate_ratio.bounds),
+        closed_object({{"rate_ratio", quantity_schema(rules::rate_ratio)}}, Json::array({"rate_ratio"}));
+    Json schema = quantity_schema(rules::restitution);
+    schema["oneOf"].push_back({{"const", "jy25"}});
+    schema["oneOf"].push_back(measured);
+    add(key, std::move(schema),
+        "*quantity* " + interval(rules::restitution.bounds) +
+            ", `jy25`, or `{\"rate_ratio\": r}` with *quantity* r in " + interval(rules::rate_ratio.bounds),
         absent, "");
+  }
+  void kinetic_friction(const Key& key, Friction&) override {
+    Json schema = quantity_schema(rules::friction_coefficient);
+    schema["oneOf"].push_back(closed_object({{"ratio", number_schema(rules::kinetic_ratio)}}, Json::array({"ratio"})));
+    add(key, std::move(schema),
+        "*quantity* " + interval(rules::friction_coefficient.bounds) + ", or `{\"ratio\": r}` with r in " +
+            interval(rules::kinetic_ratio.bounds),
+        Absent::error, "");
   }
   void mode(const Key& key, std::optional<section::ResponseMode>&) override {
     add(key, {{"type", "string"}, {"pattern", section::response_mode_pattern()}}, "name of a response mode",
@@ -129,12 +141,13 @@ class DescribingKeys final : public Keys {
     }
     require_one_of({sigma.name, relative.name});
   }
-  bool one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent absent) override {
+  bool one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) override {
     Json required = Json::array();
     for (const UnitKey& unit : units) {
       const bool is_standard = absent == Absent::standard && &unit == units.data();
-      add(unit.key, with_default(number_schema(unit.rule), value.value, is_standard ? absent : Absent::omitted),
-          interval(unit.rule.bounds), is_standard ? absent : Absent::omitted, base::shortest(value.value));
+      const double standard = mean_of(value.value);
+      add(unit.key, with_default(quantity_schema(unit.rule), standard, is_standard ? absent : Absent::omitted),
+          "*quantity* " + interval(unit.rule.bounds), is_standard ? absent : Absent::omitted, base::shortest(standard));
       required.push_back({{"required", Json::array({unit.key.name})}});
     }
     if (absent == Absent::error) conditions_.push_back({{"oneOf", required}});
@@ -238,6 +251,20 @@ class DescribingKeys final : public Keys {
   Json kinds_ = Json::array();       ///< the whole object for each kind
 };
 
+/// Any of the laws, whatever its numbers.
+Json law_schema() {
+  constexpr NumberRule any_number{.bounds = {}, .demand = "", .example = ""};
+  Json laws = Json::array();
+  for (std::size_t i = 0; i < law_names.size(); ++i) {
+    std::vector<ExperimentKeyRow> rows;
+    DescribingKeys keys("", rows);
+    Quantity law = law_at(i);
+    keys_of_law(keys, law, any_number);
+    laws.push_back(keys.schema());
+  }
+  return {{"oneOf", laws}};
+}
+
 /// Goes through all keys; returns the schema of the object that they stand in.
 Json describe(std::vector<ExperimentKeyRow>& rows) {
   Question question;
@@ -259,7 +286,8 @@ std::string experiment_schema_text() {
                  {"type", "object"},
                  {"properties", {{"format", {{"const", experiment_format}}}}},
                  {"required", Json::array({"format"})},
-                 {"additionalProperties", false}};
+                 {"additionalProperties", false},
+                 {"definitions", {{"law", law_schema()}}}};
   schema["properties"].update(keys["properties"]);
   for (const Json& key : keys["required"]) schema["required"].push_back(key);
   return schema.dump(2) + '\n';

@@ -57,13 +57,13 @@ std::string read_named_file(ObjectReader& keys, std::string_view key, std::strin
   return name;
 }
 
-double scale_for(ObjectReader& keys, const Strength& strength, const GroundMotion& motion, double gravity) {
+Quantity scale_for(ObjectReader& keys, const Strength& strength, const GroundMotion& motion, double gravity) {
   const std::string_view key = strength.unit.key.name;
   if (key == "scale") return strength.value;
   const bool is_acceleration = key == "pga_g";
   const double peak = is_acceleration ? peak_acceleration(motion.samples) : peak_velocity(motion.samples, gravity);
-  const double scale = strength.value / peak;
-  if (rules::scale.allows(scale)) return scale;
+  Quantity scale = divided(strength.value, peak);
+  if (rules::scale.allows(reach_of(scale).largest)) return scale;
   keys.reject(key,
               "needs a scale above 1e6, since the peak of " + motion.name + " is " + base::significant(peak, 3) +
                   (is_acceleration ? " g" : " m/s"),

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "rocking/input/read_quantity.hpp"
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/input/read_recorded.hpp"
 #include "rocking/input/read_scatter.hpp"
 #include "rocking/input/record_formats.hpp"
 #include "rocking/input/sweep.hpp"
+#include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/seed_text.hpp"
 
@@ -42,6 +43,21 @@ bool is_swept(const Json* sweep, std::string_view place) {
   });
 }
 
+std::string list_demand(const ListLength& length) {
+  const std::string least = std::to_string(length.least);
+  return "must be a list of " + (length.least == length.most ? least : least + " to " + std::to_string(length.most)) +
+         " numbers";
+}
+
+std::string list_example(const ListLength& length, const NumberRule& rule) {
+  const double first = Json::parse(rule.example).get<double>();
+  Json list = Json::array();
+  for (std::size_t i = 0; i < std::max<std::size_t>(length.least, 2); ++i) {
+    list.push_back(first + 0.1 * static_cast<double>(i));
+  }
+  return list.dump();
+}
+
 /// Reports that there is none of the keys.
 void report_none_of(ObjectReader& in, std::span<const UnitKey> units) {
   std::string remedy = "add ";
@@ -66,8 +82,57 @@ void ReadingKeys::whole_number(const Key& key, std::int64_t& value, const Intege
   value = in_.integer(key.name, absent == Absent::error ? rule : rule.with_default(value));
 }
 
+void ReadingKeys::numbers(const Key& key, std::vector<double>& values, const ListLength& length,
+                          const NumberRule& rule) {
+  values.clear();
+  const Json* found = in_.value(key.name);
+  if (found == nullptr || !found->is_array() || found->size() < length.least || found->size() > length.most) {
+    return in_.reject(key.name, list_demand(length) + ": " + std::string(key.sentence),
+                      "give a value such as " + list_example(length, rule));
+  }
+  for (std::size_t i = 0; i < found->size(); ++i) {
+    const std::string place = child_pointer(in_.place_of(key.name), std::to_string(i));
+    if (const auto number = checked_number((*found)[i], place, rule, in_.problems())) values.push_back(*number);
+  }
+  in_.write(key.name, values);
+}
+
+/// The law in the object that stands at the key.
+void ReadingKeys::law(const Key& key, Quantity& value, const NumberRule& rule) {
+  in_.object(key.name, [&](ObjectReader& object) {
+    std::vector<std::size_t> given;
+    for (std::size_t i = 0; i < law_names.size(); ++i) {
+      if (object.has(law_names[i])) given.push_back(i);
+    }
+    if (given.size() != 1) {
+      return in_.reject(key.name, given.empty() ? "has no distribution" : "cannot have two distributions",
+                        "give {\"uniform\": [a, b]}, {\"normal\": {\"mean\": m, \"sigma\": s}}, or another law: " +
+                            in_words(law_names));
+    }
+    const std::size_t problems_before = problem_count();
+    value = law_at(given.front());
+    ReadingKeys keys(object, context_);
+    keys_of_law(keys, value, rule);
+    if (problem_count() == problems_before) {
+      if (auto refusal = refusal_of_law(value)) keys.reject(law_names[given.front()], *std::move(refusal));
+    }
+    if (problem_count() != problems_before) value = 0.0;  // its numbers are no law
+  });
+}
+
 void ReadingKeys::quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) {
-  value = read_quantity(in_, key.name, absent == Absent::error ? rule : rule.with_default(mean_of(value)));
+  const Json* found = in_.value(key.name);
+  if (found != nullptr && found->is_object()) return law(key, value, rule);
+  value = in_.number(key.name, absent == Absent::error ? rule : rule.with_default(mean_of(value)));
+}
+
+void ReadingKeys::kinetic_friction(const Key& key, Friction& value) {
+  const Json* found = in_.value(key.name);
+  if (found == nullptr || !found->is_object() || !found->contains("ratio")) {
+    return quantity(key, value.kinetic_coefficient, rules::friction_coefficient, Absent::error);
+  }
+  in_.object(key.name,
+             [&value](ObjectReader& keys) { value.kinetic_ratio = keys.number("ratio", rules::kinetic_ratio); });
 }
 
 void ReadingKeys::word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) {
@@ -87,9 +152,11 @@ void ReadingKeys::restitution(const Key& key, Restitution& value, Absent absent)
   if (found == nullptr ? std::holds_alternative<Jy25Restitution>(value) : *found == jy25) {
     in_.write(key.name, jy25);
     value = Jy25Restitution{};
-  } else if (found != nullptr && found->is_object()) {
+  } else if (found != nullptr && found->is_object() && !has_law(*found)) {
     RateRatio ratio;
-    in_.object(key.name, [&ratio](ObjectReader& keys) { ratio.value = keys.number("rate_ratio", rules::rate_ratio); });
+    object(key, absent, [&ratio](Keys& keys) {
+      keys.quantity({"rate_ratio", ""}, ratio.value, rules::rate_ratio, Absent::error);
+    });
     value = ratio;
   } else if (found != nullptr && found->is_string()) {
     in_.reject(key.name, std::string(rules::restitution.demand),
@@ -97,7 +164,9 @@ void ReadingKeys::restitution(const Key& key, Restitution& value, Absent absent)
                "tilt rates");
     value = Scene{}.restitution;
   } else {
-    value = in_.number(key.name, rules::restitution.with_default(std::get<double>(Scene{}.restitution)));
+    Quantity given = 0.0;
+    quantity(key, given, rules::restitution, Absent::standard);
+    value = given;
   }
 }
 
@@ -132,7 +201,7 @@ void ReadingKeys::sweep(const Key& key) {
 
 void ReadingKeys::scatter(std::initializer_list<Scatter> of) { read_scatter(in_, of); }
 
-bool ReadingKeys::one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent absent) {
+bool ReadingKeys::one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) {
   const std::size_t problems_before = problem_count();
   std::optional<std::size_t> given;
   for (std::size_t i = 0; i < units.size(); ++i) {
@@ -149,10 +218,10 @@ bool ReadingKeys::one_of(std::span<const UnitKey> units, NumberInUnit& value, Ab
     return false;
   }
   const UnitKey& unit = units[given.value_or(0)];
-  const double read =
-      in_.number(unit.key.name, absent == Absent::error ? unit.rule : unit.rule.with_default(value.value));
+  Quantity read = value.value;
+  quantity(unit.key, read, unit.rule, absent);
   if (problem_count() != problems_before) return false;
-  value = {given.value_or(0), read};
+  value = {given.value_or(0), std::move(read)};
   return true;
 }
 

@@ -20,14 +20,16 @@ class ReadingKeys final : public Keys {
   void text(const Key& key, std::string& value) override;
   void number(const Key& key, double& value, const NumberRule& rule, Absent absent) override;
   void whole_number(const Key& key, std::int64_t& value, const IntegerRule& rule, Absent absent) override;
+  void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule) override;
   void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) override;
   void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) override;
   void restitution(const Key& key, Restitution& value, Absent absent) override;
+  void kinetic_friction(const Key& key, Friction& value) override;
   void mode(const Key& key, std::optional<section::ResponseMode>& value) override;
   void seed(const Key& key, std::uint64_t& value) override;
   void sweep(const Key& key) override;
   void scatter(std::initializer_list<Scatter> of) override;
-  bool one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent absent) override;
+  bool one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) override;
   void record_format(const Key& key, std::optional<RecordFormat>& value) override;
   void file(const Key& file, const Key& digest, std::string& name) override;
   bool suite(const Key& key) override;
@@ -48,6 +50,8 @@ class ReadingKeys final : public Keys {
   [[nodiscard]] std::size_t problem_count() const override { return in_.problems().size(); }
 
  private:
+  void law(const Key& key, Quantity& value, const NumberRule& rule);
+
   ObjectReader& in_;
   ReadingContext context_;
 };

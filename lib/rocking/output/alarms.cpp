@@ -57,8 +57,10 @@ constexpr std::array remedies{
     Remedy{"kinetic_friction_at_zero",
            "kinetic friction below 0: reduce the sigma of its fluctuation or increase /friction/kinetic"},
     Remedy{"kinetic_friction_at_static",
-           "kinetic friction above the static friction in force: reduce the sigma of the friction or increase the "
-           "difference between /friction/static and /friction/kinetic"},
+           "kinetic friction above the static friction in force: add \"correlation\": 1 to /fluctuation/friction, so "
+           "that both "
+           "move together, reduce the sigma of the friction, or increase the difference between /friction/static and "
+           "/friction/kinetic"},
     Remedy{"static_friction_at_zero",
            "static friction below 0: reduce the sigma of its fluctuation or increase /friction/static"},
     Remedy{"restitution", "restitution outside of its range: reduce the sigma in /fluctuation/restitution"},

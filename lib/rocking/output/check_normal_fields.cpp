@@ -1,6 +1,7 @@
 #include "rocking/output/check_normal_fields.hpp"
 
 #include <array>
+#include <utility>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/output/provenance_fields.hpp"
@@ -48,6 +49,7 @@ static const StructType& fields_of(const ShapeTest*) {
       "ShapeTest",
       inlined<&ShapeTest::test>(),
       field<&ShapeTest::nearness>("nearness", "for a distance of 0.01 and for the distance found"),
+      field<&ShapeTest::of_law>("of_law", "value of a distribution that is not normal"),
   };
   return fields;
 }
@@ -124,10 +126,20 @@ static const StructType& fields_of(const NormalCheck*) {
 
 }  // namespace stats
 
+SamplerCheck sampler_check(const SamplerQuestion& question, const stats::NormalCheck& found) {
+  std::optional<std::string> distribution;
+  if (question.distribution != FluctuationLaw::normal) {
+    distribution = fluctuation_law_names[static_cast<std::size_t>(question.distribution)];
+  }
+  return {.distribution = std::move(distribution), .sampler = question.sampler, .seed = question.seed, .found = found};
+}
+
 const StructType& fields_of(const SamplerCheck*) {
+  static constexpr std::array<std::string_view, 2> distributions{"lognormal", "uniform"};
   static constexpr std::array<std::string_view, 3> samplers{"box-muller", "ziggurat", "inverse-cdf"};
   static const StructType fields{
       "SamplerCheck",
+      field<&SamplerCheck::distribution>("distribution", "of the numbers, absent: normal", {.choices = distributions}),
       field<&SamplerCheck::sampler>("sampler", "that generated the numbers", {.choices = samplers}),
       field<&SamplerCheck::seed>("seed", "of the random numbers, as text", seed_type()),
       inlined<&SamplerCheck::found>(),

@@ -41,7 +41,7 @@ TextRow tail_row(const stats::TailCount& tail) {
 std::string nearness_line(const std::string& name, const stats::ShapeTest& shape) {
   const auto per_cent = [](const stats::Nearness& near) { return fixed_point(100.0 * near.probability, 0) + " %"; };
   return name + " within " + significant(shape.nearness[0].distance, 3) + ": expected in " +
-         per_cent(shape.nearness[0]) + " of normal samples of this size; within " +
+         per_cent(shape.nearness[0]) + (shape.of_law ? " of" : " of normal") + " samples of this size; within " +
          significant(shape.nearness[1].distance, 3) + ", as found here: in " + per_cent(shape.nearness[1]) + '\n';
 }
 
@@ -52,14 +52,23 @@ std::string jarque_bera_line(const stats::NormalCheck& check) {
   return "The Jarque-Bera p-value is valid for large samples only: below 10000 numbers use D'Agostino-Pearson\n";
 }
 
+/// With the value of the distribution.
+std::string shape_name(const std::string& name, const stats::ShapeTest& shape, double normal) {
+  return name + " (" + significant(shape.of_law.value_or(normal), 5) + ')';
+}
+
 std::string moments_table(const stats::NormalCheck& check) {
   std::vector<TextRow> rows{{"moment", "value", "standard error", "z", "p-value", "result"},
                             moment_row("mean", check.mean),
                             moment_row("standard deviation", check.standard_deviation),
-                            moment_row("skewness (0)", check.skewness.test),
-                            moment_row("kurtosis (3)", check.kurtosis.test)};
-  return aligned(rows) + '\n' + nearness_line("skewness", check.skewness) +
-         nearness_line("kurtosis - 3", check.kurtosis);
+                            moment_row(shape_name("skewness", check.skewness, 0.0), check.skewness.test),
+                            moment_row(shape_name("kurtosis", check.kurtosis, 3.0), check.kurtosis.test)};
+  const auto distance = [](const std::string& name, const stats::ShapeTest& shape, double normal) {
+    const double value = shape.of_law.value_or(normal);
+    return value == 0.0 ? name : name + " - " + significant(value, 5);
+  };
+  return aligned(rows) + '\n' + nearness_line(distance("skewness", check.skewness, 0.0), check.skewness) +
+         nearness_line(distance("kurtosis", check.kurtosis, 3.0), check.kurtosis);
 }
 
 std::string correlations_table(const stats::NormalCheck& check) {
@@ -107,10 +116,19 @@ std::string bars(const stats::Histogram& histogram) {
 
 std::string check_normal_summary(const SamplerCheck& check) {
   const stats::NormalCheck& found = check.found;
-  std::string text = std::to_string(found.n) + " numbers from N(" + significant(found.law.mean, 6) + ", " +
-                     significant(found.law.sigma, 6) + "^2), sampler " + check.sampler + ", seed " +
-                     seed_text(check.seed) + "\n\n";
-  text += moments_table(found) + '\n' + correlations_table(found) + '\n';
+  const std::string mean = significant(found.law.mean, 6);
+  const std::string sigma = significant(found.law.sigma, 6);
+  std::string text =
+      std::to_string(found.n) + " numbers from " +
+      (check.distribution ? *check.distribution + " with mean " + mean + " and standard deviation " + sigma
+                          : "N(" + mean + ", " + sigma + "^2)") +
+      ", sampler " + check.sampler + ", seed " + seed_text(check.seed) + "\n\n";
+  text += moments_table(found) + '\n';
+  if (check.distribution) {
+    text +=
+        "moments: for large samples; what follows is of the normal scores of the numbers under the distribution\n\n";
+  }
+  text += correlations_table(found) + '\n';
   text += aligned({{"test of fit", "statistic", "p-value", "result"},
                    test_row("Jarque-Bera", found.jarque_bera),
                    test_row("D'Agostino-Pearson", found.dagostino_pearson),

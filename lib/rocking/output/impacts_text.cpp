@@ -1,5 +1,6 @@
 #include "rocking/output/impacts_text.hpp"
 
+#include "rocking/input/quantities_in_text.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/rate_ratios.hpp"
 
@@ -7,9 +8,9 @@ namespace rocking {
 namespace {
 
 Restitution restitution_in(const Json& written) {
-  if (written.is_object()) return RateRatio{written.at("rate_ratio").get<double>()};
-  if (written.is_number()) return written.get<double>();
-  return Jy25Restitution{};
+  if (written.is_string()) return Jy25Restitution{};
+  if (written.is_object() && written.contains("rate_ratio")) return RateRatio{quantity_in(written.at("rate_ratio"))};
+  return quantity_in(written);
 }
 
 }  // namespace

@@ -11,13 +11,7 @@
 namespace rocking::random {
 
 /// The largest number of a source that is drawn along the way.
-inline constexpr std::size_t last_source_along_the_way = [] {
-  std::size_t last = 0;
-  for (std::size_t number = 1; number <= 255; ++number) {
-    if (is_drawn_along_the_way(static_cast<Source>(number))) last = number;
-  }
-  return last;
-}();
+inline constexpr auto last_source_along_the_way = static_cast<std::size_t>(Source::amplitude);
 
 /// For each of these sources, at its number, the index from which on no draw has been made.
 using FirstUnused = std::array<std::uint64_t, last_source_along_the_way + 1>;

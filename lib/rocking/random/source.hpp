@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -22,45 +24,38 @@ enum class Source : std::uint8_t {
   block_height = 11,
   fragility_bootstrap = 12,
   rare_choice = 13,
+  mean_static_friction = 14,
+  mean_kinetic_friction = 15,
+  mean_restitution = 16,
+  excitation_size = 17,
+  excitation_frequency = 18,
 };
 
+/// Names of the sources, in the order of their numbers, of which the first is 1.
+inline constexpr std::array<std::string_view, 18> source_names{"static_friction",
+                                                               "kinetic_friction",
+                                                               "restitution",
+                                                               "amplitude",
+                                                               "phase",
+                                                               "tilt",
+                                                               "tilt_rate",
+                                                               "slip_rate",
+                                                               "check_normal",
+                                                               "block_width",
+                                                               "block_height",
+                                                               "fragility_bootstrap",
+                                                               "rare_choice",
+                                                               "mean_static_friction",
+                                                               "mean_kinetic_friction",
+                                                               "mean_restitution",
+                                                               "excitation_size",
+                                                               "excitation_frequency"};
+
 [[nodiscard]] constexpr std::string_view to_string(Source source) {
-  switch (source) {
-    case Source::static_friction: return "static_friction";
-    case Source::kinetic_friction: return "kinetic_friction";
-    case Source::restitution: return "restitution";
-    case Source::amplitude: return "amplitude";
-    case Source::phase: return "phase";
-    case Source::tilt: return "tilt";
-    case Source::tilt_rate: return "tilt_rate";
-    case Source::slip_rate: return "slip_rate";
-    case Source::check_normal: return "check_normal";
-    case Source::block_width: return "block_width";
-    case Source::block_height: return "block_height";
-    case Source::fragility_bootstrap: return "fragility_bootstrap";
-    case Source::rare_choice: return "rare_choice";
-  }
-  return {};
+  return source_names[static_cast<std::size_t>(source) - 1];
 }
 
 /// Whether draws for this purpose are made again and again along a motion, rather than once at its start or apart from it.
-[[nodiscard]] constexpr bool is_drawn_along_the_way(Source source) {
-  switch (source) {
-    case Source::static_friction:
-    case Source::kinetic_friction:
-    case Source::restitution:
-    case Source::amplitude: return true;
-    case Source::phase:
-    case Source::tilt:
-    case Source::tilt_rate:
-    case Source::slip_rate:
-    case Source::check_normal:
-    case Source::block_width:
-    case Source::block_height:
-    case Source::fragility_bootstrap:
-    case Source::rare_choice: break;
-  }
-  return false;
-}
+[[nodiscard]] constexpr bool is_drawn_along_the_way(Source source) { return source <= Source::amplitude; }
 
 }  // namespace rocking::random

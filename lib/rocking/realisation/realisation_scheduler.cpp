@@ -41,6 +41,17 @@ struct RealisationInProgress : HorizonRun {
 
 bool MotionInProgress::go_on() const { return this == &run->itself && run->go_on(); }
 
+/// The same shaking with another size; kinds that hold none stay as they are.
+dynamics::Excitation with_size(const dynamics::Excitation& excitation, double size) {
+  return excitation.visit([size](const auto& kind) -> dynamics::Excitation {
+    if constexpr (requires { kind.scaled(size); }) {
+      return kind.scaled(size);
+    } else {
+      return kind;
+    }
+  });
+}
+
 }  // namespace
 
 class RealisationScheduler::Implementation {
@@ -82,6 +93,7 @@ class RealisationScheduler::Implementation {
     double frequency_parameter;  ///< p
     double frequency;            ///< of the clock [-]
     double start;                ///< of the clock, tau
+    double size;                 ///< that was drawn
     dynamics::Excitation excitation;
   };
 
@@ -89,9 +101,15 @@ class RealisationScheduler::Implementation {
     const double p = beginning.setting.block.frequency_parameter;
     const double frequency = beginning.clock.frequency();
     const double start = beginning.clock.start();
+    const double size = beginning.excitation_size;
     const bool is_known = last_ && last_->asked == scene.excitation && last_->frequency_parameter == p &&
                           last_->frequency == frequency && last_->start == start;
-    if (!is_known) last_ = LastExcitation{scene.excitation, p, frequency, start, excitation_of(scene, beginning)};
+    if (!is_known) {
+      last_ = LastExcitation{scene.excitation, p, frequency, start, size, excitation_of(scene, beginning)};
+    } else if (last_->size != size) {
+      last_->size = size;
+      last_->excitation = with_size(last_->excitation, size);
+    }
     return last_->excitation;
   }
 

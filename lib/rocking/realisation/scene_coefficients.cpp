@@ -19,20 +19,35 @@ bool redraws_amplitude(const Scene& scene) {
   return scene.fluctuation.amplitude > 0.0 && amplitude_draws(scene.excitation) != AmplitudeDraws::once;
 }
 
+/// Of the friction and the restitution of a block of this shape, and of its A_h (or the scale), whatever the units in
+/// which they are given.
+CoefficientLaws laws_of(const Scene& scene, const dynamics::Geometry& own) {
+  const Fluctuation& f = scene.fluctuation;
+  CoefficientLaws laws;
+  if (scene.friction) {
+    laws.static_friction = law_along_the_way(f.laws.static_friction, mean_static(*scene.friction), f.static_friction);
+    laws.kinetic_friction =
+        law_along_the_way(f.laws.kinetic_friction, mean_kinetic(*scene.friction), f.kinetic_friction);
+    laws.correlation = f.friction_correlation;
+  }
+  laws.restitution =
+      law_along_the_way(f.laws.restitution, restitution_of(scene, own), f.restitution / restitution_unit(scene, own));
+  laws.amplitude =
+      law_along_the_way(f.laws.amplitude, amplitude_for(scene, own), f.amplitude / amplitude_unit(scene, own));
+  return laws;
+}
+
 }  // namespace
 
 SceneCoefficients::SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws,
                                      const dynamics::Geometry& own)
-    : friction_(scene.friction),
-      fluctuation_(scene.fluctuation),
-      restitution_mean_(restitution_of(scene, own)),
-      amplitude_mean_(amplitude_for(scene, own)),
+    : laws_(laws_of(scene, own)),
+      has_friction_(scene.friction.has_value()),
+      refreshes_per_period_(scene.fluctuation.refreshes_per_period),
       redraws_amplitude_(redraws_amplitude(scene)),
       draws_(draws),
       static_friction_(std::numeric_limits<double>::infinity()) {
-  fluctuation_.restitution /= restitution_unit(scene, own);
-  fluctuation_.amplitude /= amplitude_unit(scene, own);
-  if (friction_) draw_static_friction();
+  if (has_friction_) draw_static_friction();
 }
 
 void SceneCoefficients::draw_static_friction() {
@@ -41,43 +56,44 @@ void SceneCoefficients::draw_static_friction() {
 }
 
 void SceneCoefficients::look_up_static_friction() {
-  static_friction_ = friction_->static_coefficient;
-  if (fluctuation_.static_friction > 0.0) {
-    ++static_draws_;
-    const auto index = random::paired_index(static_count_.chatters, static_count_.since);
-    static_friction_ += fluctuation_.static_friction * draws_.standard_normal(Source::static_friction, index);
-    if (static_friction_ < 0.0) {
-      static_friction_ = 0.0;
-      ++clamps_.static_at_zero;
-    }
-    if (fluctuation_.kinetic_friction == 0.0) held_at_static_ = false;
+  if (!is_drawn(laws_.static_friction)) {
+    static_friction_ = std::get<double>(laws_.static_friction);
+    return;
   }
+  ++static_draws_;
+  const auto index = random::paired_index(static_count_.chatters, static_count_.since);
+  static_normal_ = draws_.standard_normal(Source::static_friction, index);
+  static_friction_ = value_at_normal(laws_.static_friction, static_normal_);
+  if (static_friction_ < 0.0) {
+    static_friction_ = 0.0;
+    ++clamps_.static_at_zero;
+  }
+  if (!is_drawn(laws_.kinetic_friction)) held_at_static_ = false;
+  follows_former_static_ = laws_.correlation != 0.0;
 }
 
 void SceneCoefficients::stop() {
   ++stops_.since;
-  if (friction_) draw_static_friction();
+  if (has_friction_) draw_static_friction();
 }
 
 void SceneCoefficients::chatter_ended() {
   const bool had_stops = stops_.since > 0;
   stops_ = {.chatters = stops_.chatters + 1, .since = 0};
   impacts_ = {.chatters = impacts_.chatters + 1, .since = 0};
-  if (friction_ && had_stops) draw_static_friction();
+  if (has_friction_ && had_stops) draw_static_friction();
 }
 
 SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) const {
-  ROCKING_EXPECT(others.friction_.has_value() == friction_.has_value());
+  ROCKING_EXPECT(others.has_friction_ == has_friction_);
   SceneCoefficients other = *this;
-  other.friction_ = others.friction_;
-  other.fluctuation_ = others.fluctuation_;
-  other.restitution_mean_ = others.restitution_mean_;
-  other.amplitude_mean_ = others.amplitude_mean_;
+  other.laws_ = others.laws_;
+  other.refreshes_per_period_ = others.refreshes_per_period_;
   other.redraws_amplitude_ = others.redraws_amplitude_;
   other.interval_ = -1;
   other.drawn_from_ = none_drawn;
   other.amplitude_period_ = -1;
-  if (other.friction_) other.look_up_static_friction();
+  if (other.has_friction_) other.look_up_static_friction();
   return other;
 }
 
@@ -94,15 +110,7 @@ std::uint64_t SceneCoefficients::first_unused(Source source) const {
     case Source::kinetic_friction: return static_cast<std::uint64_t>(interval_ + 1);
     case Source::restitution: return random::paired_index(impacts_.chatters, impacts_.since);
     case Source::amplitude: return static_cast<std::uint64_t>(amplitude_period_ + 1);
-    case Source::phase:
-    case Source::tilt:
-    case Source::tilt_rate:
-    case Source::slip_rate:
-    case Source::check_normal:
-    case Source::block_width:
-    case Source::block_height:
-    case Source::fragility_bootstrap:
-    case Source::rare_choice: break;
+    default: break;
   }
   return 0;  // not along the way: a branch does not change it
 }
@@ -113,8 +121,8 @@ void SceneCoefficients::continue_with(const random::BranchedDraws& draws) {
 }
 
 double SceneCoefficients::kinetic_friction(const Clock& clock) {
-  return held_kinetic_friction(fluctuation_.kinetic_friction > 0.0 ? drawn_kinetic_friction(clock)
-                                                                   : friction_->kinetic_coefficient);
+  const auto* constant = std::get_if<double>(&laws_.kinetic_friction);
+  return held_kinetic_friction(constant != nullptr ? *constant : drawn_kinetic_friction(clock));
 }
 
 /// `wanted`, limited to the static friction in force.
@@ -127,16 +135,29 @@ double SceneCoefficients::held_kinetic_friction(double wanted) {
 
 double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
   const std::int64_t interval = grid_index(clock);
-  if (interval != interval_) {
-    if (interval - drawn_from_ >= intervals_at_once) {
-      drawn_from_ = interval - interval % 2;  // draws are made in pairs
-      draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(drawn_from_), drawn_);
-      for (double& value : drawn_) value = friction_->kinetic_coefficient + fluctuation_.kinetic_friction * value;
-    }
-    move_to_interval(clock, interval);
-    draw_kinetic_friction(interval);
+  if (interval == interval_ && !follows_former_static_) return kinetic_friction_;
+  if (interval - drawn_from_ >= intervals_at_once || follows_former_static_) {
+    drawn_from_ = interval - interval % 2;  // draws are made in pairs
+    draws_.standard_normals(Source::kinetic_friction, static_cast<std::uint64_t>(drawn_from_), drawn_);
+    turn_normals_into_friction();
+    follows_former_static_ = false;
   }
+  if (interval != interval_) move_to_interval(clock, interval);
+  draw_kinetic_friction(interval);
   return kinetic_friction_;
+}
+
+/// Of the normal numbers that `drawn_` holds, in which those of static friction have their share.
+void SceneCoefficients::turn_normals_into_friction() {
+  if (const double share = laws_.correlation; share != 0.0) {
+    const double rest = std::sqrt(1.0 - share * share);
+    for (double& value : drawn_) value = share * static_normal_ + rest * value;
+  }
+  if (const auto* normal = std::get_if<Normal>(&laws_.kinetic_friction)) {
+    for (double& value : drawn_) value = normal->mean + normal->sigma * value;
+  } else {
+    for (double& value : drawn_) value = value_at_normal(laws_.kinetic_friction, value);
+  }
 }
 
 void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
@@ -151,13 +172,11 @@ void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
 
 /// Kinetic friction as far as it has been drawn. Only valid if no other coefficient changes with time.
 dynamics::KnownIntervals SceneCoefficients::known_intervals() const {
-  if (fluctuation_.kinetic_friction == 0.0 || redraws_amplitude_ || interval_ < 0 || drawn_from_ == none_drawn) {
-    return {};
-  }
+  const bool is_known = interval_ >= 0 && drawn_from_ != none_drawn && !follows_former_static_;
+  if (!is_drawn(laws_.kinetic_friction) || redraws_amplitude_ || !is_known) return {};
   const auto present = static_cast<std::size_t>(interval_ - drawn_from_);
-  return {.wanted = std::span(drawn_).subspan(present),
-          .per_period = fluctuation_.refreshes_per_period,
-          .next_boundary = end_number_};
+  return {
+      .wanted = std::span(drawn_).subspan(present), .per_period = refreshes_per_period_, .next_boundary = end_number_};
 }
 
 void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
@@ -175,24 +194,23 @@ void SceneCoefficients::pass_intervals(const Clock& clock, std::size_t count) {
 }
 
 double SceneCoefficients::restitution() {
-  if (fluctuation_.restitution == 0.0) return restitution_mean_;
+  if (const auto* constant = std::get_if<double>(&laws_.restitution)) return *constant;
   ++restitution_draws_;
   const auto index = random::paired_index(impacts_.chatters, impacts_.since++);
-  const double value =
-      restitution_mean_ + fluctuation_.restitution * draws_.standard_normal(Source::restitution, index);
-  const double clamped = std::clamp(value, -0.999, 1.0);
+  const double value = value_at_normal(laws_.restitution, draws_.standard_normal(Source::restitution, index));
+  const double clamped = std::clamp(value, least_restitution, largest_restitution);
   if (clamped != value) ++clamps_.restitution;
   return clamped;
 }
 
 double SceneCoefficients::amplitude(const Clock& clock) {
-  if (fluctuation_.amplitude == 0.0) return amplitude_mean_;
+  if (const auto* constant = std::get_if<double>(&laws_.amplitude)) return *constant;
   const std::int64_t period = redraws_amplitude_ ? clock.now().period : 0;
   if (period != amplitude_period_) {
     amplitude_period_ = period;
     ++amplitude_draws_;
     const auto index = static_cast<std::uint64_t>(period);
-    amplitude_ = amplitude_mean_ + fluctuation_.amplitude * draws_.standard_normal(Source::amplitude, index);
+    amplitude_ = value_at_normal(laws_.amplitude, draws_.standard_normal(Source::amplitude, index));
     if (amplitude_ < 0.0) {
       amplitude_ = 0.0;
       ++clamps_.amplitude_at_zero;
@@ -203,22 +221,22 @@ double SceneCoefficients::amplitude(const Clock& clock) {
 
 void SceneCoefficients::move_to_interval(const Clock& clock, std::int64_t interval) {
   const std::int64_t ahead = interval - interval_;
-  if (interval_ >= 0 && 0 < ahead && ahead < fluctuation_.refreshes_per_period) {
+  if (interval_ >= 0 && 0 < ahead && ahead < refreshes_per_period_) {
     begin_ = ahead == 1 ? end_ : boundary_after_end(clock, ahead - 1);
     end_ = boundary_after_end(clock, ahead);
     end_number_ += ahead;
-    if (end_number_ >= fluctuation_.refreshes_per_period) end_number_ -= fluctuation_.refreshes_per_period;
+    if (end_number_ >= refreshes_per_period_) end_number_ -= refreshes_per_period_;
   } else {
     begin_ = boundary(clock, interval);
     end_ = boundary(clock, interval + 1);
-    end_number_ = (interval + 1) % fluctuation_.refreshes_per_period;
+    end_number_ = (interval + 1) % refreshes_per_period_;
   }
   interval_ = interval;
 }
 
 /// The boundary `count` intervals after the end of the current interval; `count` is at most the number per period.
 Instant SceneCoefficients::boundary_after_end(const Clock& clock, std::int64_t count) const {
-  const std::int64_t per_period = fluctuation_.refreshes_per_period;
+  const std::int64_t per_period = refreshes_per_period_;
   const std::int64_t number = end_number_ + count;
   return number < per_period ? dynamics::grid_boundary(clock, end_.period, number, per_period)
                              : dynamics::grid_boundary(clock, end_.period + 1, number - per_period, per_period);
@@ -226,7 +244,7 @@ Instant SceneCoefficients::boundary_after_end(const Clock& clock, std::int64_t c
 
 /// Instant at which an interval begins.
 Instant SceneCoefficients::boundary(const Clock& clock, std::int64_t interval) const {
-  const std::int64_t per_period = fluctuation_.refreshes_per_period;
+  const std::int64_t per_period = refreshes_per_period_;
   return dynamics::grid_boundary(clock, interval / per_period, interval % per_period, per_period);
 }
 
@@ -242,10 +260,9 @@ std::int64_t SceneCoefficients::grid_index(const Clock& clock) const {
 }
 
 std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
-  const auto count = static_cast<double>(fluctuation_.refreshes_per_period);
+  const auto count = static_cast<double>(refreshes_per_period_);
   const double local = (clock.now().time - clock.start()) / clock.period_length() * count;
-  std::int64_t index =
-      clock.now().period * fluctuation_.refreshes_per_period + static_cast<std::int64_t>(std::floor(local));
+  std::int64_t index = clock.now().period * refreshes_per_period_ + static_cast<std::int64_t>(std::floor(local));
   index = std::max<std::int64_t>(index - 1, 0);  // rounding may make floor one too large
   while (clock.until(boundary(clock, index + 1)) <= clock.resolution()) ++index;
   return index;
@@ -254,7 +271,7 @@ std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
 std::optional<Instant> SceneCoefficients::next_change(const Clock& clock, bool slipping) const {
   std::optional<Instant> next;
   if (redraws_amplitude_) next = Instant{.period = clock.now().period + 1, .time = 0.0};
-  if (slipping && fluctuation_.kinetic_friction > 0.0) {
+  if (slipping && is_drawn(laws_.kinetic_friction)) {
     const std::int64_t index = grid_index(clock);
     const Instant refresh = index == interval_ ? end_ : boundary(clock, index + 1);
     if (!next || clock.until(refresh) < clock.until(*next)) next = refresh;

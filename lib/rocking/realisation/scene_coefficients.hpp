@@ -13,6 +13,19 @@
 
 namespace rocking {
 
+/// Bounds of the restitution that may be drawn.
+inline constexpr double least_restitution = -0.999;
+inline constexpr double largest_restitution = 1.0;
+
+/// What the coefficients of a realisation are drawn from along the way; of one that is not, the number.
+struct CoefficientLaws {
+  RedrawnQuantity static_friction = 0.0;
+  RedrawnQuantity kinetic_friction = 0.0;
+  double correlation = 0.0;  ///< of the normal numbers of both
+  RedrawnQuantity restitution = 0.0;
+  RedrawnQuantity amplitude = 0.0;
+};
+
 /// Friction, restitution and amplitude of one realisation: means from the scene, deviations from its random numbers. If
 /// the sigma of a source is 0, nothing is drawn. Models dynamics::CoefficientSource; the rules are in
 /// lib/docs/model.md, section 5.
@@ -29,7 +42,7 @@ class SceneCoefficients {
   SceneCoefficients(const Scene& scene, const random::BranchedDraws& draws)
       : SceneCoefficients(scene, draws, dynamics::geometry_of(mean_block(scene))) {}
 
-  [[nodiscard]] bool has_friction() const { return friction_.has_value(); }
+  [[nodiscard]] bool has_friction() const { return has_friction_; }
   [[nodiscard]] double static_friction() const { return static_friction_; }
   [[nodiscard]] double kinetic_friction(const dynamics::Clock& clock);
   [[nodiscard]] double restitution();
@@ -38,7 +51,8 @@ class SceneCoefficients {
   void chatter_ended();
   [[nodiscard]] std::optional<dynamics::Instant> next_change(const dynamics::Clock& clock, bool slipping) const;
   [[nodiscard]] std::optional<double> constant_restitution() const {
-    return fluctuation_.restitution == 0.0 ? std::optional(restitution_mean_) : std::nullopt;
+    const auto* constant = std::get_if<double>(&laws_.restitution);
+    return constant != nullptr ? std::optional(*constant) : std::nullopt;
   }
   [[nodiscard]] dynamics::KnownIntervals known_intervals() const;
   void pass_intervals(const dynamics::Clock& clock, std::size_t count);
@@ -70,19 +84,21 @@ class SceneCoefficients {
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
   void draw_kinetic_friction(std::int64_t interval);
   [[nodiscard]] double held_kinetic_friction(double wanted);
+  void turn_normals_into_friction();
   void draw_static_friction();
   void look_up_static_friction();
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
   [[nodiscard]] std::uint64_t first_unused(random::Source source) const;
 
-  std::optional<Friction> friction_;
-  Fluctuation fluctuation_;  ///< of A_h (or the scale) and of e, whatever the units in which they are given
-  double restitution_mean_;
-  double amplitude_mean_;
+  CoefficientLaws laws_;
+  bool has_friction_;
+  int refreshes_per_period_;
   bool redraws_amplitude_;  ///< at each excitation period
   random::BranchedDraws draws_;
 
   double static_friction_;
+  double static_normal_ = 0.0;          ///< the normal number from which it follows
+  bool follows_former_static_ = false;  ///< the kinetic friction that was drawn is correlated with a former static one
   Count stops_;
   Count static_count_;  ///< of stops, at the time when the static friction in force was drawn
   Count impacts_;

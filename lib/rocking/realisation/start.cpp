@@ -2,11 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <variant>
 
+#include "rocking/dynamics/impact.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
+
 namespace rocking {
 namespace {
+
+using random::Source;
 
 /// What a condition fixes for a realisation with this block.
 dynamics::Setting setting_of(const Condition& condition, const dynamics::Geometry& block) {
@@ -16,39 +22,47 @@ dynamics::Setting setting_of(const Condition& condition, const dynamics::Geometr
           .tolerance = condition.tolerance};
 }
 
-using random::Source;
+/// A drawn number limited to [least, largest]; a number that is not drawn was checked.
+void limit(Quantity& drawn, double least, double largest, std::uint64_t& clamps) {
+  const double wanted = std::get<double>(drawn);
+  const double limited = std::clamp(wanted, least, largest);
+  if (limited != wanted) ++clamps;
+  drawn = limited;
+}
 
-class QuantityReader {
- public:
-  explicit QuantityReader(const random::BranchedDraws& draws) : draws_(&draws) {}
-
-  [[nodiscard]] double value(const Quantity& quantity, Source source) {
-    if (const auto* number = std::get_if<double>(&quantity)) return *number;
-    ++count_;
-    if (const auto* law = std::get_if<Uniform>(&quantity)) {
-      return law->low + (law->high - law->low) * draws_->uniform(source, 0);
+/// Limits what a law without bounds may give. What depends on the block comes after it.
+void limit_drawn(Scene& scene, Source source, Quantity& drawn, Clamps& clamps) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  switch (source) {
+    case Source::block_width:
+    case Source::block_height: return limit(drawn, least_length, largest_length, clamps.length_at_bound);
+    case Source::mean_static_friction: return limit(drawn, 0.0, infinity, clamps.static_at_zero);
+    case Source::mean_kinetic_friction: return limit(drawn, 0.0, infinity, clamps.kinetic_at_zero);
+    case Source::excitation_size: return limit(drawn, 0.0, infinity, clamps.amplitude_at_zero);
+    case Source::mean_restitution: {
+      if (std::holds_alternative<Quantity>(scene.restitution)) {
+        return limit(drawn, least_restitution, largest_restitution, clamps.restitution);
+      }
+      const dynamics::Geometry block = dynamics::geometry_of(mean_of(scene.block));
+      return limit(drawn, dynamics::inelastic_rate_ratio(block, largest_restitution),
+                   dynamics::inelastic_rate_ratio(block, least_restitution), clamps.restitution);
     }
-    const auto& law = std::get<Normal>(quantity);
-    return law.mean + law.sigma * draws_->standard_normal(source, 0);
+    default: return;
   }
+}
 
-  /// A drawn length is truncated to its bounds; a number is taken as it is.
-  [[nodiscard]] double length(const Quantity& length, Source source) {
-    const double wanted = value(length, source);
-    if (!is_drawn(length)) return wanted;
-    const double truncated = std::clamp(wanted, least_length, largest_length);
-    if (truncated != wanted) ++clamps_.length_at_bound;
-    return truncated;
-  }
-
-  [[nodiscard]] std::uint64_t count() const { return count_; }
-  [[nodiscard]] const Clamps& clamps() const { return clamps_; }
-
- private:
-  const random::BranchedDraws* draws_;
-  std::uint64_t count_ = 0;
-  Clamps clamps_;
-};
+/// The scene with a number in the place of each law.
+Scene scene_of(const Scene& asked, const random::BranchedDraws& draws, std::uint64_t& count, Clamps& clamps) {
+  Scene scene = asked;
+  for_each_quantity(scene, [&](const QuantityPlace& what, Quantity& quantity) {
+    if (!is_drawn(quantity)) return;
+    ++count;
+    const bool uniform = drawn_from(quantity) == BasicDraw::uniform;
+    quantity = value_at(quantity, uniform ? draws.uniform(what.source, 0) : draws.standard_normal(what.source, 0));
+    limit_drawn(scene, what.source, quantity, clamps);
+  });
+  return scene;
+}
 
 /// The equivalent angle in [0, 2 pi) [rad].
 double wrapped(double angle) {
@@ -64,8 +78,8 @@ dynamics::Excitation excitation_of(const Recorded& recorded, const Beginning& be
   const GroundMotion& motion = *recorded.ground_motion;
   const auto knots = std::make_shared<const dynamics::NormalisedGroundMotion>(
       motion.samples, beginning.setting.block.frequency_parameter, beginning.clock);
-  if (motion.has_vertical) return dynamics::RecordedExcitation<true>(knots, recorded.scale);
-  return dynamics::RecordedExcitation<false>(knots, recorded.scale);
+  if (motion.has_vertical) return dynamics::RecordedExcitation<true>(knots, beginning.excitation_size);
+  return dynamics::RecordedExcitation<false>(knots, beginning.excitation_size);
 }
 
 dynamics::Excitation excitation_of(const Pulse& pulse, const Beginning& beginning) {
@@ -74,32 +88,32 @@ dynamics::Excitation excitation_of(const Pulse& pulse, const Beginning& beginnin
 
 }  // namespace
 
-Start start_of(const Scene& scene, const random::BranchedDraws& draws) {
-  QuantityReader reader(draws);
+Start start_of(const Scene& asked, const random::BranchedDraws& draws) {
   Start start{};
-  start.block = {.width = reader.length(scene.block.width, Source::block_width),
-                 .height = reader.length(scene.block.height, Source::block_height),
-                 .gravity = scene.block.gravity};
+  start.scene = scene_of(asked, draws, start.draws, start.clamps);
+  const Scene& scene = start.scene;
+  start.block = mean_of(scene.block);
   start.geometry = dynamics::geometry_of(start.block);
   const double psi = start.geometry.shape_angle;
-  start.phase = wrapped(reader.value(start_phase(scene.excitation), Source::phase));
-  start.state.tilt = psi * reader.value(scene.initial.tilt, Source::tilt);
-  start.state.tilt_rate = psi * reader.value(scene.initial.tilt_rate, Source::tilt_rate);
-  start.state.slip_rate = reader.value(scene.initial.slip_rate, Source::slip_rate);
-  start.draws = reader.count();
-  start.clamps = reader.clamps();
+  start.phase = wrapped(mean_of(start_phase(scene.excitation)));
+  start.state = {.tilt = psi * mean_of(scene.initial.tilt),
+                 .tilt_rate = psi * mean_of(scene.initial.tilt_rate),
+                 .slip_rate = mean_of(scene.initial.slip_rate)};
   return start;
 }
 
 Beginning begin_realisation(const Condition& condition, const random::BranchedDraws& draws, const Start& start,
                             Strobe strobe, std::int64_t periods) {
-  const Scene& scene = condition.scene;
-  const dynamics::Clock clock(frequency_ratio_for(scene, start.geometry), start.phase);
+  const dynamics::Geometry mean = dynamics::geometry_of(mean_block(condition.scene));
+  const double frequency_ratio = std::visit(
+      [&](const auto& kind) { return kind.frequency_ratio_for(start.geometry, mean); }, start.scene.excitation);
+  const dynamics::Clock clock(frequency_ratio, start.phase);
   const double first = strobe == Strobe::poincare ? 0.0 : clock.start();
   return {.setting = setting_of(condition, start.geometry),
           .clock = clock,
-          .coefficients = SceneCoefficients(scene, draws, start.geometry),
+          .coefficients = SceneCoefficients(start.scene, draws, start.geometry),
           .state = start.state,
+          .excitation_size = size_of(start.scene.excitation),
           .schedule = {.first_strobe = {.period = 1, .time = first}, .strobes = periods},
           .draws = start.draws,
           .clamps = start.clamps};

@@ -25,6 +25,7 @@ using Motion = dynamics::BlockMotion<SceneCoefficients, TaylorSteps>;
 
 /// Values that a realisation draws once, at its start.
 struct Start {
+  Scene scene;  ///< with a number in the place of each law
   dynamics::Block block;
   dynamics::Geometry geometry;  ///< of the block
   double phase;                 ///< Phi in [0, 2 pi) [rad]
@@ -45,6 +46,7 @@ struct Beginning {
   dynamics::Clock clock;
   SceneCoefficients coefficients;
   dynamics::State state;
+  double excitation_size;  ///< that was drawn: the scale of a ground motion
   dynamics::Schedule schedule;
   std::uint64_t draws;  ///< of the start
   Clamps clamps;        ///< of the start

@@ -5,6 +5,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/scene/check_ground_motion.hpp"
 #include "rocking/scene/experiment_keys.hpp"
+#include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
@@ -32,35 +33,46 @@ class CheckingKeys final : public Keys {
   }
 
   void quantity(const Key& key, Quantity& quantity, const NumberRule& rule, Absent) override {
-    const std::string name(key.name);
-    if (const auto* number = std::get_if<double>(&quantity)) return check(name, *number, rule);
-    if (const auto* normal = std::get_if<Normal>(&quantity)) {
-      check(name + "/normal/mean", normal->mean, rule);
-      check(name + "/normal/sigma", normal->sigma, rules::sigma);
-      return;
+    if (const auto* number = std::get_if<double>(&quantity)) return check(key.name, *number, rule);
+    const std::size_t problems_before = problems_->size();
+    object(key, Absent::error, [&](Keys& keys) { keys_of_law(keys, quantity, rule); });
+    if (problems_->size() != problems_before) return;
+    if (auto refusal = refusal_of_law(quantity)) {
+      report(std::string(key.name) + '/' + std::string(law_names[quantity.index() - 1]), "", *std::move(refusal));
     }
-    const auto& uniform = std::get<Uniform>(quantity);
-    check(name + "/uniform/0", uniform.low, rule);
-    check(name + "/uniform/1", uniform.high, rule);
-    if (!rule.allows(uniform.low) || !rule.allows(uniform.high)) return;
-    if (auto refusal = refuse_ends(uniform)) {
-      report(name + "/uniform", '[' + base::shortest(uniform.low) + ',' + base::shortest(uniform.high) + ']', *refusal);
+  }
+
+  void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule) override {
+    if (values.size() < length.least || values.size() > length.most) {
+      report(key.name, "", {"has " + std::to_string(values.size()) + " numbers", "give at least one"});
+    }
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      check(std::string(key.name) + '/' + std::to_string(i), values[i], rule);
     }
   }
 
   void restitution(const Key& key, Restitution& value, Absent) override {
-    if (const auto* number = std::get_if<double>(&value)) check(key.name, *number, rules::restitution);
-    if (const auto* ratio = std::get_if<RateRatio>(&value)) {
-      check(std::string(key.name) + "/rate_ratio", ratio->value, rules::rate_ratio);
+    if (auto* given = std::get_if<Quantity>(&value)) quantity(key, *given, rules::restitution, Absent::error);
+    if (auto* ratio = std::get_if<RateRatio>(&value)) {
+      object(key, Absent::error, [ratio](Keys& keys) {
+        keys.quantity({"rate_ratio", ""}, ratio->value, rules::rate_ratio, Absent::error);
+      });
     }
+  }
+
+  void kinetic_friction(const Key& key, Friction& value) override {
+    if (!value.kinetic_ratio) {
+      return quantity(key, value.kinetic_coefficient, rules::friction_coefficient, Absent::error);
+    }
+    check(std::string(key.name) + "/ratio", *value.kinetic_ratio, rules::kinetic_ratio);
   }
 
   void scatter(std::initializer_list<Scatter> of) override {
     for (const Scatter& each : of) check("sigma", *each.sigma, rules::sigma);
   }
 
-  bool one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent) override {
-    check(units[value.unit].key.name, value.value, units[value.unit].rule);
+  bool one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) override {
+    quantity(units[value.unit].key, value.value, units[value.unit].rule, absent);
     return false;
   }
 
@@ -105,18 +117,11 @@ class CheckingKeys final : public Keys {
 
 }  // namespace
 
-std::optional<Refusal> refuse_ends(const Uniform& law) {
-  if (law.low < law.high) return std::nullopt;
-  return Refusal{"its first end must be less than its second", "swap them, or write a number"};
-}
-
 std::string text_of(const Quantity& quantity) {
   if (const auto* number = std::get_if<double>(&quantity)) return base::shortest(*number);
-  if (const auto* uniform = std::get_if<Uniform>(&quantity)) {
-    return "{\"uniform\":[" + base::shortest(uniform->low) + ',' + base::shortest(uniform->high) + "]}";
-  }
-  const auto& normal = std::get<Normal>(quantity);
-  return "{\"normal\":{\"mean\":" + base::shortest(normal.mean) + ",\"sigma\":" + base::shortest(normal.sigma) + "}}";
+  const auto [least, largest] = reach_of(quantity);
+  return std::string(law_names[quantity.index() - 1]) + " from " + base::shortest(least) + " to " +
+         base::shortest(largest);
 }
 
 void check_numbers(const Condition& condition, SoundGroundMotions& sound, Problems& problems) {

@@ -19,10 +19,7 @@ using SoundGroundMotions = std::set<std::pair<const GroundMotion*, double>>;
 /// where `sound` does not hold it.
 void check_numbers(const Condition& condition, SoundGroundMotions& sound, Problems& problems);
 
-/// Why an interval is none.
-[[nodiscard]] std::optional<Refusal> refuse_ends(const Uniform& law);
-
-/// JSON text of a quantity.
+/// A quantity in a message.
 [[nodiscard]] std::string text_of(const Quantity& quantity);
 
 }  // namespace rocking

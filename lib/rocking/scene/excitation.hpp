@@ -13,41 +13,9 @@
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/excitation/shape.hpp"
+#include "rocking/scene/quantity.hpp"
 
 namespace rocking {
-
-/// Uniform law: every value in [low, high) is equally likely.
-struct Uniform {
-  double low = 0.0;
-  double high = 0.0;
-  friend bool operator==(const Uniform&, const Uniform&) = default;
-};
-
-/// N(mean, sigma^2).
-struct Normal {
-  double mean = 0.0;
-  double sigma = 0.0;
-  friend bool operator==(const Normal&, const Normal&) = default;
-};
-
-/// A number, or the law from which each realisation draws it once, at its start.
-using Quantity = std::variant<double, Uniform, Normal>;
-
-/// Whether it has a law.
-[[nodiscard]] bool is_drawn(const Quantity& quantity);
-
-/// An interval that contains every value of a quantity.
-struct Reach {
-  double least;
-  double largest;
-};
-
-/// Of a normal law: the mean and 8.6 standard deviations on both sides. No draw lies farther out: Box and Muller's
-/// radius of the smallest uniform number, 2^-53, is sqrt(-2 ln 2^-53) = 8.572.
-[[nodiscard]] Reach reach_of(const Quantity& quantity);
-
-/// Mean of the law, or the number itself.
-[[nodiscard]] double mean_of(const Quantity& quantity);
 
 /// Accelerations of a recorded ground motion, as data.
 struct GroundMotion {
@@ -70,7 +38,7 @@ enum class AccelerationUnit : std::uint8_t { gravity, m_s2 };
 
 /// Amplitude of the base acceleration, the same for blocks of every size; A_h follows from each block.
 struct PhysicalAmplitude {
-  double value = 0.0;
+  Quantity value = 0.0;
   AccelerationUnit unit = AccelerationUnit::gravity;
   friend bool operator==(const PhysicalAmplitude&, const PhysicalAmplitude&) = default;
 };
@@ -80,7 +48,7 @@ enum class FrequencyUnit : std::uint8_t { hertz, period_s };
 
 /// Frequency of the base motion, the same for blocks of every size; Omega_h follows from each block.
 struct PhysicalFrequency {
-  double value = 1.0;
+  Quantity value = 1.0;
   FrequencyUnit unit = FrequencyUnit::hertz;
   friend bool operator==(const PhysicalFrequency&, const PhysicalFrequency&) = default;
 };
@@ -92,11 +60,12 @@ struct PhysicalFrequency {
   return physical->unit == AccelerationUnit::gravity ? block.shape_angle : block.shape_angle * gravity;
 }
 
-/// Omega_h of a block under a physical frequency.
+/// Omega_h of a block under a physical frequency, or under its mean.
 [[nodiscard]] inline double frequency_ratio(const PhysicalFrequency& physical, const dynamics::Geometry& block) {
   constexpr double two_pi = 0x1.921fb54442d18p+2;
-  return physical.unit == FrequencyUnit::hertz ? two_pi * physical.value / block.frequency_parameter
-                                               : two_pi / (physical.value * block.frequency_parameter);
+  const double value = mean_of(physical.value);
+  return physical.unit == FrequencyUnit::hertz ? two_pi * value / block.frequency_parameter
+                                               : two_pi / (value * block.frequency_parameter);
 }
 
 /// Harmonic excitation as asked for: a_h/g = A_h psi sin(Omega_h tau + Phi).
@@ -106,9 +75,9 @@ struct Harmonic {
   static constexpr bool is_periodic = true;
   static constexpr AmplitudeDraws amplitude_draws = AmplitudeDraws::each_period;
 
-  double amplitude = 0.0;        ///< A_h [-]; not used with a physical amplitude
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]; not used with a physical frequency
-  Quantity phase = 0.0;          ///< Phi [rad]
+  Quantity amplitude = 0.0;        ///< A_h [-]; not used with a physical amplitude
+  Quantity frequency_ratio = 1.0;  ///< Omega_h = omega/p [-]; not used with a physical frequency
+  Quantity phase = 0.0;            ///< Phi [rad]
   std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_h
   std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_h
 
@@ -117,12 +86,12 @@ struct Harmonic {
   /// The default horizon depends on the kind only.
   static constexpr std::array<std::string_view, 1> horizon_follows_from{"/excitation/kind"};
 
-  [[nodiscard]] double size() const { return physical_amplitude ? physical_amplitude->value : amplitude; }
+  [[nodiscard]] double size() const { return mean_of(physical_amplitude ? physical_amplitude->value : amplitude); }
   [[nodiscard]] double size_unit(const dynamics::Geometry& own, double gravity) const {
     return amplitude_unit(physical_amplitude, own, gravity);
   }
   [[nodiscard]] double frequency_ratio_for(const dynamics::Geometry& own, const dynamics::Geometry&) const {
-    return physical_frequency ? rocking::frequency_ratio(*physical_frequency, own) : frequency_ratio;
+    return physical_frequency ? rocking::frequency_ratio(*physical_frequency, own) : mean_of(frequency_ratio);
   }
   [[nodiscard]] const Quantity& start_phase() const { return phase; }
   [[nodiscard]] static double end_of_shaking(const dynamics::Geometry&) {
@@ -139,7 +108,7 @@ struct Recorded {
   static constexpr AmplitudeDraws amplitude_draws = AmplitudeDraws::refused;
 
   std::shared_ptr<const GroundMotion> ground_motion{};  ///< null only if its file was found to be unreadable
-  double scale = 1.0;                                   ///< factor on all accelerations [-]
+  Quantity scale = 1.0;                                 ///< factor on all accelerations [-]
   double frequency_ratio = 1.0;                         ///< frequency of the strobe over p [-]
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
@@ -152,7 +121,7 @@ struct Recorded {
                                                                         "/excitation/time_step_s",
                                                                         "/excitation/frequency_ratio"};
 
-  [[nodiscard]] double size() const { return scale; }
+  [[nodiscard]] double size() const { return mean_of(scale); }
   [[nodiscard]] static double size_unit(const dynamics::Geometry&, double) { return 1.0; }
   [[nodiscard]] double frequency_ratio_for(const dynamics::Geometry& own, const dynamics::Geometry& mean) const {
     return frequency_ratio * (mean.frequency_parameter / own.frequency_parameter);
@@ -184,19 +153,19 @@ struct Pulse {
                                                                         "/excitation/period_s"};
 
   dynamics::PulseShape shape = dynamics::PulseShape::sine;
-  double amplitude = 0.0;        ///< A_h [-]; not used with a physical amplitude
-  double frequency_ratio = 1.0;  ///< Omega_h = omega/p, of the pulse and the strobe [-]; likewise
+  Quantity amplitude = 0.0;        ///< A_h [-]; not used with a physical amplitude
+  Quantity frequency_ratio = 1.0;  ///< Omega_h = omega/p, of the pulse and the strobe [-]; likewise
   std::optional<PhysicalAmplitude> physical_amplitude = std::nullopt;  ///< in place of A_h
   std::optional<PhysicalFrequency> physical_frequency = std::nullopt;  ///< in place of Omega_h
 
   friend bool operator==(const Pulse&, const Pulse&) = default;
 
-  [[nodiscard]] double size() const { return physical_amplitude ? physical_amplitude->value : amplitude; }
+  [[nodiscard]] double size() const { return mean_of(physical_amplitude ? physical_amplitude->value : amplitude); }
   [[nodiscard]] double size_unit(const dynamics::Geometry& own, double gravity) const {
     return amplitude_unit(physical_amplitude, own, gravity);
   }
   [[nodiscard]] double frequency_ratio_for(const dynamics::Geometry& own, const dynamics::Geometry&) const {
-    return physical_frequency ? rocking::frequency_ratio(*physical_frequency, own) : frequency_ratio;
+    return physical_frequency ? rocking::frequency_ratio(*physical_frequency, own) : mean_of(frequency_ratio);
   }
   [[nodiscard]] static Quantity start_phase() { return 0.0; }
   [[nodiscard]] double end_of_shaking(const dynamics::Geometry& block) const {
@@ -208,7 +177,7 @@ struct Pulse {
 
 /// The requested base motion. Every kind has: `name` as in files; `in_words`, what the base does; `is_periodic`;
 /// `amplitude_draws`; `horizon_follows_from`, the places of the file from which the default horizon is computed;
-/// size(), the mean of a fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
+/// size(), the mean of a drawn or fluctuating amplitude as it is given, and size_unit(), by which it is divided for a block, so
 /// that the quotient is A_h or the scale [-]; frequency_ratio_for(own, mean), Omega_h of the clock and the strobe for a
 /// realisation's own block, where the mean block is that of the scene [-]; start_phase() [rad]; end_of_shaking(block),
 /// a normalised time; and effects() as described to users. Its keys: excitation_keys.hpp; how the base moves in a

@@ -32,13 +32,13 @@ constexpr std::array<UnitKey, 3> strength_units{
 
 /// The number as it is given: `normalised`, or in the physical unit.
 template <class Physical>
-NumberInUnit number_of(double normalised, const std::optional<Physical>& physical) {
+QuantityInUnit number_of(const Quantity& normalised, const std::optional<Physical>& physical) {
   if (!physical) return {0, normalised};
   return {static_cast<std::size_t>(physical->unit) + 1, physical->value};
 }
 
 template <class Physical>
-void set(const NumberInUnit& number, double& normalised, std::optional<Physical>& physical) {
+void set(const QuantityInUnit& number, Quantity& normalised, std::optional<Physical>& physical) {
   if (number.unit == 0) {
     normalised = number.value;
   } else {
@@ -49,9 +49,9 @@ void set(const NumberInUnit& number, double& normalised, std::optional<Physical>
 /// Of a kind that has both.
 template <class Kind>
 void keys_of_amplitude_and_frequency(Keys& in, Kind& kind) {
-  NumberInUnit amplitude = number_of(kind.amplitude, kind.physical_amplitude);
+  QuantityInUnit amplitude = number_of(kind.amplitude, kind.physical_amplitude);
   if (in.one_of(amplitude_units, amplitude, Absent::error)) set(amplitude, kind.amplitude, kind.physical_amplitude);
-  NumberInUnit frequency = number_of(kind.frequency_ratio, kind.physical_frequency);
+  QuantityInUnit frequency = number_of(kind.frequency_ratio, kind.physical_frequency);
   if (in.one_of(frequency_units, frequency, Absent::error)) {
     set(frequency, kind.frequency_ratio, kind.physical_frequency);
   }
@@ -107,7 +107,7 @@ void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
     if (how.vertical_name.empty()) how.name.clear();
   }
   if (!is_sound([&] { keys_of_format_and_unit(in, how); })) how.name.clear();
-  NumberInUnit strength{.unit = 0, .value = recorded.scale};
+  QuantityInUnit strength{.unit = 0, .value = recorded.scale};
   const bool has_strength = is_sound([&] { in.one_of(strength_units, strength, Absent::standard); });
   const bool has_times = is_sound([&] {
     in.optional("time_step_s", how.time_step, [&in](double& time_step) {

@@ -3,18 +3,39 @@
 #include <algorithm>
 
 #include "rocking/dynamics/impact.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 
 namespace rocking {
 
+double mean_static(const Friction& friction) { return mean_of(friction.static_coefficient); }
+
+double mean_kinetic(const Friction& friction) {
+  return friction.kinetic_ratio ? *friction.kinetic_ratio * mean_static(friction)
+                                : mean_of(friction.kinetic_coefficient);
+}
+
 double restitution_of(const Scene& scene, const dynamics::Geometry& block) {
   if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution))
-    return dynamics::restitution_of_rate_ratio(block, ratio->value);
-  const auto* number = std::get_if<double>(&scene.restitution);
-  return number != nullptr ? *number : dynamics::inelastic_rate_ratio(block);
+    return dynamics::restitution_of_rate_ratio(block, mean_of(ratio->value));
+  const auto* given = std::get_if<Quantity>(&scene.restitution);
+  return given != nullptr ? mean_of(*given) : dynamics::inelastic_rate_ratio(block);
 }
 
 double restitution_unit(const Scene& scene, const dynamics::Geometry& block) {
   return std::holds_alternative<RateRatio>(scene.restitution) ? dynamics::impact_loss(0.0, block) : 1.0;
+}
+
+RedrawnQuantity law_along_the_way(FluctuationLaw law, double mean, double sigma) {
+  constexpr double root_three = 0x1.bb67ae8584caap+0;
+  if (sigma == 0.0) return mean;
+  switch (law) {
+    case FluctuationLaw::normal: return Normal{.mean = mean, .sigma = sigma};
+    case FluctuationLaw::lognormal:
+      // The mean may itself be drawn, and limited to 0.
+      return mean > 0.0 ? RedrawnQuantity(Lognormal{.mean = mean, .sigma = sigma}) : RedrawnQuantity(mean);
+    case FluctuationLaw::uniform: return Uniform{.low = mean - root_three * sigma, .high = mean + root_three * sigma};
+  }
+  return mean;
 }
 
 double amplitude_unit(const Scene& scene, const dynamics::Geometry& block) {
@@ -32,7 +53,8 @@ double frequency_ratio_for(const Scene& scene, const dynamics::Geometry& block) 
 
 bool is_random(const Scene& scene) {
   bool has_law = false;
-  for_each_quantity(scene, [&](const char*, const Quantity& quantity) { has_law = has_law || is_drawn(quantity); });
+  for_each_quantity(scene,
+                    [&](const QuantityPlace&, const Quantity& quantity) { has_law = has_law || is_drawn(quantity); });
   const Fluctuation& f = scene.fluctuation;
   return f.static_friction > 0.0 || f.kinetic_friction > 0.0 || f.restitution > 0.0 || f.amplitude > 0.0 || has_law;
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -52,17 +54,37 @@ struct Jy25Restitution {
 /// The ratio abs(w2/w1) of the tilt rates across an impact without slip, as it is measured on a block that goes on over
 /// its other edge [-]. e follows from each block: dynamics::restitution_of_rate_ratio.
 struct RateRatio {
-  double value = 1.0;
+  Quantity value = 1.0;
   friend bool operator==(const RateRatio&, const RateRatio&) = default;
 };
 
-/// The mean of the vertical restitution e of an impact [-], or what it follows from.
-using Restitution = std::variant<double, Jy25Restitution, RateRatio>;
+/// The vertical restitution e of an impact [-], or what it follows from.
+using Restitution = std::variant<Quantity, Jy25Restitution, RateRatio>;
 
 struct Friction {
-  double static_coefficient = 0.0;   ///< mean of mu_s [-]
-  double kinetic_coefficient = 0.0;  ///< mean of mu_k [-]
+  Quantity static_coefficient = 0.0;                   ///< mu_s [-]
+  Quantity kinetic_coefficient = 0.0;                  ///< mu_k [-]; not used with a ratio
+  std::optional<double> kinetic_ratio = std::nullopt;  ///< mu_k over the mu_s that was drawn
 };
+
+/// Means of the coefficients, or the numbers themselves.
+[[nodiscard]] double mean_static(const Friction& friction);
+[[nodiscard]] double mean_kinetic(const Friction& friction);
+
+/// Law of a number that is drawn again along the way. All are functions of a normal number z: mean + sigma z; lognormal;
+/// uniform, from mean - sqrt(3) sigma to mean + sqrt(3) sigma at the probability Phi(z).
+enum class FluctuationLaw : std::uint8_t { normal, lognormal, uniform };
+inline constexpr std::array<std::string_view, 3> fluctuation_law_names{"normal", "lognormal", "uniform"};
+
+struct FluctuationLaws {
+  FluctuationLaw static_friction = FluctuationLaw::normal;
+  FluctuationLaw kinetic_friction = FluctuationLaw::normal;
+  FluctuationLaw restitution = FluctuationLaw::normal;
+  FluctuationLaw amplitude = FluctuationLaw::normal;
+};
+
+/// The law with this mean and standard deviation as a quantity; without a deviation the number.
+[[nodiscard]] RedrawnQuantity law_along_the_way(FluctuationLaw law, double mean, double sigma);
 
 /// Standard deviations, in the unit in which the mean is given: that of `amplitude` in g where the amplitude is, that
 /// of `restitution` as a rate ratio where the restitution is (`jy25`: of e). If one is 0, its source is off and no
@@ -73,6 +95,9 @@ struct Fluctuation {
   int refreshes_per_period = 200;  ///< intervals of constant kinetic friction per excitation period
   double restitution = 0.0;
   double amplitude = 0.0;
+  FluctuationLaws laws = {};
+  /// Of the normal numbers from which static and kinetic friction in force follow, from -1 to 1.
+  double friction_correlation = 0.0;
 };
 
 struct InitialState {
@@ -86,7 +111,7 @@ struct Scene {
   SceneBlock block;
   dynamics::SlideInertia slide_inertia = dynamics::SlideInertia::centroidal;
   dynamics::ImpactSlipRule impact_slip_rule = dynamics::ImpactSlipRule::absolute;
-  Restitution restitution = 0.0;  ///< its mean
+  Restitution restitution = 0.0;
   Excitation excitation;
   std::optional<Friction> friction;  ///< absent: the block cannot slide
   Fluctuation fluctuation;
@@ -150,17 +175,6 @@ struct Experiment {
   std::string canonical_text;                 ///< the file with all defaults, as JSON text: equal for equal experiments
   std::vector<std::size_t> sweep_sizes = {};  ///< number of values of each entry of the sweep
 };
-
-/// Calls visit(name, quantity) for each quantity that may have a law, which each realisation draws once.
-template <class Visit>
-void for_each_quantity(const Scene& scene, Visit&& visit) {
-  visit("width of the block", Quantity(scene.block.width));
-  visit("height of the block", Quantity(scene.block.height));
-  visit("phase", start_phase(scene.excitation));
-  visit("initial tilt", scene.initial.tilt);
-  visit("initial tilt rate", scene.initial.tilt_rate);
-  visit("initial slip rate", scene.initial.slip_rate);
-}
 
 /// The block that stands for all blocks of a scene where only one can: in tables and sketches, in the horizon and the
 /// strobe under a ground motion.

@@ -42,20 +42,28 @@ void keys_of_formulation(Keys& in, Scene& scene) {
 }
 
 void keys_of(Keys& in, Friction& friction) {
-  in.number({"static", "mean of mu_s, at least mu_k"}, friction.static_coefficient, rules::friction_coefficient,
-            Absent::error);
-  in.number({"kinetic", "mean of mu_k, below the limit of Painleve's paradox for every block that can be drawn"},
-            friction.kinetic_coefficient, rules::friction_coefficient, Absent::error);
+  in.quantity({"static", "mu_s; its mean is at least that of mu_k"}, friction.static_coefficient,
+              rules::friction_coefficient, Absent::error);
+  in.kinetic_friction({"kinetic",
+                       "mu_k, or its ratio to the mu_s that was drawn; its mean is below the limit of Painleve's "
+                       "paradox for every block "
+                       "that can be drawn"},
+                      friction);
+}
+
+void key_of_law(Keys& in, FluctuationLaw& law) {
+  in.choice({"law", "with this mean and standard deviation; absent: normal"}, law, fluctuation_law_names,
+            Absent::omitted);
 }
 
 /// `friction` is both static and kinetic friction, which a condition in C++ has apart.
 void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
   Fluctuation& fluctuation = scene.fluctuation;
-  const auto mean = [&scene](double Friction::*coefficient) {
-    return [&scene, coefficient] { return scene.friction.value_or(Friction{}).*coefficient; };
+  const auto mean = [&scene](double (*mean_of)(const Friction&)) {
+    return [&scene, mean_of] { return mean_of(scene.friction.value_or(Friction{})); };
   };
-  const Scatter of_static{&fluctuation.static_friction, mean(&Friction::static_coefficient)};
-  const Scatter of_kinetic{&fluctuation.kinetic_friction, mean(&Friction::kinetic_coefficient)};
+  const Scatter of_static{&fluctuation.static_friction, mean(mean_static)};
+  const Scatter of_kinetic{&fluctuation.kinetic_friction, mean(mean_kinetic)};
   const auto stands = [&in, &scene](std::string_view key, bool is_given) {
     if (!in.stands(key, is_given)) return false;
     if (!scene.friction) in.reject(key, relations::no_friction_to_fluctuate());
@@ -71,16 +79,23 @@ void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
   if (stands("friction", false)) {
     in.object({"friction", "of static and kinetic friction alike"}, Absent::omitted, [&](Keys& keys) {
       keys.scatter({of_static, of_kinetic});
+      key_of_law(keys, fluctuation.laws.static_friction);
+      fluctuation.laws.kinetic_friction = fluctuation.laws.static_friction;
+      keys.number({"correlation", "of the deviations of static and kinetic friction in force (Gaussian copula)"},
+                  fluctuation.friction_correlation, rules::correlation, Absent::omitted);
       refreshes(keys);
     });
   }
   if (stands("static_friction", true)) {
-    in.object({"static_friction", "in place of friction"}, Absent::omitted,
-              [&](Keys& keys) { keys.scatter({of_static}); });
+    in.object({"static_friction", "in place of friction"}, Absent::omitted, [&](Keys& keys) {
+      keys.scatter({of_static});
+      key_of_law(keys, fluctuation.laws.static_friction);
+    });
   }
   if (stands("kinetic_friction", true)) {
     in.object({"kinetic_friction", "in place of friction"}, Absent::omitted, [&](Keys& keys) {
       keys.scatter({of_kinetic});
+      key_of_law(keys, fluctuation.laws.kinetic_friction);
       refreshes(keys);
     });
   }
@@ -88,7 +103,7 @@ void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
 
 /// Of the restitution as it is given; under `jy25` e of the mean block.
 double mean_restitution(const Scene& scene) {
-  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution)) return ratio->value;
+  if (const auto* ratio = std::get_if<RateRatio>(&scene.restitution)) return mean_of(ratio->value);
   const dynamics::Block block = mean_block(scene);
   const bool is_sound = block.width > 0.0 && block.height > 0.0;  // else it is already reported
   return is_sound ? restitution_of(scene, dynamics::geometry_of(block)) : 0.0;
@@ -100,6 +115,7 @@ void keys_of_fluctuation(Keys& in, Scene& scene) {
     in.object({"restitution", "in the unit of the restitution: of e, or of the rate ratio"}, Absent::omitted,
               [&](Keys& keys) {
                 keys.scatter({{&scene.fluctuation.restitution, [&scene] { return mean_restitution(scene); }}});
+                key_of_law(keys, scene.fluctuation.laws.restitution);
               });
   }
   if (!in.stands("amplitude", true)) return;
@@ -109,6 +125,7 @@ void keys_of_fluctuation(Keys& in, Scene& scene) {
   in.object({"amplitude", "in the unit of the amplitude; drawn at each period, of a pulse once"}, Absent::omitted,
             [&](Keys& keys) {
               keys.scatter({{&scene.fluctuation.amplitude, [&scene] { return size_of(scene.excitation); }}});
+              key_of_law(keys, scene.fluctuation.laws.amplitude);
             });
 }
 
@@ -131,7 +148,7 @@ void keys_of(Keys& in, Scene& scene) {
               [&](Keys& keys) { keys_of(keys, friction); });
   });
   if (in.stands("fluctuation", true)) {
-    in.object({"fluctuation", "what is drawn again along the way, by a normal law; absent: nothing"}, Absent::omitted,
+    in.object({"fluctuation", "what is drawn again along the way; absent: nothing"}, Absent::omitted,
               [&](Keys& keys) { keys_of_fluctuation(keys, scene); });
   }
   in.object({"initial", "the state at the start"}, Absent::standard,

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/ground_motion_reading.hpp"
@@ -37,15 +38,21 @@ struct UnitKey {
   const NumberRule& rule;
 };
 
-struct NumberInUnit {
+struct QuantityInUnit {
   std::size_t unit = 0;  ///< place among the keys
-  double value = 0.0;
+  Quantity value = 0.0;
 };
 
 /// How strong a ground motion is made.
 struct Strength {
   UnitKey unit;
-  double value;
+  Quantity value;
+};
+
+/// How many numbers a list has.
+struct ListLength {
+  std::size_t least;
+  std::size_t most;
 };
 
 /// A standard deviation that a file may give relative to its mean.
@@ -69,18 +76,24 @@ class Keys {
   virtual void text(const Key& key, std::string& value) = 0;
   virtual void number(const Key& key, double& value, const NumberRule& rule, Absent absent) = 0;
   virtual void whole_number(const Key& key, std::int64_t& value, const IntegerRule& rule, Absent absent) = 0;
+  /// A list that must be there.
+  virtual void numbers(const Key& key, std::vector<double>& values, const ListLength& length,
+                       const NumberRule& rule) = 0;
+  /// A number, or an object with the keys of a law (law_keys.hpp).
   virtual void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) = 0;
   /// `chosen`: place among the names.
   virtual void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) = 0;
   virtual void restitution(const Key& key, Restitution& value, Absent absent) = 0;
+  /// A quantity, or its ratio to the static coefficient.
+  virtual void kinetic_friction(const Key& key, Friction& value) = 0;
   virtual void mode(const Key& key, std::optional<section::ResponseMode>& value) = 0;
   virtual void seed(const Key& key, std::uint64_t& value) = 0;
   virtual void sweep(const Key& key) = 0;
 
   /// `sigma`, in the unit of the mean, or `relative_sigma`, for all of these.
   virtual void scatter(std::initializer_list<Scatter> of) = 0;
-  /// The number that one of the keys gives. Returns whether one was read.
-  virtual bool one_of(std::span<const UnitKey> units, NumberInUnit& value, Absent absent) = 0;
+  /// The quantity that one of the keys gives. Returns whether one was read.
+  virtual bool one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) = 0;
   virtual void record_format(const Key& key, std::optional<RecordFormat>& value) = 0;
   /// A file and its digest.
   virtual void file(const Key& file, const Key& digest, std::string& name) = 0;

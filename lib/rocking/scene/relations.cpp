@@ -30,7 +30,8 @@ double painleve_friction(const ShapeRange& shapes, dynamics::SlideInertia inerti
 
 std::optional<Refusal> order_of_friction(const Condition& condition) {
   if (!condition.scene.friction) return std::nullopt;
-  const auto [at_rest, sliding] = *condition.scene.friction;
+  const double at_rest = mean_static(*condition.scene.friction);
+  const double sliding = mean_kinetic(*condition.scene.friction);
   if (at_rest >= sliding) return std::nullopt;
   return Refusal{
       "is below the kinetic coefficient, " + shown(sliding) + ", so that the onset of sliding is not consistent",
@@ -41,7 +42,7 @@ std::optional<Refusal> painleve(const Condition& condition) {
   const Scene& scene = condition.scene;
   if (!scene.friction) return std::nullopt;
   const double limit = painleve_friction(shapes_of(scene.block), scene.slide_inertia);
-  if (scene.friction->kinetic_coefficient < limit) return std::nullopt;
+  if (mean_kinetic(*scene.friction) < limit) return std::nullopt;
   return Refusal{"is so large that the equations of sliding have no valid solution (Painleve's paradox)",
                  "give less than " + shown(limit) + " for this block and formulation"};
 }
@@ -79,10 +80,48 @@ std::optional<Refusal> fluctuating_amplitude_without_period(const Condition& con
   return relations::no_period_to_fluctuate();
 }
 
+std::optional<Refusal> correlation_beyond_bounds(const Condition& condition) {
+  if (rules::correlation.allows(condition.scene.fluctuation.friction_correlation)) return std::nullopt;
+  return Refusal{std::string(rules::correlation.demand), "give a number such as 0.5"};
+}
+
+std::optional<Refusal> lognormal_without_mean(FluctuationLaw law, double sigma, const std::optional<double>& mean) {
+  if (law != FluctuationLaw::lognormal || sigma == 0.0) return std::nullopt;
+  if (mean && *mean > 0.0 && sigma <= 100.0 * *mean) return std::nullopt;
+  return Refusal{"lognormal needs a positive mean, of at least a hundredth of the standard deviation",
+                 "give such a mean, or another law"};
+}
+
+std::optional<Refusal> lognormal_static_friction(const Condition& condition) {
+  const Fluctuation& f = condition.scene.fluctuation;
+  const auto& friction = condition.scene.friction;
+  return lognormal_without_mean(f.laws.static_friction, f.static_friction,
+                                friction ? std::optional(mean_static(*friction)) : std::nullopt);
+}
+
+std::optional<Refusal> lognormal_kinetic_friction(const Condition& condition) {
+  const Fluctuation& f = condition.scene.fluctuation;
+  const auto& friction = condition.scene.friction;
+  return lognormal_without_mean(f.laws.kinetic_friction, f.kinetic_friction,
+                                friction ? std::optional(mean_kinetic(*friction)) : std::nullopt);
+}
+
+std::optional<Refusal> lognormal_restitution(const Condition& condition) {
+  const Fluctuation& f = condition.scene.fluctuation;
+  const auto* given = std::get_if<Quantity>(&condition.scene.restitution);
+  return lognormal_without_mean(f.laws.restitution, f.restitution,
+                                given != nullptr ? std::optional(mean_of(*given)) : std::nullopt);
+}
+
+std::optional<Refusal> lognormal_amplitude(const Condition& condition) {
+  const Fluctuation& f = condition.scene.fluctuation;
+  return lognormal_without_mean(f.laws.amplitude, f.amplitude, size_of(condition.scene.excitation));
+}
+
 /// The physical amplitude of an excitation that is given in this unit.
-std::optional<double> amplitude_in(AccelerationUnit unit, const Scene& scene) {
+std::optional<Quantity> amplitude_in(AccelerationUnit unit, const Scene& scene) {
   return std::visit(
-      [unit]<class Kind>(const Kind& kind) -> std::optional<double> {
+      [unit]<class Kind>(const Kind& kind) -> std::optional<Quantity> {
         if constexpr (requires { kind.physical_amplitude; }) {
           if (kind.physical_amplitude && kind.physical_amplitude->unit == unit) return kind.physical_amplitude->value;
         }
@@ -91,9 +130,9 @@ std::optional<double> amplitude_in(AccelerationUnit unit, const Scene& scene) {
       scene.excitation);
 }
 
-std::optional<double> frequency_in(FrequencyUnit unit, const Scene& scene) {
+std::optional<Quantity> frequency_in(FrequencyUnit unit, const Scene& scene) {
   return std::visit(
-      [unit]<class Kind>(const Kind& kind) -> std::optional<double> {
+      [unit]<class Kind>(const Kind& kind) -> std::optional<Quantity> {
         if constexpr (requires { kind.physical_frequency; }) {
           if (kind.physical_frequency && kind.physical_frequency->unit == unit) return kind.physical_frequency->value;
         }
@@ -109,10 +148,12 @@ double largest_amplitude(const Scene& scene) {
 
 template <AccelerationUnit unit>
 std::optional<Refusal> amplitude_beyond_bounds(const Condition& condition) {
-  const auto amplitude = amplitude_in(unit, condition.scene);
+  const auto asked = amplitude_in(unit, condition.scene);
+  if (!asked) return std::nullopt;
+  const double amplitude = reach_of(*asked).largest;
   const double largest = largest_amplitude(condition.scene);
-  if (!amplitude || *amplitude <= largest) return std::nullopt;
-  return Refusal{"makes A_h = " + shown(*amplitude / largest * rules::largest_amplitude) + " for this block, above 1e6",
+  if (amplitude <= largest) return std::nullopt;
+  return Refusal{"makes A_h = " + shown(amplitude / largest * rules::largest_amplitude) + " for this block, above 1e6",
                  "give at most " + shown(largest)};
 }
 
@@ -129,9 +170,11 @@ std::optional<Refusal> frequency_beyond_bounds(const Condition& condition) {
   if (!value) return std::nullopt;
   constexpr double two_pi = 2.0 * std::numbers::pi;
   const auto [smallest, largest] = sizes_of(condition.scene.block);
-  const PhysicalFrequency given{.value = *value, .unit = unit};
-  const double low = frequency_ratio(given, smallest);
-  const double high = frequency_ratio(given, largest);
+  const auto [slow, fast] = reach_of(*value);
+  if (slow <= 0.0) return Refusal{"may be zero or negative", "add \"between\" to the law, or write a lognormal one"};
+  const bool rises = unit == FrequencyUnit::hertz;  // Omega_h with the number
+  const double low = frequency_ratio({.value = rises ? slow : fast, .unit = unit}, largest);
+  const double high = frequency_ratio({.value = rises ? fast : slow, .unit = unit}, smallest);
   if (rules::frequency_ratio.allows(low) && rules::frequency_ratio.allows(high)) return std::nullopt;
   const double least = rules::least_frequency_ratio * smallest.frequency_parameter / two_pi;
   const double most = rules::largest_frequency_ratio * largest.frequency_parameter / two_pi;
@@ -190,7 +233,7 @@ struct Relation {
 };
 
 /// In the order in which the problems of a file are reported.
-constexpr std::array<Relation, 19> all_relations{{
+constexpr std::array<Relation, 24> all_relations{{
     {"/fluctuation/static_friction",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
      static_fluctuation_without_friction,
@@ -203,6 +246,17 @@ constexpr std::array<Relation, 19> all_relations{{
      {"/excitation", "/fluctuation/amplitude"},
      fluctuating_amplitude_without_period,
      no_value},
+    {"/fluctuation/friction/correlation", {"/fluctuation/friction"}, correlation_beyond_bounds, no_value},
+    {"/fluctuation/static_friction/law",
+     {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
+     lognormal_static_friction,
+     no_value},
+    {"/fluctuation/kinetic_friction/law",
+     {"/friction", "/fluctuation/friction", "/fluctuation/kinetic_friction"},
+     lognormal_kinetic_friction,
+     no_value},
+    {"/fluctuation/restitution/law", {"/restitution", "/fluctuation/restitution"}, lognormal_restitution, no_value},
+    {"/fluctuation/amplitude/law", {"/excitation", "/fluctuation/amplitude"}, lognormal_amplitude, no_value},
     {"/realisations/until", {"/realisations"}, relations::one_half_width, no_value},
     {"/realisations/until/mode", {"/realisations"}, relations::relative_half_width_of_every_mode, no_value},
     {"/check_labels", {}, label_check_of_open_number, no_value},
@@ -215,11 +269,11 @@ constexpr std::array<Relation, 19> all_relations{{
     {"/friction/static",
      {"/friction"},
      order_of_friction,
-     [](const Condition& c) { return base::shortest(c.scene.friction->static_coefficient); }},
+     [](const Condition& c) { return text_of(c.scene.friction->static_coefficient); }},
     {"/friction/kinetic",
      {"/friction", "/block", "/slide_inertia", "/formulation"},
      painleve,
-     [](const Condition& c) { return base::shortest(c.scene.friction->kinetic_coefficient); }},
+     [](const Condition& c) { return base::shortest(mean_kinetic(*c.scene.friction)); }},
     {"/initial/tilt",
      {"/block", "/initial/tilt"},
      tilt_of_overturned,
@@ -239,11 +293,11 @@ constexpr std::array<Relation, 19> all_relations{{
     {"/excitation/frequency_hz",
      {"/block", "/excitation"},
      frequency_beyond_bounds<FrequencyUnit::hertz>,
-     [](const Condition& c) { return base::shortest(*frequency_in(FrequencyUnit::hertz, c.scene)); }},
+     [](const Condition& c) { return text_of(*frequency_in(FrequencyUnit::hertz, c.scene)); }},
     {"/excitation/period_s",
      {"/block", "/excitation"},
      frequency_beyond_bounds<FrequencyUnit::period_s>,
-     [](const Condition& c) { return base::shortest(*frequency_in(FrequencyUnit::period_s, c.scene)); }},
+     [](const Condition& c) { return text_of(*frequency_in(FrequencyUnit::period_s, c.scene)); }},
     {"/fluctuation/amplitude",
      {"/block", "/excitation", "/fluctuation/amplitude"},
      amplitude_sigma_beyond_bounds,
@@ -251,7 +305,7 @@ constexpr std::array<Relation, 19> all_relations{{
     {"/restitution/rate_ratio",
      {"/block", "/restitution"},
      rate_ratio_beyond_restitution,
-     [](const Condition& c) { return base::shortest(std::get<RateRatio>(c.scene.restitution).value); }},
+     [](const Condition& c) { return text_of(std::get<RateRatio>(c.scene.restitution).value); }},
 }};
 
 /// Whether a problem of what stands at `place`, or within it, is told.

@@ -59,6 +59,13 @@ inline constexpr NumberRule rate_ratio{
 inline constexpr NumberRule sigma{.bounds = {.least = 0.0, .most = 1e6},
                                   .demand = "must not be negative or above 1e6: a standard deviation",
                                   .example = "0.03"};
+inline constexpr NumberRule weight{.bounds = {.least = 0.0, .most = 1e6},
+                                   .demand = "must not be negative or above 1e6: a relative frequency",
+                                   .example = "1.0"};
+inline constexpr NumberRule kinetic_ratio{
+    .bounds = {.least = 0.0, .most = 1.0}, .demand = "must be a number from 0 to 1: mu_k over mu_s", .example = "0.85"};
+inline constexpr NumberRule correlation{
+    .bounds = {.least = -1.0, .most = 1.0}, .demand = "must be a number from -1 to 1", .example = "1.0"};
 inline constexpr IntegerRule refreshes{.low = 1, .high = 100'000, .example = 200};
 inline constexpr NumberRule phase{.bounds = {.least = -1e3, .most = 1e3},
                                   .demand = "must be a number of radians from -1000 to 1000",

@@ -16,9 +16,10 @@ void add_amplitudes(const std::optional<PhysicalAmplitude>& physical, const Scen
     return;
   }
   const bool in_g = physical->unit == AccelerationUnit::gravity;
+  const double value = mean_of(physical->value);
   shaking.given_amplitude = shaking_numbers[in_g ? 1 : 2].key;
-  shaking.amplitude_g = in_g ? physical->value : physical->value / block.gravity;
-  shaking.amplitude_m_s2 = in_g ? physical->value * block.gravity : physical->value;
+  shaking.amplitude_g = in_g ? value : value / block.gravity;
+  shaking.amplitude_m_s2 = in_g ? value * block.gravity : value;
 }
 
 void add_frequencies(const std::optional<PhysicalFrequency>& physical, double p, Shaking& shaking) {
@@ -28,9 +29,10 @@ void add_frequencies(const std::optional<PhysicalFrequency>& physical, double p,
     return;
   }
   const bool in_hertz = physical->unit == FrequencyUnit::hertz;
+  const double value = mean_of(physical->value);
   shaking.given_frequency = shaking_numbers[in_hertz ? 4 : 5].key;
-  shaking.frequency_hz = in_hertz ? physical->value : 1.0 / physical->value;
-  shaking.period_s = in_hertz ? 1.0 / physical->value : physical->value;
+  shaking.frequency_hz = in_hertz ? value : 1.0 / value;
+  shaking.period_s = in_hertz ? 1.0 / value : value;
 }
 
 }  // namespace

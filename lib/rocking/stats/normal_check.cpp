@@ -96,8 +96,11 @@ SmallestPValue smallest_p_value(const NormalCheck& check) {
 
 bool is_refuted(const NormalCheck& check) {
   constexpr double significance = 1e-6;
-  std::vector<double> p_values{check.mean.p_value, check.standard_deviation.p_value, check.anderson_darling.p_value,
-                               check.kolmogorov_smirnov.p_value};
+  std::vector<double> p_values{check.anderson_darling.p_value, check.kolmogorov_smirnov.p_value};
+  if (!check.skewness.of_law) {
+    p_values.push_back(check.mean.p_value);
+    p_values.push_back(check.standard_deviation.p_value);
+  }
   for (const TailCount& tail : check.tails) p_values.push_back(tail.p_value);
   if (check.n >= 1000) {
     for (const CorrelationTest& correlation : check.correlations) {

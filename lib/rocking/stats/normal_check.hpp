@@ -72,6 +72,8 @@ struct ShapeTest {
   MomentTest test;
   /// For the distance 0.01, "no more than 0.01" in Jeong & Yang (2012), and for the observed distance.
   std::array<Nearness, 2> nearness;
+  /// Value of a law that is not normal. Its moments are tested for large samples only.
+  std::optional<double> of_law = std::nullopt;
 };
 
 struct CorrelationTest {
@@ -115,8 +117,8 @@ struct SmallestPValue {
 [[nodiscard]] SmallestPValue smallest_p_value(const NormalCheck& check);
 
 /// Whether the sample is incompatible with the law: a p-value below 1e-6 among those that are accurate so far out.
-/// These are mean, standard deviation, Anderson-Darling, Kolmogorov-Smirnov and tails; from 1000 numbers on also the
-/// correlations, except those of squares.
+/// These are mean and standard deviation of a normal law, Anderson-Darling, Kolmogorov-Smirnov and tails; from 1000
+/// numbers on also the correlations, except those of squares.
 ///
 /// For a sample from the law the probability is below 2e-5: 14 p-values, where those of correlations are 1.2 times too
 /// small at n = 1000.

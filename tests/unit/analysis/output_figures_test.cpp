@@ -189,7 +189,7 @@ TEST(Bifurcation, OfNothingIsEmptyNotAnError) {
 }
 
 TEST(NormalHistogram, HasTheCountsAndACurveOfTheSameArea) {
-  rocking::SamplerCheck check{.sampler = "box-muller", .seed = 1, .found = {}};
+  rocking::SamplerCheck check{.distribution = {}, .sampler = "box-muller", .seed = 1, .found = {}};
   check.found.n = 1000;
   check.found.law = {.mean = 0.5, .sigma = 0.1};
   check.found.histogram = {

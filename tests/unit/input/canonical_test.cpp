@@ -131,7 +131,7 @@ TEST(Fluctuation, MayBeSetForEachFrictionByItself) {
   EXPECT_EQ(scene.fluctuation.static_friction, 0.01);
   EXPECT_DOUBLE_EQ(scene.fluctuation.kinetic_friction, 0.03);
   EXPECT_EQ(scene.fluctuation.refreshes_per_period, 50);
-  EXPECT_EQ(scene.fluctuation.amplitude, 0.5 * support::harmonic(scene).amplitude);
+  EXPECT_EQ(scene.fluctuation.amplitude, 0.5 * mean_of(support::harmonic(scene).amplitude));
 }
 
 }  // namespace

@@ -45,7 +45,7 @@ std::vector<double> amplitudes_of(const std::string& range) {
   std::vector<double> amplitudes;
   const auto sweep = R"([{"parameter": "/excitation/amplitude", )" + range + "}]";
   for (const auto& condition : read_with_sweep(sweep).conditions) {
-    amplitudes.push_back(support::harmonic(condition.scene).amplitude);
+    amplitudes.push_back(mean_of(support::harmonic(condition.scene).amplitude));
   }
   return amplitudes;
 }
@@ -85,9 +85,9 @@ TEST(Sweep, MakesAGridWhoseLastEntryVariesFastest) {
       R"([{"parameter": "/friction", "values": [{"static": 0.35, "kinetic": 0.3}, {"static": 0.4, "kinetic": 0.35}]},
                                         {"parameter": "/excitation/amplitude", "values": [1, 2, 3]}])");
   ASSERT_EQ(grid.conditions.size(), 6U);
-  EXPECT_EQ(grid.conditions[2].scene.friction->static_coefficient, 0.35);
+  EXPECT_EQ(mean_static(*grid.conditions[2].scene.friction), 0.35);
   EXPECT_EQ(support::harmonic(grid.conditions[2].scene).amplitude, 3.0);
-  EXPECT_EQ(grid.conditions[3].scene.friction->static_coefficient, 0.4);
+  EXPECT_EQ(mean_static(*grid.conditions[3].scene.friction), 0.4);
   EXPECT_EQ(support::harmonic(grid.conditions[3].scene).amplitude, 1.0);
   EXPECT_EQ(grid.conditions[3].parameters[0].value, R"({"static":0.4,"kinetic":0.35})");
   EXPECT_EQ(grid.conditions[3].parameters[1].value, "1.0");

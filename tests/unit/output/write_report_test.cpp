@@ -222,7 +222,10 @@ SamplerCheck example_check() {
     sample.push_back(0.4 + 0.0003 * (i - 99.5));
     other.push_back(0.4 + 0.03 * (i % 2 == 0 ? 1.0 : -1.0));
   }
-  return {"box-muller", 0x2012, stats::check_normal({sample, other, other}, {0.4, 0.03}).value()};
+  return {.distribution = {},
+          .sampler = "box-muller",
+          .seed = 0x2012,
+          .found = stats::check_normal({sample, other, other}, {0.4, 0.03}).value()};
 }
 
 TEST(SamplerCheck, KeepsToItsSchema) {

@@ -146,8 +146,8 @@ TEST(SceneCoefficients, UnderAnotherMeanKeepTheDeviationsInForce) {
   EXPECT_EQ(coefficients.under(same).static_friction(), in_force);
   EXPECT_EQ(coefficients.under(same).kinetic_friction(clock), coefficients.kinetic_friction(clock));
   EXPECT_EQ(coefficients.under(same).amplitude(clock), coefficients.amplitude(clock));
-  scene.friction->static_coefficient += 0.25;
-  support::harmonic(scene).amplitude += 0.25;
+  scene.friction->static_coefficient = mean_static(*scene.friction) + 0.25;
+  support::harmonic(scene).amplitude = mean_of(support::harmonic(scene).amplitude) + 0.25;
   auto moved = coefficients.under(SceneCoefficients(scene, random::Draws(sweep_seed, 0)));
   EXPECT_NEAR(moved.static_friction(), in_force + 0.25, 0x1p-52);                      // a rounding of a sum below 1
   EXPECT_NEAR(moved.amplitude(clock), coefficients.amplitude(clock) + 0.25, 0x1p-49);  // of one below 8

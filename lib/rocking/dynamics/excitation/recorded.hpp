@@ -69,6 +69,9 @@ class RecordedExcitation {
   RecordedExcitation(std::shared_ptr<const NormalisedGroundMotion> motion, double scale)
       : motion_(std::move(motion)), scale_(scale) {}
 
+  /// The same record, whose knots both share, with another scale.
+  [[nodiscard]] RecordedExcitation scaled(double scale) const { return {motion_, scale}; }
+
   [[nodiscard]] static double unit(const Geometry&) { return 1.0; }
   [[nodiscard]] double horizontal(const Clock& clock, double amplitude) const {
     return amplitude * acceleration(piece(clock), moment_of(clock)).horizontal;

@@ -10,6 +10,7 @@
 #include "rocking/base/on_threads.hpp"
 #include "rocking/realisation/continuation.hpp"
 #include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/studies/orbits/fixed_point.hpp"
 
 namespace rocking {
@@ -120,12 +121,11 @@ class OrbitSearch {
 
 /// Where a law or a standard deviation makes the motion random; absent if nothing does.
 std::optional<std::string> place_of_randomness(const Scene& scene) {
-  if (is_drawn(scene.block.width)) return "/block/width_m";
-  if (is_drawn(scene.block.height)) return "/block/height_m";
-  if (is_drawn(start_phase(scene.excitation))) return "/excitation/phase_rad";
-  if (is_drawn(scene.initial.tilt)) return "/initial/tilt";
-  if (is_drawn(scene.initial.tilt_rate)) return "/initial/tilt_rate";
-  if (is_drawn(scene.initial.slip_rate)) return "/initial/slip_rate";
+  std::optional<std::string> first;
+  for_each_quantity(scene, [&](const QuantityPlace& what, const Quantity& quantity) {
+    if (!first && is_drawn(quantity)) first = what.place;
+  });
+  if (first) return first;
   return is_random(scene) ? std::optional<std::string>("/fluctuation") : std::nullopt;
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/ensemble/work_list.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/rate_ratios.hpp"
 
@@ -42,8 +43,8 @@ constexpr std::array<Effect, 6> effects{{
 /// Every quantity that some condition draws, each once.
 void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>& names) {
   for (const Condition& condition : experiment.conditions) {
-    for_each_quantity(condition.scene, [&](const std::string& name, const Quantity& quantity) {
-      const std::string effect = name + " drawn once";
+    for_each_quantity(condition.scene, [&](const QuantityPlace& what, const Quantity& quantity) {
+      const std::string effect = std::string(what.name) + " drawn once";
       if (is_drawn(quantity) && std::ranges::find(names, effect) == names.end()) names.push_back(effect);
     });
   }

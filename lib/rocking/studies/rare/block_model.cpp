@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
-#include <variant>
 
 #include "rocking/dynamics/edge_angle.hpp"
 #include "rocking/integrate/hybrid.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/studies/rare/splitting.hpp"
 
 namespace rocking::rare {
@@ -15,22 +15,13 @@ namespace {
 using random::DrawHistory;
 using random::Source;
 
-/// The quantity that a source draws once; absent for the coefficients, whose laws are normal.
-std::optional<Quantity> quantity_of(const Scene& scene, Source source) {
-  switch (source) {
-    case Source::block_width: return scene.block.width;
-    case Source::block_height: return scene.block.height;
-    case Source::phase: return start_phase(scene.excitation);
-    case Source::tilt: return scene.initial.tilt;
-    case Source::tilt_rate: return scene.initial.tilt_rate;
-    case Source::slip_rate: return scene.initial.slip_rate;
-    default: return std::nullopt;
-  }
-}
-
+/// Whether draw 0 of a source is a uniform number. The coefficients along the way are functions of normal ones.
 bool is_uniform(const Scene& scene, Source source) {
-  const std::optional<Quantity> quantity = quantity_of(scene, source);
-  return quantity && std::holds_alternative<Uniform>(*quantity);
+  bool uniform = false;
+  for_each_quantity(scene, [&](const QuantityPlace& what, const Quantity& quantity) {
+    if (what.source == source) uniform = is_drawn(quantity) && drawn_from(quantity) == BasicDraw::uniform;
+  });
+  return uniform;
 }
 
 double first_draw(const Scene& scene, Source source, const random::Draws& draws) {
@@ -62,10 +53,9 @@ double step_size(const random::Draws& draws) {
 
 Moves moves_of(const Scene& scene) {
   Moves moves;
-  for (const Source source :
-       {Source::block_width, Source::block_height, Source::phase, Source::tilt, Source::tilt_rate, Source::slip_rate}) {
-    if (is_drawn(*quantity_of(scene, source))) moves.once.push_back(source);
-  }
+  for_each_quantity(scene, [&moves](const QuantityPlace& what, const Quantity& quantity) {
+    if (is_drawn(quantity)) moves.once.push_back(what.source);
+  });
   const Fluctuation& f = scene.fluctuation;
   const bool amplitude_once = amplitude_draws(scene.excitation) == AmplitudeDraws::once;
   if (f.amplitude > 0.0 && amplitude_once) moves.once.push_back(Source::amplitude);

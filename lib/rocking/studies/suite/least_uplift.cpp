@@ -26,10 +26,10 @@ std::optional<double> least_uplift(const Scene& scene, double intensity) {
     // The largest abs(alpha) of the other kinds is A_h psi.
     return block.tangent / block.shape_angle * amplitude_unit(scene, block);
   }
-  if (!recorded->ground_motion) return std::nullopt;
+  if (!recorded->ground_motion || is_drawn(recorded->scale)) return std::nullopt;
   const auto scale = least_uplift_scale(recorded->ground_motion->samples, block);
   if (!scale) return std::numeric_limits<double>::infinity();
-  return intensity * (*scale / recorded->scale);
+  return intensity * (*scale / mean_of(recorded->scale));
 }
 
 }  // namespace rocking

@@ -69,11 +69,12 @@ void sort(std::vector<Stripe>& stripes) {
 /// Measures of a motion that does not change with the realisation.
 void set_measures(const Scene& scene, Stripe& stripe) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  if (recorded == nullptr || !recorded->ground_motion) return;
+  if (recorded == nullptr || !recorded->ground_motion || is_drawn(recorded->scale)) return;
+  const double scale = mean_of(recorded->scale);
   const dynamics::Block block = mean_block(scene);
   const dynamics::Geometry shape = dynamics::geometry_of(block);
-  const double pga = recorded->scale * peak_acceleration(recorded->ground_motion->samples);
-  const double pgv = recorded->scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
+  const double pga = scale * peak_acceleration(recorded->ground_motion->samples);
+  const double pgv = scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
   stripe.measures = {pga, pgv, pga / shape.tangent, shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
 }
 

@@ -1,0 +1,69 @@
+#include "rocking/input/quantities_in_text.hpp"
+
+#include <algorithm>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/object_reader.hpp"
+#include "rocking/input/reading_keys.hpp"
+#include "rocking/scene/drawn_quantities.hpp"
+#include "rocking/scene/law_keys.hpp"
+
+namespace rocking {
+namespace {
+
+constexpr NumberRule any_number{.bounds = {}, .demand = "must be a number", .example = "1.0"};
+
+void add_places(const Scene& scene, std::vector<DrawnPlace>& places) {
+  for_each_quantity(scene, [&places](const QuantityPlace& what, const Quantity&) {
+    const auto is_same = [&what](const DrawnPlace& known) { return known.pointer == what.place; };
+    if (std::ranges::none_of(places, is_same)) places.push_back({std::string(what.place), std::string(what.name)});
+  });
+}
+
+/// Of scenes that together have every number, in every unit.
+std::vector<DrawnPlace> collected_places() {
+  std::vector<DrawnPlace> places;
+  Scene scene;
+  scene.friction.emplace();
+  add_places(scene, places);
+  scene.restitution = RateRatio{};
+  for (const AccelerationUnit unit : {AccelerationUnit::gravity, AccelerationUnit::m_s2}) {
+    scene.excitation = Pulse{.physical_amplitude = PhysicalAmplitude{.unit = unit}};
+    add_places(scene, places);
+  }
+  for (const FrequencyUnit unit : {FrequencyUnit::hertz, FrequencyUnit::period_s}) {
+    scene.excitation = Pulse{.physical_frequency = PhysicalFrequency{.unit = unit}};
+    add_places(scene, places);
+  }
+  scene.excitation = Recorded{};
+  add_places(scene, places);
+  for (const char* unit : {"/excitation/pga_g", "/excitation/pgv_m_s"}) {
+    places.push_back({unit, places.back().name});
+  }
+  return places;
+}
+
+}  // namespace
+
+bool has_law(const Json& value) {
+  return value.is_object() &&
+         std::ranges::any_of(law_names, [&value](std::string_view name) { return value.contains(std::string(name)); });
+}
+
+Quantity quantity_in(const Json& value) {
+  Problems problems;
+  const Json object = {{"quantity", value}};
+  ObjectReader reader(object, "", problems);
+  ReadingKeys keys(reader, {.sweep = nullptr, .files = nullptr});
+  Quantity quantity = 0.0;
+  keys.quantity({"quantity", ""}, quantity, any_number, Absent::error);
+  if (!problems.empty()) throw base::InputError(std::move(problems));
+  return quantity;
+}
+
+const std::vector<DrawnPlace>& places_of_quantities() {
+  static const std::vector<DrawnPlace> places = collected_places();
+  return places;
+}
+
+}  // namespace rocking

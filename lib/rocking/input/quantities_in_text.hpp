@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "rocking/scene/quantity.hpp"
+#include "rocking/text/json.hpp"
+
+/// Quantities as they stand in the canonical text of an experiment.
+namespace rocking {
+
+/// Whether it is an object that gives a law.
+[[nodiscard]] bool has_law(const Json& value);
+
+/// A number or a law. Throws base::InputError where it is neither.
+[[nodiscard]] Quantity quantity_in(const Json& value);
+
+/// A number that each realisation draws once.
+struct DrawnPlace {
+  std::string pointer;  ///< JSON pointer into the experiment
+  std::string name;     ///< in words
+};
+
+/// Every place of an experiment that may have a law, whether it has one or not.
+[[nodiscard]] const std::vector<DrawnPlace>& places_of_quantities();
+
+}  // namespace rocking

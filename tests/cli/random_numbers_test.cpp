@@ -1,0 +1,103 @@
+// Numbers that are drawn once, and laws along the way: from the file to the page.
+
+#include <cmath>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/program.hpp"
+#include "support/json_schema.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::objections;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class RandomNumbers : public rocking::support::ProgramTest {
+ protected:
+  /// A question with every law, and every number that may have one.
+  [[nodiscard]] static Json with_every_law() {
+    return Json::parse(R"({"format": "rocking.experiment/1", "title": "every law",
+      "block": {"width_m": {"normal": {"mean": 0.5, "sigma": 0.02, "between": [0.45, 0.55]}},
+                "height_m": {"values": [1.9, 2.0], "weights": [1, 3]}},
+      "restitution": {"rate_ratio": {"uniform": [0.90, 0.93]}},
+      "excitation": {"kind": "harmonic", "amplitude_g": {"lognormal": {"mean": 0.5, "sigma": 0.1}},
+                     "frequency_hz": {"uniform": [2, 3]}, "phase_rad": {"uniform": [0, 6.28]}},
+      "friction": {"static": {"triangular": [0.4, 0.5, 0.6]}, "kinetic": {"ratio": 0.9}},
+      "fluctuation": {"friction": {"sigma": 0.03, "law": "lognormal", "correlation": 1.0},
+                      "restitution": {"sigma": 0.005, "law": "uniform"}},
+      "initial": {"tilt": {"normal": {"mean": 0, "sigma": 0.05}}},
+      "horizon": {"transient_periods": 10, "sampled_periods": 20}, "realisations": 40, "seed": "0x1"})");
+  }
+};
+
+TEST_F(RandomNumbers, OfEveryLawGoFromTheFileToThePage) {
+  write("laws.json", with_every_law().dump());
+  ASSERT_EQ(objections("experiment", with_every_law().dump()), "");
+  const auto ran = rocking("run laws.json -q -o out");
+  ASSERT_EQ(ran.exit_code, 0) << ran.errors;
+  const Json report = Json::parse(read("out/report.json"));
+  EXPECT_EQ(objections("report", report.dump()), "");
+  EXPECT_EQ(report["input"]["experiment"]["friction"], with_every_law()["friction"]);
+  EXPECT_EQ(report["result"]["conditions"][0]["validity"]["clamps"]["kinetic_friction_at_static"], 0);
+  EXPECT_THAT(read("out/report.html"), AllOf(HasSubstr("ratio of the tilt rates at impacts"),
+                                             HasSubstr("static friction 0.4 to 0.6 (drawn, triangular)"),
+                                             HasSubstr("kinetic 0.9 of it"), HasSubstr("on average")));
+  EXPECT_EQ(rocking("verify out -q").exit_code, 0);
+  EXPECT_EQ(rocking("report out").exit_code, 0);
+  EXPECT_EQ(rocking("run laws.json -q -o other -j 2 --no-page").exit_code, 0);
+  EXPECT_EQ(Json::parse(read("other/report.json"))["result"], report["result"]);
+}
+
+TEST_F(RandomNumbers, OfEveryLawCanBeSplit) {
+  write("laws.json", with_every_law().dump());
+  const auto found = rocking("rare laws.json -q -o rare --peak-tilt 0.5 --particles 40 --relative-error 0.5");
+  EXPECT_EQ(found.exit_code, 0) << found.errors;
+}
+
+TEST_F(RandomNumbers, AreRefusedWithTheLineAndARemedy) {
+  const auto refused = [this](const std::string& place, const std::string& value) {
+    Json experiment = with_every_law();
+    experiment[Json::json_pointer(place)] = Json::parse(value);
+    write("bad.json", experiment.dump(1));
+    const auto outcome = rocking("validate bad.json");
+    EXPECT_EQ(outcome.exit_code, 65) << place << ' ' << value;
+    return outcome.errors;
+  };
+  EXPECT_THAT(refused("/friction/static", R"({"gamma": 1})"), HasSubstr("or another law: \"uniform\", \"normal\""));
+  EXPECT_THAT(refused("/friction/static", R"({"uniform": [0.4, 0.5], "triangular": [0.4, 0.5, 0.6]})"),
+              HasSubstr("two distributions"));
+  EXPECT_THAT(refused("/friction/static", R"({"triangular": [0.4, 0.5]})"), HasSubstr("must be a list of 3 numbers"));
+  EXPECT_THAT(refused("/friction/static", R"({"lognormal": {"mean": 0.4, "sd": 0.1}})"), HasSubstr("sigma"));
+  EXPECT_THAT(refused("/friction/static", R"({"values": [0.4], "weights": [-1]})"), HasSubstr("relative frequency"));
+  EXPECT_THAT(refused("/friction/kinetic", R"({"ratio": 1.2})"), HasSubstr("from 0 to 1"));
+  EXPECT_THAT(refused("/friction/kinetic", "0.55"), HasSubstr("is below the kinetic coefficient"));
+  EXPECT_THAT(refused("/excitation/frequency_hz", R"({"normal": {"mean": 2, "sigma": 0.5}})"), HasSubstr("between"));
+  EXPECT_THAT(refused("/fluctuation/friction/correlation", "1.5"), HasSubstr("from -1 to 1"));
+  EXPECT_THAT(refused("/fluctuation/friction/law", R"("weibull")"), HasSubstr("lognormal"));
+  EXPECT_THAT(refused("/fluctuation/restitution/law", R"("lognormal")"), HasSubstr("positive mean"));
+}
+
+TEST_F(RandomNumbers, OfLawsAlongTheWayAreTested) {
+  for (const std::string law : {"lognormal", "uniform"}) {
+    const auto outcome = rocking("check-normal --json --n 5000 --law " + law);
+    EXPECT_EQ(outcome.exit_code, 0);
+    EXPECT_EQ(objections("check_normal", outcome.output), "");
+    const Json check = Json::parse(outcome.output);
+    EXPECT_EQ(check["distribution"], law);
+    for (const char* moment : {"mean", "standard_deviation", "skewness", "kurtosis"}) {
+      EXPECT_LT(std::abs(check[moment]["z"].get<double>()), 4.0) << law << moment;
+    }
+    EXPECT_NEAR(check["kurtosis"]["of_law"].get<double>(), law == "uniform" ? 1.8 : 3.09, 0.01);
+    write("check.json", outcome.output);
+    EXPECT_EQ(rocking("figure check.json -o drawn").exit_code, 0);
+    EXPECT_THAT(rocking("check-normal --n 5000 --law " + law).output, HasSubstr("numbers from " + law));
+  }
+  EXPECT_THAT(rocking("check-normal --json").output, Not(HasSubstr("of_law")));
+  EXPECT_EQ(rocking("check-normal --law lognormal --mean 0").exit_code, 64);
+}
+
+}  // namespace

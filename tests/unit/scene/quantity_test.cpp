@@ -1,0 +1,169 @@
+// Laws of quantities: each value as a function of its random number, against other formulas.
+
+#include "rocking/scene/quantity.hpp"
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include <boost/math/distributions/lognormal.hpp>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/math/distributions/triangular.hpp>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "rocking/base/error.hpp"
+#include "rocking/base/normal_law.hpp"
+#include "rocking/scene/check_condition.hpp"
+#include "rocking/scene/experiment.hpp"
+
+namespace rocking {
+namespace {
+
+using boost::math::cdf;
+using boost::math::complement;
+using ::testing::HasSubstr;
+
+const boost::math::normal standard_law;
+
+TEST(NormalLaw, HasTheTailsAndQuantilesOfAnotherLibrary) {
+  for (double x = -36.9; x < 36.9; x += 0.0371) {
+    const double tail = cdf(complement(standard_law, x));
+    EXPECT_NEAR(base::normal_upper_tail(x), tail, 1e-14 * tail) << x;
+    const double density = pdf(standard_law, x);
+    EXPECT_NEAR(base::normal_density(x), density, 1e-13 * density) << x;  // the other library rounds the square
+  }
+  for (double power = 0.5; power < 300.0; power *= 1.07) {
+    const double tail = std::pow(2.0, -power);
+    const double x = quantile(complement(standard_law, tail));
+    EXPECT_NEAR(base::normal_quantile_of_tail(tail), x, 1e-13 * std::fmax(1.0, std::abs(x))) << tail;
+    EXPECT_NEAR(base::normal_quantile_of_tail(1.0 - tail), quantile(complement(standard_law, 1.0 - tail)), 1e-7)
+        << tail;
+  }
+  EXPECT_EQ(base::normal_upper_tail(40.0), 0.0);
+  EXPECT_EQ(base::normal_upper_tail(-40.0), 1.0);
+}
+
+/// Probability of at most x.
+using Distribution = std::function<double(double)>;
+
+/// The value at a uniform number u is the quantile of u; at a normal number z it is that of Phi(z).
+void expect_quantiles(const Quantity& law, const Distribution& distribution) {
+  double last = -std::numeric_limits<double>::infinity();
+  const Reach reach = reach_of(law);
+  double mean = 0.0;
+  constexpr int n = 20'000;
+  for (int i = 0; i < n; ++i) {
+    const double u = (i + 0.5) / n;
+    const double draw = drawn_from(law) == BasicDraw::uniform ? u : quantile(standard_law, u);
+    const double value = value_at(law, draw);
+    EXPECT_NEAR(distribution(value), u, 2e-12) << value;
+    EXPECT_LE(last, value);
+    EXPECT_LE(reach.least, value);
+    EXPECT_GE(reach.largest, value);
+    last = value;
+    mean += value / n;
+  }
+  EXPECT_NEAR(mean, mean_of(law), 2e-4 * (reach.largest - reach.least));
+  const Quantity half = divided(law, 2.0);
+  EXPECT_NEAR(value_at(half, 0.3), 0.5 * value_at(law, 0.3), 1e-15 * std::abs(last));
+  EXPECT_NEAR(mean_of(half), 0.5 * mean_of(law), 1e-14 * std::abs(last));
+}
+
+TEST(Laws, HaveTheirQuantiles) {
+  expect_quantiles(Uniform{-1.0, 3.0}, [](double x) { return (x + 1.0) / 4.0; });
+  expect_quantiles(Normal{.mean = 2.0, .sigma = 0.5}, [](double x) { return cdf(standard_law, (x - 2.0) / 0.5); });
+  const double variance = std::log1p(0.15 * 0.15 / (0.6 * 0.6));
+  const boost::math::lognormal lognormal(std::log(0.6) - 0.5 * variance, std::sqrt(variance));
+  EXPECT_NEAR(boost::math::mean(lognormal), 0.6, 1e-15);
+  EXPECT_NEAR(boost::math::standard_deviation(lognormal), 0.15, 1e-15);
+  expect_quantiles(Lognormal{.mean = 0.6, .sigma = 0.15}, [&](double x) { return cdf(lognormal, x); });
+  const boost::math::triangular triangular(0.4, 0.5, 0.9);
+  expect_quantiles(Triangular{0.4, 0.5, 0.9}, [&](double x) { return cdf(triangular, x); });
+  expect_quantiles(Triangular{0.4, 0.4, 0.9}, [](double x) { return 1.0 - std::pow((0.9 - x) / 0.5, 2); });
+  expect_quantiles(Triangular{0.4, 0.9, 0.9}, [](double x) { return std::pow((x - 0.4) / 0.5, 2); });
+}
+
+TEST(TruncatedNormal, HasTheQuantilesOfItsPartAlsoFarOut) {
+  for (const Reach between : {Reach{-1.0, 0.5}, Reach{5.0, 6.0}, Reach{-6.0, -5.0}, Reach{-8.0, 30.0}}) {
+    const Normal law{
+        .mean = 1.0, .sigma = 0.25, .between = Reach{1.0 + 0.25 * between.least, 1.0 + 0.25 * between.largest}};
+    // Of the mirrored law, whose tail is the small one.
+    const bool mirrored = between.least + between.largest < 0.0;
+    const auto tail = [&](double score) { return cdf(complement(standard_law, mirrored ? -score : score)); };
+    const double at_low = tail(between.least), at_high = tail(between.largest);
+    expect_quantiles(law, [&](double x) { return (tail((x - 1.0) / 0.25) - at_low) / (at_high - at_low); });
+  }
+}
+
+TEST(Quantity, TakesWholeNumbersToo) {
+  EXPECT_EQ(mean_of(Quantity(4)), 4.0);
+  Quantity quantity = Uniform{0.0, 1.0};
+  quantity = 3;
+  EXPECT_EQ(quantity, Quantity(3.0));
+}
+
+TEST(Values, AreChosenByTheirWeights) {
+  const Values weighted{.values = {0.3, 0.5, 0.4}, .weights = {1.0, 0.0, 3.0}};
+  EXPECT_EQ(weighted.at(0.0), 0.3);
+  EXPECT_EQ(weighted.at(0.2499), 0.3);
+  EXPECT_EQ(weighted.at(0.2501), 0.4);
+  EXPECT_EQ(weighted.at(1.0 - 0x1p-53), 0.4);
+  EXPECT_DOUBLE_EQ(mean_of(weighted), 0.375);
+  const Values even{.values = {2.0, 1.0}};
+  EXPECT_EQ(even.at(0.4999), 2.0);
+  EXPECT_EQ(even.at(0.5), 1.0);
+  EXPECT_EQ(reach_of(even), (Reach{1.0, 2.0}));
+  EXPECT_DOUBLE_EQ(mean_of(even), 1.5);
+  EXPECT_EQ(mean_of(divided(weighted, 2.0)), 0.1875);
+}
+
+TEST(RedrawnQuantities, KeepMeanAndStandardDeviationUnderEachLaw) {
+  for (const FluctuationLaw law : {FluctuationLaw::normal, FluctuationLaw::lognormal, FluctuationLaw::uniform}) {
+    const RedrawnQuantity friction = law_along_the_way(law, 0.4, 0.06);
+    double sum = 0.0, squares = 0.0;
+    constexpr double step = 1e-3;
+    for (double z = -8.5; z <= 8.5; z += step) {
+      const double weight = step * pdf(standard_law, z);
+      const double value = value_at_normal(friction, z);
+      sum += weight * value;
+      squares += weight * (value - 0.4) * (value - 0.4);
+    }
+    EXPECT_NEAR(sum, 0.4, 1e-12) << static_cast<int>(law);
+    EXPECT_NEAR(std::sqrt(squares), 0.06, 1e-12) << static_cast<int>(law);
+    EXPECT_FALSE(is_drawn(law_along_the_way(law, 0.4, 0.0)));
+  }
+}
+
+/// What is wrong with this law, asked of a condition made in C++.
+std::string refusal_of(const Quantity& static_friction) {
+  Condition condition;
+  condition.scene.friction = Friction{.static_coefficient = static_friction, .kinetic_coefficient = 0.01};
+  try {
+    check_condition(condition);
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Laws, AreRefusedWithPlaceAndReason) {
+  EXPECT_EQ(refusal_of(Values{.values = {0.3, 0.4}}), "");
+  EXPECT_THAT(refusal_of(Uniform{0.5, 0.4}), HasSubstr("/friction/static/uniform"));
+  EXPECT_THAT(refusal_of(Uniform{0.5, -0.4}), HasSubstr("/friction/static/uniform/1"));
+  EXPECT_THAT(refusal_of(Normal{.mean = 0.5, .sigma = -0.1}), HasSubstr("/friction/static/normal/sigma"));
+  EXPECT_THAT(refusal_of(Normal{.mean = 0.5, .sigma = 0.1, .between = Reach{0.9, 0.8}}),
+              HasSubstr("smaller end first"));
+  EXPECT_THAT(refusal_of(Normal{.mean = 0.5, .sigma = 0.01, .between = Reach{0.9, 1.8}}), HasSubstr("no probability"));
+  EXPECT_THAT(refusal_of(Lognormal{.mean = 0.0, .sigma = 0.1}), HasSubstr("positive mean"));
+  EXPECT_THAT(refusal_of(Triangular{0.3, 0.2, 0.9}), HasSubstr("in this order"));
+  EXPECT_THAT(refusal_of(Values{}), HasSubstr("/friction/static/values"));
+  EXPECT_THAT(refusal_of(Values{.values = {0.3}, .weights = {1.0, 2.0}}), HasSubstr("2 weights"));
+  EXPECT_THAT(refusal_of(Values{.values = {0.3}, .weights = {0.0}}), HasSubstr("no weight above 0"));
+  EXPECT_THAT(refusal_of(Values{.values = {0.3, std::nan("")}}), HasSubstr("/friction/static/values/1"));
+}
+
+}  // namespace
+}  // namespace rocking

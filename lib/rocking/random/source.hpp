@@ -51,8 +51,10 @@ inline constexpr std::array<std::string_view, 18> source_names{"static_friction"
                                                                "excitation_size",
                                                                "excitation_frequency"};
 
+/// Empty of a number that no source has.
 [[nodiscard]] constexpr std::string_view to_string(Source source) {
-  return source_names[static_cast<std::size_t>(source) - 1];
+  const auto place = static_cast<std::size_t>(source) - 1;
+  return place < source_names.size() ? source_names[place] : std::string_view();
 }
 
 /// Whether draws for this purpose are made again and again along a motion, rather than once at its start or apart from it.

@@ -98,9 +98,9 @@ INSTANTIATE_TEST_SUITE_P(
     Laws, OneFault,
     ::testing::Values(Fault{"/initial/tilt", R"({"uniform": [0.2, 0.1]})", "/initial/tilt/uniform", "first end",
                             "swap"},
-                      Fault{"/initial/tilt", R"({"uniform": [0.2]})", "/initial/tilt/uniform", "two numbers", "["},
-                      Fault{"/initial/tilt", R"({"triangular": 1, "normal": {"mean": 0, "sigma": 1}})",
-                            "/initial/tilt/triangular", "is not a key", ""},
+                      Fault{"/initial/tilt", R"({"uniform": [0.2]})", "/initial/tilt/uniform", "2 numbers", "["},
+                      Fault{"/initial/tilt", R"({"weibull": 1, "normal": {"mean": 0, "sigma": 1}})",
+                            "/initial/tilt/weibull", "is not a key", ""},
                       Fault{"/initial/tilt_rate", "{}", "", "has no distribution", "uniform"},
                       Fault{"/excitation/phase_rad", R"({"normal": {"mean": 0, "sigma": -1}})",
                             "/excitation/phase_rad/normal/sigma", "negative", "0.03"}));

@@ -11,9 +11,10 @@
 #include "rocking/api/run.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/base/arithmetic_checks.hpp"
+#include "rocking/stats/interval.hpp"
 #include "rocking/studies/check_sampler.hpp"
 
-/// Checks of runs, of the random numbers and of the machine.
+/// Checks of runs, of the random numbers and of the machine, and intervals of a probability.
 namespace rocking {
 
 /// A realisation that was run again has another result than the one that is stored.
@@ -70,5 +71,18 @@ struct RunCheck {
 /// Examines the arithmetic of this machine, as `rocking doctor` does: if all checks pass, results have the same bits as
 /// on other machines.
 [[nodiscard]] ROCKING_API std::vector<base::ArithmeticCheck> check_arithmetic();
+
+/// Two-sided confidence intervals of a probability, as in reports: within [0, 1], and [0, 1] without trials. `confidence`
+/// is between 0 and 1. They throw base::InputError for another confidence, or for more successes than trials.
+///
+/// Exact interval: covers the true value at least as often as promised.
+/// Source: Clopper & Pearson (1934), Biometrika 26, 404-413.
+[[nodiscard]] ROCKING_API stats::Interval clopper_pearson(std::uint64_t successes, std::uint64_t trials,
+                                                          double confidence = 0.95);
+
+/// Score interval: narrower, covers the true value as often as promised on average over it.
+/// Source: Wilson (1927), J. Am. Stat. Assoc. 22, 209-212.
+[[nodiscard]] ROCKING_API stats::Interval wilson(std::uint64_t successes, std::uint64_t trials,
+                                                 double confidence = 0.95);
 
 }  // namespace rocking

@@ -1,4 +1,4 @@
-#include "rocking/api/intervals.hpp"
+#include "rocking/api/checks.hpp"
 
 #include <string>
 

@@ -81,9 +81,10 @@ class DescribingKeys final : public Keys {
     add(key, with_default(type_of<std::int64_t>().schema(bounds_of(rule)), value, absent),
         "integer, " + std::to_string(rule.low) + " to " + std::to_string(rule.high), absent, std::to_string(value));
   }
-  void numbers(const Key& key, std::vector<double>&, const ListLength& length, const NumberRule& rule) override {
+  void numbers(const Key& key, std::vector<double>&, const ListLength& length, const NumberRule& rule,
+               Absent absent) override {
     add(key, {{"type", "array"}, {"items", number_schema(rule)}, {"minItems", length.least}, {"maxItems", length.most}},
-        "list", Absent::error, "");
+        "list", absent, "");
   }
   void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) override {
     add(key, with_default(quantity_schema(rule), std::get<double>(value), absent),

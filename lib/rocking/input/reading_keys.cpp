@@ -82,8 +82,8 @@ void ReadingKeys::whole_number(const Key& key, std::int64_t& value, const Intege
   value = in_.integer(key.name, absent == Absent::error ? rule : rule.with_default(value));
 }
 
-void ReadingKeys::numbers(const Key& key, std::vector<double>& values, const ListLength& length,
-                          const NumberRule& rule) {
+void ReadingKeys::numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule,
+                          Absent) {
   values.clear();
   const Json* found = in_.value(key.name);
   if (found == nullptr || !found->is_array() || found->size() < length.least || found->size() > length.most) {

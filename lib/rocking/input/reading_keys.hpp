@@ -20,7 +20,8 @@ class ReadingKeys final : public Keys {
   void text(const Key& key, std::string& value) override;
   void number(const Key& key, double& value, const NumberRule& rule, Absent absent) override;
   void whole_number(const Key& key, std::int64_t& value, const IntegerRule& rule, Absent absent) override;
-  void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule) override;
+  void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule,
+               Absent) override;
   void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) override;
   void word(const Key& key, std::size_t& chosen, std::span<const std::string_view> names, Absent absent) override;
   void restitution(const Key& key, Restitution& value, Absent absent) override;

@@ -49,7 +49,7 @@ static const StructType& fields_of(const ShapeTest*) {
       "ShapeTest",
       inlined<&ShapeTest::test>(),
       field<&ShapeTest::nearness>("nearness", "for a distance of 0.01 and for the distance found"),
-      field<&ShapeTest::of_law>("of_law", "value of a distribution that is not normal"),
+      field<&ShapeTest::of_law>("of_law", "value of a distribution that is not normal", {}, WithoutValue::omitted),
   };
   return fields;
 }
@@ -139,7 +139,8 @@ const StructType& fields_of(const SamplerCheck*) {
   static constexpr std::array<std::string_view, 3> samplers{"box-muller", "ziggurat", "inverse-cdf"};
   static const StructType fields{
       "SamplerCheck",
-      field<&SamplerCheck::distribution>("distribution", "of the numbers, absent: normal", {.choices = distributions}),
+      field<&SamplerCheck::distribution>("distribution", "of the numbers, absent: normal", {.choices = distributions},
+                                         WithoutValue::omitted),
       field<&SamplerCheck::sampler>("sampler", "that generated the numbers", {.choices = samplers}),
       field<&SamplerCheck::seed>("seed", "of the random numbers, as text", seed_type()),
       inlined<&SamplerCheck::found>(),

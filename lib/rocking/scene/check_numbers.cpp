@@ -42,7 +42,8 @@ class CheckingKeys final : public Keys {
     }
   }
 
-  void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule) override {
+  void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule,
+               Absent) override {
     if (values.size() < length.least || values.size() > length.most) {
       report(key.name, "", {"has " + std::to_string(values.size()) + " numbers", "give at least one"});
     }

@@ -76,9 +76,9 @@ class Keys {
   virtual void text(const Key& key, std::string& value) = 0;
   virtual void number(const Key& key, double& value, const NumberRule& rule, Absent absent) = 0;
   virtual void whole_number(const Key& key, std::int64_t& value, const IntegerRule& rule, Absent absent) = 0;
-  /// A list that must be there.
-  virtual void numbers(const Key& key, std::vector<double>& values, const ListLength& length,
-                       const NumberRule& rule) = 0;
+  /// A list; one that may be absent is asked for where it stands.
+  virtual void numbers(const Key& key, std::vector<double>& values, const ListLength& length, const NumberRule& rule,
+                       Absent absent) = 0;
   /// A number, or an object with the keys of a law (law_keys.hpp).
   virtual void quantity(const Key& key, Quantity& value, const NumberRule& rule, Absent absent) = 0;
   /// `chosen`: place among the names.

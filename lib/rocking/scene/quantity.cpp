@@ -49,7 +49,7 @@ namespace {
 
 void keys_of(Keys& in, Uniform& law, const NumberRule& rule) {
   std::vector<double> ends{law.low, law.high};
-  in.numbers({Uniform::name, "both ends of an interval"}, ends, {.least = 2, .most = 2}, rule);
+  in.numbers({Uniform::name, "both ends of an interval"}, ends, {.least = 2, .most = 2}, rule, Absent::error);
   if (ends.size() == 2) law = {ends[0], ends[1]};
 }
 
@@ -117,7 +117,7 @@ void keys_of(Keys& in, Normal& law, const NumberRule& rule) {
     keys_of_mean_and_sigma(keys, law.mean, law.sigma, rule);
     keys.optional("between", law.between, [&](Reach& between) {
       std::vector<double> ends{between.least, between.largest};
-      keys.numbers({"between", "truncated to this interval"}, ends, {.least = 2, .most = 2}, rule);
+      keys.numbers({"between", "truncated to this interval"}, ends, {.least = 2, .most = 2}, rule, Absent::omitted);
       if (ends.size() == 2) between = {ends[0], ends[1]};
     });
   });
@@ -201,7 +201,7 @@ namespace {
 void keys_of(Keys& in, Triangular& law, const NumberRule& rule) {
   std::vector<double> corners{law.low, law.mode, law.high};
   in.numbers({Triangular::name, "smallest value, most likely value, largest value"}, corners, {.least = 3, .most = 3},
-             rule);
+             rule, Absent::error);
   if (corners.size() == 3) law = {corners[0], corners[1], corners[2]};
 }
 
@@ -253,10 +253,10 @@ namespace {
 
 void keys_of(Keys& in, Values& law, const NumberRule& rule) {
   in.numbers({Values::name, "the values among which one is chosen"}, law.values, {.least = 1, .most = most_values},
-             rule);
+             rule, Absent::error);
   if (!in.stands("weights", !law.weights.empty())) return;
   in.numbers({"weights", "of each value, its relative frequency; absent: all are equally likely"}, law.weights,
-             {.least = 1, .most = most_values}, rules::weight);
+             {.least = 1, .most = most_values}, rules::weight, Absent::omitted);
 }
 
 std::optional<Refusal> refusal_of(const Values& law) {

@@ -17,9 +17,25 @@ static_assert(std::is_trivially_copyable_v<Draws> && sizeof(Draws) == 16);
 
 // Published results refer to these numbers through their seeds. They must never change.
 TEST(Source, KeepsItsNumber) {
-  const std::map<int, std::string_view> numbers{
-      {1, "static_friction"}, {2, "kinetic_friction"}, {3, "restitution"}, {4, "amplitude"}, {5, "phase"}, {6, "tilt"},
-      {7, "tilt_rate"},       {8, "slip_rate"},        {9, "check_normal"}};
+  const std::map<int, std::string_view> numbers{{1, "static_friction"},
+                                                {2, "kinetic_friction"},
+                                                {3, "restitution"},
+                                                {4, "amplitude"},
+                                                {5, "phase"},
+                                                {6, "tilt"},
+                                                {7, "tilt_rate"},
+                                                {8, "slip_rate"},
+                                                {9, "check_normal"},
+                                                {10, "block_width"},
+                                                {11, "block_height"},
+                                                {12, "fragility_bootstrap"},
+                                                {13, "rare_choice"},
+                                                {14, "mean_static_friction"},
+                                                {15, "mean_kinetic_friction"},
+                                                {16, "mean_restitution"},
+                                                {17, "excitation_size"},
+                                                {18, "excitation_frequency"},
+                                                {19, ""}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 

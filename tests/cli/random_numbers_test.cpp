@@ -42,7 +42,7 @@ TEST_F(RandomNumbers, OfEveryLawGoFromTheFileToThePage) {
   const Json report = Json::parse(read("out/report.json"));
   EXPECT_EQ(objections("report", report.dump()), "");
   EXPECT_EQ(report["input"]["experiment"]["friction"], with_every_law()["friction"]);
-  EXPECT_EQ(report["result"]["conditions"][0]["validity"]["clamps"]["kinetic_friction_at_static"], 0);
+  EXPECT_EQ(report["result"]["conditions"][0]["validity"]["clamped_draws"]["kinetic_friction_at_static"], 0);
   EXPECT_THAT(read("out/report.html"), AllOf(HasSubstr("ratio of the tilt rates at impacts"),
                                              HasSubstr("static friction 0.4 to 0.6 (drawn, triangular)"),
                                              HasSubstr("kinetic 0.9 of it"), HasSubstr("on average")));

@@ -92,18 +92,11 @@ std::optional<Refusal> lognormal_without_mean(FluctuationLaw law, double sigma, 
                  "give such a mean, or another law"};
 }
 
-std::optional<Refusal> lognormal_static_friction(const Condition& condition) {
+template <FluctuationLaw FluctuationLaws::*law, double Fluctuation::*sigma, double (*mean)(const Friction&)>
+std::optional<Refusal> lognormal_friction(const Condition& condition) {
   const Fluctuation& f = condition.scene.fluctuation;
   const auto& friction = condition.scene.friction;
-  return lognormal_without_mean(f.laws.static_friction, f.static_friction,
-                                friction ? std::optional(mean_static(*friction)) : std::nullopt);
-}
-
-std::optional<Refusal> lognormal_kinetic_friction(const Condition& condition) {
-  const Fluctuation& f = condition.scene.fluctuation;
-  const auto& friction = condition.scene.friction;
-  return lognormal_without_mean(f.laws.kinetic_friction, f.kinetic_friction,
-                                friction ? std::optional(mean_kinetic(*friction)) : std::nullopt);
+  return lognormal_without_mean(f.laws.*law, f.*sigma, friction ? std::optional(mean(*friction)) : std::nullopt);
 }
 
 std::optional<Refusal> lognormal_restitution(const Condition& condition) {
@@ -249,11 +242,11 @@ constexpr std::array<Relation, 24> all_relations{{
     {"/fluctuation/friction/correlation", {"/fluctuation/friction"}, correlation_beyond_bounds, no_value},
     {"/fluctuation/static_friction/law",
      {"/friction", "/fluctuation/friction", "/fluctuation/static_friction"},
-     lognormal_static_friction,
+     lognormal_friction<&FluctuationLaws::static_friction, &Fluctuation::static_friction, mean_static>,
      no_value},
     {"/fluctuation/kinetic_friction/law",
      {"/friction", "/fluctuation/friction", "/fluctuation/kinetic_friction"},
-     lognormal_kinetic_friction,
+     lognormal_friction<&FluctuationLaws::kinetic_friction, &Fluctuation::kinetic_friction, mean_kinetic>,
      no_value},
     {"/fluctuation/restitution/law", {"/restitution", "/fluctuation/restitution"}, lognormal_restitution, no_value},
     {"/fluctuation/amplitude/law", {"/excitation", "/fluctuation/amplitude"}, lognormal_amplitude, no_value},

@@ -202,6 +202,12 @@ std::string random_in_brief(const Report& report) {
       words += fmt::format(" with {}&sigma; = {}{}", key == std::string_view("sigma") ? "" : "relative ",
                            escaped(setting_text(report, place, scatter.at(key))), swept_mark(report, place));
     }
+    for (const char* key : {"law", "correlation"}) {
+      if (!scatter.contains(key)) continue;
+      const std::string place = "/fluctuation/" + name + '/' + key;
+      words += fmt::format(", {} {}{}", key, escaped(setting_text(report, place, scatter.at(key))),
+                           swept_mark(report, place));
+    }
     add(words);
   }
   for (const DrawnPlace& place : places_of_quantities()) {

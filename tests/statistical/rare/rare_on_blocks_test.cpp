@@ -75,38 +75,43 @@ struct BestOfFour {
   [[nodiscard]] static double work(const Particle& particle) { return particle.work; }
 };
 
-// A free block that stands with the tilt rate Theta' ~ N(0, sigma^2) overturns where its energy lifts it past balance:
+// A free block that stands with a random tilt rate Theta' overturns where its energy lifts it past balance:
 // psi abs(Theta') > 2 sin(psi/2). The horizon, 4 pi in tau, leaves out those whose energy exceeds that
 // of the balance by a share of less than about 4 exp(-4 pi), 1e-5: 1e-4 of the probability.
 class FreeBlock {
  public:
-  FreeBlock() {
+  explicit FreeBlock(const rocking::Quantity& tilt_rate = rocking::Normal{.mean = 0.0, .sigma = sigma}) {
     rocking::support::harmonic(condition_.scene) = {.amplitude = 0.0, .frequency_ratio = 0.5, .phase = 0.0};
-    condition_.scene.initial.tilt_rate = rocking::Normal{.mean = 0.0, .sigma = sigma};
+    condition_.scene.initial.tilt_rate = tilt_rate;
     condition_.horizon = {.transient_periods = 0, .sampled_periods = 1};
   }
   [[nodiscard]] BlockModel model() const { return {condition_, {.seed = run_seed, .event = {}}}; }
-  [[nodiscard]] static Estimate truth() {
+  /// The least abs(Theta') that overturns it.
+  [[nodiscard]] static double threshold() {
     const double psi = std::atan(0.25);  // of the standard block, 1 m x 4 m
-    return {std::erfc(2.0 * std::sin(0.5 * psi) / psi / sigma / std::numbers::sqrt2), 0.0};
+    return 2.0 * std::sin(0.5 * psi) / psi;
   }
+  [[nodiscard]] static Estimate truth() { return {std::erfc(threshold() / sigma / std::numbers::sqrt2), 0.0}; }
 
  private:
   static constexpr double sigma = 0.33;
   Condition condition_;
 };
 
-/// A block whose friction, restitution and amplitude are drawn along the way; the event is a peak tilt.
+/// A block whose friction, restitution and amplitude are drawn along the way, by normal or other laws; the event is a
+/// peak tilt.
 class ShakenBlock {
  public:
-  ShakenBlock() {
+  explicit ShakenBlock(const rocking::FluctuationLaws& laws = {}, double correlation = 0.0) {
     rocking::support::harmonic(condition_.scene) = {.amplitude = 4.2, .frequency_ratio = 6.0, .phase = 0.0};
     condition_.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
     condition_.scene.fluctuation = {.static_friction = 0.03,
                                     .kinetic_friction = 0.03,
                                     .refreshes_per_period = 20,
                                     .restitution = 0.02,
-                                    .amplitude = 0.6};
+                                    .amplitude = 0.6,
+                                    .laws = laws,
+                                    .friction_correlation = correlation};
     condition_.horizon = {.transient_periods = 3, .sampled_periods = 5};
   }
   [[nodiscard]] BlockModel model() const { return {condition_, {.seed = run_seed, .event = event}}; }
@@ -134,13 +139,39 @@ TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnOnce) {
   EXPECT_LT(found.error, 0.1 * found.mean);
 }
 
+// Laws that are functions of a normal number, and of a uniform one, with their probability of exceeding a number.
+TEST(RareOnBlocks, IsUnbiasedForOtherLaws) {
+  FalseAlarms alarms;
+  const double least = FreeBlock::threshold();
+  const double variance = std::log1p(0.12 * 0.12 / (0.4 * 0.4));
+  const double score = (std::log(least / 0.4) + 0.5 * variance) / std::sqrt(variance);
+  const auto above = [](double z) { return 0.5 * std::erfc(z / std::numbers::sqrt2); };
+  const double end = 1.05;
+  const double part = above(least / 0.33) - above(end / 0.33);
+  const std::vector<std::pair<rocking::Quantity, double>> laws{
+      {rocking::Lognormal{.mean = 0.4, .sigma = 0.12}, above(score)},
+      {rocking::Triangular{.low = 0.0, .mode = 0.1, .high = end}, (end - least) * (end - least) / (end * (end - 0.1))},
+      {rocking::Normal{.mean = 0.0, .sigma = 0.33, .between = rocking::Reach{0.0, end}},
+       part / (0.5 - above(end / 0.33))}};
+  for (const auto& [law, probability] : laws) {
+    const FreeBlock block(law);
+    const Estimate found = by_splitting(block.model(), 100, 80);
+    EXPECT_LT(std::abs(score_of(found, {probability, 0.0})), alarms.score()) << found.mean << ' ' << probability;
+    EXPECT_LT(found.error, 0.25 * found.mean);
+  }
+}
+
 TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnAlongTheWay) {
   FalseAlarms alarms;
-  const ShakenBlock block;
-  const Estimate found = by_splitting(block.model(), 60, 60);
-  const Estimate plain = block.plain();
-  EXPECT_LT(std::abs(score_of(found, plain)), alarms.score()) << found.mean << ' ' << plain.mean;
-  EXPECT_LT(std::hypot(found.error / found.mean, plain.error / plain.mean), 0.15);
+  using enum rocking::FluctuationLaw;
+  const rocking::FluctuationLaws others{
+      .static_friction = lognormal, .kinetic_friction = uniform, .restitution = uniform, .amplitude = lognormal};
+  for (const ShakenBlock& block : {ShakenBlock(), ShakenBlock(others, 0.8)}) {
+    const Estimate found = by_splitting(block.model(), 60, 60);
+    const Estimate plain = block.plain();
+    EXPECT_LT(std::abs(score_of(found, plain)), alarms.score()) << found.mean << ' ' << plain.mean;
+    EXPECT_LT(std::hypot(found.error / found.mean, plain.error / plain.mean), 0.15);
+  }
 }
 
 TEST(RareOnBlocks, IsFoundOutWhereTheKernelPrefersHighScores) {

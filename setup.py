@@ -1,7 +1,7 @@
 """Builds the Python module with CMake.
 
 ROCKING_BUILD_FOLDER names a configured build folder, in which it is then built; by default it is built in a folder of
-its own. CMAKE_ARGS, separated by blanks, go to CMake, for example -DROCKING_ARCHITECTURE=x86-64.
+its own, for the library of the same revision where one is installed (CMAKE_PREFIX_PATH names its prefix). CMAKE_ARGS, separated by blanks, go to CMake, for example -DROCKING_ARCHITECTURE=x86-64.
 """
 
 import os
@@ -31,7 +31,7 @@ class CMakeBuild(build_ext):
             options = ["PROGRAM", "TESTS", "INSTALL"]
             command = ["cmake", "-S", TOP, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON"]
             command += [f"-DROCKING_{option}=OFF" for option in options]
-            command += ["-DROCKING_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
+            command += ["-DROCKING_USE_INSTALLED=ON", "-DROCKING_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
             subprocess.run(command + os.environ.get("CMAKE_ARGS", "").split(), check=True)
         jobs = str(self.parallel or os.cpu_count() or 1)
         subprocess.run(["cmake", "--build", folder, "--target", "rocking_python", "-j", jobs], check=True)

@@ -6,7 +6,6 @@
 #include "commands.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/base/arithmetic_checks.hpp"
 #include "rocking/base/build_info.hpp"
 #include "rocking/lanes/kernels.hpp"
 #include "rocking/output/write_facts.hpp"

@@ -8,7 +8,6 @@
 #include <pybind11/stl.h>
 
 #include "module.hpp"
-#include "rocking/base/build_info.hpp"
 #include "rocking/rocking.hpp"
 #include "watched.hpp"
 
@@ -20,7 +19,7 @@ namespace py = pybind11;
 py::tuple checked(const RunCheck& found) { return py::make_tuple(found.checked, found.different, found.findings); }
 
 py::dict build_facts() {
-  const base::BuildInfo build = base::build_info();
+  const base::BuildInfo build = build_info();
   py::dict facts;
   facts["version"] = std::string(build.version);
   facts["revision"] = std::string(build.revision);

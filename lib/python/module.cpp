@@ -4,16 +4,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <system_error>
 
 #include <pybind11/stl.h>
 
-#include "rocking/base/error.hpp"
-#include "rocking/dynamics/contact.hpp"
-#include "rocking/input/read_experiment.hpp"
-#include "rocking/output/write_facts.hpp"
 #include "rocking/rocking.hpp"
-#include "rocking/store/sqlite.hpp"
 
 namespace rocking::python {
 namespace {
@@ -41,7 +37,7 @@ void translate(std::exception_ptr pointer) {
     set_error("InputError", tuples_of(error.problems()));
   } catch (const DifferentBits& error) {
     set_error("DifferentBits", py::str(error.what()));
-  } catch (const sqlite::UnusableFile& error) {
+  } catch (const base::UnusableFile& error) {
     set_error("StoreError", py::str(error.what()));
   } catch (const std::system_error& error) {
     // With two arguments OSError becomes FileNotFoundError, PermissionError and so on.
@@ -50,15 +46,11 @@ void translate(std::exception_ptr pointer) {
   }
 }
 
-Overrides overrides_of(std::optional<std::string> seed, std::optional<std::string> realisations) {
-  return {.seed = std::move(seed), .realisations = std::move(realisations)};
-}
-
-template <class Enumeration, std::size_t Count>
-py::tuple names_of() {
-  py::tuple names(Count);
-  for (std::size_t i = 0; i < Count; ++i) names[i] = std::string(to_string(static_cast<Enumeration>(i)));
-  return names;
+template <std::size_t Count>
+py::tuple tuple_of(const std::array<std::string_view, Count>& names) {
+  py::tuple tuple(Count);
+  for (std::size_t i = 0; i < Count; ++i) tuple[i] = std::string(names[i]);
+  return tuple;
 }
 
 void add_experiment(py::module_& module) {
@@ -75,14 +67,13 @@ void add_experiment(py::module_& module) {
         }
         return list;
       });
-  module.def("parse", [](std::string text, std::string name, const std::string& folder, std::optional<std::string> seed,
-                         std::optional<std::string> realisations) {
-    const ExperimentText source{.text = std::move(text), .name = std::move(name), .folder = folder};
-    return read_experiment(source, overrides_of(std::move(seed), std::move(realisations)));
+  module.def("parse", [](const std::string& text, const std::string& name, const std::string& folder,
+                         std::optional<std::string> seed, std::optional<std::string> realisations) {
+    return parse_experiment(text, folder, name, {.seed = std::move(seed), .realisations = std::move(realisations)});
   });
   module.def("read",
              [](const std::string& path, std::optional<std::string> seed, std::optional<std::string> realisations) {
-               return read_experiment_file(path, overrides_of(std::move(seed), std::move(realisations)));
+               return read_experiment(path, {.seed = std::move(seed), .realisations = std::move(realisations)});
              });
 }
 
@@ -114,9 +105,9 @@ PYBIND11_MODULE(_core, module) {
     const auto mode = mode_named(name);
     return mode ? std::optional(std::string(colour_of(*mode))) : std::nullopt;
   });
-  module.def("version", [] { return std::string(version()); });
+  module.def("version", [] { return version(); });
   module.def("schema", [](const std::string& name) { return std::string(schema(name)); });
-  module.attr("contacts") = python::names_of<dynamics::ContactState, 5>();
-  module.attr("events") = python::names_of<dynamics::EventKind, dynamics::event_kind_count>();
-  module.attr("terminations") = python::names_of<dynamics::Termination, dynamics::terminations.size()>();
+  module.attr("contacts") = python::tuple_of(dynamics::contact_names);
+  module.attr("events") = python::tuple_of(dynamics::event_names);
+  module.attr("terminations") = python::tuple_of(dynamics::termination_names);
 }

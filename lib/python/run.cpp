@@ -15,7 +15,6 @@
 
 #include "module.hpp"
 #include "rocking/rocking.hpp"
-#include "rocking/store/store.hpp"
 #include "watched.hpp"
 
 namespace rocking::python {
@@ -99,23 +98,22 @@ py::array_t<double> intervals_of(const RunResult& run) {
 py::array rows_of(const RunResult& run) {
   auto rows = std::make_unique<std::vector<RealisationRow>>();
   const std::vector<section::ResponseMode> modes = modes_of(run);
-  run.store->for_each([&](const RealisationKey& key, const Summary& summary) {
-    if (!std::ranges::binary_search(modes, summary.mode)) return;  // beyond the realisations of the experiment
-    const PeakValues& peaks = summary.peaks;
-    rows->push_back({.condition = key.condition,
-                     .realisation = key.realisation,
-                     .mode = static_cast<std::int32_t>(place_of(summary.mode, modes)),
-                     .termination = static_cast<std::uint8_t>(summary.termination),
-                     .left_ground = summary.left_ground,
-                     .past_balance = summary.was_past_balance,
-                     .margin = summary.margin,
-                     .peak_tilt = peaks.tilt,
-                     .peak_tilt_rate = peaks.tilt_rate,
-                     .peak_slip = peaks.slip,
-                     .peak_slip_m = peaks.slip_m,
-                     .final_slip = peaks.final_slip,
-                     .final_slip_m = peaks.final_slip_m});
-  });
+  for (const RunRealisation& row : realisations_of(run)) {
+    if (!std::ranges::binary_search(modes, row.mode)) continue;  // beyond the realisations of the experiment
+    rows->push_back({.condition = row.key.condition,
+                     .realisation = row.key.realisation,
+                     .mode = static_cast<std::int32_t>(place_of(row.mode, modes)),
+                     .termination = static_cast<std::uint8_t>(row.termination),
+                     .left_ground = row.left_ground,
+                     .past_balance = row.was_past_balance,
+                     .margin = row.margin,
+                     .peak_tilt = row.peaks.tilt,
+                     .peak_tilt_rate = row.peaks.tilt_rate,
+                     .peak_slip = row.peaks.slip,
+                     .peak_slip_m = row.peaks.slip_m,
+                     .final_slip = row.peaks.final_slip,
+                     .final_slip_m = row.peaks.final_slip_m});
+  }
   const py::capsule owner(rows.get(), [](void* held) { delete static_cast<std::vector<RealisationRow>*>(held); });
   const std::vector<RealisationRow>& kept = *rows.release();
   return py::array(py::dtype::of<RealisationRow>(), {kept.size()}, {sizeof(RealisationRow)}, kept.data(), owner);

@@ -96,6 +96,11 @@ Offences forbidden_in_analysis(const std::string& source) {
   return found;
 }
 
+/// Includes of the library that are not its public headers.
+Offences private_includes(const std::string& source) {
+  return matches(source, R"(#\s*include\s*["<]rocking/(?!(rocking|pages)\.hpp)[^">]*)");
+}
+
 /// The JSON library is included in one room only.
 Offences stray_json(const std::string& room, const std::string& source) {
   return room == "text" ? Offences{} : matches(source, R"(#\s*include\s*["<]nlohmann/[^">]*)");
@@ -242,6 +247,16 @@ TEST(TheHouse, ShowsAtMostFiftyHeadersThatComputeNothing) {
   EXPECT_THAT(private_headers(headers), IsEmpty());
 }
 
+TEST(TheHouse, LetsPythonSeeWhatEveryUserSees) {
+  std::size_t sources = 0;
+  for (const File& file : files_of_tree()) {
+    if (file.path.parent_path() != fs::path(ROCKING_SOURCE_DIR) / "lib/python") continue;
+    if (file.path.extension() == ".cpp" || file.path.extension() == ".hpp") ++sources;
+    EXPECT_THAT(private_includes(file.text), IsEmpty()) << file.path;
+  }
+  EXPECT_GT(sources, 4U);
+}
+
 TEST(TheHouse, ComputesNoStatisticsInAWriter) {
   for (const File& file : files_of_tree()) {
     const bool draws = *file.path.lexically_relative(ROCKING_SOURCE_DIR).begin() == "analysis";
@@ -293,6 +308,12 @@ TEST(TheHouseRules, FindAnArrowThatGoesUpOrSideways) {
 TEST(TheHouseRules, FindAPrivateHeader) {
   EXPECT_THAT(private_headers({"rocking/api/run.hpp", "rocking/integrate/step.hpp", "rocking/text/json.hpp"}),
               ElementsAre("rocking/integrate/step.hpp", "rocking/text/json.hpp"));
+}
+
+TEST(TheHouseRules, FindAnIncludeThatIsNotForEveryUser) {
+  EXPECT_THAT(private_includes("#include \"rocking/rocking.hpp\"\n#include <rocking/pages.hpp>\n"), IsEmpty());
+  EXPECT_THAT(private_includes("#include \"rocking/store/store.hpp\"\n"),
+              ElementsAre("#include \"rocking/store/store.hpp"));
 }
 
 TEST(TheHouseRules, FindASimulatingFigure) {

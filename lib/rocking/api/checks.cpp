@@ -167,6 +167,8 @@ std::string check_normal_text(const SamplerQuestion& question, const stats::Norm
   return check_normal_document().text(sampler_check(question, found));
 }
 
+base::BuildInfo build_info() { return base::build_info(); }
+
 std::vector<base::ArithmeticCheck> check_arithmetic() { return base::arithmetic_checks(); }
 
 }  // namespace rocking

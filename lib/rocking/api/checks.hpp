@@ -10,7 +10,7 @@
 
 #include "rocking/api/run.hpp"
 #include "rocking/api/studies.hpp"
-#include "rocking/base/arithmetic_checks.hpp"
+#include "rocking/base/build_info.hpp"
 #include "rocking/stats/interval.hpp"
 #include "rocking/studies/check_sampler.hpp"
 
@@ -67,6 +67,9 @@ struct RunCheck {
 /// The same as JSON text (`rocking.check_normal/1`).
 [[nodiscard]] ROCKING_API std::string check_normal_text(const SamplerQuestion& question,
                                                         const stats::NormalCheck& found);
+
+/// Version, source, compiler and flags of this library.
+[[nodiscard]] ROCKING_API base::BuildInfo build_info();
 
 /// Examines the arithmetic of this machine, as `rocking doctor` does: if all checks pass, results have the same bits as
 /// on other machines.

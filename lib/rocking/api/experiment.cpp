@@ -10,10 +10,13 @@
 
 namespace rocking {
 
-Experiment read_experiment(const std::filesystem::path& file) { return read_experiment_file(file); }
+Experiment read_experiment(const std::filesystem::path& file, const Overrides& overrides) {
+  return read_experiment_file(file, overrides);
+}
 
-Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder, const std::string& name) {
-  return read_experiment(ExperimentText{.text = std::string(text), .name = name, .folder = folder}, Overrides{});
+Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder, const std::string& name,
+                            const Overrides& overrides) {
+  return read_experiment(ExperimentText{.text = std::string(text), .name = name, .folder = folder}, overrides);
 }
 
 Experiment experiment_of(std::vector<Condition> conditions, const Declaration& declaration) {
@@ -36,7 +39,7 @@ std::string_view colour_of(const section::ResponseMode& mode) { return look_of(m
 
 std::optional<section::ResponseMode> mode_named(std::string_view name) { return section::response_mode_named(name); }
 
-std::string_view version() { return base::build_info().version; }
+std::string version() { return base::build_info().version; }
 
 std::string schema(std::string_view name) { return schema_of(name).value_or(""); }
 

@@ -14,14 +14,17 @@
 /// Experiments: from a file, from JSON text, or from conditions made in C++.
 namespace rocking {
 
-/// Reads an experiment file (`rocking.experiment/1`), works out its sweep and checks every condition. Throws
+/// Reads an experiment file (`rocking.experiment/1`), works out its sweep and checks every condition; `overrides` stand
+/// in place of values of the file. Throws
 /// base::InputError with all problems found, each with its JSON pointer, and std::system_error with the path where the
 /// file, or one that it names, cannot be read.
-[[nodiscard]] ROCKING_API Experiment read_experiment(const std::filesystem::path& file);
+[[nodiscard]] ROCKING_API Experiment read_experiment(const std::filesystem::path& file,
+                                                     const Overrides& overrides = {});
 
 /// The same of JSON text; `folder` is that of the files that the text names, `name` stands for the text in problems.
 [[nodiscard]] ROCKING_API Experiment parse_experiment(std::string_view text, const std::filesystem::path& folder = ".",
-                                                      const std::string& name = "experiment");
+                                                      const std::string& name = "experiment",
+                                                      const Overrides& overrides = {});
 
 /// What is declared beside the conditions.
 struct Declaration {
@@ -48,7 +51,7 @@ struct Declaration {
 [[nodiscard]] ROCKING_API std::optional<section::ResponseMode> mode_named(std::string_view name);
 
 /// Version of the library, MAJOR.MINOR.PATCH. In 0.x a minor version may change the interface.
-[[nodiscard]] ROCKING_API std::string_view version();
+[[nodiscard]] ROCKING_API std::string version();
 
 /// The JSON Schema (draft 07) of a format: `experiment`, `report`, ... ; empty where there is none of this name.
 [[nodiscard]] ROCKING_API std::string schema(std::string_view name);

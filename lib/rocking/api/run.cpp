@@ -158,6 +158,20 @@ StoredRun open_run(const std::filesystem::path& folder) {
   return stored;
 }
 
+std::vector<RunRealisation> realisations_of(const RunResult& run) {
+  std::vector<RunRealisation> found;
+  run.store->for_each([&found](const RealisationKey& key, const Summary& summary) {
+    found.push_back({.key = key,
+                     .mode = summary.mode,
+                     .termination = summary.termination,
+                     .left_ground = summary.left_ground,
+                     .was_past_balance = summary.was_past_balance,
+                     .margin = summary.margin,
+                     .peaks = summary.peaks});
+  });
+  return found;
+}
+
 std::string report(const Experiment& experiment, const RunResult& run, const Provenance& provenance) {
   return report_text(with_text(experiment), complete_result(experiment, run), facts_of(provenance));
 }

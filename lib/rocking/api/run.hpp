@@ -13,6 +13,7 @@
 
 #include "rocking/api/export.hpp"
 #include "rocking/ensemble/result.hpp"
+#include "rocking/realisation/peak_values.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/store/realisation_key.hpp"
 #include "rocking/studies/plan/plan.hpp"
@@ -62,7 +63,8 @@ struct RunResult {
 /// Runs the realisations of an experiment that are not done yet. The result depends on the experiment alone, not on
 /// threads, interruptions or the machine; calls from several threads are independent. Throws base::InputError if a
 /// condition is not valid, if the folder has realisations of another experiment, or if an experiment without text is to
-/// be kept in a folder; std::runtime_error if the store is damaged and is not to be repaired; std::system_error with the path where the folder cannot be used or another run is at work in it.
+/// be kept in a folder; base::UnusableFile if the store is damaged and is not to be
+/// repaired; std::system_error with the path where the folder cannot be used or another run is at work in it.
 [[nodiscard]] ROCKING_API RunResult run(const Experiment& experiment, const Execution& execution = {});
 
 /// The run in a folder, with its experiment.
@@ -72,7 +74,7 @@ struct StoredRun {
 };
 
 /// Reads the folder that run(), or the program, has filled. Throws std::system_error with the path where there is none,
-/// std::runtime_error if the store is damaged, and base::InputError if a file that the experiment names has changed.
+/// base::UnusableFile if the store is damaged, and base::InputError if a file that the experiment names has changed.
 [[nodiscard]] ROCKING_API StoredRun open_run(const std::filesystem::path& folder);
 
 /// Joins the parts of a divided run, folders that run() or the program has filled, in a new folder; the run there has no
@@ -82,6 +84,21 @@ struct StoredRun {
 /// as open_run.
 [[nodiscard]] ROCKING_API StoredRun merge(const std::filesystem::path& folder,
                                           const std::vector<std::filesystem::path>& parts);
+
+/// One finished realisation of a run.
+struct RunRealisation {
+  RealisationKey key;
+  section::ResponseMode mode;
+  dynamics::Termination termination = dynamics::Termination::reached_horizon;
+  bool left_ground = false;
+  bool was_past_balance = false;  ///< abs(Theta) reached 1
+  double margin = 0.0;            ///< of the classification
+  PeakValues peaks;
+};
+
+/// The finished realisations of a run, in the order of conditions and of realisations; also of one that was stopped.
+/// Throws base::UnusableFile if the store is damaged.
+[[nodiscard]] ROCKING_API std::vector<RunRealisation> realisations_of(const RunResult& run);
 
 /// What the report says of the machine and the time, which the library does not read itself.
 struct Provenance {

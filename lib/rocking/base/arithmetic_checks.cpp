@@ -1,4 +1,4 @@
-#include "rocking/base/arithmetic_checks.hpp"
+#include "rocking/base/build_info.hpp"
 
 #include <cfenv>
 #include <cmath>

@@ -39,6 +39,11 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems_;
 };
 
+/// Thrown for a file of a run that is damaged or is not a store.
+class UnusableFile : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// Thrown if a contract does not hold, which only a fault of the library can cause.
 class ContractViolation : public std::logic_error {
  public:

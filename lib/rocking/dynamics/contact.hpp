@@ -35,11 +35,18 @@ enum class EventKind : std::uint8_t {
   past_balance,  ///< abs(Theta) = 1 for the first time
   overturn,      ///< abs(theta) = pi/2
 };
-inline constexpr std::size_t event_kind_count = 13;
 
-/// Spelled as in reports and tables.
-[[nodiscard]] std::string_view to_string(ContactState state);
-[[nodiscard]] std::string_view to_string(EventKind kind);
+/// Spelled as in reports and tables, in the order of the enumerations.
+inline constexpr std::array<std::string_view, 5> contact_names{"rest", "slide", "rock", "rock_slide", "overturned"};
+inline constexpr std::array<std::string_view, 13> event_names{
+    "lift",       "impact_stick", "impact_slip", "slip_start", "slip_stop",    "slip_reverse", "slide_start",
+    "slide_stop", "to_rest",      "to_slide",    "tip",        "past_balance", "overturn"};
+inline constexpr std::size_t event_kind_count = event_names.size();
+
+[[nodiscard]] inline std::string_view to_string(ContactState state) {
+  return contact_names[static_cast<std::size_t>(state)];
+}
+[[nodiscard]] inline std::string_view to_string(EventKind kind) { return event_names[static_cast<std::size_t>(kind)]; }
 
 /// State of the block: positions, rates, contact. Normalised: time by p, slip by R.
 struct State {
@@ -62,8 +69,12 @@ enum class Termination : std::uint8_t {
 
 inline constexpr std::array terminations{Termination::reached_horizon, Termination::overturned, Termination::painleve,
                                          Termination::stopped};
+inline constexpr std::array<std::string_view, terminations.size()> termination_names{"reached_horizon", "overturned",
+                                                                                     "painleve", "stopped"};
 
-[[nodiscard]] std::string_view to_string(Termination termination);
+[[nodiscard]] inline std::string_view to_string(Termination termination) {
+  return termination_names[static_cast<std::size_t>(termination)];
+}
 
 /// The termination with this name; empty if there is none.
 [[nodiscard]] std::optional<Termination> termination_named(std::string_view name);

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,12 +11,6 @@
 #include "rocking/text/files.hpp"
 
 namespace rocking {
-
-/// Values from the command line that replace those of the file. Checked as if they stood there.
-struct Overrides {
-  std::optional<std::string> seed;          ///< `--seed`
-  std::optional<std::string> realisations;  ///< `--realisations`
-};
 
 /// What an experiment file may draw on beside its own text, and how far it may go.
 struct Surroundings {

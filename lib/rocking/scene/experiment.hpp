@@ -208,4 +208,10 @@ struct Experiment {
 /// Confidence of an interval over all conditions together: the highest one of the conditions.
 [[nodiscard]] double highest_confidence(const Experiment& experiment);
 
+/// Values that replace those of an experiment file. Checked as if they stood there.
+struct Overrides {
+  std::optional<std::string> seed = {};          ///< `--seed`
+  std::optional<std::string> realisations = {};  ///< `--realisations`
+};
+
 }  // namespace rocking

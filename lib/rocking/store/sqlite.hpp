@@ -11,6 +11,8 @@
 #include <string>
 #include <string_view>
 
+#include "rocking/base/error.hpp"
+
 struct sqlite3;
 struct sqlite3_stmt;
 
@@ -18,10 +20,7 @@ struct sqlite3_stmt;
 /// std::system_error with the path otherwise (for example disk full, no permission).
 namespace rocking::sqlite {
 
-/// Thrown for a file that is damaged or is not a store.
-class UnusableFile : public std::runtime_error {
-  using std::runtime_error::runtime_error;
-};
+using base::UnusableFile;
 
 /// One prepared statement. Parameters and columns count from 0.
 class Statement {

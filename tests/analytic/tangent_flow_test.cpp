@@ -154,6 +154,30 @@ TEST(TangentFlow, IsTheDerivativeOfTheFlow) {
   }
 }
 
+// At the end of a cell friction jumps at an instant that depends on the state.
+TEST(TangentFlow, KnowsTheJumpAtTheEndOfACellOfFriction) {
+  int compared = 0;
+  for (std::uint64_t seed = 0; seed < 900; ++seed) {
+    support::SplitMix random(seed);
+    Scene scene = support::random_scene(random);
+    if (!scene.friction) continue;
+    scene.slide_inertia = dynamics::SlideInertia::centroidal;
+    scene.fluctuation.static_friction = scene.fluctuation.kinetic_friction = 0.03;
+    scene.fluctuation.friction_correlation = 1.0;
+    scene.fluctuation.refresh_slip_m = random.uniform(0.001, 0.02) * mean_of(scene.block).height;
+    const Flow flow = flow_of(scene, seed, 1 + random.below(2));
+    const bool crosses = std::ranges::any_of(flow.log.strobes,
+                                             [&](const dynamics::State& state) { return std::abs(state.slip) > 0.02; });
+    if (!flow.reached_end() || flow.not_differentiable.any() || !crosses) continue;
+    const auto error = error_of(flow, scene, seed, 1e-7);
+    if (!error) continue;
+    ++compared;
+    const double finer = std::min(*error, error_of(flow, scene, seed, 1e-8).value_or(1.0));
+    EXPECT_LT(finer, 1e-6) << "seed " << seed << ": " << flow.log.story();
+  }
+  EXPECT_GT(compared, 60);
+}
+
 /// A block that cannot slide.
 Scene sticking_scene(double amplitude) {
   Scene scene;

@@ -127,6 +127,15 @@ inline std::vector<Condition> crowd() {
     conditions.back().scene.fluctuation.refreshes_per_period = refreshes;
     support::harmonic(conditions.back().scene).phase = Uniform{.low = 0.0, .high = 6.0};
   }
+  for (const double cell : {1e-4, 0.002, 0.3}) {  // friction of the place
+    for (const double correlation : {0.0, 1.0}) {
+      conditions.push_back(shaken(6.6, rough));
+      Fluctuation& fluctuation = conditions.back().scene.fluctuation;
+      fluctuation.kinetic_friction = fluctuation.static_friction = 0.05;
+      fluctuation.friction_correlation = correlation;
+      fluctuation.refresh_slip_m = cell;
+    }
+  }
   conditions.push_back(shaken(6.6, rough));  // friction clamped at 0 and at the static one
   conditions.back().scene.fluctuation.kinetic_friction = 0.3;
   conditions.back().scene.fluctuation.refreshes_per_period = 200;

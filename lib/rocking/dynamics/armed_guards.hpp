@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "rocking/dynamics/block.hpp"
@@ -26,6 +27,7 @@ struct ArmedGuards {
   bool has_friction;
   bool vertical;  ///< the base moves vertically
   bool determinant_can_vanish;
+  std::optional<double> cell_end;  ///< X of the end of the cell of a slipping block; absent: friction has no cells
   OutOfReach<bool> out_of_reach;
 
   /// Whether the coming step of a rocking block needs nothing but the guards of lanes::OrdinaryGuards, and nothing is
@@ -33,7 +35,7 @@ struct ArmedGuards {
   [[nodiscard]] bool is_ordinary() const {
     const bool is_flat = state.tilt == 0.0 && state.tilt_rate == 0.0;
     return is_rocking(state.contact) && known == KnownAtStart{} && !is_flat && !is_past_balance && !off_ground &&
-           !determinant_may_vanish();
+           !determinant_may_vanish() && !cell_end;
   }
 
   [[nodiscard]] static bool in_reach() { return false; }
@@ -108,6 +110,13 @@ void visit_guards(const ArmedGuards& armed, const MotionSeries<double>& m, Wante
     std::fill(guard.begin() + static_cast<std::ptrdiff_t>(row.length), guard.end(), 0.0);
     visit(number, std::span<const double>(guard.data() + row.zeros, length));
   };
+  if (armed.cell_end) {
+    const double start = armed.state.slip_direction * *armed.cell_end;
+    visit_row(
+        GuardRow<bool, std::size_t, std::size_t>{
+            .guard = Guard::cell, .out_of_reach = false, .length = length, .zeros = 0},
+        [&](std::size_t k) { return (k == 0 ? start : 0.0) - armed.slip_sign() * m.slip[k]; });
+  }
   switch (armed.state.contact) {
     case ContactState::rest:
     case ContactState::slide: return for_each_full_contact_guard(m, armed, order, visit_row);

@@ -45,6 +45,7 @@ class Automaton : public Landing<Coefficients> {
   /// Starts in this state; the contact state follows from the others.
   void enter(const State& initial) {
     state_ = initial;
+    this->find_cell();
     was_past_balance_ = std::abs(state_.tilt) >= setting_.block.shape_angle;
     const bool flat = state_.tilt == 0.0 && state_.tilt_rate == 0.0;
     state_.slip_direction = sign(state_.slip_rate);
@@ -79,6 +80,9 @@ class Automaton : public Landing<Coefficients> {
       this->leave_full_contact(has_fired(Guard::leave_right) ? 1.0 : -1.0, at_threshold);
       // N = (4/3)(1 + alpha_v) = 0 in full contact: it is 0 in the new contact state too.
       if (has_fired(Guard::normal) && !firing.at_breakpoint) cross_normal();
+    } else if (has_fired(Guard::cell)) {
+      this->enter_next_cell();
+      this->check_contact();
     } else if (firing.at_breakpoint) {
       this->check_contact();
     } else if (has_fired(Guard::normal)) {

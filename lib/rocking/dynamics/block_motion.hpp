@@ -81,6 +81,7 @@ class BlockMotion : public MotionProgress<Coefficients> {
             .has_friction = coefficients_.has_friction(),
             .vertical = excitation_.has_vertical(),
             .determinant_can_vanish = this->determinant_may_vanish(this->kinetic_friction()),
+            .cell_end = this->cell_end(),
             .out_of_reach = out_of_reach_};
   }
 
@@ -124,6 +125,7 @@ class BlockMotion : public MotionProgress<Coefficients> {
   void go_on_under(const Setting& setting, const Clock& clock, const Coefficients& coefficients, std::int64_t more) {
     this->replace(setting, clock, coefficients);
     known_ = {};
+    this->find_cell();
     this->extend(more);
     this->check_contact();
     this->settle();

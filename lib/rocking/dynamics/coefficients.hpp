@@ -55,6 +55,17 @@ concept KnowsComingCoefficients = CoefficientSource<Source> && requires(Source s
   source.pass_intervals(clock, std::size_t{});
 };
 
+/// A source whose friction may belong to the place: the base is divided into cells along the slip X, and each has its
+/// own coefficients.
+template <class Source>
+concept HasFrictionOfPlace = CoefficientSource<Source> &&
+    requires(Source source, const Source constant, double number) {
+  source.place(number);  // the block is at this X
+  // X of the end of the present cell for slip in this direction; absent: friction does not belong to the place.
+  { constant.cell_end(number) } -> std::same_as<std::optional<double>>;
+  source.enter_cell(number);  // the next one in this direction
+};
+
 /// Nothing fluctuates.
 struct ConstantCoefficients {
   double amplitude_value = 0.0;

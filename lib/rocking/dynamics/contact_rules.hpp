@@ -33,6 +33,14 @@ class ContactRules {
   /// Amplitude of the horizontal base acceleration in force, in g.
   [[nodiscard]] double base_amplitude() { return coefficients_.amplitude(clock_) * excitation_.unit(setting_.block); }
 
+  /// X at which friction changes if the block goes on slipping; absent: nowhere.
+  [[nodiscard]] std::optional<double> cell_end() const {
+    if constexpr (HasFrictionOfPlace<Coefficients>) {
+      if (slips()) return coefficients_.cell_end(state_.slip_direction);
+    }
+    return std::nullopt;
+  }
+
   /// Horizontal base acceleration alpha now, in g.
   [[nodiscard]] double base_acceleration() {
     if (accelerated_at_ != clock_.now()) {  // several rules need it at the same instant
@@ -55,6 +63,16 @@ class ContactRules {
   }
 
  protected:
+  /// The block is at X: its friction is that of the cell.
+  void find_cell() {
+    if constexpr (HasFrictionOfPlace<Coefficients>) coefficients_.place(state_.slip);
+  }
+
+  /// It has come to the end of its cell.
+  void enter_next_cell() {
+    if constexpr (HasFrictionOfPlace<Coefficients>) coefficients_.enter_cell(state_.slip_direction);
+  }
+
   [[nodiscard]] static double sign(double value) { return value < 0.0 ? -1.0 : 1.0; }
 
   [[nodiscard]] BaseMotion base_motion() { return {.horizontal = base_acceleration(), .weight = weight()}; }

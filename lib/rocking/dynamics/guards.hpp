@@ -22,9 +22,10 @@ enum class Guard : std::size_t {
   leave_left,        ///< the same with + alpha
   past_balance,      ///< psi - S theta, until the first time
   normal,            ///< N on the ground, -N off it
+  cell,              ///< friction of the place: the way to the end of the cell, in the direction of slip
 };
 
-inline constexpr std::size_t guard_count = 10;
+inline constexpr std::size_t guard_count = 11;
 
 /// A number of coefficients that is known to the compiler.
 template <std::size_t count>

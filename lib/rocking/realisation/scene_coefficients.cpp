@@ -29,6 +29,7 @@ CoefficientLaws laws_of(const Scene& scene, const dynamics::Geometry& own) {
     laws.kinetic_friction =
         law_along_the_way(f.laws.kinetic_friction, mean_kinetic(*scene.friction), f.kinetic_friction);
     laws.correlation = f.friction_correlation;
+    laws.own_share = std::sqrt(1.0 - laws.correlation * laws.correlation);
   }
   laws.restitution =
       law_along_the_way(f.laws.restitution, restitution_of(scene, own), f.restitution / restitution_unit(scene, own));
@@ -47,21 +48,49 @@ SceneCoefficients::SceneCoefficients(const Scene& scene, const random::BranchedD
       redraws_amplitude_(redraws_amplitude(scene)),
       draws_(draws),
       static_friction_(std::numeric_limits<double>::infinity()) {
-  if (has_friction_) draw_static_friction();
+  if (!has_friction_) return;
+  const Fluctuation& f = scene.fluctuation;
+  if (f.refresh_slip_m && (f.static_friction > 0.0 || f.kinetic_friction > 0.0)) {
+    cells_.emplace(*f.refresh_slip_m / own.half_diagonal);
+    draw_friction_of_cell();
+  } else {
+    draw_static_friction();
+  }
+}
+
+void SceneCoefficients::place(double slip) {
+  if (cells_ && cells_->move_to(slip)) draw_friction_of_cell();
+}
+
+std::optional<double> SceneCoefficients::cell_end(double direction) const {
+  return cells_ ? std::optional(cells_->end(direction)) : std::nullopt;
+}
+
+void SceneCoefficients::enter_cell(double direction) {
+  cells_->enter_next(direction);
+  draw_friction_of_cell();
+}
+
+void SceneCoefficients::draw_friction_of_cell() {
+  look_up_static_friction(cells_->index());
+  follows_former_static_ = false;
+  held_at_static_ = false;
+  if (!is_drawn(laws_.kinetic_friction)) return;
+  const double own = draws_.standard_normal(Source::kinetic_friction, cells_->index());
+  use_kinetic_friction(value_at_normal(laws_.kinetic_friction, with_share_of_static(own)));
 }
 
 void SceneCoefficients::draw_static_friction() {
   static_count_ = stops_;
-  look_up_static_friction();
+  look_up_static_friction(random::paired_index(static_count_.chatters, static_count_.since));
 }
 
-void SceneCoefficients::look_up_static_friction() {
+void SceneCoefficients::look_up_static_friction(std::uint64_t index) {
   if (!is_drawn(laws_.static_friction)) {
     static_friction_ = std::get<double>(laws_.static_friction);
     return;
   }
   ++static_draws_;
-  const auto index = random::paired_index(static_count_.chatters, static_count_.since);
   static_normal_ = draws_.standard_normal(Source::static_friction, index);
   static_friction_ = value_at_normal(laws_.static_friction, static_normal_);
   if (static_friction_ < 0.0) {
@@ -74,14 +103,14 @@ void SceneCoefficients::look_up_static_friction() {
 
 void SceneCoefficients::stop() {
   ++stops_.since;
-  if (has_friction_) draw_static_friction();
+  if (has_friction_ && !cells_) draw_static_friction();
 }
 
 void SceneCoefficients::chatter_ended() {
   const bool had_stops = stops_.since > 0;
   stops_ = {.chatters = stops_.chatters + 1, .since = 0};
   impacts_ = {.chatters = impacts_.chatters + 1, .since = 0};
-  if (has_friction_ && had_stops) draw_static_friction();
+  if (has_friction_ && had_stops && !cells_) draw_static_friction();
 }
 
 SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) const {
@@ -93,7 +122,13 @@ SceneCoefficients SceneCoefficients::under(const SceneCoefficients& others) cons
   other.interval_ = -1;
   other.drawn_from_ = none_drawn;
   other.amplitude_period_ = -1;
-  if (other.has_friction_) other.look_up_static_friction();
+  if (!other.has_friction_) return other;
+  other.cells_ = others.cells_;
+  if (other.cells_) {
+    other.draw_friction_of_cell();
+  } else {
+    other.look_up_static_friction(random::paired_index(other.static_count_.chatters, other.static_count_.since));
+  }
   return other;
 }
 
@@ -105,6 +140,8 @@ random::FirstUnused SceneCoefficients::first_unused() const {
 }
 
 std::uint64_t SceneCoefficients::first_unused(Source source) const {
+  const bool is_of_friction = source == Source::static_friction || source == Source::kinetic_friction;
+  if (cells_ && is_of_friction) return cells_->first_unused();
   switch (source) {
     case Source::static_friction: return random::paired_index(static_count_.chatters, static_count_.since) + 1;
     case Source::kinetic_friction: return static_cast<std::uint64_t>(interval_ + 1);
@@ -121,8 +158,8 @@ void SceneCoefficients::continue_with(const random::BranchedDraws& draws) {
 }
 
 double SceneCoefficients::kinetic_friction(const Clock& clock) {
-  const auto* constant = std::get_if<double>(&laws_.kinetic_friction);
-  return held_kinetic_friction(constant != nullptr ? *constant : drawn_kinetic_friction(clock));
+  if (const auto* constant = std::get_if<double>(&laws_.kinetic_friction)) return held_kinetic_friction(*constant);
+  return held_kinetic_friction(cells_ ? kinetic_friction_ : drawn_kinetic_friction(clock));
 }
 
 /// `wanted`, limited to the static friction in force.
@@ -143,15 +180,19 @@ double SceneCoefficients::drawn_kinetic_friction(const Clock& clock) {
     follows_former_static_ = false;
   }
   if (interval != interval_) move_to_interval(clock, interval);
-  draw_kinetic_friction(interval);
+  use_kinetic_friction(drawn_[static_cast<std::size_t>(interval - drawn_from_)]);
   return kinetic_friction_;
+}
+
+/// A normal number with the wanted correlation with that of static friction, from an independent one.
+double SceneCoefficients::with_share_of_static(double own) const {
+  return laws_.correlation * static_normal_ + laws_.own_share * own;
 }
 
 /// Of the normal numbers that `drawn_` holds, in which those of static friction have their share.
 void SceneCoefficients::turn_normals_into_friction() {
-  if (const double share = laws_.correlation; share != 0.0) {
-    const double rest = std::sqrt(1.0 - share * share);
-    for (double& value : drawn_) value = share * static_normal_ + rest * value;
+  if (laws_.correlation != 0.0) {
+    for (double& value : drawn_) value = with_share_of_static(value);
   }
   if (const auto* normal = std::get_if<Normal>(&laws_.kinetic_friction)) {
     for (double& value : drawn_) value = normal->mean + normal->sigma * value;
@@ -160,10 +201,10 @@ void SceneCoefficients::turn_normals_into_friction() {
   }
 }
 
-void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
+void SceneCoefficients::use_kinetic_friction(double wanted) {
   held_at_static_ = false;
   ++kinetic_draws_;
-  kinetic_friction_ = drawn_[static_cast<std::size_t>(interval - drawn_from_)];
+  kinetic_friction_ = wanted;
   if (kinetic_friction_ < 0.0) {
     kinetic_friction_ = 0.0;
     ++clamps_.kinetic_at_zero;
@@ -173,7 +214,7 @@ void SceneCoefficients::draw_kinetic_friction(std::int64_t interval) {
 /// Kinetic friction as far as it has been drawn. Only valid if no other coefficient changes with time.
 dynamics::KnownIntervals SceneCoefficients::known_intervals() const {
   const bool is_known = interval_ >= 0 && drawn_from_ != none_drawn && !follows_former_static_;
-  if (!is_drawn(laws_.kinetic_friction) || redraws_amplitude_ || !is_known) return {};
+  if (!is_drawn(laws_.kinetic_friction) || cells_ || redraws_amplitude_ || !is_known) return {};
   const auto present = static_cast<std::size_t>(interval_ - drawn_from_);
   return {
       .wanted = std::span(drawn_).subspan(present), .per_period = refreshes_per_period_, .next_boundary = end_number_};
@@ -271,7 +312,7 @@ std::int64_t SceneCoefficients::searched_grid_index(const Clock& clock) const {
 std::optional<Instant> SceneCoefficients::next_change(const Clock& clock, bool slipping) const {
   std::optional<Instant> next;
   if (redraws_amplitude_) next = Instant{.period = clock.now().period + 1, .time = 0.0};
-  if (slipping && is_drawn(laws_.kinetic_friction)) {
+  if (slipping && is_drawn(laws_.kinetic_friction) && !cells_) {
     const std::int64_t index = grid_index(clock);
     const Instant refresh = index == interval_ ? end_ : boundary(clock, index + 1);
     if (!next || clock.until(refresh) < clock.until(*next)) next = refresh;

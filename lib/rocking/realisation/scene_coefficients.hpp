@@ -8,6 +8,7 @@
 #include "rocking/dynamics/clock.hpp"
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/random/branched_draws.hpp"
+#include "rocking/realisation/friction_cells.hpp"
 #include "rocking/realisation/operation_counts.hpp"
 #include "rocking/scene/experiment.hpp"
 
@@ -22,6 +23,7 @@ struct CoefficientLaws {
   RedrawnQuantity static_friction = 0.0;
   RedrawnQuantity kinetic_friction = 0.0;
   double correlation = 0.0;  ///< of the normal numbers of both
+  double own_share = 1.0;    ///< sqrt(1 - correlation^2): of kinetic friction's own number
   RedrawnQuantity restitution = 0.0;
   RedrawnQuantity amplitude = 0.0;
 };
@@ -30,7 +32,7 @@ struct CoefficientLaws {
 /// the sigma of a source is 0, nothing is drawn. Models dynamics::CoefficientSource; the rules are in
 /// lib/docs/model.md, section 5.
 ///
-/// Kinetic friction depends on time only (one draw for each interval of a grid); it is limited to the static friction
+/// Friction belongs to the place, or kinetic friction depends on time only (one draw for each interval of a grid); it is limited to the static friction
 /// in force. The draws of static friction and restitution are counted from the end of the last chatter. The number of
 /// draws within a chatter depends on the tolerance; later draws do not depend on it. If a chatter contained stops, the
 /// static friction after it is the first draw of the new count.
@@ -54,6 +56,9 @@ class SceneCoefficients {
     const auto* constant = std::get_if<double>(&laws_.restitution);
     return constant != nullptr ? std::optional(*constant) : std::nullopt;
   }
+  void place(double slip);
+  [[nodiscard]] std::optional<double> cell_end(double direction) const;
+  void enter_cell(double direction);
   [[nodiscard]] dynamics::KnownIntervals known_intervals() const;
   void pass_intervals(const dynamics::Clock& clock, std::size_t count);
 
@@ -82,11 +87,13 @@ class SceneCoefficients {
   [[nodiscard]] dynamics::Instant boundary(const dynamics::Clock& clock, std::int64_t interval) const;
   [[nodiscard]] std::int64_t grid_index(const dynamics::Clock& clock) const;
   [[nodiscard]] std::int64_t searched_grid_index(const dynamics::Clock& clock) const;
-  void draw_kinetic_friction(std::int64_t interval);
+  void use_kinetic_friction(double wanted);
+  [[nodiscard]] double with_share_of_static(double own) const;
   [[nodiscard]] double held_kinetic_friction(double wanted);
   void turn_normals_into_friction();
   void draw_static_friction();
-  void look_up_static_friction();
+  void draw_friction_of_cell();
+  void look_up_static_friction(std::uint64_t index);
   [[nodiscard]] double drawn_kinetic_friction(const dynamics::Clock& clock);
   [[nodiscard]] std::uint64_t first_unused(random::Source source) const;
 
@@ -99,6 +106,7 @@ class SceneCoefficients {
   double static_friction_;
   double static_normal_ = 0.0;          ///< the normal number from which it follows
   bool follows_former_static_ = false;  ///< the kinetic friction that was drawn is correlated with a former static one
+  std::optional<FrictionCells> cells_;  ///< if friction belongs to the place
   Count stops_;
   Count static_count_;  ///< of stops, at the time when the static friction in force was drawn
   Count impacts_;

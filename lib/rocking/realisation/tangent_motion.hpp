@@ -20,8 +20,9 @@ namespace rocking {
 
 /// Instants of a motion at which its derivative does not exist.
 struct NotDifferentiable {
-  std::uint64_t grazings = 0;      ///< a guard was reached at a rate of 0 up to rounding; see TangentMotion
-  std::uint64_t coincidences = 0;  ///< two of impact, end of slip, onset of slip and breakpoint at one instant
+  std::uint64_t grazings = 0;  ///< a guard was reached at a rate of 0 up to rounding; see TangentMotion
+  std::uint64_t coincidences =
+      0;  ///< two of impact, end of slip, onset of slip, end of a cell and breakpoint at one instant
 
   [[nodiscard]] bool any() const { return grazings > 0 || coincidences > 0; }
 };
@@ -37,7 +38,7 @@ struct GuardCrossing {
 ///
 /// Between events a vector obeys the variational equations (dynamics/tangent_series.hpp), at an event it is multiplied
 /// by the saltation matrix (dynamics/saltation.hpp). The guards have gradients where they depend on the state: impact,
-/// end of slip, friction limit, N = 0. Where full contact begins, the tilt and its rate are lost. At instants that are
+/// end of slip, friction limit, end of a cell of the friction, N = 0. Where full contact begins, the tilt and its rate are lost. At instants that are
 /// fixed in time (breakpoints, a threshold of the base acceleration) vectors do not change, except by a reset.
 ///
 /// A guard with a rate below its rounding error has no usable derivative: it is counted, the event is taken as fixed in
@@ -144,7 +145,7 @@ class TangentMotion : public Motion {
     if (has_fired(Guard::overturn) || has_fired(Guard::determinant)) return std::nullopt;
     const bool limit = has_fired(Guard::friction_inward) || has_fired(Guard::friction_outward);
     if (has_fired(Guard::tilt) && (time_went_on_ || !limit)) return Guard::tilt;
-    for (const Guard guard : {Guard::slip, Guard::friction_inward, Guard::friction_outward}) {
+    for (const Guard guard : {Guard::slip, Guard::friction_inward, Guard::friction_outward, Guard::cell}) {
       if (has_fired(guard)) return guard;
     }
     if (has_fired(Guard::leave_right) || has_fired(Guard::leave_left) || at_breakpoint) return std::nullopt;
@@ -154,7 +155,7 @@ class TangentMotion : public Motion {
   template <class Fired>
   void count_coincidence(const Fired& fired, bool at_breakpoint) {
     int together = at_breakpoint ? 1 : 0;
-    for (const Guard guard : {Guard::tilt, Guard::slip, Guard::friction_inward, Guard::friction_outward}) {
+    for (const Guard guard : {Guard::tilt, Guard::slip, Guard::friction_inward, Guard::friction_outward, Guard::cell}) {
       if (fired[static_cast<std::size_t>(guard)]) ++together;
     }
     if (together > 1) ++not_differentiable_.coincidences;
@@ -227,6 +228,7 @@ class TangentMotion : public Motion {
         return unless_grazing({.gradient = {.slip_rate = 1.0}, .rate = rates.slip_rate}, least_rate);
       case Guard::friction_inward: return slope_of_forces(event, -1.0);
       case Guard::friction_outward: return slope_of_forces(event, 1.0);
+      case Guard::cell: return unless_grazing({.gradient = {.slip = 1.0}, .rate = rates.slip}, least_rate);
       case Guard::normal: {
         // Without a change of the contact state the reset is the identity and the rates do not jump.
         const bool changes = event.before.contact == dynamics::ContactState::rock && this->slips();

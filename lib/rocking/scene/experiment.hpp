@@ -93,6 +93,9 @@ struct Fluctuation {
   double static_friction = 0.0;
   double kinetic_friction = 0.0;
   int refreshes_per_period = 200;  ///< intervals of constant kinetic friction per excitation period
+  /// Length of the cells of the base, each with its own static and kinetic friction [m]. Absent: kinetic friction is
+  /// drawn again in time, and static friction at each stop.
+  std::optional<double> refresh_slip_m = {};
   double restitution = 0.0;
   double amplitude = 0.0;
   FluctuationLaws laws = {};

@@ -73,6 +73,14 @@ void keys_of_friction_fluctuation(Keys& in, Scene& scene) {
     return true;
   };
   const auto refreshes = [&fluctuation](Keys& keys) {
+    keys.optional("refresh_slip_m", fluctuation.refresh_slip_m, [&keys](double& length) {
+      keys.exclude("refresh_slip_m", "refreshes_per_period",
+                   {"excludes \"refreshes_per_period\": friction belongs to the place or is drawn again in time",
+                    "keep one of them"});
+      keys.number({"refresh_slip_m", "length of the cells of the base along the slip, each with its own friction [m]"},
+                  length, rules::refresh_slip, Absent::omitted);
+    });
+    if (keys.is_reading() && fluctuation.refresh_slip_m) return;
     keys.integer({"refreshes_per_period", "intervals of constant kinetic friction in an excitation period"},
                  fluctuation.refreshes_per_period, rules::refreshes, Absent::standard);
   };

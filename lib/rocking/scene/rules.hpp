@@ -67,6 +67,9 @@ inline constexpr NumberRule kinetic_ratio{
 inline constexpr NumberRule correlation{
     .bounds = {.least = -1.0, .most = 1.0}, .demand = "must be a number from -1 to 1", .example = "1.0"};
 inline constexpr IntegerRule refreshes{.low = 1, .high = 100'000, .example = 200};
+inline constexpr NumberRule refresh_slip{.bounds = {.least = 1e-6, .most = 1e6},
+                                         .demand = "must be a positive number of metres, from 1e-6 to 1e6",
+                                         .example = "0.001"};
 inline constexpr NumberRule phase{.bounds = {.least = -1e3, .most = 1e3},
                                   .demand = "must be a number of radians from -1000 to 1000",
                                   .example = "0.0"};

@@ -86,6 +86,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Fault{"/horizon/sampled_periods", "0", "", "from 1", "120"},
                       Fault{"/fluctuation/friction/sigma", "-0.1", "", "must not be negative", "0.03"},
                       Fault{"/fluctuation/friction/refreshes_per_period", "0", "", "from 1 to 100000", "200"},
+                      Fault{"/fluctuation/friction/refresh_slip_m", "0.001", "", "excludes \"refreshes_per_period\"",
+                            "keep one"},
                       Fault{"/restitution", "-1", "", "above -1", "0.0"},
                       Fault{"/restitution", "\"jy26\"", "", "above -1", "jy25"},
                       Fault{"/formulation", "\"as-ploted\"", "", "one of", "as-plotted"},

@@ -133,6 +133,8 @@ INSTANTIATE_TEST_SUITE_P(
                [](auto& c) { c.scene.fluctuation.refreshes_per_period = 0; }),
         number("/fluctuation/kinetic_friction/refreshes_per_period", "100001",
                [](auto& c) { c.scene.fluctuation.refreshes_per_period = 100001; }),
+        number("/fluctuation/kinetic_friction/refresh_slip_m", "0",
+               [](auto& c) { c.scene.fluctuation.refresh_slip_m = 0.0; }),
         number("/fluctuation/restitution/sigma", "-1", [](auto& c) { c.scene.fluctuation.restitution = -1; }),
         number("/fluctuation/amplitude/sigma", "-1", [](auto& c) { c.scene.fluctuation.amplitude = -1; }),
         number("/initial/tilt", "1e7", [](auto& c) { c.scene.initial.tilt = 1e7; }),

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 
 #include "rocking/dynamics/armed_guards.hpp"
 #include "rocking/dynamics/displacement.hpp"
@@ -173,8 +174,17 @@ class BlockMotion : public MotionProgress<Coefficients> {
 
   /// Fills the series as far as the coming step needs it; returns the step's length.
   [[nodiscard]] double length_of_series(double reach) {
-    if (is_brief(reach) && expand_to<brief_order>() >= reach) return reach;
+    const double near = std::min(reach, time_beyond_cell());
+    if (is_brief(near) && expand_to<brief_order>() >= near) return near;
     return std::min({expand_to<full_order>(), reach, clock_.period_length()});
+  }
+
+  /// A time in which the block has probably left its cell of friction; infinite without cells.
+  [[nodiscard]] double time_beyond_cell() const {
+    const auto end = this->cell_end();
+    if (!end || state_.slip_rate == 0.0) return std::numeric_limits<double>::infinity();
+    constexpr double margin = 1.1;
+    return margin * std::abs((*end - state_.slip) / state_.slip_rate) + clock_.resolution();
   }
 
   template <int order>

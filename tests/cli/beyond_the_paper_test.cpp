@@ -47,9 +47,11 @@ TEST_F(BeyondThePaper, IsWrittenUpByTheScriptFromThePublishedReports) {
   if (python_with_module().empty()) {
     GTEST_SKIP() << "skipped: the Python module is not built (Debian: python3-dev pybind11-dev python3-numpy)";
   }
-  const auto checked =
-      shell("exec " + python_with_module() + " -B '" + (experiments / "write_report.py").string() + "' --check");
-  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  for (const char* script : {"write_report.py", "friction_scatter.py"}) {
+    const auto checked =
+        shell("exec " + python_with_module() + " -B '" + (experiments / script).string() + "' --check");
+    EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+  }
 }
 
 TEST_F(BeyondThePaper, PublishesFragilityAsTheFormatSays) {

@@ -93,6 +93,20 @@ TEST_F(Command, RunTakesFlagsBeforeTheFile) {
   EXPECT_EQ(report["result"]["conditions"][0]["realisations"], 2);
 }
 
+TEST_F(Command, FrictionOfThePlaceIsToldAndGivesTheSameBitsAgain) {
+  Json experiment = Json::parse(read("quick.json"));
+  experiment["fluctuation"]["friction"] = {{"sigma", 0.03}, {"correlation", 1}, {"refresh_slip_m", 0.002}};
+  write("cells.json", experiment.dump());
+  EXPECT_THAT(rocking("validate cells.json").output,
+              AllOf(HasSubstr("static friction drawn for each cell of the slip"),
+                    HasSubstr("kinetic friction drawn for each cell of the slip"), Not(HasSubstr("grid in time"))));
+  ASSERT_EQ(rocking("run cells.json -o out").exit_code, 0);
+  const Json report = Json::parse(read("out/report.json"));
+  EXPECT_FALSE(report["input"]["experiment"]["fluctuation"]["friction"].contains("refreshes_per_period"));
+  EXPECT_GT(report["internal"]["total"]["draws"]["kinetic_friction"], 0);
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
+}
+
 TEST_F(Command, DryRunTellsThePlanAndWritesNothing) {
   const auto outcome = rocking("run quick.json -o out --dry-run");
   EXPECT_EQ(outcome.exit_code, 0);

@@ -58,7 +58,7 @@ inline constexpr std::array allowances{
     Allowance{"Splitting.HasIntervalsThatCover", 1, 2},
     Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnOnce", 1, 1},
     Allowance{"RareOnBlocks.IsUnbiasedForOtherLaws", 1, 3},
-    Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnAlongTheWay", 1, 2},
+    Allowance{"RareOnBlocks.IsUnbiasedForNumbersThatAreDrawnAlongTheWay", 1, 3},
     Allowance{"CorrelatedFriction.HasTheCorrelationThatIsAskedFor", 1, 3},
     Allowance{"RandomNumbers.OfLawsAlongTheWayAreTested", 1, 8},
     Allowance{"MeanShare.CoversTheShareOfSemiMarkovProcessesAsOftenAsTheDocumentsSay", 1, 3},

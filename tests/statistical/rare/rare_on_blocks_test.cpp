@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -98,16 +99,18 @@ class FreeBlock {
   Condition condition_;
 };
 
-/// A block whose friction, restitution and amplitude are drawn along the way, by normal or other laws; the event is a
-/// peak tilt.
+/// A block whose friction, restitution and amplitude are drawn along the way, by normal or other laws, in time or for
+/// each place; the event is a peak tilt.
 class ShakenBlock {
  public:
-  explicit ShakenBlock(const rocking::FluctuationLaws& laws = {}, double correlation = 0.0) {
+  explicit ShakenBlock(const rocking::FluctuationLaws& laws = {}, double correlation = 0.0,
+                       std::optional<double> refresh_slip_m = {}) {
     rocking::support::harmonic(condition_.scene) = {.amplitude = 4.2, .frequency_ratio = 6.0, .phase = 0.0};
     condition_.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
     condition_.scene.fluctuation = {.static_friction = 0.03,
                                     .kinetic_friction = 0.03,
                                     .refreshes_per_period = 20,
+                                    .refresh_slip_m = refresh_slip_m,
                                     .restitution = 0.02,
                                     .amplitude = 0.6,
                                     .laws = laws,
@@ -166,7 +169,7 @@ TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnAlongTheWay) {
   using enum rocking::FluctuationLaw;
   const rocking::FluctuationLaws others{
       .static_friction = lognormal, .kinetic_friction = uniform, .restitution = uniform, .amplitude = lognormal};
-  for (const ShakenBlock& block : {ShakenBlock(), ShakenBlock(others, 0.8)}) {
+  for (const ShakenBlock& block : {ShakenBlock(), ShakenBlock(others, 0.8), ShakenBlock({}, 0.5, 0.005)}) {
     const Estimate found = by_splitting(block.model(), 60, 60);
     const Estimate plain = block.plain();
     EXPECT_LT(std::abs(score_of(found, plain)), alarms.score()) << found.mean << ' ' << plain.mean;

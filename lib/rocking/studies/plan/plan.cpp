@@ -23,12 +23,18 @@ struct Effect {
   bool (*is_on)(const Scene&);
 };
 
-constexpr std::array<Effect, 6> effects{{
+bool belongs_to_the_place(const Scene& s) { return s.fluctuation.refresh_slip_m.has_value(); }
+
+constexpr std::array<Effect, 8> effects{{
     {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
     {"static friction drawn at each stop",
-     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0; }},
+     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0 && !belongs_to_the_place(s); }},
+    {"static friction drawn for each cell of the slip",
+     [](const Scene& s) { return s.friction && s.fluctuation.static_friction > 0.0 && belongs_to_the_place(s); }},
     {"kinetic friction drawn on a grid in time",
-     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0; }},
+     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0 && !belongs_to_the_place(s); }},
+    {"kinetic friction drawn for each cell of the slip",
+     [](const Scene& s) { return s.friction && s.fluctuation.kinetic_friction > 0.0 && belongs_to_the_place(s); }},
     {"restitution drawn at each impact", [](const Scene& s) { return s.fluctuation.restitution > 0.0; }},
     {"amplitude drawn each period",
      [](const Scene& s) {

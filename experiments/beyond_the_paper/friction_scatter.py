@@ -3,9 +3,9 @@
 
 usage: friction_scatter.py [--check]
 
-Runs the headline experiment under each way in which friction may scatter: about 36 minutes on two processors, 22 of them for cells of
-0.1 mm. --check: runs and writes nothing; exit code 1 if friction_scatter.md
-differs from the text that follows from friction_scatter.json.
+Runs the headline experiment under each way in which friction may scatter: about 36 minutes on two processors, 22 of
+them for cells of 0.1 mm. --check: runs and writes nothing; exit code 1 if friction_scatter.md differs from the text that
+follows from friction_scatter.json.
 """
 
 import copy
@@ -66,7 +66,8 @@ def experiment_of(variant):
 def friction_of(condition):
     """`0.35/0.3`: the means."""
     means = condition["parameters"]["/friction"]
-    return "/".join(f"{m if isinstance(m, (int, float)) else m['normal']['mean']:g}" for m in (means["static"], means["kinetic"]))
+    numbers = (m if isinstance(m, (int, float)) else m["normal"]["mean"] for m in (means["static"], means["kinetic"]))
+    return "/".join(f"{number:g}" for number in numbers)
 
 
 def facts_of(variant):
@@ -138,7 +139,9 @@ def summary_rows(found, facts):
     for name in found.variants:
         changed = found.changed(name) if name != HEADLINE_NAME else {}
         largest = max(changed, key=lambda p: abs(changed[p][0]), default=None)
-        told = "-" if largest is None else f"{100 * changed[largest][0]:+.0f} of {found.most_frequent(largest)} at {place_text(largest)}"
+        told = "-"
+        if largest is not None:
+            told = f"{100 * changed[largest][0]:+.0f} of {found.most_frequent(largest)} at {place_text(largest)}"
         differ = sum(c["differ_interval"][0] > 0.01 for c in found.variants[name].values())
         clamped = sum(c["clamped"] for c in found.variants[name].values())
         rows.append([name, len(found.certain(name)), differ, len(changed) if name != HEADLINE_NAME else "-", told,
@@ -249,13 +252,15 @@ def picture(facts):
     found = Findings(facts)
     names = list(found.variants)
     tics = ", ".join(f"'{name}' {len(names) - k}" for k, name in enumerate(names))
+    unlabelled = ", ".join(f"'' {k + 1}" for k in range(len(names)))
     text = "set multiplot layout 2,3 margins 0.19,0.985,0.08,0.95 spacing 0.02,0.12\n"
-    text += f"set yrange [0.4:{len(names) + 0.6}]\nset xrange [0:0.85]\nunset key\nset grid xtics lc rgb '#d0d0d0'\nset xtics 0.2\n"
+    text += f"set yrange [0.4:{len(names) + 0.6}]\nset xrange [0:0.85]\nset xtics 0.2\nset grid xtics lc rgb '#d0d0d0'\n"
+    text += "unset key\n"
     for number, place in enumerate(SIX):
         rows = [f"{c['differ']:.6f} {len(names) - k} {c['differ_interval'][0]:.6f} {c['differ_interval'][1]:.6f}"
                 for k, c in enumerate(found.variants[name][place] for name in names)]
         text += f"$d{number} << EOD\n" + "\n".join(rows) + "\nEOD\n"
-        text += f"set ytics ({tics})\n" if number % 3 == 0 else f"set ytics ({', '.join(f'{chr(34) * 2} {k + 1}' for k in range(len(names)))})\n"
+        text += f"set ytics ({tics if number % 3 == 0 else unlabelled})\n"
         text += f"set title '{place_text(place)}'\n" + ("set xlabel 'two runs differ'\n" if number > 2 else "unset xlabel\n")
         base = found.variants[HEADLINE_NAME][place]["differ"]
         text += (f"set arrow 1 from {base:.6f},0.4 to {base:.6f},{len(names) + 0.6} nohead lc rgb '#a0a0a0' dt 2\n"

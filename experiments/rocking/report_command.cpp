@@ -1,103 +1,17 @@
-#include <algorithm>
-#include <filesystem>
-#include <iterator>
 #include <memory>
-#include <set>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include "analysis/table_files.hpp"
 #include "commands.hpp"
-#include "drawing.hpp"
-#include "output.hpp"
-#include "page.hpp"
-#include "rocking/output/mode_table.hpp"
-#include "rocking/output/settling_table.hpp"
-#include "rocking/output/write_facts.hpp"
-#include "rocking/text/files.hpp"
-#include "rocking/text/locate.hpp"
-#include "run_folder.hpp"
-#include "terminal.hpp"
+#include "report_again.hpp"
 #include "usage.hpp"
 
 namespace rocking::program {
-namespace {
-
-namespace fs = std::filesystem;
-
-const std::vector<std::string> file_formats{"html", "csv", "gnuplot", "latex"};
-const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex", "text"};
-
-struct ReportRequest {
-  std::string folder;
-  std::vector<std::string> formats = file_formats;
-  StyleRequest style;  ///< of the figures, not of the page
-  Loudness loudness;
-};
-
-Report load_report(const RunFolder& folder) {
-  folder.expect_installed();
-  if (!folder.has_report()) {
-    throw MissingInput(
-        folder.has_store()
-            ? fmt::format("{0}: there is no report.json yet; `rocking resume {0}` finishes the run", folder.name())
-            : folder.name() + ": contains no run (there is no report.json)");
-  }
-  const std::string text = input_of([&] { return read_file(folder.report_path()); });
-  try {
-    return parse_report(text);
-  } catch (const base::InputError& error) {
-    throw located(error, text, folder.report_path().string());
-  }
-}
-
-/// The table that the run printed.
-std::string table_again(const Report& report) {
-  const std::string settling = settling_text(settling_rows(report), table_look().width);
-  return mode_table(table_rows(report), table_look()) + (settling.empty() ? "" : '\n' + settling);
-}
-
-ExitCode report_again(const ReportRequest& request) {
-  const analysis::FigureLook look = look_for(request.style);
-  const RunFolder folder(request.folder);
-  const Report report = load_report(folder);
-  const std::set<std::string> formats(request.formats.begin(), request.formats.end());
-  std::vector<std::string> written;
-  DrawingFailures of_the_page;
-  DrawingFailures of_figures;
-  if (formats.contains("html")) {
-    ensure_writable(request.folder);
-    of_the_page = write_page(folder, report);
-    written.push_back(folder.page_path().string());
-  }
-  if (formats.contains("gnuplot")) {
-    WrittenFigures figures = write_figures(figures_of(folder, report), fs::path(request.folder) / "figures", look);
-    of_figures = std::move(figures.failures);
-    std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
-  }
-  const fs::path tables = fs::path(request.folder) / "tables";
-  for (const auto& [name, text] : analysis::table_files(report, formats)) {
-    ensure_writable(tables);
-    write_atomically(tables / name, text);
-    written.push_back((tables / name).string());
-  }
-  const std::string table = formats.contains("text") ? table_again(report) : "";
-  print_result(request.loudness.json ? facts_text(std::vector<Fact>{{"written", written}})
-                                     : base::printable(fmt::format("{}{}{}", table, fmt::join(written, "\n"),
-                                                                   written.empty() ? "" : "\n")));
-  const ExitCode page_code = of_the_page.tell(no_page_picture, PictureRole::purpose);
-  const ExitCode figure_code = of_figures.tell(no_figure, PictureRole::purpose);
-  return figure_code == ExitCode::done ? page_code : figure_code;
-}
-
-}  // namespace
 
 void add_report(CLI::App& app, Action& action) {
+  const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex", "text"};
   const auto request = std::make_shared<ReportRequest>();
+  request->formats = {"html", "csv", "gnuplot", "latex"};
   CLI::App* command = app.add_subcommand("report", "Write page, figures and tables of a finished run again");
   command->footer(
       "Example: rocking report out --format html,gnuplot\n"

@@ -29,8 +29,8 @@ using support::GuardTally;
 using support::SplitMix;
 
 constexpr std::array<std::string_view, dynamics::guard_count> guard_names{
-    "overturn",         "determinant", "tilt",       "slip",         "friction_inward",
-    "friction_outward", "leave_right", "leave_left", "past_balance", "normal"};
+    "overturn",   "determinant",  "tilt",   "slip", "friction_inward", "friction_outward", "leave_right",
+    "leave_left", "past_balance", "normal", "cell"};
 
 constexpr int horizon_periods = 34;
 #if ROCKING_CONTRACTS  // and sanitizers: five times as long a step
@@ -64,7 +64,7 @@ void throw_over(Scene& scene, SplitMix& draw) {
 }
 
 /// Squat and slender blocks, all formulations, every effect on and off, tolerances over ten decades; every fourth base
-/// motion is recorded.
+/// motion is recorded, and every fourth friction belongs to the place.
 Condition random_condition(std::uint64_t number) {
   SplitMix draw(number);
   Condition condition;
@@ -77,6 +77,10 @@ Condition random_condition(std::uint64_t number) {
   if (draw.below(4) == 0) {
     const double frequency = support::mean_frequency_ratio(scene);
     scene.excitation = support::recorded_by(random_ground_motion(scene, draw), frequency, size_of(scene.excitation));
+  }
+  if (number % 4 == 1 && scene.friction) {
+    scene.fluctuation.kinetic_friction = std::max(scene.fluctuation.kinetic_friction, 0.02);
+    scene.fluctuation.refresh_slip_m = support::spread(draw, 1e-3, 0.1) * mean_of(scene.block).height;
   }
   return condition;
 }

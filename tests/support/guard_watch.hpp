@@ -123,7 +123,8 @@ class GuardWatch {
             .tests_friction = coefficients.has_friction() && !motion.is_off_ground() && !sticks_anyway,
             .was_past_balance = motion.was_past_balance(),
             .off_ground = motion.is_off_ground(),
-            .vertical = vertical_};
+            .vertical = vertical_,
+            .cell_end = motion.cell_end()};
   }
 
   void compare_with_model(const Motion& motion, double length, bool sticks_anyway) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/block_motion.hpp"
@@ -19,7 +20,8 @@ struct Circumstances {
   bool tests_friction;  ///< whether sticking can fail
   bool was_past_balance;
   bool off_ground;
-  bool vertical;  ///< the base moves vertically
+  bool vertical;                   ///< the base moves vertically
+  std::optional<double> cell_end;  ///< X at which a slipping block finds other friction; absent: nowhere
 };
 
 /// Calls visit(guard, value) for each guard that lib/docs/model.md requires, computed from its equations at a state:
@@ -40,6 +42,7 @@ void for_each_model_guard(const Circumstances& now, const dynamics::State& state
   }
   const bool slips = state.contact == ContactState::slide || state.contact == ContactState::rock_slide;
   if (slips) visit(Guard::slip, state.slip_direction * state.slip_rate);
+  if (slips && now.cell_end) visit(Guard::cell, state.slip_direction * (*now.cell_end - state.slip));
   if (state.contact == ContactState::rest || state.contact == ContactState::slide) {
     if (now.vertical) visit(Guard::normal, ground * weight);
     return;

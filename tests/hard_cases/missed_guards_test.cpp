@@ -80,7 +80,7 @@ Condition random_condition(std::uint64_t number) {
   }
   if (number % 4 == 1 && scene.friction) {
     scene.fluctuation.kinetic_friction = std::max(scene.fluctuation.kinetic_friction, 0.02);
-    scene.fluctuation.refresh_slip_m = support::spread(draw, 1e-3, 0.1) * mean_of(scene.block).height;
+    scene.fluctuation.refresh_slip_m = support::spread(draw, 0.1, 1.0) * mean_of(scene.block).height;
   }
   return condition;
 }

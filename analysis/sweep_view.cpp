@@ -177,6 +177,7 @@ Axis axis_of_parameter(const std::string& pointer) {
                                                  {"/initial/slip_rate", {"initial slip rate", "V_0", ""}}};
   if (const auto found = known.find(pointer); found != known.end()) return found->second;
   const std::string key = last_key(pointer);
+  if (key == "refresh_slip_m") return {"cell of friction", "", "m"};
   if (key == "sigma" || key == "relative_sigma") {
     const std::string whole = pointer.substr(0, pointer.rfind('/'));
     std::string of = last_key(whole);

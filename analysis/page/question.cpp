@@ -208,6 +208,12 @@ std::string random_in_brief(const Report& report) {
       words += fmt::format(", {} {}{}", key, escaped(setting_text(report, place, scatter.at(key))),
                            swept_mark(report, place));
     }
+    if (scatter.contains("refresh_slip_m")) {
+      const std::string place = "/fluctuation/" + name + "/refresh_slip_m";
+      words +=
+          fmt::format(", of the place: drawn for each {} m of slip{}",
+                      escaped(setting_text(report, place, scatter.at("refresh_slip_m"))), swept_mark(report, place));
+    }
     add(words);
   }
   for (const DrawnPlace& place : places_of_quantities()) {

@@ -192,7 +192,7 @@ def in_words(found):
             f"{span([changed[name] for name in STAYING])}. In cells the block comes to a cycle of its slip over places that "
             f"keep their friction, and the response takes the period of that cycle: (2,2), (3,3) and so on, "
             f"{span([round(100 * found.others(name)) for name in STAYING[:3]])} % of all realisations. Scatter between tests "
-            f"and scatter within a test are thus different causes, and a measured share of responses alone does not tell "
+            f"and scatter within a test are thus different causes, and a measured share of responses alone does not show "
             f"which of them it comes from.")
 
 

@@ -10,22 +10,12 @@
 #include "analytic/motion.hpp"
 #include "rocking/realisation/scene_coefficients.hpp"
 #include "support/excitation.hpp"
+#include "support/scene_with_cells.hpp"
 
 namespace rocking {
 namespace {
 
 constexpr std::uint64_t seed_of_draws = 5;
-
-Scene scene_with_cells(double length_m) {
-  Scene scene;
-  scene.block = {.width = 3.0, .height = 2.0};
-  support::harmonic(scene).frequency_ratio = 6.0;
-  scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
-  scene.fluctuation.static_friction = 0.02;
-  scene.fluctuation.kinetic_friction = 0.03;
-  scene.fluctuation.refresh_slip_m = length_m;
-  return scene;
-}
 
 /// The wide block as it slides in full contact, computed from its closed form in each cell: V' = -4/3 (alpha + s mu_k),
 /// alpha = a sin(w tau). The ends of slip and of cells are found by bisection. Cells and draws as the documents say.
@@ -133,7 +123,7 @@ TEST(FrictionOfThePlace, GivesTheSlipOfAnIndependentComputation) {
   int crossings = 0, returns = 0;
   for (const double length : {0.001, 0.004, 0.02}) {
     Condition condition;
-    condition.scene = scene_with_cells(length);
+    condition.scene = support::scene_with_cells(length);
     condition.tolerance = 1e-15;
     support::harmonic(condition.scene).amplitude = 0.8;
     for (std::uint64_t realisation = 0; realisation < 4; ++realisation) {
@@ -155,7 +145,7 @@ TEST(FrictionOfThePlace, GivesTheSlipOfAnIndependentComputation) {
 
 TEST(FrictionOfThePlace, TakesTheEnergyThatTheCellsTake) {
   Condition condition;
-  condition.scene = scene_with_cells(0.003);
+  condition.scene = support::scene_with_cells(0.003);
   support::harmonic(condition.scene).amplitude = 0.0;
   condition.scene.initial.slip_rate = 0.5;
   for (std::uint64_t realisation = 0; realisation < 20; ++realisation) {

@@ -32,10 +32,10 @@ struct CoefficientLaws {
 /// the sigma of a source is 0, nothing is drawn. Models dynamics::CoefficientSource; the rules are in
 /// lib/docs/model.md, section 5.
 ///
-/// Friction belongs to the place, or kinetic friction depends on time only (one draw for each interval of a grid); it is limited to the static friction
-/// in force. The draws of static friction and restitution are counted from the end of the last chatter. The number of
-/// draws within a chatter depends on the tolerance; later draws do not depend on it. If a chatter contained stops, the
-/// static friction after it is the first draw of the new count.
+/// Friction belongs to the place (FrictionCells), or kinetic friction depends on time only: one draw for each interval of
+/// a grid. It is limited to the static friction in force. The draws of static friction in time and of restitution are
+/// counted from the end of the last chatter. The number of draws within a chatter depends on the tolerance; later draws do
+/// not depend on it. If a chatter contained stops, the static friction after it is the first draw of the new count.
 class SceneCoefficients {
  public:
   /// `own`: the block of the realisation, in whose units A_h and e are.

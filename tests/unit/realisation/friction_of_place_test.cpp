@@ -9,21 +9,10 @@
 
 #include "rocking/realisation/friction_cells.hpp"
 #include "rocking/realisation/scene_coefficients.hpp"
-#include "support/excitation.hpp"
+#include "support/scene_with_cells.hpp"
 
 namespace rocking {
 namespace {
-
-Scene scene_with_cells(double length_m) {
-  Scene scene;
-  scene.block = {.width = 3.0, .height = 2.0};
-  support::harmonic(scene).frequency_ratio = 6.0;
-  scene.friction = Friction{.static_coefficient = 0.35, .kinetic_coefficient = 0.3};
-  scene.fluctuation.static_friction = 0.02;
-  scene.fluctuation.kinetic_friction = 0.03;
-  scene.fluctuation.refresh_slip_m = length_m;
-  return scene;
-}
 
 TEST(FrictionCells, AreNumberedFromTheStartInBothDirections) {
   FrictionCells cells(0.5);
@@ -51,7 +40,7 @@ TEST(FrictionCells, HaveAnIndexEach) {
 }
 
 TEST(FrictionOfThePlace, IsTheSameWhenTheBlockReturnsAndChangesWithNothingElse) {
-  const Scene scene = scene_with_cells(0.01);
+  const Scene scene = support::scene_with_cells(0.01);
   SceneCoefficients coefficients(scene, random::Draws(5, 3));
   dynamics::Clock clock(6.0, 0.0);
   const auto both = [&] { return std::array{coefficients.static_friction(), coefficients.kinetic_friction(clock)}; };
@@ -75,7 +64,7 @@ TEST(FrictionOfThePlace, IsTheSameWhenTheBlockReturnsAndChangesWithNothingElse) 
 }
 
 TEST(FrictionOfThePlace, MovesTogetherInACellWithACorrelationOfOne) {
-  Scene scene = scene_with_cells(0.01);
+  Scene scene = support::scene_with_cells(0.01);
   scene.fluctuation.kinetic_friction = scene.fluctuation.static_friction = 0.03;
   scene.fluctuation.friction_correlation = 1.0;
   SceneCoefficients coefficients(scene, random::Draws(5, 3));

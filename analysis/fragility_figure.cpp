@@ -163,6 +163,9 @@ std::string description_of(const ReportedSuite& reported) {
   const SuiteCurve& curve = reported.curve;
   const std::string begin = reported.run.title + ": ";
   if (!curve.pooled) return begin + "no law of the suite (" + std::string(to_string(curve.outcome)) + ").";
+  if (curve.outcome == stats::FragilityOutcome::rejected) {
+    return begin + "the lognormal law is rejected; isotonic shares." + uplift_sentence(curve.subject);
+  }
   const SuiteEstimate& median = curve.pooled->median;
   const SuiteEstimate& dispersion = curve.pooled->dispersion;
   return begin + "median " + value_and_interval(median.value, median.interval) + ", dispersion " +
@@ -216,9 +219,9 @@ std::string caption_of(const Content& content) {
   if (content.has_suite) {
     caption =
         "Thin grey lines: shares of the realisations of each record. Markers: their means over the records. Thick "
-        "lines "
-        "and ribbons: the law of the suite, with scatter between and within records, and its bootstrap interval over "
-        "records at the levels, interpolated between them.";
+        "lines and ribbons: the law of the suite, with scatter between and within records, or, where that is rejected, "
+        "the nearest shares that do not decrease; with the bootstrap interval over records at the levels, interpolated "
+        "between them.";
   }
   if (!content.has_curve) return caption;
   if (!caption.empty()) caption += ' ';

@@ -77,6 +77,20 @@ Table record_shares(const SuiteCurve& curve) {
   return table;
 }
 
+/// Columns: intensity, probability, low, high.
+Table isotonic_table(const SuiteCurve& curve) {
+  Table table{.name = "isotonic shares of " + event_in_words(curve.subject.event) + ", all records",
+              .columns = {{"intensity", "intensity of the excitation"},
+                          {"isotonic", "nearest to the means at all levels that does not decrease"},
+                          {"isotonic_low", "lower edge of its bootstrap interval"},
+                          {"isotonic_high", "upper edge of it"}},
+              .rows = {}};
+  for (const SuiteLevel& level : curve.levels) {
+    table.rows.push_back({level.intensity, level.isotonic, level.isotonic_band.low, level.isotonic_band.high});
+  }
+  return table;
+}
+
 /// An edge of the band, known at the levels.
 stats::ProbitInterpolation edge_of(const std::vector<SuiteLevel>& levels, double stats::Interval::*end) {
   std::vector<stats::KnownProbability> points;
@@ -140,7 +154,8 @@ void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
   const bool has_law = curve.pooled.has_value();
   if (has_law) {
     const std::size_t law = figure.tables.size();
-    figure.tables.push_back(suite_law_table(curve));
+    const bool holds = curve.outcome == stats::FragilityOutcome::fitted;
+    figure.tables.push_back(holds ? suite_law_table(curve) : isotonic_table(curve));
     if (!std::holds_alternative<std::monostate>(figure.tables.back().rows.front()[2])) {
       layers.push_back({.kind = LayerKind::ribbon, .table = law, .columns = {0, 2, 3}, .style = ribbon});
     }

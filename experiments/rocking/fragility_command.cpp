@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -15,6 +16,7 @@
 #include "drawing.hpp"
 #include "machine.hpp"
 #include "rocking/api/studies.hpp"
+#include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/fragility_report.hpp"
 #include "rocking/output/fragility_table.hpp"
 #include "study_file.hpp"
@@ -30,6 +32,7 @@ struct FragilityCommand {
   StudyFile file{"fragility.json"};
   std::string figures;  ///< folder; empty: nothing is drawn
   bool per_record = false;
+  bool suggests = false;
   StyleRequest style;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
@@ -60,8 +63,24 @@ WrittenFigures draw_fragility(const FragilityReport& report, const std::string& 
   return write_figures(figures, folder, look);
 }
 
+/// A line for each suite that has something to add, or one that says so.
+std::string suggestions(const FragilityReport& report, const std::vector<std::string>& folders) {
+  std::string text;
+  for (const auto& curve : report.curves) {
+    const auto* suite = std::get_if<ReportedSuite>(&curve);
+    if (suite == nullptr || !suite->rate || suite->rate->add_levels.empty()) continue;
+    const std::string folder = folders.size() == 1 ? folders.front() : "DIR";
+    text += fmt::format("rocking resume {} --levels {}\n", folder, levels_in_words(suite->rate->add_levels));
+  }
+  return text.empty() ? "the levels suffice: they leave at most 5 % of the rate undecided, and its estimates agree\n"
+                      : text;
+}
+
 ExitCode fragility(const FragilityCommand& command) {
   const analysis::FigureLook look = look_for(command.style);
+  if (command.suggests && command.hazard.empty()) {
+    throw UsageError("--suggest: needs a rate; add --hazard FILE");
+  }
   if (command.file.is_asked()) command.file.expect_free();
   FragilityQuestion question = command.question;
   if (!command.hazard.empty()) question.hazard = input_of([&] { return hazard_curve(command.hazard); });
@@ -77,6 +96,7 @@ ExitCode fragility(const FragilityCommand& command) {
     written = draw_fragility(report, command.figures, look);
     table += fmt::format("{}\n", fmt::join(written.files, "\n"));
   }
+  if (command.suggests) table = suggestions(report, command.folders);
   print_study(command.execution.loudness, text, table);
   return written.failures.tell(no_figure, PictureRole::purpose);
 }
@@ -109,6 +129,8 @@ void add_fragility(CLI::App& app, Action& action) {
                    "mean annual "
                    "rate")
       ->type_name("FILE");
+  command->add_flag("--suggest", request->suggests,
+                    "Print only the intensities that would settle the rate of a suite, as a command");
   command->add_flag("--per-record", request->per_record, "List each record of a suite");
   command->add_flag("--ida", request->question.incremental, "Also the peak tilt against intensity for each record");
   request->file.add_to(*command, false);

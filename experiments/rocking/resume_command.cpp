@@ -14,13 +14,21 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
       "Example: rocking resume out\n"
       "runs the realisations that are missing in out/realisations.sqlite and writes the report. All of it but `system` "
       "has the same bytes as without the interruption. If the file is damaged, the intact rows are kept, and the "
-      "damaged file is kept under another name. With --realisations N it extends the run: the bytes are those of one "
-      "run of N.");
+      "damaged file is kept under another name. With --realisations N or --levels it extends the run: the bytes are "
+      "those of one run of N, or with these levels.");
   command->add_option("DIR", request->folder, "Folder of the run")->required();
   command
       ->add_option("--realisations", request->realisations,
                    "Extend the run, finished or not, to N realisations per condition")
       ->type_name("N");
+  command
+      ->add_option("--levels", request->levels,
+                   "Extend the run by intensities, as `rocking fragility --suggest` names them: 0.23,0.9")
+      ->type_name("X")
+      ->delimiter(',')
+      ->expected(1)
+      ->allow_extra_args(false)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   add_threads(*command, request->execution);
   add_max_time(*command, request->execution);
   add_page_choice(*command, request->execution.page);

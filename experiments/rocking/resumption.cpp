@@ -94,9 +94,9 @@ ExitCode resume_run(const ResumeRequest& request) {
   expect_same_results(folder, store.identity());
   const Experiment experiment = experiment_of(store.identity());
   store = mended_store(folder, experiment, std::move(store));
-  const Experiment wanted = request.realisations
-                                ? experiment_of(store.identity(), {.seed = {}, .realisations = request.realisations})
-                                : experiment;
+  const Overrides extension{.seed = {}, .realisations = request.realisations, .levels = request.levels};
+  const bool is_asked = request.realisations || !request.levels.empty();
+  const Experiment wanted = is_asked ? experiment_of(store.identity(), extension) : experiment;
   const bool is_extension = wanted.canonical_text != experiment.canonical_text;
   if (is_extension) expect_extensible(folder, store, wanted);
   const Plan plan = plan_of(wanted, {.threads = request.execution.threads,

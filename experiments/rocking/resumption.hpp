@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "campaign.hpp"
 #include "exit_code.hpp"
@@ -12,6 +13,7 @@ namespace rocking::program {
 struct ResumeRequest {
   std::string folder;
   std::optional<std::string> realisations;  ///< of the extended run
+  std::vector<double> levels;               ///< further intensities of the extended run
   ExecutionOptions execution;
 };
 

@@ -1,15 +1,27 @@
 #include "rocking/ensemble/extension.hpp"
 
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "rocking/base/error.hpp"
 
 namespace rocking {
 
-bool has_same_conditions(const Experiment& experiment, const Experiment& extension) {
-  return experiment.seed == extension.seed && experiment.conditions.size() == extension.conditions.size();
+namespace {
+
+/// The swept values of a condition, each after its pointer.
+std::vector<std::string> values_of(const Condition& condition) {
+  std::vector<std::string> values;
+  for (const Parameter& parameter : condition.parameters) {
+    values.insert(values.end(), {parameter.pointer, parameter.value});
+  }
+  return values;
 }
+
+}  // namespace
 
 std::uint64_t most_stored_realisations(const Store& store) {
   std::uint64_t most = 0;
@@ -19,13 +31,18 @@ std::uint64_t most_stored_realisations(const Store& store) {
 
 void copy_common_realisations(const Store& former, const Experiment& experiment, const Experiment& extension,
                               Store& into) {
-  ROCKING_EXPECT(has_same_conditions(experiment, extension));
+  ROCKING_EXPECT(experiment.seed == extension.seed);
+  std::map<std::vector<std::string>, std::uint64_t> places;
+  for (std::uint64_t i = 0; i < extension.conditions.size(); ++i) places[values_of(extension.conditions[i])] = i;
+  std::vector<std::uint64_t> there;
+  for (const Condition& condition : experiment.conditions) there.push_back(places.at(values_of(condition)));
   former.for_each([&](const RealisationKey& key, const Summary& summary) {
-    const std::uint64_t before = effective_realisations(experiment.conditions.at(key.condition));
-    const std::uint64_t after = effective_realisations(extension.conditions.at(key.condition));
+    const RealisationKey new_key{.condition = there.at(key.condition), .realisation = key.realisation};
+    const std::uint64_t before = effective_realisations(experiment.conditions[key.condition]);
+    const std::uint64_t after = effective_realisations(extension.conditions[new_key.condition]);
     const bool is_alone_in_one = key.realisation % 2 == 0 && key.realisation + 1 == std::min(before, after);
     if (key.realisation >= after || (is_alone_in_one && before != after)) return;
-    into.add(key, summary);
+    into.add(new_key, summary);
   });
 }
 

@@ -9,15 +9,11 @@
 
 namespace rocking {
 
-/// Whether `extension` is `experiment` with other numbers of realisations: the same seed, and as many conditions.
-/// Everything else is up to the caller.
-[[nodiscard]] bool has_same_conditions(const Experiment& experiment, const Experiment& extension);
-
 /// The largest number of realisations of a condition in a store, counting those before a missing one too.
 [[nodiscard]] std::uint64_t most_stored_realisations(const Store& store);
 
 /// Copies the rows of a store of `experiment` that are also rows of `extension`, an experiment that differs in the
-/// numbers of realisations only. The row of a realisation that has a neighbour in one of the two but not in the other
+/// numbers of realisations, or by further values of its sweep, only. The row of a realisation that has a neighbour in one of the two but not in the other
 /// is left out, because it contains the comparison with the neighbour. The added rows are not yet durable.
 void copy_common_realisations(const Store& former, const Experiment& experiment, const Experiment& extension,
                               Store& into);

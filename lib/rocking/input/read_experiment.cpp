@@ -100,6 +100,7 @@ class ExperimentBuilder {
     const std::size_t records = std::max<std::size_t>(suite_.size(), 1);
     axes_ = read_sweep(document_["sweep"], known, std::max<std::size_t>(most_conditions_ / records, 1), of_sweep);
     refuse_swept_flag(overrides, of_sweep);
+    add_levels(overrides, of_sweep);
     if (!suite_.empty()) refuse_swept_suite(of_sweep);
     if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
     found.insert(found.end(), of_sweep.begin(), of_sweep.end());
@@ -111,6 +112,32 @@ class ExperimentBuilder {
       if (axis.pointer != "/realisations") continue;
       problems.push_back(
           {"--realisations", *overrides.realisations, "the sweep of the file sets the realisations", "omit the flag"});
+    }
+  }
+
+  // Each stands before the first larger value, so that a rising list remains one.
+  void add_levels(const Overrides& overrides, Problems& problems) {
+    if (overrides.levels.empty()) return;
+    const auto axis = std::ranges::find_if(axes_, [](const SweepAxis& each) {
+      return std::ranges::find(all_intensity_pointers, each.pointer) != all_intensity_pointers.end();
+    });
+    for (const double level : overrides.levels) {
+      const auto reject = [&](const char* reason, const char* remedy) {
+        problems.push_back({"--levels", Json(level).dump(), reason, remedy});
+      };
+      if (axis == axes_.end()) {
+        return reject("needs a sweep of an intensity", "sweep, for example, /excitation/pga_g");
+      }
+      if (!(level > 0.0)) return reject("must be positive", "give intensities above 0");
+      if (!std::ranges::all_of(axis->values, &Json::is_number)) {
+        return reject("needs a sweep of numbers", "give the new values in the experiment file");
+      }
+      if (std::ranges::find(axis->values, Json(level)) != axis->values.end()) {
+        return reject("is a level of the run", "omit it");
+      }
+      axis->evenly_spaced = false;
+      axis->values.insert(std::ranges::find_if(axis->values, [level](const Json& value) { return value > level; }),
+                          level);
     }
   }
 

@@ -1,5 +1,7 @@
 #include "rocking/output/annual_rate_table.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <vector>
 
 #include "rocking/output/fragility_words.hpp"
@@ -42,7 +44,76 @@ std::string extrapolation_text(const AnnualRate& rate, std::optional<double> lea
          ", where the block is not lifted\n";
 }
 
+std::string source_in_words(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "law";
+    case RateSource::isotonic: return "isotonic shares";
+    case RateSource::at_least: return "at least";
+    case RateSource::at_most: return "at most";
+    default: break;
+  }
+  return "observed shares";
+}
+
+std::string estimate_table(const std::vector<RateEstimate>& estimates) {
+  std::vector<TextRow> rows{{"rate by", "per year", "interval", "years"}};
+  for (const RateEstimate& estimate : estimates) {
+    rows.push_back({source_in_words(estimate.source), significant(estimate.value, 3),
+                    estimate.interval ? interval_in_words(*estimate.interval) : ".",
+                    estimate.value > 0.0 ? significant(1.0 / estimate.value, 3) : "."});
+  }
+  return aligned(rows);
+}
+
+std::string record_share_text(const SuiteRate& rate) {
+  constexpr std::size_t most_named = 5;
+  std::vector<const RateOfRecord*> records;
+  for (const RateOfRecord& record : rate.by_record) {
+    if (record.rate > 0.0) records.push_back(&record);
+  }
+  if (records.empty()) return "";
+  std::ranges::stable_sort(records, std::greater(), &RateOfRecord::share);
+  std::string text = std::to_string(records.size()) + " of " + std::to_string(rate.by_record.size()) +
+                     " records contribute; most of all";
+  for (std::size_t i = 0; i < std::min(most_named, records.size()); ++i) {
+    text += (i == 0 ? " " : ", ") + records[i]->name + ' ' + per_cent(records[i]->share) + " %";
+  }
+  text += '\n';
+  if (rate.leave_one_out) {
+    text += "without one record the rate is between " + significant(rate.leave_one_out->low, 3) + " and " +
+            significant(rate.leave_one_out->high, 3);
+    if (rate.jackknife) text += "; jackknife interval " + interval_in_words(*rate.jackknife);
+    text += '\n';
+  }
+  return text;
+}
+
+std::string warning_text(const SuiteRate& rate) {
+  std::string text;
+  if (!rate.disagreement || *rate.disagreement > most_disagreement) {
+    text += "warning: the rates by law, isotonic and observed shares differ by " +
+            (rate.disagreement ? per_cent(*rate.disagreement) + " %" : std::string("more than a factor")) +
+            "; add the levels " + levels_in_words(rate.add_levels) + '\n';
+  }
+  if (rate.undecided_share > most_undecided_share) {
+    text += "the levels leave " + per_cent(rate.undecided_share) + " % of the rate undecided; add " +
+            levels_in_words(rate.add_levels) + '\n';
+  }
+  return text;
+}
+
 }  // namespace
+
+std::string levels_in_words(const std::vector<double>& levels) {
+  std::string text;
+  for (const double level : levels) text += (text.empty() ? "" : ",") + significant(level, 6);
+  return text;
+}
+
+std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject) {
+  return annual_rate_table(rate.chosen, subject) + estimate_table(rate.estimates) + record_share_text(rate) +
+         warning_text(rate);
+}
 
 std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject) {
   const std::string measure = last_key(subject.parameter);
@@ -52,6 +123,7 @@ std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subjec
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
+  if (rate.source == RateSource::isotonic) text += "no law holds: the rate is that of the isotonic shares\n";
   text += range_table(rate, measure) + extrapolation_text(rate, subject.least_uplift);
   if (rate.probability_at_first > 0.001) {
     text += "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +

@@ -64,7 +64,8 @@ struct TypeOf<FragilityEvent> {
   static const ValueType& get() { return the_only<EventType>(); }
 };
 
-constexpr std::array all_rate_sources{RateSource::law, RateSource::levels};
+constexpr std::array all_rate_sources{RateSource::law,      RateSource::levels,   RateSource::isotonic,
+                                      RateSource::observed, RateSource::at_least, RateSource::at_most};
 template <>
 struct TypeOf<RateSource> {
   static const ValueType& get() { return the_only<NamedType<all_rate_sources>>(); }
@@ -183,10 +184,7 @@ static const StructType& lack_of_fit_fields() {
   return fields;
 }
 
-template <>
-struct TypeOf<stats::LackOfFit> {
-  static const ValueType& get() { return lack_of_fit_fields(); }
-};
+const ValueType& TypeOf<stats::LackOfFit>::get() { return lack_of_fit_fields(); }
 
 static const StructType& fields_of(const FragilityLevel*) {
   using Level = FragilityLevel;
@@ -248,7 +246,9 @@ const StructType& fields_of(const AnnualRate*) {
                           rule::not_negative),
       field<&Rate::interval>("interval", "of the probabilities' uncertainty, the hazard taken as exact; null: unknown",
                              rule::not_negative),
-      field<&Rate::source>("from", "what gives the probabilities: the fitted law, or the levels, interpolated"),
+      field<&Rate::source>("from",
+                           "what gives the probabilities: the fitted law, or the levels (of a suite: their isotonic "
+                           "shares), interpolated"),
       field<&Rate::impossible>("impossible",
                                "what the same probabilities give below `least_uplift`; not part of `value` [1/year]",
                                rule::not_negative),
@@ -268,6 +268,58 @@ const StructType& fields_of(const AnnualRate*) {
   return fields;
 }
 
+static const StructType& fields_of(const RateEstimate*) {
+  using Estimate = RateEstimate;
+  static const StructType fields{
+      "RateEstimate",
+      field<&Estimate::source>("from",
+                               "`law`; `isotonic`, `observed`: mean shares of the records, made not to decrease, or as "
+                               "they are, interpolated; `at_least`, `at_most`: bounds of the latter between and beyond "
+                               "the levels"),
+      field<&Estimate::value>("value", "mean annual rate [1/year]", rule::not_negative),
+      field<&Estimate::interval>("interval", "by bootstrap over records; null: too few samples with a law",
+                                 rule::not_negative),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const RateOfRecord*) {
+  using Record = RateOfRecord;
+  static const StructType fields{
+      "RateOfRecord",
+      field<&Record::name>("name", "path of the ground motion, as in the experiment"),
+      field<&Record::rate>("rate", "by the shares of this record alone [1/year]; their mean is that of `observed`",
+                           rule::not_negative),
+      field<&Record::share>("share", "of the sum over the records", rule::share),
+      field<&Record::without>("without", "the rate of the suite without this record [1/year]; null: that has no law",
+                              rule::not_negative),
+  };
+  return fields;
+}
+
+const StructType& fields_of(const SuiteRate*) {
+  using Rate = SuiteRate;
+  static const StructType fields{
+      "SuiteRate",
+      inlined<&Rate::chosen>(),
+      field<&Rate::estimates>("estimates", "the rate in several ways"),
+      field<&Rate::disagreement>(
+          "disagreement",
+          "largest over smallest of the rates by law, isotonic and observed shares, less 1; null: one is 0",
+          rule::not_negative),
+      field<&Rate::undecided_share>("undecided_share", "part of the observed rate that the levels leave open",
+                                    rule::not_negative),
+      field<&Rate::add_levels>("add_levels", "intensities to add; empty: the rates agree and little is open",
+                               Rule{.above = 0.0}),
+      field<&Rate::by_record>("by_record", "disaggregation by record"),
+      field<&Rate::leave_one_out>("leave_one_out", "smallest and largest rate without one record; null: none",
+                                  rule::not_negative),
+      field<&Rate::jackknife>("jackknife", "interval of ln rate by leaving out one record at a time; null: none",
+                              rule::not_negative),
+  };
+  return fields;
+}
+
 static const StructType& fields_of(const ReportedCurve*) {
   using Reported = ReportedCurve;
   static const StructType fields{
@@ -275,7 +327,7 @@ static const StructType& fields_of(const ReportedCurve*) {
       inlined<&Reported::run>(),
       inlined<&Reported::curve, &FragilityCurve::subject>(),
       inlined<&Reported::curve>(),
-      field<&Reported::rate>("annual_rate", "with `--hazard`; null: a suite without a law", {}, WithoutValue::omitted),
+      field<&Reported::rate>("annual_rate", "with `--hazard`", {}, WithoutValue::omitted),
   };
   return fields;
 }

@@ -14,11 +14,17 @@ namespace rocking {
 /// Of a curve without its subject, as each record of a suite has one.
 [[nodiscard]] const StructType& fields_of(const FragilityCurve*);
 [[nodiscard]] const StructType& fields_of(const AnnualRate*);
+[[nodiscard]] const StructType& fields_of(const SuiteRate*);
 [[nodiscard]] const StructType& fields_of(const ReportedSuite*);
 [[nodiscard]] const StructType& fields_of(const ReportedAnalysis*);
 
 template <>
 struct TypeOf<stats::FragilityOutcome> {
+  static const ValueType& get();
+};
+
+template <>
+struct TypeOf<stats::LackOfFit> {
   static const ValueType& get();
 };
 

@@ -28,7 +28,7 @@ struct ReportedCurve {
 struct ReportedSuite {
   CurveRun run;
   SuiteCurve curve;
-  std::optional<std::optional<AnnualRate>> rate;  ///< absent without a hazard curve; empty where the suite has no law
+  std::optional<SuiteRate> rate;  ///< absent without a hazard curve
 };
 
 /// The incremental dynamic analysis of a run.

@@ -61,11 +61,6 @@ std::string median_in_words(const FragilityCurve& curve) {
   return (is_above ? "> " : "< ") + significant(nearest, 6) + " (extrapolated: " + bounded_in_words(median) + ')';
 }
 
-std::string in_words(const stats::LackOfFit& test) {
-  return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
-         std::to_string(test.samples) + " bootstrap samples)\n";
-}
-
 TextRow row_of(const FragilityLevel& level) {
   TextRow row{significant(level.intensity, 6),
               std::to_string(level.overturned.trials),
@@ -99,7 +94,7 @@ std::string curve_table(const FragilityCurve& curve) {
   } else {
     text += std::string(words_for(curve.outcome)) + '\n';
   }
-  if (curve.test) text += in_words(*curve.test);
+  if (curve.test) text += test_in_words(*curve.test);
   const std::size_t missed = curve.missed_levels();
   if (missed == 0) return text;
   return text + "* at " + std::to_string(missed) + " of " + std::to_string(curve.levels.size()) +
@@ -139,8 +134,8 @@ std::string legends(const Shown& shown) {
   if (shown.has_suite) {
     text +=
         "per cent: mean over the records of their shares; fitted: lognormal law with scatter between and within "
-        "records; "
-        "its band\nis a bootstrap over records; the probability is that of a record like those of the suite" +
+        "records;\nisotonic: the nearest shares that do not decrease; bands by bootstrap over records; the probability "
+        "is that of\na record like those of the suite" +
         count_legend(shown.most) + '\n';
   }
   return text;
@@ -161,9 +156,8 @@ std::string rate_text(const std::optional<AnnualRate>& rate, const CurveSubject&
   return rate ? annual_rate_table(*rate, subject) : "";
 }
 
-std::string rate_text(const std::optional<std::optional<AnnualRate>>& asked, const CurveSubject& subject) {
-  if (!asked) return "";
-  return *asked ? annual_rate_table(**asked, subject) : "no annual rate: the suite has no law\n";
+std::string rate_text(const std::optional<SuiteRate>& rate, const CurveSubject& subject) {
+  return rate ? annual_rate_table(*rate, subject) : "";
 }
 
 }  // namespace

@@ -24,6 +24,11 @@ std::string bounded_in_words(const stats::Bounded& bounded) {
   return significant(bounded.value, 3) + ' ' + interval_in_words(bounded.interval);
 }
 
+std::string test_in_words(const stats::LackOfFit& test) {
+  return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
+         std::to_string(test.samples) + " bootstrap samples)\n";
+}
+
 std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others) {
   std::string heading = title;
   for (const Parameter& parameter : others) {

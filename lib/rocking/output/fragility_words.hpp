@@ -18,6 +18,9 @@ namespace rocking {
 [[nodiscard]] std::string interval_in_words(const stats::Interval& interval);
 [[nodiscard]] std::string bounded_in_words(const stats::Bounded& bounded);
 
+/// `lack of fit: deviance 3.2, p = 0.4 (499 bootstrap samples)`, as a line.
+[[nodiscard]] std::string test_in_words(const stats::LackOfFit& test);
+
 /// The title of the run and the values of the other entries of its sweep, as a line; empty if there are none.
 [[nodiscard]] std::string heading_of_curve(const std::string& title, const std::vector<Parameter>& others);
 

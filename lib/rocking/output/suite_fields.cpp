@@ -117,6 +117,9 @@ static const StructType& fields_of(const SuiteLevel*) {
       field<&Level::fitted>("fitted", "by the law of the suite; null: no law", rule::share),
       field<&Level::band>("band", "of `fitted` by bootstrap over records; null: too few samples with a law",
                           rule::share),
+      field<&Level::isotonic>("isotonic", "the nearest to the estimates of all levels that does not decrease",
+                              rule::share),
+      field<&Level::isotonic_band>("isotonic_band", "of `isotonic` by bootstrap over records", rule::share),
   };
   return fields;
 }
@@ -152,7 +155,8 @@ static const StructType& fields_of(const SuiteCurve*) {
       "SuiteCurve",
       inlined<&Curve::subject>(),
       field<&Curve::outcome>("outcome", "of the pooled law"),
-      field<&Curve::pooled>("pooled", "law of the suite; null: none"),
+      field<&Curve::pooled>("pooled", "law of the suite, also if it is `rejected`; null: none"),
+      field<&Curve::test>("test", "of this law; null: none"),
       field<&Curve::simple>("simple", "pooled law of Baker (2015), which counts all trials as independent; null: none"),
       field<&Curve::bootstrap>("bootstrap", "over records", bootstrap_fields()),
       field<&Curve::levels>("levels", "all records together, by increasing intensity"),
@@ -167,8 +171,7 @@ const StructType& fields_of(const ReportedSuite*) {
       "SuiteFragility",
       inlined<&ReportedSuite::run>(),
       inlined<&ReportedSuite::curve>(),
-      field<&ReportedSuite::rate>("annual_rate", "with `--hazard`; null: the suite has no law", {},
-                                  WithoutValue::omitted),
+      field<&ReportedSuite::rate>("annual_rate", "with `--hazard`", {}, WithoutValue::omitted),
   };
   return fields;
 }

@@ -38,6 +38,10 @@ std::string law_table(const SuiteCurve& curve) {
                     bootstrap_text(estimate->bootstrap)});
   }
   std::string text = aligned(rows);
+  if (curve.test) text += test_in_words(*curve.test);
+  if (curve.outcome == stats::FragilityOutcome::rejected) {
+    text += "the lognormal law is rejected: it does not describe these shares; use the isotonic ones\n";
+  }
   if (pooled.is_extrapolated) text += "the median lies outside the levels: it is extrapolated\n";
   if (pooled.within_record.value == 0.0) {
     text += "the outcomes of every record are a step: its realisations show no scatter at these levels\n";
@@ -52,13 +56,16 @@ std::string simple_text(const SimpleLaw& simple) {
 }
 
 std::string level_table_of(const SuiteCurve& curve) {
-  std::vector<TextRow> rows{
-      {last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event), "fitted", "band"}};
+  const bool has_law = curve.outcome == stats::FragilityOutcome::fitted;
+  std::vector<TextRow> rows{{last_key(curve.subject.parameter), "records", "n", column_of(curve.subject.event),
+                             has_law ? "fitted" : "isotonic", "band"}};
   for (const SuiteLevel& level : curve.levels) {
     rows.push_back({significant(level.intensity, 6), std::to_string(level.records),
                     std::to_string(level.happened.trials),
                     per_cent(level.estimate) + count_if_open(level.happened.successes, level.happened.trials),
-                    level.fitted ? per_cent(*level.fitted) : ".", level.band ? per_cent(*level.band) : "."});
+                    per_cent(has_law ? level.fitted.value() : level.isotonic), "."});
+    if (!has_law) rows.back().back() = per_cent(level.isotonic_band);
+    if (has_law && level.band) rows.back().back() = per_cent(*level.band);
   }
   return aligned(rows);
 }

@@ -215,6 +215,12 @@ struct Experiment {
 struct Overrides {
   std::optional<std::string> seed = {};          ///< `--seed`
   std::optional<std::string> realisations = {};  ///< `--realisations`
+  std::vector<double> levels = {};               ///< `--levels`: intensities that the sweep has as well
 };
+
+/// JSON pointers to numbers that are intensities of the excitation.
+inline constexpr std::array<std::string_view, 6> all_intensity_pointers{
+    "/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2",
+    "/excitation/scale",     "/excitation/pga_g",       "/excitation/pgv_m_s"};
 
 }  // namespace rocking

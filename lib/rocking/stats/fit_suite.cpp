@@ -296,6 +296,12 @@ double value_of(SuiteQuantity quantity, const SuiteLaw& law) {
 
 SuiteFit fit_suite(const SuiteLevels& suite) { return fit_centred(centred(suite)); }
 
+SuiteFit fit_suite_near(const SuiteLevels& suite, const SuiteLaw& near) {
+  const CentredSuite data = centred(suite);
+  const std::optional<MixedProbitStart> start = start_at(data, near);
+  return fit_centred(data, start ? &*start : nullptr);
+}
+
 // Dispersions are searched by their logarithm, the median by ln x. A dispersion between records may be 0.
 Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQuantity quantity, double confidence) {
   const CentredSuite data = centred(suite);
@@ -333,6 +339,7 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
   const std::size_t records = data.records.size();
   std::vector<std::optional<SuiteLaw>> laws(samples);
   std::vector<std::optional<PooledLaw>> pooled(samples);
+  std::vector<std::vector<double>> weights(samples);
   base::for_each_part(how, samples, [&](std::size_t sample) {
     CentredSuite drawn = data;
     for (RecordCounts& record : drawn.records) record.weight = 0.0;
@@ -340,10 +347,11 @@ RecordBootstrap bootstrap_records(const SuiteLevels& suite, std::uint64_t sample
       const double place = draws(sample, number) * static_cast<double>(records);
       drawn.records[std::min(records - 1, static_cast<std::size_t>(place))].weight += 1.0;
     }
+    for (const RecordCounts& record : drawn.records) weights[sample].push_back(record.weight);
     pooled[sample] = pooled_law(drawn);
     if (whole.law) laws[sample] = fit_centred(drawn, start ? &*start : nullptr).law;
   });
-  RecordBootstrap found{.samples = samples, .laws = {}, .pooled = {}};
+  RecordBootstrap found{.samples = samples, .laws = {}, .pooled = {}, .weights = std::move(weights)};
   for (std::size_t sample = 0; sample < samples; ++sample) {
     if (pooled[sample]) found.pooled.push_back(*pooled[sample]);
     if (laws[sample]) found.laws.push_back(*laws[sample]);

@@ -36,6 +36,9 @@ struct SuiteFit {
 /// within_record = 0.
 [[nodiscard]] SuiteFit fit_suite(const SuiteLevels& suite);
 
+/// The same, where the search starts at a law that is expected to be near: faster, as for samples of a bootstrap.
+[[nodiscard]] SuiteFit fit_suite_near(const SuiteLevels& suite, const SuiteLaw& near);
+
 /// Those values of a quantity at which the largest likelihood, over the other parameters, is at least exp(-q^2/2) times
 /// that of the law, with the quantile q of Student's distribution with (number of records - 1) degrees of freedom.
 ///

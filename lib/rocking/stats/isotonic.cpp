@@ -2,20 +2,36 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace rocking::stats {
 namespace {
 
-/// Successive levels with one probability.
+/// Successive levels with one mean.
 struct Pool {
-  Proportion counts;
+  double sum = 0.0;  ///< of weight times value
+  double weight = 0.0;
   std::size_t levels = 1;
 };
 
-/// Whether the share of `a` is at least that of `b`, without a division.
-bool is_at_least(const Proportion& a, const Proportion& b) {
-  return static_cast<double>(a.successes) * static_cast<double>(b.trials) >=
-         static_cast<double>(b.successes) * static_cast<double>(a.trials);
+/// Whether the mean of `a` is at least that of `b`, without a division.
+bool is_at_least(const Pool& a, const Pool& b) { return a.sum * b.weight >= b.sum * a.weight; }
+
+std::vector<double> pooled(std::vector<Pool> levels) {
+  std::vector<Pool> pools;
+  for (const Pool& level : levels) {
+    pools.push_back(level);
+    while (pools.size() > 1 && is_at_least(pools[pools.size() - 2], pools.back())) {
+      const Pool last = pools.back();
+      pools.pop_back();
+      pools.back().sum += last.sum;
+      pools.back().weight += last.weight;
+      pools.back().levels += last.levels;
+    }
+  }
+  std::vector<double> means;
+  for (const Pool& pool : pools) means.insert(means.end(), pool.levels, pool.sum / pool.weight);
+  return means;
 }
 
 }  // namespace
@@ -23,21 +39,17 @@ bool is_at_least(const Proportion& a, const Proportion& b) {
 std::vector<double> isotonic_regression(std::span<const Proportion> levels) {
   std::vector<Pool> pools;
   for (const Proportion& level : levels) {
-    pools.push_back({.counts = level});
-    while (pools.size() > 1 && is_at_least(pools[pools.size() - 2].counts, pools.back().counts)) {
-      const Pool last = pools.back();
-      pools.pop_back();
-      pools.back().counts.successes += last.counts.successes;
-      pools.back().counts.trials += last.counts.trials;
-      pools.back().levels += last.levels;
-    }
+    pools.push_back({.sum = static_cast<double>(level.successes), .weight = static_cast<double>(level.trials)});
   }
-  std::vector<double> probabilities;
-  for (const Pool& pool : pools) {
-    const double share = static_cast<double>(pool.counts.successes) / static_cast<double>(pool.counts.trials);
-    probabilities.insert(probabilities.end(), pool.levels, share);
+  return pooled(std::move(pools));
+}
+
+std::vector<double> isotonic_regression(std::span<const double> values, std::span<const double> weights) {
+  std::vector<Pool> pools;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    pools.push_back({.sum = weights[i] * values[i], .weight = weights[i]});
   }
-  return probabilities;
+  return pooled(std::move(pools));
 }
 
 std::optional<std::vector<Interval>> isotonic_band(std::span<const Proportion> levels, double confidence) {

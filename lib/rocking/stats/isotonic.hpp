@@ -14,6 +14,9 @@ namespace rocking::stats {
 /// Source: Ayer, Brunk, Ewing, Reid & Silverman (1955), Ann. Math. Stat. 26, 641-647 (pool adjacent violators).
 [[nodiscard]] std::vector<double> isotonic_regression(std::span<const Proportion> levels);
 
+/// The same for means `values` with these positive `weights`, the nearest by weighted squares; without a law of counts.
+[[nodiscard]] std::vector<double> isotonic_regression(std::span<const double> values, std::span<const double> weights);
+
 /// Intervals for probabilities that do not decrease; all of them cover at once with probability at least `confidence`,
 /// whatever the dependence between the levels.
 ///

@@ -38,8 +38,9 @@ struct PooledLaw {
 /// record together. Valid whatever the dependence of trials of one record.
 struct RecordBootstrap {
   std::uint64_t samples = 0;
-  std::vector<SuiteLaw> laws;     ///< of the samples that have one
-  std::vector<PooledLaw> pooled;  ///< likewise
+  std::vector<SuiteLaw> laws;                ///< of the samples that have one
+  std::vector<PooledLaw> pooled;             ///< likewise
+  std::vector<std::vector<double>> weights;  ///< of each sample: how many times each record is in it
 };
 
 }  // namespace rocking::stats

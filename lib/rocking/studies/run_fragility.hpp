@@ -24,8 +24,12 @@ struct RateInRange {
 
 /// Where the probabilities of a rate come from.
 enum class RateSource : std::uint8_t {
-  law,     ///< the fitted function
-  levels,  ///< no function is fitted: the levels, interpolated linearly in ln x
+  law,       ///< the fitted function
+  levels,    ///< of one motion without a function: the levels, interpolated linearly in ln x
+  isotonic,  ///< of a suite: the nearest means of shares that do not decrease, interpolated linearly in ln x
+  observed,  ///< of a suite: the means of shares, interpolated linearly in ln x
+  at_least,  ///< the same with the smaller of the means at both ends of each range; 0 below the levels
+  at_most,   ///< the same with the larger of them; 1 above the levels
 };
 
 /// The name of its enumerator.
@@ -45,14 +49,48 @@ struct AnnualRate {
   bool is_measure_assumed = false;    ///< the hazard curve does not name its intensity measure
 };
 
+/// A rate of a suite by one way of taking the probabilities from its outcomes.
+struct RateEstimate {
+  RateSource source = RateSource::law;
+  double value = 0.0;                       ///< [1/year]
+  std::optional<stats::Interval> interval;  ///< of its bootstrap samples over records
+};
+
+/// What a record contributes to the rate of a suite.
+struct RateOfRecord {
+  std::string name;
+  double rate = 0.0;              ///< by its own shares, interpolated; the mean over the records is `observed` [1/year]
+  double share = 0.0;             ///< of the sum over the records
+  std::optional<double> without;  ///< the rate of the suite without it [1/year]; absent where that has no law
+};
+
+/// Mean annual rate of a suite, in several ways, and what decides it. Below the least intensity that lifts the block the
+/// probability is 0 in each; above the levels `isotonic` and `observed` stay at the last one.
+struct SuiteRate {
+  AnnualRate chosen;                    ///< by the law; without one, or where it is rejected, by `isotonic`
+  std::vector<RateEstimate> estimates;  ///< by law (if there is one), isotonic, observed, at_least, at_most
+  /// Largest over smallest of law, isotonic and observed, less 1. Absent if the smallest is 0 and the largest is not.
+  std::optional<double> disagreement;
+  /// Part of `observed` that the levels leave open: in the ranges outside them the difference between the bounds, in
+  /// those between them the difference between linear and probit interpolation.
+  double undecided_share = 0.0;
+  std::vector<double> add_levels;  ///< intensities that would settle it; empty if nothing is open and the rates agree
+  std::vector<RateOfRecord> by_record;
+  std::optional<stats::Interval> leave_one_out;  ///< smallest and largest rate without one record
+  std::optional<stats::Interval> jackknife;      ///< of ln rate (Efron & Tibshirani 1993, chapter 11)
+};
+
+/// Shares of the rate, and differences of its estimates, that are not reported without a warning.
+inline constexpr double most_undecided_share = 0.05;
+inline constexpr double most_disagreement = 0.15;
+
 /// Integral of P(x) |dH(x)| of a curve of one motion. With a fitted function the interval is that of the logarithm of the
 /// rate by the delta method; otherwise it adds up the ends of the simultaneous intervals of the levels, on the assumption
 /// that the probability does not decrease: below the lowest level 0 and above the highest 1 are possible.
 [[nodiscard]] AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard);
 
-/// Of a suite, by its pooled law: the interval is that of the rates of its bootstrap samples. Absent where the suite has
-/// no law.
-[[nodiscard]] std::optional<AnnualRate> annual_rate(const SuiteCurve& curve, const HazardCurve& hazard);
+/// Of a suite. The intervals are those of its bootstrap samples over records.
+[[nodiscard]] SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard);
 
 struct RunOptions;
 
@@ -62,10 +100,10 @@ struct ShownCurve {
   std::optional<AnnualRate> rate = std::nullopt;
 };
 
-/// The curve of a suite; with the annual rate, or its absence without a law, where a hazard curve is given.
+/// The curve of a suite; with the annual rate where a hazard curve is given.
 struct ShownSuite {
   SuiteCurve curve;
-  std::optional<std::optional<AnnualRate>> rate = std::nullopt;
+  std::optional<SuiteRate> rate = std::nullopt;
 };
 
 /// The curves of a run.

@@ -19,6 +19,8 @@ Experiment experiment_of(std::uint64_t realisations) {
   random.realisations = realisations;
   Condition still;
   still.realisations = realisations;
+  random.parameters = {{"/excitation/pga_g", "0.2"}};
+  still.parameters = {{"/excitation/pga_g", "0.4"}};
   return {.title = "", .seed = 7, .conditions = {random, still}, .canonical_text = ""};
 }
 
@@ -55,6 +57,20 @@ TEST(Extension, LeavesOutTheLastOneOfAnOddNumber) {
 TEST(Extension, LeavesOutWhatAShorterRunDoesNotHave) {
   EXPECT_THAT(copied(8, 8, 4), ElementsAre(0, 1, 2, 3));
   EXPECT_THAT(copied(4, 8, 3), ElementsAre(0, 1)) << "realisation 2 has no neighbour there";
+}
+
+TEST(Extension, KeepsTheRealisationsOfAConditionWhoseNumberChanges) {
+  Store former = empty_store();
+  for (std::uint64_t k = 0; k < 2; ++k) former.add({.condition = 0, .realisation = k}, {});
+  Experiment more = experiment_of(2);
+  Condition between = more.conditions[0];
+  between.parameters.front().value = "0.3";
+  more.conditions.insert(more.conditions.begin(), between);
+  Store into = empty_store();
+  copy_common_realisations(former, experiment_of(2), more, into);
+  std::vector<std::uint64_t> conditions;
+  into.for_each_key([&](const RealisationKey& key) { conditions.push_back(key.condition); });
+  EXPECT_THAT(conditions, ElementsAre(1, 1));
 }
 
 TEST(MostStoredRealisations, CountsTheLargestNumberOfACondition) {

@@ -25,6 +25,11 @@ TEST(IsotonicRegression, PoolsLevelsWhoseSharesDecrease) {
   EXPECT_THAT(isotonic_regression(std::vector<Proportion>{}), ElementsAre());
 }
 
+TEST(IsotonicRegression, OfMeansIsThatOfTheirWeights) {
+  EXPECT_THAT(isotonic_regression(std::vector{0.25, 0.75, 0.25, 1.0}, std::vector{1.0, 1.0, 3.0, 1.0}),
+              ElementsAre(0.25, 0.375, 0.375, 1.0));
+}
+
 double log_likelihood(const std::vector<Proportion>& levels, const std::vector<double>& probabilities) {
   double sum = 0.0;
   for (std::size_t i = 0; i < levels.size(); ++i) {

@@ -23,43 +23,46 @@ SuiteCurve suite_with(double median, double between, double within) {
   pooled.median.value = median;
   pooled.between_records.value = between;
   pooled.within_record.value = within;
+  RecordCurve& record = curve.records.emplace_back();
   for (const double x : {0.5, 1.0, 2.0}) {
-    curve.levels.push_back({.intensity = x, .records = 1, .happened = {}, .estimate = 0.0, .fitted = {}, .band = {}});
+    curve.levels.emplace_back().intensity = x;
+    record.curve.levels.push_back({.intensity = x, .overturned = {.successes = 1, .trials = 2}});
   }
   return curve;
 }
 
+/// The rate by the law.
+AnnualRate rate_by_law(const SuiteCurve& curve) { return annual_rate(curve, power_law()).chosen; }
+
 // Of H = k0 x^-k and a lognormal capacity: H(median) exp(k^2 dispersion^2/2) (Cornell 1996).
 TEST(AnnualRate, OfAPowerLawIsThatOfItsClosedForm) {
-  const auto rate = annual_rate(suite_with(1.0, 0.3, 0.2), power_law());
-  ASSERT_TRUE(rate);
-  EXPECT_NEAR(rate->value, 1e-3 * std::exp(2.0 * (0.09 + 0.04)), 1e-9 * rate->value + 1e-12);
-  const auto steep = annual_rate(suite_with(1.0, 1e-4, 0.0), power_law());
-  EXPECT_NEAR(steep->value, 1e-3 * std::exp(2.0 * 1e-8), 1e-11);
+  const AnnualRate rate = rate_by_law(suite_with(1.0, 0.3, 0.2));
+  EXPECT_NEAR(rate.value, 1e-3 * std::exp(2.0 * (0.09 + 0.04)), 1e-9 * rate.value + 1e-12);
+  const AnnualRate steep = rate_by_law(suite_with(1.0, 1e-4, 0.0));
+  EXPECT_NEAR(steep.value, 1e-3 * std::exp(2.0 * 1e-8), 1e-11);
 }
 
 TEST(AnnualRate, IsTheSumOfItsRanges) {
-  const auto rate = annual_rate(suite_with(1.0, 0.3, 0.2), power_law());
-  ASSERT_TRUE(rate);
-  ASSERT_EQ(rate->by_level.size(), 4U);
+  const AnnualRate rate = rate_by_law(suite_with(1.0, 0.3, 0.2));
+  ASSERT_EQ(rate.by_level.size(), 4U);
   double sum = 0.0, untested = 0.0;
-  for (const RateInRange& range : rate->by_level) {
+  for (const RateInRange& range : rate.by_level) {
     sum += range.rate;
     if (!range.is_tested) untested += range.share;
   }
-  EXPECT_NEAR(sum, rate->value, 1e-15);
-  EXPECT_NEAR(untested, rate->untested_share, 1e-15);
-  EXPECT_FALSE(rate->by_level.front().is_tested);
-  EXPECT_TRUE(rate->by_level[1].is_tested);
-  EXPECT_FALSE(rate->by_level.back().to.has_value());
+  EXPECT_NEAR(sum, rate.value, 1e-15);
+  EXPECT_NEAR(untested, rate.untested_share, 1e-15);
+  EXPECT_FALSE(rate.by_level.front().is_tested);
+  EXPECT_TRUE(rate.by_level[1].is_tested);
+  EXPECT_FALSE(rate.by_level.back().to.has_value());
 }
 
 TEST(AnnualRate, DoesNotCountIntensitiesThatCannotLiftTheBlock) {
   SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
-  const AnnualRate plain = annual_rate(curve, power_law()).value();
+  const AnnualRate plain = rate_by_law(curve);
   EXPECT_EQ(plain.impossible, 0.0);
   curve.subject.least_uplift = 0.8;
-  const AnnualRate cut = annual_rate(curve, power_law()).value();
+  const AnnualRate cut = rate_by_law(curve);
   EXPECT_NEAR(cut.value + cut.impossible, plain.value, 1e-12 * plain.value);
   // Integral of Phi(ln x/s) 2e-3 x^-3 dx above 0.8, by parts: exp(2 s^2) 1e-3 (1 - Phi(u)) + Phi(z) H(0.8), u = z + 2 s.
   const double s = std::sqrt(0.13), z = std::log(0.8) / s;
@@ -80,7 +83,7 @@ TEST(AnnualRate, DoesNotCountIntensitiesThatCannotLiftTheBlock) {
 TEST(AnnualRate, CountsFromTheFirstPointOfTheHazardIfTheBlockLiftsBelow) {
   SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
   curve.subject.least_uplift = 0.004;
-  const AnnualRate rate = annual_rate(curve, power_law()).value();
+  const AnnualRate rate = rate_by_law(curve);
   EXPECT_EQ(rate.impossible, 0.0);
   EXPECT_EQ(rate.by_level.front().from, 0.01);
   EXPECT_EQ(rate.below_levels, rate.by_level.front().rate);
@@ -91,7 +94,7 @@ TEST(AnnualRate, TakesALevelAtTheLeastUpliftAsTested) {
   for (const double rounded : {1.0 - 1e-15, 1.0, 1.0 + 1e-15}) {
     SuiteCurve curve = suite_with(1.0, 0.3, 0.2);
     curve.subject.least_uplift = 0.5 * rounded;
-    const AnnualRate rate = annual_rate(curve, power_law()).value();
+    const AnnualRate rate = rate_by_law(curve);
     ASSERT_EQ(rate.by_level.size(), 3U) << rounded;
     EXPECT_TRUE(rate.by_level.front().is_tested) << rounded;
     EXPECT_EQ(rate.below_levels, 0.0) << rounded;
@@ -134,8 +137,6 @@ TEST(AnnualRate, WithoutAFunctionLiesBetweenTheRatesThatItsLevelsAllow) {
   EXPECT_LT(rate.interval->low, rate.value);
   EXPECT_GT(rate.interval->high, rate.value);
 }
-
-TEST(AnnualRate, IsAbsentWhereTheSuiteHasNoLaw) { EXPECT_FALSE(annual_rate(SuiteCurve{}, power_law())); }
 
 }  // namespace
 }  // namespace rocking

@@ -80,11 +80,6 @@ struct StripeGroup {
 /// Outcomes of a stripe. An overturned block has exceeded every peak tilt.
 [[nodiscard]] stats::IntensityLevel level_of(const Stripe& stripe, const FragilityEvent& event);
 
-/// JSON pointers to numbers that are intensities of the excitation.
-inline constexpr std::array<std::string_view, 6> all_intensity_pointers{
-    "/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2",
-    "/excitation/scale",     "/excitation/pga_g",       "/excitation/pgv_m_s"};
-
 /// The one of them that an experiment sweeps; empty where it sweeps none.
 [[nodiscard]] std::string_view intensity_of(const Experiment& experiment);
 

@@ -51,6 +51,8 @@ struct SuiteLevel {
   double estimate = 0.0;                ///< mean over the records of their shares
   std::optional<double> fitted;         ///< by the law of the suite
   std::optional<stats::Interval> band;  ///< of `fitted`, by bootstrap over records
+  double isotonic = 0.0;                ///< the nearest to the estimates of all levels that does not decrease
+  stats::Interval isotonic_band;        ///< of `isotonic`, by bootstrap over records
 };
 
 /// The curve of one record.
@@ -72,7 +74,8 @@ struct RankedMeasure {
 struct SuiteCurve {
   CurveSubject subject;
   stats::FragilityOutcome outcome = stats::FragilityOutcome::fitted;  ///< of the pooled law
-  std::optional<PooledSuite> pooled;
+  std::optional<PooledSuite> pooled;                                  ///< present if `fitted` or `rejected`
+  std::optional<stats::LackOfFit> test;  ///< of the pooled law; absent without it or where too many samples have none
   std::optional<SimpleLaw> simple;
   std::vector<SuiteLevel> levels;       ///< by growing intensity
   std::vector<RecordCurve> records;     ///< in the order of the sweep

@@ -11,6 +11,8 @@
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
 #include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/record_shares.hpp"
+#include "rocking/stats/suite_lack_of_fit.hpp"
 #include "rocking/studies/fragility.hpp"
 
 namespace rocking {
@@ -18,12 +20,14 @@ namespace {
 
 /// First index of the draws of records; those below belong to the test of a fragility function.
 constexpr std::uint64_t first_record_draw = std::uint64_t{1} << 62U;
+/// First index of the draws of the test of a suite's law.
+constexpr std::uint64_t first_test_draw = std::uint64_t{3} << 61U;
 
 constexpr double parameters_of_a_law = 3.0;
 
-stats::RecordDraws record_draws(std::uint64_t seed) {
-  return [seed](std::uint64_t sample, std::uint64_t number) {
-    return random::Draws(seed, sample).uniform(random::Source::fragility_bootstrap, first_record_draw + number);
+stats::RecordDraws draws_from(std::uint64_t seed, std::uint64_t first) {
+  return [seed, first](std::uint64_t sample, std::uint64_t number) {
+    return random::Draws(seed, sample).uniform(random::Source::fragility_bootstrap, first + number);
   };
 }
 
@@ -59,8 +63,10 @@ SuiteEstimate estimate_of(const stats::SuiteLevels& suite, const stats::SuiteLaw
 void set_pooled(const stats::SuiteLevels& suite, std::uint64_t seed, const base::ManyParts& how, SuiteCurve& curve) {
   const stats::SuiteFit fit = stats::fit_suite(suite);
   curve.outcome = fit.outcome;
-  curve.bootstrap = stats::bootstrap_records(suite, suite_samples, record_draws(seed), how);
+  curve.bootstrap = stats::bootstrap_records(suite, suite_samples, draws_from(seed, first_record_draw), how);
   if (!fit.law) return;
+  curve.test = stats::suite_lack_of_fit(suite, *fit.law, suite_samples, draws_from(seed, first_test_draw), how);
+  if (curve.test && curve.test->p_value <= fragility_significance) curve.outcome = stats::FragilityOutcome::rejected;
   using enum stats::SuiteQuantity;
   constexpr std::array quantities{median, dispersion, between_records, within_record};
   std::array<SuiteEstimate, quantities.size()> found;
@@ -111,6 +117,22 @@ std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const Sui
     list.push_back(level);
   }
   return list;
+}
+
+/// Means of the shares of the records, each counted by its weight, at the levels.
+void set_isotonic(const stats::SuiteLevels& suite, SuiteCurve& curve) {
+  const stats::RecordShares shares(suite);
+  const std::vector<double> whole = shares.isotonic(std::vector<double>(suite.size(), 1.0));
+  std::vector<std::vector<double>> samples(whole.size());
+  for (const std::vector<double>& weights : curve.bootstrap.weights) {
+    const std::vector<double> sample = shares.isotonic(weights);
+    for (std::size_t k = 0; k < samples.size(); ++k) samples[k].push_back(sample[k]);
+  }
+  for (std::size_t k = 0; k < whole.size(); ++k) {
+    curve.levels[k].isotonic = whole[k];
+    curve.levels[k].isotonic_band =
+        stats::percentile_interval(std::move(samples[k]), curve.bootstrap.samples, curve.subject.confidence).value();
+  }
 }
 
 std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
@@ -171,7 +193,7 @@ std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, c
 
 std::uint64_t parts_of_suite_curve(const StripeGroup& group) {
   constexpr std::uint64_t quantities = 4;
-  return suite_samples + quantities + group.by_record().size() + all_intensity_measures.size();
+  return 2 * suite_samples + quantities + group.by_record().size() + all_intensity_measures.size();
 }
 
 SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
@@ -183,6 +205,7 @@ SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, st
   set_pooled(suite, seed, how, curve);
   set_simple(suite, curve);
   curve.levels = pooled_levels(suite, curve);
+  set_isotonic(suite, curve);
   if (curve.pooled) {
     const double median = curve.pooled->median.value;
     curve.pooled->is_extrapolated = median < curve.levels.front().intensity || curve.levels.back().intensity < median;

@@ -8,7 +8,7 @@
 
 namespace rocking {
 
-/// Bootstrap samples of the records of a suite.
+/// Bootstrap samples of the records of a suite, and of the test of its law.
 inline constexpr std::uint64_t suite_samples = 499;
 
 /// The curve of a group that is a suite. `seed`: of the bootstraps.

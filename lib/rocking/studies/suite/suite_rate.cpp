@@ -1,0 +1,284 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/stats/fit_suite.hpp"
+#include "rocking/stats/record_shares.hpp"
+#include "rocking/stats/student_law.hpp"
+#include "rocking/studies/counted_hazard.hpp"
+#include "rocking/studies/suite/undecided.hpp"
+
+namespace rocking {
+namespace {
+
+LognormalCapacity capacity_of(const stats::SuiteLaw& law) {
+  return {.centre = std::log(law.median), .dispersion = law.dispersion()};
+}
+
+stats::SuiteLevels levels_of(const std::vector<RecordCurve>& records) {
+  stats::SuiteLevels suite;
+  for (const RecordCurve& record : records) {
+    auto& levels = suite.emplace_back();
+    for (const FragilityLevel& level : record.curve.levels) levels.push_back({level.intensity, level.overturned});
+  }
+  return suite;
+}
+
+/// Shares at the levels that can lift the block, as probabilities that are integrated over the hazard.
+class SharesAndHazard {
+ public:
+  SharesAndHazard(const CountedHazard& counted, const stats::RecordShares& shares)
+      : hazard_(counted.hazard), start_(counted.start), starts_at_zero_(counted.first < counted.start) {
+    const std::vector<double>& all = shares.intensities();
+    skipped_ = all.size() - counted.levels.size();
+    // A suite without a level that lifts the block does not overturn up to there.
+    intensities_ = counted.levels.empty() ? std::vector<double>{start_} : counted.levels;
+    is_below_uplift_ = counted.levels.empty();
+    const std::vector<HazardPiece> pieces = counted.pieces();
+    for (std::size_t k = 0; k < intensities_.size(); ++k) {
+      std::vector<double> unit(intensities_.size(), 0.0);
+      unit[k] = 1.0;
+      weights_.push_back(rate_of(known(unit), pieces));
+      ranges_.push_back(hazard_between(k == 0 ? start_ : intensities_[k - 1], intensities_[k]));
+    }
+    ranges_.push_back(hazard_between(intensities_.back(), std::nullopt));
+  }
+
+  /// Without the levels below the least uplift.
+  [[nodiscard]] std::vector<double> counted_of(std::vector<double> shares) const {
+    if (is_below_uplift_) return {0.0};
+    shares.erase(shares.begin(), shares.begin() + static_cast<std::ptrdiff_t>(skipped_));
+    return shares;
+  }
+  /// Linear in ln x; 0 at the least uplift where that is known, and beyond the levels as at the last one.
+  [[nodiscard]] KnownProbabilities known(const std::vector<double>& shares) const {
+    KnownProbabilities found;
+    const bool has_zero = starts_at_zero_ && start_ < intensities_.front();
+    if (has_zero) found = {.y = {std::log(start_)}, .probabilities = {0.0}};
+    for (const double intensity : intensities_) found.y.push_back(std::log(intensity));
+    found.probabilities.insert(found.probabilities.end(), shares.begin(), shares.end());
+    return found;
+  }
+  /// The rate of these shares; it is linear in them.
+  [[nodiscard]] double rate(const std::vector<double>& shares) const {
+    double sum = 0.0;
+    for (std::size_t k = 0; k < weights_.size(); ++k) sum += weights_[k] * shares[k];
+    return sum;
+  }
+  [[nodiscard]] double at_least(const std::vector<double>& shares) const {
+    double sum = shares.back() * ranges_.back();
+    for (std::size_t k = 1; k < shares.size(); ++k) sum += std::min(shares[k - 1], shares[k]) * ranges_[k];
+    return sum;
+  }
+  [[nodiscard]] double at_most(const std::vector<double>& shares) const {
+    double sum = shares.front() * ranges_.front() + ranges_.back();
+    for (std::size_t k = 1; k < shares.size(); ++k) sum += std::max(shares[k - 1], shares[k]) * ranges_[k];
+    return sum;
+  }
+  [[nodiscard]] std::vector<LevelShare> levels(const std::vector<double>& shares, double half_trial) const {
+    std::vector<LevelShare> list;
+    for (std::size_t k = 0; k < shares.size(); ++k) list.push_back({intensities_[k], shares[k], half_trial});
+    return list;
+  }
+
+ private:
+  [[nodiscard]] double hazard_between(double from, std::optional<double> to) const {
+    const std::vector<HazardPiece> pieces = pieces_between(hazard_, std::max(from, start_), to);
+    return rate_of(KnownProbabilities{.y = {0.0}, .probabilities = {1.0}}, pieces);
+  }
+
+  const HazardCurve& hazard_;
+  double start_;
+  bool starts_at_zero_;
+  bool is_below_uplift_ = false;
+  std::size_t skipped_ = 0;
+  std::vector<double> intensities_;
+  std::vector<double> weights_;  ///< derivatives of the rate by the shares
+  std::vector<double> ranges_;   ///< hazard from the start to the first level, between levels, and beyond the last
+};
+
+/// The rates of one suite and one hazard curve.
+class SuiteRates {
+ public:
+  SuiteRates(const SuiteCurve& curve, const HazardCurve& hazard)
+      : curve_(curve),
+        suite_(levels_of(curve.records)),
+        shares_(suite_),
+        counted_(counted_hazard(hazard, curve.levels, curve.subject.least_uplift)),
+        pieces_(counted_.pieces()),
+        rates_(counted_, shares_) {}
+
+  [[nodiscard]] SuiteRate all() const {
+    SuiteRate found;
+    if (curve_.pooled) found.estimates.push_back(by_law());
+    for (const RateSource source :
+         {RateSource::isotonic, RateSource::observed, RateSource::at_least, RateSource::at_most}) {
+      found.estimates.push_back(by_shares(source));
+    }
+    const bool is_by_law = curve_.outcome == stats::FragilityOutcome::fitted;
+    const std::vector<double> equal(suite_.size(), 1.0);
+    found.chosen = is_by_law ? disaggregated(counted_, capacity_of(curve_.pooled->law()))
+                             : disaggregated(counted_, rates_.known(rates_.counted_of(shares_.isotonic(equal))));
+    found.chosen.source = is_by_law ? RateSource::law : RateSource::isotonic;
+    if (curve_.pooled) found.chosen.impossible = impossible();
+    for (const RateEstimate& estimate : found.estimates) {
+      if (estimate.source == found.chosen.source) found.chosen.interval = estimate.interval;
+    }
+    set_disagreement(found);
+    set_records(is_by_law, found);
+    set_undecided(found);
+    return found;
+  }
+
+ private:
+  [[nodiscard]] double impossible() const {
+    return rate_of(capacity_of(curve_.pooled->law()), pieces_between(counted_.hazard, counted_.first, counted_.start));
+  }
+
+  [[nodiscard]] RateEstimate by_law() const {
+    std::vector<double> samples;
+    for (const stats::SuiteLaw& law : curve_.bootstrap.laws) samples.push_back(rate_of(capacity_of(law), pieces_));
+    return {RateSource::law, rate_of(capacity_of(curve_.pooled->law()), pieces_), interval_of(std::move(samples))};
+  }
+
+  [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
+    const bool is_isotonic = source == RateSource::isotonic;
+    const std::vector<double> shares =
+        rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights));
+    if (source == RateSource::at_least) return rates_.at_least(shares);
+    if (source == RateSource::at_most) return rates_.at_most(shares);
+    return rates_.rate(shares);
+  }
+
+  [[nodiscard]] RateEstimate by_shares(RateSource source) const {
+    std::vector<double> samples;
+    for (const std::vector<double>& weights : curve_.bootstrap.weights) samples.push_back(rate_by(source, weights));
+    return {source, rate_by(source, std::vector<double>(suite_.size(), 1.0)), interval_of(std::move(samples))};
+  }
+
+  [[nodiscard]] std::optional<stats::Interval> interval_of(std::vector<double> samples) const {
+    return stats::percentile_interval(std::move(samples), curve_.bootstrap.samples, curve_.subject.confidence);
+  }
+
+  static void set_disagreement(SuiteRate& found) {
+    double least = std::numeric_limits<double>::infinity();
+    double most = 0.0;
+    for (const RateEstimate& estimate : found.estimates) {
+      if (estimate.source == RateSource::at_least || estimate.source == RateSource::at_most) continue;
+      least = std::min(least, estimate.value);
+      most = std::max(most, estimate.value);
+    }
+    if (least > 0.0) found.disagreement = most / least - 1.0;
+    if (most == 0.0) found.disagreement = 0.0;
+  }
+
+  /// The chosen rate of the suite without one record.
+  [[nodiscard]] std::optional<double> without(std::size_t record, bool is_by_law) const {
+    if (suite_.size() < 2) return std::nullopt;
+    if (!is_by_law) {
+      std::vector<double> weights(suite_.size(), 1.0);
+      weights[record] = 0.0;
+      return rate_by(RateSource::isotonic, weights);
+    }
+    stats::SuiteLevels others = suite_;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(record));
+    const auto law = stats::fit_suite_near(others, curve_.pooled->law()).law;
+    return law ? std::optional(rate_of(capacity_of(*law), pieces_)) : std::nullopt;
+  }
+
+  void set_records(bool is_by_law, SuiteRate& found) const {
+    double sum = 0.0;
+    for (std::size_t r = 0; r < suite_.size(); ++r) {
+      found.by_record.push_back({.name = curve_.records[r].name,
+                                 .rate = rates_.rate(rates_.counted_of(shares_.of_record(r))),
+                                 .without = without(r, is_by_law)});
+      sum += found.by_record.back().rate;
+    }
+    for (RateOfRecord& record : found.by_record) record.share = sum > 0.0 ? record.rate / sum : 0.0;
+    set_leave_one_out(found);
+  }
+
+  void set_leave_one_out(SuiteRate& found) const {
+    std::vector<double> rates;
+    for (const RateOfRecord& record : found.by_record) {
+      if (record.without) rates.push_back(*record.without);
+    }
+    if (rates.size() < 2 || rates.size() < found.by_record.size()) return;
+    const auto [least, most] = std::ranges::minmax(rates);
+    found.leave_one_out = stats::Interval{.low = least, .high = most};
+    if (!(least > 0.0) || !(found.chosen.value > 0.0)) return;
+    double mean = 0.0, squares = 0.0;
+    const auto count = static_cast<double>(rates.size());
+    for (const double rate : rates) mean += std::log(rate) / count;
+    for (const double rate : rates) squares += (std::log(rate) - mean) * (std::log(rate) - mean);
+    const double error = std::sqrt((count - 1.0) / count * squares);
+    const double factor = std::exp(stats::two_sided_t_quantile(curve_.subject.confidence, count - 1.0) * error);
+    found.jackknife = stats::Interval{.low = found.chosen.value / factor, .high = found.chosen.value * factor};
+  }
+
+  void set_undecided(SuiteRate& found) const {
+    const std::vector<double> equal(suite_.size(), 1.0);
+    const std::vector<double> means = rates_.counted_of(shares_.mean(equal));
+    std::uint64_t trials = 0;
+    for (const auto& record : suite_) trials += record.front().happened.trials;
+    const std::vector<LevelShare> levels = rates_.levels(means, 0.5 / static_cast<double>(trials));
+    const double observed = rates_.rate(means);
+    double open = 0.0;
+    for (const UndecidedRange& range : undecided_ranges(levels, counted_.hazard, counted_.start)) open += range.rate;
+    found.undecided_share = observed > 0.0 ? open / observed : (open > 0.0 ? 1.0 : 0.0);
+    const KnownProbabilities between = rates_.known(means);
+    found.add_levels =
+        levels_to_add(levels, counted_.hazard, counted_.start, most_undecided_share * observed, [&](double intensity) {
+          if (curve_.pooled) return curve_.pooled->law().probability(intensity);
+          return intensity > levels.back().intensity ? 0.5 * (1.0 + means.back())
+                                                     : between.probability(std::log(intensity));
+        });
+    const bool agree = found.disagreement && *found.disagreement <= most_disagreement;
+    if (!agree && found.add_levels.empty()) found.add_levels.push_back(where_law_differs_most(found));
+  }
+
+  /// Inside the range whose rates by the law and by the observed shares differ most.
+  [[nodiscard]] double where_law_differs_most(const SuiteRate& found) const {
+    const KnownProbabilities observed = rates_.known(rates_.counted_of(shares_.mean(std::vector(suite_.size(), 1.0))));
+    double most = -1.0, at = counted_.start;
+    for (const RateInRange& range : found.chosen.by_level) {
+      const std::vector<HazardPiece> pieces = pieces_between(counted_.hazard, range.from, range.to);
+      const double law = curve_.pooled ? rate_of(capacity_of(curve_.pooled->law()), pieces) : 0.0;
+      const double difference = std::abs(law - rate_of(observed, pieces));
+      if (difference <= most) continue;
+      most = difference;
+      at = inside(range.from, range.to);
+    }
+    return at;
+  }
+
+  const SuiteCurve& curve_;
+  stats::SuiteLevels suite_;
+  stats::RecordShares shares_;
+  CountedHazard counted_;
+  std::vector<HazardPiece> pieces_;
+  SharesAndHazard rates_;
+};
+
+}  // namespace
+
+std::string_view to_string(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "law";
+    case RateSource::levels: return "levels";
+    case RateSource::isotonic: return "isotonic";
+    case RateSource::observed: return "observed";
+    case RateSource::at_least: return "at_least";
+    case RateSource::at_most: break;
+  }
+  return "at_most";
+}
+
+SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard) {
+  ROCKING_EXPECT(!curve.records.empty() && !curve.levels.empty());
+  return SuiteRates(curve, hazard).all();
+}
+
+}  // namespace rocking

@@ -1,0 +1,224 @@
+// The annual rate of a suite in several ways, its bounds, what the levels leave open, and what each record contributes.
+
+#include <cmath>
+#include <functional>
+#include <numeric>
+
+#include <gmock/gmock.h>
+
+#include "rocking/studies/run_fragility.hpp"
+#include "rocking/studies/suite/suite_fragility.hpp"
+#include "rocking/studies/suite/undecided.hpp"
+
+namespace rocking {
+namespace {
+
+using ::testing::Each;
+using ::testing::IsEmpty;
+
+constexpr double uplift = 0.2;
+const std::vector<double> intensities{0.15, 0.3, 0.4, 0.6, 0.9};
+
+/// H = 1e-4 x^-2.
+double hazard_at(double x) { return 1e-4 / (x * x); }
+const HazardCurve& hazard() {
+  static const HazardCurve curve{
+      .name = "", .intensity = "", .header_line = 0, .points = {{0.1, 1e-2}, {0.25, 1.6e-3}, {2.0, 2.5e-5}}};
+  return curve;
+}
+
+/// Numbers of 10 trials that overturn, of each record at each intensity; the third record falls at 0.6.
+const std::vector<std::vector<int>> outcomes{{0, 0, 2, 7, 10}, {0, 1, 6, 10, 10}, {0, 4, 9, 6, 9},
+                                             {0, 0, 0, 3, 8},  {0, 2, 3, 8, 10},  {0, 0, 5, 9, 10}};
+
+StripeGroup group_of(const std::vector<std::vector<int>>& counts) {
+  StripeGroup group{.parameter = "/excitation/pga_g", .others = {}, .confidence = 0.95, .stripes = {}};
+  for (std::size_t r = 0; r < counts.size(); ++r) {
+    for (std::size_t k = 0; k < intensities.size(); ++k) {
+      Stripe& stripe = group.stripes.emplace_back();
+      stripe.record = "r" + std::to_string(r);
+      stripe.intensity = intensities[k];
+      for (int j = 0; j < 10; ++j) stripe.overturned.push_back(j < counts[r][k]);
+      stripe.peak_tilts.assign(10, 0.0);
+      stripe.uplift = uplift;
+    }
+  }
+  return group;
+}
+
+const SuiteCurve& curve() {
+  static const SuiteCurve found = suite_curve(group_of(outcomes), {}, 1);
+  return found;
+}
+
+double estimate(const SuiteRate& rate, RateSource source) {
+  for (const RateEstimate& each : rate.estimates) {
+    if (each.source == source) return each.value;
+  }
+  return NAN;
+}
+
+/// Integral of P |dH| from the least uplift on, by the midpoint rule in ln x.
+double by_midpoints(const std::function<double(double x)>& probability) {
+  constexpr int steps = 200000;
+  const double step = std::log(1e4 / uplift) / steps;
+  double rate = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double low = uplift * std::exp(i * step), high = uplift * std::exp((i + 1) * step);
+    rate += probability(std::sqrt(low * high)) * (hazard_at(low) - hazard_at(high));
+  }
+  return rate;
+}
+
+/// The shares of all records, or of one.
+std::vector<double> shares_of(std::optional<std::size_t> record = std::nullopt) {
+  std::vector<double> shares(intensities.size(), 0.0);
+  for (std::size_t r = 0; r < outcomes.size(); ++r) {
+    if (record && r != *record) continue;
+    for (std::size_t k = 0; k < shares.size(); ++k) {
+      shares[k] += 0.1 * outcomes[r][k] / (record ? 1.0 : static_cast<double>(outcomes.size()));
+    }
+  }
+  return shares;
+}
+
+/// From 0 at the least uplift, linear in ln x, then as at the last level.
+double interpolated(const std::vector<double>& shares, double x) {
+  if (x >= intensities.back()) return shares.back();
+  std::size_t k = 1;
+  while (intensities[k] < x) ++k;
+  const double from = k == 1 ? uplift : intensities[k - 1];
+  const double before = k == 1 ? 0.0 : shares[k - 1];
+  return before + (shares[k] - before) * std::log(x / from) / std::log(intensities[k] / from);
+}
+
+TEST(SuiteRate, IsGivenByTheLawAndByShares) {
+  const SuiteRate rate = annual_rate(curve(), hazard());
+  ASSERT_EQ(curve().outcome, stats::FragilityOutcome::fitted);
+  EXPECT_EQ(rate.chosen.source, RateSource::law);
+  const stats::SuiteLaw law = curve().pooled->law();
+  const double by_law = by_midpoints([&](double x) { return law.probability(x); });
+  EXPECT_NEAR(estimate(rate, RateSource::law), by_law, 1e-6 * by_law);
+  EXPECT_NEAR(rate.chosen.value, by_law, 1e-6 * by_law);
+  const std::vector<double> shares = shares_of();
+  const double observed = by_midpoints([&](double x) { return interpolated(shares, x); });
+  EXPECT_NEAR(estimate(rate, RateSource::observed), observed, 1e-6 * observed);
+  // The means rise, so that the isotonic ones are the same.
+  EXPECT_NEAR(estimate(rate, RateSource::isotonic), observed, 1e-6 * observed);
+  for (const RateEstimate& each : rate.estimates) {
+    ASSERT_TRUE(each.interval);
+    EXPECT_LT(each.interval->low, each.value);
+    EXPECT_GT(each.interval->high, each.value);
+  }
+  EXPECT_NEAR(*rate.disagreement, std::max(by_law, observed) / std::min(by_law, observed) - 1.0, 1e-5);
+}
+
+TEST(SuiteRate, LiesBetweenTheBoundsOfItsLevels) {
+  const SuiteRate rate = annual_rate(curve(), hazard());
+  const std::vector<double> shares = shares_of();
+  const double at_least = by_midpoints([&](double x) {
+    std::size_t k = 0;
+    while (k + 1 < intensities.size() && intensities[k + 1] <= x) ++k;
+    return x < intensities[1] ? 0.0 : shares[k];
+  });
+  const double at_most = by_midpoints([&](double x) {
+    std::size_t k = 0;
+    while (k < intensities.size() && intensities[k] < x) ++k;
+    return k == intensities.size() ? 1.0 : shares[k];
+  });
+  EXPECT_NEAR(estimate(rate, RateSource::at_least), at_least, 1e-4 * at_least);
+  EXPECT_NEAR(estimate(rate, RateSource::at_most), at_most, 1e-4 * at_most);
+}
+
+TEST(SuiteRate, IsSharedOutAmongTheRecords) {
+  const SuiteRate rate = annual_rate(curve(), hazard());
+  ASSERT_EQ(rate.by_record.size(), outcomes.size());
+  double sum = 0.0, shares = 0.0;
+  for (std::size_t r = 0; r < outcomes.size(); ++r) {
+    const std::vector<double> own = shares_of(r);
+    const double expected = by_midpoints([&](double x) { return interpolated(own, x); });
+    EXPECT_NEAR(rate.by_record[r].rate, expected, 1e-6 * expected) << r;
+    sum += rate.by_record[r].rate;
+    shares += rate.by_record[r].share;
+  }
+  EXPECT_NEAR(sum / 6.0, estimate(rate, RateSource::observed), 1e-12 * sum);
+  EXPECT_NEAR(shares, 1.0, 1e-12);
+}
+
+TEST(SuiteRate, WithoutARecordIsThatOfTheSmallerSuite) {
+  const SuiteRate rate = annual_rate(curve(), hazard());
+  double least = INFINITY, most = 0.0;
+  for (std::size_t r = 0; r < outcomes.size(); ++r) {
+    auto others = outcomes;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(r));
+    const double expected = estimate(annual_rate(suite_curve(group_of(others), {}, 1), hazard()), RateSource::law);
+    EXPECT_NEAR(rate.by_record[r].without.value(), expected, 1e-5 * expected) << r;
+    least = std::min(least, expected);
+    most = std::max(most, expected);
+  }
+  EXPECT_NEAR(rate.leave_one_out->low, least, 1e-5 * least);
+  EXPECT_NEAR(rate.leave_one_out->high, most, 1e-5 * most);
+  EXPECT_LT(rate.jackknife->low, rate.chosen.value);
+  EXPECT_GT(rate.jackknife->high, rate.leave_one_out->high);
+}
+
+TEST(SuiteRate, OfARejectedLawIsThatOfTheIsotonicShares) {
+  SuiteCurve rejected = curve();
+  rejected.outcome = stats::FragilityOutcome::rejected;
+  const SuiteRate rate = annual_rate(rejected, hazard());
+  EXPECT_EQ(rate.chosen.source, RateSource::isotonic);
+  EXPECT_NEAR(rate.chosen.value, estimate(rate, RateSource::isotonic), 1e-12 * rate.chosen.value);
+  const double sum = std::accumulate(rate.chosen.by_level.begin(), rate.chosen.by_level.end(), 0.0,
+                                     [](double part, const RateInRange& range) { return part + range.rate; });
+  EXPECT_NEAR(sum, rate.chosen.value, 1e-12 * sum);
+}
+
+TEST(SuiteRate, OfBlocksThatNeverOverturnHasAnUpperBound) {
+  const SuiteCurve calm = suite_curve(group_of(std::vector<std::vector<int>>(3, {0, 0, 0, 0, 0})), {}, 1);
+  const SuiteRate rate = annual_rate(calm, hazard());
+  EXPECT_EQ(rate.chosen.value, 0.0);
+  EXPECT_EQ(estimate(rate, RateSource::at_least), 0.0);
+  EXPECT_NEAR(estimate(rate, RateSource::at_most), hazard_at(0.9), 1e-12);
+  EXPECT_EQ(rate.disagreement, 0.0);
+  EXPECT_EQ(rate.undecided_share, 1.0);
+  EXPECT_FALSE(rate.add_levels.empty());
+}
+
+TEST(Undecided, OfRangesOutsideTheLevelsIsTheirBounds) {
+  const std::vector<LevelShare> levels{{0.3, 0.1, 1e-3}, {0.6, 0.8, 1e-3}};
+  const auto ranges = undecided_ranges(levels, hazard(), uplift);
+  ASSERT_EQ(ranges.size(), 3U);
+  EXPECT_NEAR(ranges[0].rate, 0.1 * (hazard_at(uplift) - hazard_at(0.3)), 1e-12);
+  EXPECT_NEAR(ranges[2].rate, 0.2 * hazard_at(0.6), 1e-12);
+  EXPECT_GT(ranges[1].rate, 0.0);
+  EXPECT_LT(ranges[1].rate, 0.7 * (hazard_at(0.3) - hazard_at(0.6)));
+}
+
+// Levels on a lognormal curve are added until less than the goal is open, and then none.
+TEST(Undecided, IsSettledByTheLevelsThatAreAdded) {
+  const auto probability = [](double x) { return 0.5 * std::erfc(-std::log(x / 0.45) / 0.4 / std::sqrt(2.0)); };
+  std::vector<LevelShare> levels;
+  for (const double x : {0.25, 0.6}) levels.push_back({x, probability(x), 1e-3});
+  const auto open = [&] {
+    double sum = 0.0;
+    for (const UndecidedRange& range : undecided_ranges(levels, hazard(), uplift)) sum += range.rate;
+    return sum;
+  };
+  constexpr double goal = 2e-5;
+  ASSERT_GT(open(), goal);
+  const std::vector<double> added = levels_to_add(levels, hazard(), uplift, goal, probability);
+  EXPECT_THAT(added, Each(::testing::Gt(uplift)));
+  for (const double x : added) levels.push_back({x, probability(x), 1e-3});
+  std::ranges::sort(levels, {}, &LevelShare::intensity);
+  EXPECT_LE(open(), goal);
+  EXPECT_THAT(levels_to_add(levels, hazard(), uplift, goal, probability), IsEmpty());
+}
+
+TEST(Undecided, SuggestsNumbersWithFewDigitsInsideARange) {
+  EXPECT_EQ(inside(0.25, 0.3), 0.27);
+  EXPECT_EQ(inside(0.8, std::nullopt), 1.0);
+  EXPECT_EQ(inside(0.2501, 0.2509), 0.2505);
+}
+
+}  // namespace
+}  // namespace rocking

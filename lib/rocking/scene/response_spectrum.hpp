@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "rocking/dynamics/excitation/shape.hpp"
+
+namespace rocking {
+
+/// Largest absolute values of a linear oscillator on a moving base, over g where they have the unit of an acceleration.
+struct OscillatorPeaks {
+  double displacement = 0.0;  ///< relative to the base, over g [s^2]
+  double velocity = 0.0;      ///< relative to the base, over g [s]
+  double acceleration = 0.0;  ///< absolute, over g [-]
+};
+
+/// The peaks of u'' + 2 damping omega u' + omega^2 u = -a(t), u = u' = 0 at the first sample, for a base acceleration a
+/// that is linear between samples: by the exact solution of each linear piece (Nigam & Jennings 1969, BSSA 59(2)
+/// 909-922). Unlike there the largest values count wherever they are reached: also between samples, and within one period
+/// after the last sample. `damping`: ratio in [0, 1). The bits are the same on every machine.
+[[nodiscard]] OscillatorPeaks oscillator_peaks(const std::vector<dynamics::GroundMotionSample>& samples,
+                                               double period_s, double damping);
+
+/// Spectral acceleration over g with 5 % damping.
+[[nodiscard]] double spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples, double period_s);
+
+/// Geometric mean of the spectral accelerations at ten periods with equal ratios from `first_s` to `last_s`.
+[[nodiscard]] double average_spectral_acceleration(const std::vector<dynamics::GroundMotionSample>& samples,
+                                                   double first_s, double last_s);
+
+}  // namespace rocking

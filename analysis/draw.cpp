@@ -78,11 +78,12 @@ Drawing write_figure(const Figure& figure, const fs::path& folder, const std::ve
   return drawing;
 }
 
-std::string svg_of(const Figure& figure, Drawing& drawing, base::StopRequest stop) {
+std::string picture_of(const Figure& figure, const std::string& format, Drawing& drawing, base::StopRequest stop,
+                       const FigureLook& look) {
   try {
     const TemporaryFolder folder;
-    drawing = write_figure(figure, folder.path(), {"svg"}, stop);
-    return drawing.is_drawn() ? read_file(folder.path() / (figure.name + ".svg")) : std::string();
+    drawing = write_figure(figure, folder.path(), {format}, stop, look);
+    return drawing.is_drawn() ? read_file(folder.path() / (figure.name + '.' + format)) : std::string();
   } catch (const std::system_error& error) {
     drawing = {.end = DrawingEnd::broken_off,
                .reason = std::string(error.what()) +

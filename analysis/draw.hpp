@@ -21,8 +21,9 @@ namespace rocking::analysis {
                                    const std::vector<std::string>& formats = picture_formats(),
                                    base::StopRequest stop = {}, const FigureLook& look = screen_look());
 
-/// The figure as SVG text, drawn in a temporary folder. Empty if it cannot be drawn; `drawing` says why. Throws
-/// base::Stopped if it is asked to stop.
-[[nodiscard]] std::string svg_of(const Figure& figure, Drawing& drawing, base::StopRequest stop = {});
+/// The bytes of the figure in a format, `svg`, `png` or `pdf`, drawn in a temporary folder. Empty if it cannot be drawn;
+/// `drawing` says why. Throws base::Stopped if it is asked to stop.
+[[nodiscard]] std::string picture_of(const Figure& figure, const std::string& format, Drawing& drawing,
+                                     base::StopRequest stop = {}, const FigureLook& look = screen_look());
 
 }  // namespace rocking::analysis

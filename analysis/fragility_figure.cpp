@@ -159,9 +159,21 @@ std::string value_and_interval(double value, const stats::Interval& interval) {
   return significant(value, 3) + ' ' + interval_in_words(interval);
 }
 
-std::string description_of(const ReportedSuite& reported) {
+/// The annual rate, if there is one, as a sentence.
+std::string rate_sentence(const ReportedSuite& reported) {
+  if (!reported.rate) return "";
+  const AnnualRate& rate = reported.rate->chosen;
+  std::string text =
+      " Mean annual rate of " + words_of(reported.curve.subject.event) + ": " + significant(rate.value, 3);
+  if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
+  if (rate.value > 0.0) text += ", once in " + years_in_words(1.0 / rate.value) + " years";
+  return text + '.';
+}
+
+std::string law_sentence(const ReportedSuite& reported) {
   const SuiteCurve& curve = reported.curve;
-  const std::string begin = reported.run.title + ": ";
+  const std::string others = values_in_words(curve.subject.others);
+  const std::string begin = reported.run.title + (others.empty() ? "" : ", " + others) + ": ";
   if (!curve.pooled) return begin + "no law of the suite (" + std::string(to_string(curve.outcome)) + ").";
   if (curve.outcome == stats::FragilityOutcome::rejected) {
     return begin + "the lognormal law is rejected; isotonic shares." + uplift_sentence(curve.subject);
@@ -171,6 +183,8 @@ std::string description_of(const ReportedSuite& reported) {
   return begin + "median " + value_and_interval(median.value, median.interval) + ", dispersion " +
          value_and_interval(dispersion.value, dispersion.interval) + '.' + uplift_sentence(curve.subject);
 }
+
+std::string description_of(const ReportedSuite& reported) { return law_sentence(reported) + rate_sentence(reported); }
 
 std::string description_of(const ReportedCurve& reported) {
   const FragilityCurve& curve = reported.curve;

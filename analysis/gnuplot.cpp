@@ -1,115 +1,37 @@
 #include "analysis/gnuplot.hpp"
 
-#include <array>
 #include <cerrno>
-#include <csignal>
-#include <cstdlib>
-#include <sstream>
 #include <system_error>
+#include <utility>
 
-#include <fcntl.h>
-#include <poll.h>
-#include <spawn.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
-extern char** environ;
+#include "analysis/child_process.hpp"
 
 namespace rocking::analysis {
 namespace {
 
-/// A pipe whose ends are closed with this object.
-class Pipe {
- public:
-  Pipe() {
-    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
-  }
-  Pipe(const Pipe&) = delete;
-  Pipe& operator=(const Pipe&) = delete;
-  ~Pipe() {
-    ::close(ends_[0]);
-    close_writing();
-  }
-  [[nodiscard]] int writing() const { return ends_[1]; }
-  void close_writing() {
-    if (ends_[1] >= 0) ::close(ends_[1]);
-    ends_[1] = -1;
-  }
-  /// Reads until the last writer has closed its end. Throws base::Stopped if it is asked to stop.
-  [[nodiscard]] std::string read_all(base::StopRequest stop) const {
-    constexpr int between_looks_ms = 50;
-    std::string text;
-    char buffer[4096];
-    for (;;) {
-      stop.check();
-      pollfd reading{.fd = ends_[0], .events = POLLIN, .revents = 0};
-      if (::poll(&reading, 1, between_looks_ms) <= 0) continue;
-      const auto count = ::read(ends_[0], buffer, sizeof buffer);
-      if (count < 0 && errno == EINTR) continue;
-      if (count <= 0) return text;
-      text.append(buffer, static_cast<std::size_t>(count));
-    }
-  }
-
- private:
-  std::array<int, 2> ends_{};
-};
-
-/// The environment of this process with locale C and time zone UTC, without variables that configure gnuplot.
-/// SOURCE_DATE_EPOCH is set for libraries that write a date into a PDF: 2000-01-01, as in draw.cpp.
-std::vector<std::string> plain_environment() {
-  std::vector<std::string> entries{"LC_ALL=C.UTF-8", "TZ=UTC0", "SOURCE_DATE_EPOCH=946684800"};
-  for (char** entry = environ; *entry != nullptr; ++entry) {
-    const std::string text = *entry;
-    const bool ours = text.starts_with("LC_") || text.starts_with("GNUPLOT_") || text.starts_with("TZ=") ||
-                      text.starts_with("SOURCE_DATE_EPOCH=");
-    if (!ours) entries.push_back(text);
-  }
-  return entries;
-}
-
-std::vector<char*> pointers_to(std::vector<std::string>& texts) {
-  std::vector<char*> pointers;
-  for (std::string& text : texts) pointers.push_back(text.data());
-  pointers.push_back(nullptr);
-  return pointers;
-}
-
-/// The message of gnuplot on one line.
-std::string on_one_line(const std::string& words) {
-  std::istringstream stream(words);
-  std::string line;
-  for (std::string word; stream >> word;) line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
 /// Interprets the exit status and the message of gnuplot.
-Drawing drawing_from(int status, const std::string& words, const std::string& script) {
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) return {.end = DrawingEnd::drawn, .reason = {}};
+Drawing drawing_from(const ChildEnd& child, const std::string& script) {
+  const int status = child.status;
+  const std::string& words = child.words;
+  if (child.is_success()) return {.end = DrawingEnd::drawn, .reason = {}};
   if (WIFSIGNALED(status)) {
     return {.end = DrawingEnd::broken_off,
             .reason = script + ": gnuplot was ended by signal " + std::to_string(WTERMSIG(status))};
   }
   if (words.find("unknown or ambiguous terminal type") != std::string::npos) {
     return {.end = DrawingEnd::broken_off,
-            .reason = script + ": this gnuplot cannot draw a format: " + on_one_line(words) +
+            .reason = script + ": this gnuplot cannot draw a format: " + words +
                       "; install a gnuplot with svg, pngcairo and pdfcairo (Debian: gnuplot-nox)"};
   }
   // gnuplot itself names the line that it does not understand.
-  if (on_one_line(words).empty()) {
+  if (words.empty()) {
     return {
         .end = DrawingEnd::broken_off,
         .reason = script + ": gnuplot ended with code " + std::to_string(WEXITSTATUS(status)) + " and said nothing"};
   }
-  return {.end = DrawingEnd::refused, .reason = script + ": gnuplot failed: " + on_one_line(words)};
-}
-
-int wait_for(pid_t process) {
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0) {
-    if (errno != EINTR) throw std::system_error(errno, std::generic_category(), "gnuplot");
-  }
-  return status;
+  return {.end = DrawingEnd::refused, .reason = script + ": gnuplot failed: " + words};
 }
 
 }  // namespace
@@ -120,35 +42,15 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name
   for (const std::string& format : pictures.formats) wanted += (wanted.back() == '\'' ? "" : " ") + format;
   std::vector<std::string> arguments{"gnuplot", "-d", "-e", wanted + "'; ending='" + pictures.ending + '\'',
                                      name + ".gp"};
-  std::vector<std::string> environment = plain_environment();
-  Pipe said;
-  posix_spawn_file_actions_t actions;
-  posix_spawn_file_actions_init(&actions);
-  posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
-  posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, "/dev/null", O_RDONLY, 0);
-  posix_spawn_file_actions_adddup2(&actions, said.writing(), STDOUT_FILENO);
-  posix_spawn_file_actions_adddup2(&actions, said.writing(), STDERR_FILENO);
-  pid_t process = 0;
-  const int error = ::posix_spawnp(&process, "gnuplot", &actions, nullptr, pointers_to(arguments).data(),
-                                   pointers_to(environment).data());
-  posix_spawn_file_actions_destroy(&actions);
-  if (error == ENOENT) {
+  const ChildEnd child = run_child(folder, std::move(arguments), stop);
+  if (child.error == ENOENT) {
     return {.end = DrawingEnd::no_gnuplot,
             .reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
   }
-  if (error != 0)
+  if (child.error != 0)
     return {.end = DrawingEnd::broken_off,
-            .reason = "gnuplot cannot be started: " + std::generic_category().message(error)};
-  said.close_writing();
-  std::string words;
-  try {
-    words = said.read_all(stop);
-  } catch (const base::Stopped&) {
-    ::kill(process, SIGKILL);
-    wait_for(process);
-    throw;
-  }
-  return drawing_from(wait_for(process), words, (folder / (name + ".gp")).string());
+            .reason = "gnuplot cannot be started: " + std::generic_category().message(child.error)};
+  return drawing_from(child, (folder / (name + ".gp")).string());
 }
 
 }  // namespace rocking::analysis

@@ -143,14 +143,17 @@ void add_suite(const SuiteCurve& curve, std::size_t number, Figure& figure) {
   figure.tables.push_back(suite_table(curve));
   figure.tables.push_back(record_shares(curve));
   std::vector<Layer>& layers = figure.panels.back().layers;
-  for (std::size_t i = 1; i < figure.tables.back().columns.size(); ++i) {
+  // The records of one curve are enough lines.
+  for (std::size_t i = 1; number == 0 && i < figure.tables.back().columns.size(); ++i) {
     layers.push_back({.kind = LayerKind::line,
                       .table = all + 1,
                       .columns = {0, i},
                       .style = thin,
-                      .legend = i == 1 && number == 0 ? "share of a record" : ""});
+                      .legend = i == 1 ? "share of a record" : ""});
   }
-  const std::string name = event_in_words(curve.subject.event) + ", all records";
+  const std::string others = values_in_words(curve.subject.others);
+  const std::string name =
+      (others.empty() ? "" : others + ", ") + event_in_words(curve.subject.event) + ", all records";
   const bool has_law = curve.pooled.has_value();
   if (has_law) {
     const std::size_t law = figure.tables.size();

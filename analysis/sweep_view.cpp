@@ -154,27 +154,31 @@ std::string with_greek(std::string text) {
 }
 
 Axis axis_of_parameter(const std::string& pointer) {
-  static const std::map<std::string, Axis> known{{"/excitation/amplitude", {"base amplitude", "A_h", ""}},
-                                                 {"/excitation/frequency_ratio", {"frequency ratio", "Ω_h", ""}},
-                                                 {"/excitation/amplitude_g", {"base amplitude", "", "g"}},
-                                                 {"/excitation/amplitude_m_s2", {"base amplitude", "", "m/s²"}},
-                                                 {"/excitation/frequency_hz", {"base frequency", "", "Hz"}},
-                                                 {"/excitation/period_s", {"base period", "", "s"}},
-                                                 {"/restitution/rate_ratio", {"rate ratio", "δ", ""}},
-                                                 {"/excitation/phase_rad", {"phase", "Φ", "rad"}},
-                                                 {"/excitation/scale", {"scale of the ground motion", "", ""}},
-                                                 {"/excitation/pga_g", {"peak ground acceleration", "PGA", "g"}},
-                                                 {"/excitation/pgv_m_s", {"peak ground velocity", "PGV", "m/s"}},
-                                                 {"/excitation/file", {"ground motion", "", ""}},
-                                                 {"/friction/static", {"static friction", "μ_s", ""}},
-                                                 {"/friction/kinetic", {"kinetic friction", "μ_k", ""}},
-                                                 {"/friction", {"friction", "μ_s/μ_k", ""}},
-                                                 {"/restitution", {"restitution", "e", ""}},
-                                                 {"/block/width_m", {"width", "B", "m"}},
-                                                 {"/block/height_m", {"height", "H", "m"}},
-                                                 {"/initial/tilt", {"initial tilt", "Θ_0", ""}},
-                                                 {"/initial/tilt_rate", {"initial tilt rate", "Θ′_0", ""}},
-                                                 {"/initial/slip_rate", {"initial slip rate", "V_0", ""}}};
+  static const std::map<std::string, Axis> known{
+      {"/excitation/amplitude", {"base amplitude", "A_h", ""}},
+      {"/excitation/frequency_ratio", {"frequency ratio", "Ω_h", ""}},
+      {"/excitation/amplitude_g", {"base amplitude", "", "g"}},
+      {"/excitation/amplitude_m_s2", {"base amplitude", "", "m/s²"}},
+      {"/excitation/frequency_hz", {"base frequency", "", "Hz"}},
+      {"/excitation/period_s", {"base period", "", "s"}},
+      {"/restitution/rate_ratio", {"rate ratio", "δ", ""}},
+      {"/excitation/phase_rad", {"phase", "Φ", "rad"}},
+      {"/excitation/scale", {"scale of the ground motion", "", ""}},
+      {"/excitation/pga_g", {"peak ground acceleration", "PGA", "g"}},
+      {"/excitation/sa_g", {"spectral acceleration", "Sa", "g"}},
+      {"/excitation/sa_p_g", {"spectral acceleration at 2π/p", "Sa", "g"}},
+      {"/excitation/avgsa_g", {"average spectral acceleration", "avgSa", "g"}},
+      {"/excitation/pgv_m_s", {"peak ground velocity", "PGV", "m/s"}},
+      {"/excitation/file", {"ground motion", "", ""}},
+      {"/friction/static", {"static friction", "μ_s", ""}},
+      {"/friction/kinetic", {"kinetic friction", "μ_k", ""}},
+      {"/friction", {"friction", "μ_s/μ_k", ""}},
+      {"/restitution", {"restitution", "e", ""}},
+      {"/block/width_m", {"width", "B", "m"}},
+      {"/block/height_m", {"height", "H", "m"}},
+      {"/initial/tilt", {"initial tilt", "Θ_0", ""}},
+      {"/initial/tilt_rate", {"initial tilt rate", "Θ′_0", ""}},
+      {"/initial/slip_rate", {"initial slip rate", "V_0", ""}}};
   if (const auto found = known.find(pointer); found != known.end()) return found->second;
   const std::string key = last_key(pointer);
   if (key == "refresh_slip_m") return {"cell of friction", "", "m"};

@@ -13,4 +13,7 @@ namespace rocking::analysis {
 [[nodiscard]] std::string page_script();
 [[nodiscard]] std::string page_style();
 
+/// sheet.css.
+[[nodiscard]] std::string sheet_style();
+
 }  // namespace rocking::analysis

@@ -125,7 +125,7 @@ std::string picture_html(const DrawnFigure& drawn, bool charted) {
   const Figure& figure = drawn.figure;
   const std::string words = figure.description.empty() ? figure.title + ". " + figure.caption : figure.description;
   return fmt::format("<img class=\"picture{}\" alt=\"{}\" src=\"{}\">\n", charted ? " instead" : "", escaped(words),
-                     data_address(drawn.svg));
+                     data_address("svg+xml", drawn.svg));
 }
 
 std::string tables_html(const Report& report, const Figure& figure) {

@@ -62,7 +62,9 @@ std::string json_for_script(const Json& json) {
   return safe;
 }
 
-std::string data_address(std::string_view svg) { return "data:image/svg+xml;base64," + base64(svg); }
+std::string data_address(std::string_view format, std::string_view image) {
+  return "data:image/" + std::string(format) + ";base64," + base64(image);
+}
 
 std::string policy_hash(std::string_view text) {
   const base::Sha256 digest = base::sha256(text);

@@ -14,8 +14,8 @@ namespace rocking::analysis {
 /// JSON that can be inserted into a script element: it cannot end the element.
 [[nodiscard]] std::string json_for_script(const Json& json);
 
-/// An image as a data address for an `img` element.
-[[nodiscard]] std::string data_address(std::string_view svg);
+/// An image as a data address for an `img` element. `format`: `svg+xml` or `png`.
+[[nodiscard]] std::string data_address(std::string_view format, std::string_view image);
 
 /// Source expression of a content-security policy for a script or style with this text: `'sha256-...'`.
 [[nodiscard]] std::string policy_hash(std::string_view text);

@@ -18,15 +18,17 @@ namespace rocking::program {
 namespace {
 
 /// Without the records the other figures are drawn.
-void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
+void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std::vector<analysis::Figure>& figures) {
   const auto tell = [](const std::exception& error) {
     print_notice(fmt::format("the fragility of the suite was not drawn: {}", error.what()));
   };
   try {
-    for (analysis::Figure& figure : pages::suite_figures(experiment_of(store.identity()), store, available_threads())) {
+    for (analysis::Figure& figure :
+         pages::suite_figures(experiment_of(store.identity()), store, available_threads(), hazard)) {
       figures.push_back(std::move(figure));
     }
   } catch (const base::InputError& error) {
+    if (hazard && error.problems().front().place.starts_with(hazard->name)) throw;
     tell(error);
   } catch (const MissingInput& error) {
     tell(error);
@@ -35,11 +37,12 @@ void add_suite(const Store& store, std::vector<analysis::Figure>& figures) {
 
 }  // namespace
 
-std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report) {
+std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report,
+                                         const std::optional<HazardCurve>& hazard) {
   if (!folder.has_store()) return analysis::run_figures(report);
   const Store store = folder.open_valid_store();
   std::vector<analysis::Figure> figures = analysis::run_figures(report, &store);
-  if (pages::is_suite(report.swept)) add_suite(store, figures);
+  if (pages::is_suite(report.swept)) add_suite(store, hazard, figures);
   return figures;
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,13 +15,16 @@
 #include "analysis/look.hpp"
 #include "exit_code.hpp"
 #include "rocking/output/report.hpp"
+#include "rocking/scene/hazard.hpp"
 #include "run_folder.hpp"
 
 namespace rocking::program {
 
 /// The figures of a run, with its realisations if its folder has them; of a suite also its fragility and incremental
-/// dynamic analysis. Throws as RunFolder::open_valid_store does.
-[[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report);
+/// dynamic analysis, with annual rates if there is a hazard curve. Throws as RunFolder::open_valid_store does, and
+/// base::InputError if that is one of another intensity.
+[[nodiscard]] std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report,
+                                                       const std::optional<HazardCurve>& hazard = std::nullopt);
 
 /// The importance of a picture to a command. The purpose of `report` and `figure` is to draw, so that they fail without
 /// it. For `run`, `resume` and `merge` it is an addition: the results are complete, and a cluster would run them again

@@ -14,11 +14,14 @@
 #include "campaign.hpp"
 #include "commands.hpp"
 #include "drawing.hpp"
+#include "exit_code.hpp"
+#include "interrupt.hpp"
 #include "machine.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/fragility_report.hpp"
 #include "rocking/output/fragility_table.hpp"
+#include "rocking/pages.hpp"
 #include "study_file.hpp"
 #include "watched.hpp"
 
@@ -28,19 +31,26 @@ namespace {
 struct FragilityCommand {
   std::vector<std::string> folders;
   FragilityQuestion question;
-  std::string hazard;  ///< file of a hazard curve; empty: none
+  std::string hazard;    ///< file of a hazard curve; empty: none
+  std::string metadata;  ///< file of magnitudes and distances; empty: none
   StudyFile file{"fragility.json"};
-  std::string figures;  ///< folder; empty: nothing is drawn
+  std::string figures;          ///< folder; empty: nothing is drawn
+  std::filesystem::path sheet;  ///< empty: none
   bool per_record = false;
   bool suggests = false;
   StyleRequest style;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-RunFragility fragility_of(const std::string& folder, const FragilityQuestion& question,
-                          const ExecutionOptions& execution) {
+/// A finished run and its curves.
+struct Curves {
+  StoredRun stored;
+  RunFragility found;
+};
+
+Curves curves_of(const std::string& folder, const FragilityQuestion& question, const ExecutionOptions& execution) {
   RunFolder(folder).expect_installed();
-  const StoredRun stored = input_of([&] { return open_run(folder); });
+  StoredRun stored = input_of([&] { return open_run(folder); });
   if (stored.run.done < stored.run.all || !stored.run.is_complete()) {
     throw MissingInput(fmt::format(
         "{0}: has {1} of {2} realisations; `rocking resume {0}`, or `rocking merge` of all parts, completes it", folder,
@@ -48,10 +58,11 @@ RunFragility fragility_of(const std::string& folder, const FragilityQuestion& qu
   }
   Progress progress(suitable_progress_style(execution.loudness), "parts of the fit");
   try {
-    return rocking::fragility(stored.experiment, stored.run, question, watched(execution, progress));
+    RunFragility found = rocking::fragility(stored.experiment, stored.run, question, watched(execution, progress));
+    return {std::move(stored), std::move(found)};
   } catch (const base::InputError& error) {
     const base::Problem& problem = error.problems().front();
-    if (!problem.place.starts_with('/')) throw;                           // of the hazard curve
+    if (!problem.place.starts_with('/')) throw;                           // of the hazard curve or the metadata
     throw UsageError(fmt::format("{}: {}", folder, to_string(problem)));  // the run answers another question
   }
 }
@@ -76,16 +87,42 @@ std::string suggestions(const FragilityReport& report, const std::vector<std::st
                       : text;
 }
 
+void expect_sensible(const FragilityCommand& command) {
+  if (command.hazard.empty() && command.suggests) throw UsageError("--suggest: needs a rate; add --hazard FILE");
+  if (command.sheet.empty()) return;
+  if (command.hazard.empty()) throw UsageError("--sheet: needs a rate; add --hazard FILE");
+  if (command.folders.size() > 1) throw UsageError("--sheet: is about one run; name one folder");
+  const std::string ending = command.sheet.extension().string();
+  if (ending != ".pdf" && ending != ".html") {
+    throw UsageError(fmt::format("--sheet {}: must end with .pdf or .html", command.sheet.string()));
+  }
+  command.file.expect_free(command.sheet);
+}
+
+/// Writes the sheet, if one is asked for; whether that succeeded.
+bool write_sheet(const FragilityCommand& command, const Curves& curves, const FragilityQuestion& question) {
+  if (command.sheet.empty()) return true;
+  const std::string again = fmt::format("rocking fragility {} --hazard {} --sheet {}", command.folders.front(),
+                                        command.hazard, command.sheet.string());
+  const Written written = rocking::write_sheet(curves.stored, curves.found, *question.hazard, command.sheet, again,
+                                               {.stop = &stop_on_interrupt()});
+  for (const std::string& reason : written.not_drawn) print_notice(reason);
+  return !written.files.empty();
+}
+
 ExitCode fragility(const FragilityCommand& command) {
   const analysis::FigureLook look = look_for(command.style);
-  if (command.suggests && command.hazard.empty()) {
-    throw UsageError("--suggest: needs a rate; add --hazard FILE");
-  }
+  expect_sensible(command);
   if (command.file.is_asked()) command.file.expect_free();
   FragilityQuestion question = command.question;
   if (!command.hazard.empty()) question.hazard = input_of([&] { return hazard_curve(command.hazard); });
+  if (!command.metadata.empty()) question.metadata = input_of([&] { return record_metadata(command.metadata); });
+  std::vector<Curves> curves;
   std::vector<RunFragility> runs;
-  for (const std::string& folder : command.folders) runs.push_back(fragility_of(folder, question, command.execution));
+  for (const std::string& folder : command.folders) {
+    curves.push_back(curves_of(folder, question, command.execution));
+    runs.push_back(curves.back().found);
+  }
   const FragilityReport report = fragility_report(runs);
   const std::string text = fragility_document().text(report);
   std::string table = fragility_table(report, command.per_record ? RecordTable::shown : RecordTable::omitted);
@@ -96,9 +133,12 @@ ExitCode fragility(const FragilityCommand& command) {
     written = draw_fragility(report, command.figures, look);
     table += fmt::format("{}\n", fmt::join(written.files, "\n"));
   }
+  const bool has_sheet = write_sheet(command, curves.front(), question);
+  if (!command.sheet.empty() && has_sheet) table += fmt::format("sheet: {}\n", command.sheet.string());
   if (command.suggests) table = suggestions(report, command.folders);
   print_study(command.execution.loudness, text, table);
-  return written.failures.tell(no_figure, PictureRole::purpose);
+  const ExitCode drawn = written.failures.tell(no_figure, PictureRole::purpose);
+  return has_sheet ? drawn : ExitCode::input_output;
 }
 
 }  // namespace
@@ -129,8 +169,18 @@ void add_fragility(CLI::App& app, Action& action) {
                    "mean annual "
                    "rate")
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--metadata", request->metadata,
+          "Magnitudes and distances of the records (CSV: file, magnitude, distance_km): says which measures of "
+          "intensity are sufficient")
+      ->type_name("FILE");
   command->add_flag("--suggest", request->suggests,
                     "Print only the intensities that would settle the rate of a suite, as a command");
+  command
+      ->add_option("--sheet", request->sheet,
+                   "With --hazard: the answer about a suite as one page of A4; FILE ends with .pdf or .html")
+      ->type_name("FILE");
   command->add_flag("--per-record", request->per_record, "List each record of a suite");
   command->add_flag("--ida", request->question.incremental, "Also the peak tilt against intensity for each record");
   request->file.add_to(*command, false);

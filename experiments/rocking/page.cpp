@@ -34,12 +34,12 @@ analysis::ShownAnimations animations_of(const RunFolder& folder, const Report& r
 
 }  // namespace
 
-DrawingFailures write_page(const RunFolder& folder, const Report& report) {
+DrawingFailures write_page(const RunFolder& folder, const Report& report, const std::optional<HazardCurve>& hazard) {
   std::vector<analysis::DrawnFigure> figures;
   DrawingFailures failures;
-  for (analysis::Figure& figure : figures_of(folder, report)) {
+  for (analysis::Figure& figure : figures_of(folder, report, hazard)) {
     analysis::Drawing drawing;
-    std::string svg = analysis::svg_of(figure, drawing, stop_on_signal());
+    std::string svg = analysis::picture_of(figure, "svg", drawing, stop_on_signal());
     failures.add(drawing);
     figures.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }

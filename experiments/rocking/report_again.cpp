@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -11,6 +12,7 @@
 
 #include "analysis/table_files.hpp"
 #include "page.hpp"
+#include "rocking/api/studies.hpp"
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/write_facts.hpp"
@@ -53,17 +55,20 @@ ExitCode report_again(const ReportRequest& request) {
   const analysis::FigureLook look = look_for(request.style);
   const RunFolder folder(request.folder);
   const Report report = load_report(folder);
+  std::optional<HazardCurve> hazard;
+  if (!request.hazard.empty()) hazard = input_of([&] { return hazard_curve(request.hazard); });
   const std::set<std::string> formats(request.formats.begin(), request.formats.end());
   std::vector<std::string> written;
   DrawingFailures of_the_page;
   DrawingFailures of_figures;
   if (formats.contains("html")) {
     ensure_writable(request.folder);
-    of_the_page = write_page(folder, report);
+    of_the_page = write_page(folder, report, hazard);
     written.push_back(folder.page_path().string());
   }
   if (formats.contains("gnuplot")) {
-    WrittenFigures figures = write_figures(figures_of(folder, report), fs::path(request.folder) / "figures", look);
+    WrittenFigures figures =
+        write_figures(figures_of(folder, report, hazard), fs::path(request.folder) / "figures", look);
     of_figures = std::move(figures.failures);
     std::move(figures.files.begin(), figures.files.end(), std::back_inserter(written));
   }

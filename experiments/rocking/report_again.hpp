@@ -13,6 +13,7 @@ namespace rocking::program {
 struct ReportRequest {
   std::string folder;
   std::vector<std::string> formats;  ///< html, csv, gnuplot, latex, text
+  std::string hazard;                ///< file of a hazard curve; empty: none
   StyleRequest style;                ///< of the figures, not of the page
   Loudness loudness;
 };

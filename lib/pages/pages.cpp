@@ -82,7 +82,7 @@ Written write_page(const StoredRun& stored, const fs::path& file, const Provenan
   std::vector<analysis::DrawnFigure> drawn;
   for (analysis::Figure& figure : figures_of(stored, report)) {
     analysis::Drawing drawing;
-    std::string svg = analysis::svg_of(figure, drawing, execution.stop);
+    std::string svg = analysis::picture_of(figure, "svg", drawing, execution.stop);
     note(drawing, written);
     drawn.push_back({.figure = std::move(figure), .svg = std::move(svg)});
   }

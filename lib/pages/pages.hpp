@@ -50,6 +50,14 @@ struct Written {
 ROCKING_API void write_trajectory_page(const Experiment& experiment, const TrajectoryRequest& request,
                                        const std::filesystem::path& file, const Execution& execution = {});
 
+/// Writes the answer about a suite of ground motions as one page of A4: HTML, or PDF if the name of the file ends with
+/// `.pdf`, which WeasyPrint makes. `found`: with annual rates, by this hazard curve. `command`: what makes the sheet
+/// again, which it states. If WeasyPrint is missing, no file is written. Otherwise as write_page; throws base::InputError if
+/// there is no suite with a rate.
+[[nodiscard]] ROCKING_API Written write_sheet(const StoredRun& stored, const RunFragility& found,
+                                              const HazardCurve& hazard, const std::filesystem::path& file,
+                                              const std::string& command = "", const Execution& execution = {});
+
 /// A text that a study returned or the program printed, such as `rocking.fragility/1`, and its name in errors.
 struct StudyText {
   std::string name;

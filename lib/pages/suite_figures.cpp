@@ -11,9 +11,10 @@
 
 namespace rocking::pages {
 
-std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store, unsigned threads) {
+std::vector<analysis::Figure> suite_figures(const Experiment& experiment, const Store& store, unsigned threads,
+                                            const std::optional<HazardCurve>& hazard) {
   if (intensity_of(experiment).empty() || experiment.conditions.front().until) return {};
-  const FragilityQuestion question{.incremental = true};
+  const FragilityQuestion question{.hazard = hazard, .incremental = true};
   RunOptions options;
   options.threads = threads;
   const RunFragility run = run_fragility(experiment, stripes_of(experiment, store), question, options);

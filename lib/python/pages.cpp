@@ -53,6 +53,15 @@ void add_pages(py::module_& module) {
                  return write_figures({experiment, run}, folder, static_cast<Column>(column), execution);
                });
              });
+  module.def("write_sheet", [](const Experiment& experiment, const RunResult& run, const std::string& hazard,
+                               const std::string& file, unsigned threads) {
+    return write_watched([&](Execution execution) {
+      execution.threads = threads;
+      const FragilityQuestion question{.hazard = hazard_curve(hazard)};
+      const RunFragility found = fragility(experiment, run, question, execution);
+      return write_sheet({experiment, run}, found, *question.hazard, file, "rocking.write_sheet", execution);
+    });
+  });
   module.def("write_tables", [](const Experiment& experiment, const RunResult& run, const std::string& folder) {
     return write_watched([&](const Execution&) { return write_tables({experiment, run}, folder); });
   });

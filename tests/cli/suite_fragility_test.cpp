@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
+#include "rocking/text/number_text.hpp"
 #include "support/json_schema.hpp"
 #include "support/record_text.hpp"
 
@@ -135,7 +136,7 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
   run();
   const Json curve = fragility()["curves"][0];
   const Json& measures = curve["measures"];
-  ASSERT_EQ(measures.size(), 4U);
+  ASSERT_EQ(measures.size(), 6U);
   std::vector<double> dispersions;
   for (const Json& measure : measures) {
     dispersions.push_back(measure["dispersion"]);
@@ -146,7 +147,7 @@ TEST_F(SuiteFragility, RanksTheMeasuresOfIntensityByDispersion) {
   }
   EXPECT_TRUE(std::ranges::is_sorted(dispersions, [](double a, double b) { return a < b - 1e-6; }));
   const auto told = rocking("fragility out");
-  EXPECT_THAT(told.output, AllOf(HasSubstr("measures of intensity, smallest dispersion first"),
+  EXPECT_THAT(told.output, AllOf(HasSubstr("measures of intensity, smallest dispersion (most efficient) first"),
                                  HasSubstr("p_pgv_over_g_tan_psi"), HasSubstr("deviance"), HasSubstr("AIC")));
 }
 
@@ -350,6 +351,101 @@ TEST_F(SuiteFragility, TakesOneMotionToo) {
   EXPECT_EQ(found["curves"][0]["annual_rate"]["from"], "levels");  // no function describes a record that resurrects
   ASSERT_EQ(found["incremental"][0]["records"].size(), 1U);
   EXPECT_EQ(found["incremental"][0]["records"][0]["levels"], found["incremental"][0]["levels"]);
+}
+
+TEST_F(SuiteFragility, SweepsASpectralAccelerationAndTakesItsHazard) {
+  Json spectral = experiment();
+  spectral["excitation"]["period_s"] = 0.5;
+  spectral["sweep"][0] = {{"parameter", "/excitation/sa_g"}, {"values", {0.4, 0.7, 1.0, 1.5}}};
+  write("e.json", spectral.dump());
+  run();
+  for (const char* name : {"sa_g", "sa_g[0.5]"}) {
+    write("hazard.csv", std::string(name) + ", annual_rate\n0.1, 1e-2\n0.5, 1e-3\n5, 1e-5\n");
+    EXPECT_GT(fragility("--hazard hazard.csv")["curves"][0]["annual_rate"]["value"], 0.0) << name;
+  }
+  for (const char* name : {"sa_g[1]", "avgsa_g", "pga_g"}) {
+    write("other.csv", std::string(name) + ", annual_rate\n0.1, 1e-2\n0.5, 1e-3\n");
+    const auto other = rocking("fragility out --hazard other.csv");
+    EXPECT_EQ(other.exit_code, 65) << name;
+    EXPECT_THAT(other.errors, HasSubstr("which is sa_g[0.5]")) << name;
+  }
+  // The measure of the sweep has the law of the suite.
+  const Json curve = fragility()["curves"][0];
+  for (const Json& measure : curve["measures"]) {
+    if (measure["measure"] != "sa_g") continue;
+    EXPECT_NEAR(measure["median"].get<double>(), curve["pooled"]["median"]["value"].get<double>(), 1e-6);
+  }
+}
+
+TEST_F(SuiteFragility, WritesItsAnswerOnASheet) {
+  Json wider = experiment();
+  wider["sweep"].push_back({{"parameter", "/block/width_m"}, {"values", {0.35, 0.5}}});
+  write("e.json", wider.dump());
+  run();
+  const auto made = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_THAT(made.output, AllOf(HasSubstr("sheet: sheet.html"), HasSubstr("rates compared")));
+  const std::string sheet = read("sheet.html");
+  const Json report = Json::parse(read("out/report.json"));
+  for (const std::string& text :
+       {std::string("five sines"), std::string("scale 1 : "), std::string("hazard.csv"), std::string("r3.at2"),
+        std::string("data:image/png;base64,"), std::string("in 475 years"), std::string("Poisson"),
+        report["input"]["sha256"].get<std::string>(), report["result"]["digest"].get<std::string>(),
+        std::string("rocking fragility out --hazard hazard.csv --sheet sheet.html")}) {
+    EXPECT_THAT(sheet, HasSubstr(text));
+  }
+  const Json found = fragility("--hazard hazard.csv");
+  const double rate = found["curves"][0]["annual_rate"]["value"];
+  const std::string within = "<strong>" + rocking::significant(-100.0 * std::expm1(-50.0 * rate), 2) + " %";
+  EXPECT_THAT(sheet, HasSubstr(within));
+  // The wider block against the narrower one, with an interval.
+  const Json& comparison = found["comparisons"].at(0);
+  EXPECT_EQ(comparison["option"], Json({{"/block/width_m", 0.5}}));
+  const double wide = found["curves"][1]["annual_rate"]["estimates"][1]["value"];
+  const double narrow = found["curves"][0]["annual_rate"]["estimates"][1]["value"];
+  EXPECT_NEAR(comparison["difference"].get<double>(), wide - narrow, 1e-12 * narrow);
+  EXPECT_NEAR(comparison["ratio"].get<double>(), wide / narrow, 1e-12);
+  EXPECT_LE(comparison["ratio_interval"][0], comparison["ratio"]);
+  EXPECT_GE(comparison["ratio_interval"][1], comparison["ratio"]);
+  const auto again = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
+  EXPECT_EQ(again.exit_code, 74) << again.errors;
+}
+
+TEST_F(SuiteFragility, MakesAPdfOfItsSheetWhereWeasyPrintIs) {
+  run();
+  const auto without =
+      shell("PATH=/nonexistent '" ROCKING_PROGRAM "' fragility out --hazard hazard.csv --sheet sheet.pdf");
+  EXPECT_EQ(without.exit_code, 74);
+  EXPECT_THAT(without.errors, HasSubstr("WeasyPrint is not installed"));
+  EXPECT_FALSE(exists("sheet.pdf"));
+  if (shell("command -v weasyprint").exit_code != 0) GTEST_SKIP() << "WeasyPrint is not installed";
+  const auto made = rocking("fragility out --hazard hazard.csv --sheet sheet.pdf");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const std::string pdf = read("sheet.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  ASSERT_EQ(rocking("fragility out --hazard hazard.csv --overwrite --sheet sheet.pdf").exit_code, 0);
+  EXPECT_EQ(read("sheet.pdf"), pdf) << "equal input gives equal bytes";
+  EXPECT_EQ(rocking("fragility out --sheet other.pdf").exit_code, 64);
+  EXPECT_EQ(rocking("fragility out --hazard hazard.csv --sheet sheet.doc").exit_code, 64);
+}
+
+TEST_F(SuiteFragility, SaysWhichMeasuresAreSufficient) {
+  run();
+  std::string metadata = "file,magnitude,distance_km\n";
+  for (std::size_t k = 0; k < records; ++k) {
+    metadata += "r" + std::to_string(k) + ".at2," + std::to_string(5.5 + 0.4 * static_cast<double>(k)) + ",20\n";
+  }
+  write("metadata.csv", metadata);
+  for (const Json& measure : fragility("--metadata metadata.csv")["curves"][0]["measures"]) {
+    EXPECT_TRUE(measure.contains("by_magnitude")) << measure.dump();
+    EXPECT_FALSE(measure.contains("by_distance")) << "all distances are equal: " << measure.dump();
+  }
+  EXPECT_THAT(rocking("fragility out --metadata metadata.csv").output, HasSubstr("p (magnitude)"));
+  EXPECT_FALSE(fragility()["curves"][0]["measures"][0].contains("by_magnitude"));
+  write("metadata.csv", "file,magnitude\nr0.at2,6\n");
+  const auto incomplete = rocking("fragility out --metadata metadata.csv");
+  EXPECT_EQ(incomplete.exit_code, 65);
+  EXPECT_THAT(incomplete.errors, AllOf(HasSubstr("r3.at2"), HasSubstr("has no line")));
 }
 
 TEST_F(SuiteFragility, RefusesBadFlagsAndHazardCurves) {

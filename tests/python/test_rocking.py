@@ -229,6 +229,20 @@ class AgainstTheProgram(unittest.TestCase):
         self.assertEqual(curve.levels.column("realisations").tolist(), [32] * 4)
         self.assertEqual(told[-1][0], told[-1][1])
 
+    def test_sheet_of_a_suite_is_that_of_the_program(self):
+        hazard = os.path.join(self.folder.name, "hazard.csv")
+        with open(hazard, "w", encoding="utf-8") as file:
+            file.write("pga_g, annual_rate\n0.1, 1e-2\n10, 1e-5\n")
+        self.program("run", suite_in(self.folder.name), "-o", self.out, "--no-page", "-q")
+        ours, theirs = os.path.join(self.folder.name, "ours.html"), os.path.join(self.folder.name, "theirs.html")
+        self.program("fragility", self.out, "--hazard", hazard, "--sheet", theirs, "-q")
+        self.assertEqual([path.name for path in rocking.write_sheet(self.out, ours, hazard=hazard).files], ["ours.html"])
+        texts = []
+        for path in (ours, theirs):
+            with open(path, encoding="utf-8") as file:
+                texts.append(file.read().partition("Made by")[0])
+        self.assertEqual(*texts)
+
     def test_comparison_is_that_of_the_program(self):
         softer = changed(sweep=[{"parameter": "/excitation/amplitude", "values": [0.5, 8.0, 4.0]}])
         folders = [os.path.join(self.folder.name, name) for name in ("first", "second")]

@@ -15,6 +15,7 @@ build_packages=(
   nlohmann-json3-dev libfmt-dev libcli11-dev librandom123-dev libssl-dev libsqlite3-dev libeigen3-dev
   libgtest-dev libgmock-dev
   gnuplot-nox  # draws the figures
+  weasyprint  # makes PDF of sheets
   python3  # writes reports/jeong_yang_2012 from its results
   libjs-dygraphs  # charts of report.html
 )

@@ -26,7 +26,7 @@ from .experiments import Experiment, ExperimentLike, experiment, validate
 from .fields import Document, Fields, Rows
 from .intervals import clopper_pearson, colour, wilson
 from .motions import motion
-from .pages import Written, draw, write_figures, write_page, write_tables, write_trajectory_page
+from .pages import Written, draw, write_figures, write_page, write_sheet, write_tables, write_trajectory_page
 from .results import Result
 from .running import Plan, merge, open_run, plan, run
 from .studies import bifurcation, compare, cost, fragility, orbits, rare
@@ -79,6 +79,7 @@ __all__ = [
     "wilson",
     "write_figures",
     "write_page",
+    "write_sheet",
     "write_tables",
     "write_trajectory_page",
 ]

@@ -101,6 +101,7 @@ def fragility(
     run: Run,
     peak_tilts: List[float],
     hazard: Optional[str],
+    metadata: Optional[str],
     incremental: bool,
     threads: int,
     on_progress: _Progress,
@@ -131,6 +132,9 @@ def write_trajectory_page(
 ) -> Tuple[List[str], List[str]]: ...
 def write_figures(
     experiment: Experiment, run: Run, folder: str, column: int
+) -> Tuple[List[str], List[str]]: ...
+def write_sheet(
+    experiment: Experiment, run: Run, hazard: str, file: str, threads: int
 ) -> Tuple[List[str], List[str]]: ...
 def write_tables(experiment: Experiment, run: Run, folder: str) -> Tuple[List[str], List[str]]: ...
 def draw(

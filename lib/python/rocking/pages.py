@@ -13,10 +13,10 @@ from .errors import InputError
 from .experiments import ExperimentLike, experiment
 from .fields import Document
 from .results import Result
-from .running import open_run
+from .running import open_run, processors
 from .trajectories import Trajectory
 
-__all__ = ["Written", "draw", "write_figures", "write_page", "write_tables", "write_trajectory_page"]
+__all__ = ["Written", "draw", "write_figures", "write_page", "write_sheet", "write_tables", "write_trajectory_page"]
 
 _Path = Union[str, "os.PathLike[str]"]
 _COLUMNS = ("screen", "journal_single", "journal_double")
@@ -66,6 +66,34 @@ def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = 
     """
     result = _complete(source)
     return _call("write_figures", result.experiment._core, result._core, os.fspath(folder), _number_of(column))
+
+
+def write_sheet(source: Union[Result, _Path], file: _Path, *, hazard: _Path) -> Written:
+    """Write the answer about a suite of ground motions as one page of A4, as ``rocking fragility --sheet`` does.
+
+    source: a Result, or the folder of a run. file: ends with ``.html`` or ``.pdf``; the latter needs WeasyPrint, without
+    which no file is written and ``not_drawn`` says so. hazard: file of a hazard curve. Raises InputError if the run has no
+    suite, otherwise errors as write_page().
+
+    >>> import json, math, os, tempfile, rocking
+    >>> suite = {"format": "rocking.experiment/1", "block": {"width_m": 0.35, "height_m": 1.6},
+    ...     "excitation": {"kind": "recorded", "suite": "*.txt", "format": "columns", "units": "m/s2"},
+    ...     "sweep": [{"parameter": "/excitation/pga_g", "values": [0.3, 0.6, 0.9]}]}
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     files = {f"{k}.txt": "".join(f"{0.02 * i} {math.sin(0.04 * k * i)}\\n" for i in range(200)) for k in (2, 3, 4)}
+    ...     files |= {"hazard.csv": "pga_g, annual_rate\\n0.1, 1e-2\\n2, 1e-5\\n", "suite.json": json.dumps(suite)}
+    ...     for name, text in files.items():
+    ...         with open(os.path.join(folder, name), "w") as file:
+    ...             _ = file.write(text)
+    ...     result = rocking.run(os.path.join(folder, "suite.json"))
+    ...     sheet, hazard = os.path.join(folder, "sheet.html"), os.path.join(folder, "hazard.csv")
+    ...     [path.name for path in rocking.write_sheet(result, sheet, hazard=hazard).files]
+    ['sheet.html']
+    """
+    result = _complete(source)
+    return _call(
+        "write_sheet", result.experiment._core, result._core, os.fspath(hazard), os.fspath(file), processors()
+    )
 
 
 def write_tables(source: Union[Result, _Path], folder: _Path) -> Written:

@@ -83,6 +83,7 @@ def fragility(
     *,
     peak_tilts: Sequence[float] = (),
     hazard: Union[str, "os.PathLike[str]", None] = None,
+    metadata: Union[str, "os.PathLike[str]", None] = None,
     incremental: bool = False,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
@@ -91,7 +92,8 @@ def fragility(
 
     source: a Result, the folder of a finished run, or an experiment, which is run first. peak_tilts: also curves of the
     probability that the peak of abs(Theta) exceeds each. hazard: file of a hazard curve (CSV: intensity, annual rate of
-    exceedance), which gives each curve its ``annual_rate``. incremental: also the peak tilt against intensity for each
+    exceedance), which gives each curve its ``annual_rate``. metadata: file of magnitudes and distances of records (CSV:
+    file, magnitude, distance_km), which says which measures of intensity are sufficient. incremental: also the peak tilt against intensity for each
     record. progress: called with (done, all), of the run and then of the fit. Raises InputError if the experiment sweeps
     no intensity of the excitation or its number of realisations is not fixed.
 
@@ -112,6 +114,7 @@ def fragility(
         result._core,
         [float(tilt) for tilt in peak_tilts],
         None if hazard is None else os.fspath(hazard),
+        None if metadata is None else os.fspath(metadata),
         incremental,
         threads or processors(),
         progress,

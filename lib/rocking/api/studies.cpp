@@ -13,6 +13,7 @@
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/input/read_hazard.hpp"
+#include "rocking/input/read_record_metadata.hpp"
 #include "rocking/output/bifurcation_report.hpp"
 #include "rocking/output/comparison.hpp"
 #include "rocking/output/fragility_report.hpp"
@@ -114,6 +115,10 @@ std::string fragility_text(const RunFragility& found) { return fragility_documen
 
 HazardCurve hazard_curve(const std::filesystem::path& file) {
   return read_hazard(read_file(file, most_hazard_bytes), file.string());
+}
+
+std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file) {
+  return read_record_metadata(read_file(file, most_metadata_bytes), file.string());
 }
 
 }  // namespace rocking

@@ -61,6 +61,11 @@ struct TrajectoryRequest {
 /// line of a fault, and std::system_error where the file cannot be read.
 [[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file);
 
+/// Reads magnitudes and distances of records, for `FragilityQuestion::metadata`: lines of `file`, `magnitude`,
+/// `distance_km`, of which the first names the columns. Throws base::InputError with the place of each fault, and
+/// std::system_error where the file cannot be read.
+[[nodiscard]] ROCKING_API std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file);
+
 /// Compares two runs of the same seed, realisation by realisation with common random numbers: the settings that differ
 /// and one entry for each condition, with the confidence of the first run's. Realisations that only one run has are left
 /// out. Throws base::InputError if the seeds or the numbers of conditions differ.

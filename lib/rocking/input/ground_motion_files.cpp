@@ -1,6 +1,7 @@
 #include "rocking/input/ground_motion_files.hpp"
 
 #include "rocking/base/digest.hpp"
+#include "rocking/scene/response_spectrum.hpp"
 #include "rocking/scene/rules.hpp"
 
 namespace rocking {
@@ -53,6 +54,16 @@ std::optional<GroundMotion> GroundMotionFiles::component(const std::string& name
   GroundMotionReading alone = how;
   alone.name = name;
   return read_ground_motion(text, alone, problems);
+}
+
+double GroundMotionFiles::spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
+                                                const std::vector<double>& periods) {
+  const auto [found, is_new] = spectral_.try_emplace({motion, periods}, 0.0);
+  if (is_new) {
+    found->second = periods.size() == 1 ? rocking::spectral_acceleration(motion->samples, periods.front())
+                                        : average_spectral_acceleration(motion->samples, periods.at(0), periods.at(1));
+  }
+  return found->second;
 }
 
 }  // namespace rocking

@@ -20,6 +20,11 @@ class GroundMotionFiles {
   /// Throws std::system_error where the file cannot be read.
   [[nodiscard]] std::shared_ptr<const GroundMotion> motion(const GroundMotionReading& how, Problems& problems);
 
+  /// The spectral acceleration of a motion at a period, or its average over a range of periods (response_spectrum.hpp),
+  /// over g; computed once.
+  [[nodiscard]] double spectral_acceleration(const std::shared_ptr<const GroundMotion>& motion,
+                                             const std::vector<double>& periods);
+
   /// SHA-256 of the file's bytes, in lower-case hexadecimal. Throws as above.
   [[nodiscard]] std::string digest(const std::string& name) { return file(name).digest; }
 
@@ -40,6 +45,7 @@ class GroundMotionFiles {
   FileSource source_;
   std::map<std::string, File> files_;
   std::map<GroundMotionReading, Reading> readings_;
+  std::map<std::pair<std::shared_ptr<const GroundMotion>, std::vector<double>>, double> spectral_;
   std::size_t samples_ = 0;  ///< held by all readings
 };
 

@@ -37,8 +37,8 @@ std::vector<DrawnPlace> collected_places() {
   }
   scene.excitation = Recorded{};
   add_places(scene, places);
-  for (const char* unit : {"/excitation/pga_g", "/excitation/pgv_m_s"}) {
-    places.push_back({unit, places.back().name});
+  for (const std::string_view unit : all_strengths) {
+    if (unit != "scale") places.push_back({"/excitation/" + std::string(unit), places.back().name});
   }
   return places;
 }

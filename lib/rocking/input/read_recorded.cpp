@@ -57,17 +57,19 @@ std::string read_named_file(ObjectReader& keys, std::string_view key, std::strin
   return name;
 }
 
-Quantity scale_for(ObjectReader& keys, const Strength& strength, const GroundMotion& motion, double gravity) {
+Quantity scale_for(ObjectReader& keys, const Strength& strength, GroundMotionFiles& files,
+                   const std::shared_ptr<const GroundMotion>& motion, double gravity) {
   const std::string_view key = strength.unit.key.name;
   if (key == "scale") return strength.value;
-  const bool is_acceleration = key == "pga_g";
-  const double peak = is_acceleration ? peak_acceleration(motion.samples) : peak_velocity(motion.samples, gravity);
-  Quantity scale = divided(strength.value, peak);
+  const double own = key == "pga_g"     ? peak_acceleration(motion->samples)
+                     : key == "pgv_m_s" ? peak_velocity(motion->samples, gravity)
+                                        : files.spectral_acceleration(motion, strength.periods);
+  Quantity scale = divided(strength.value, own);
   if (rules::scale.allows(reach_of(scale).largest)) return scale;
   keys.reject(key,
-              "needs a scale above 1e6, since the peak of " + motion.name + " is " + base::significant(peak, 3) +
-                  (is_acceleration ? " g" : " m/s"),
-              "give a smaller number, or a ground motion with a larger peak");
+              "needs a scale above 1e6, since that of " + motion->name + " is " + base::significant(own, 3) +
+                  (key == "pgv_m_s" ? " m/s" : " g"),
+              "give a smaller number, or a stronger ground motion");
   return 1.0;
 }
 

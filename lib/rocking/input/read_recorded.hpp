@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -16,8 +17,8 @@ namespace rocking {
                                           GroundMotionFiles* files);
 
 /// The factor that gives the motion its strength.
-[[nodiscard]] Quantity scale_for(ObjectReader& keys, const Strength& strength, const GroundMotion& motion,
-                                 double gravity);
+[[nodiscard]] Quantity scale_for(ObjectReader& keys, const Strength& strength, GroundMotionFiles& files,
+                                 const std::shared_ptr<const GroundMotion>& motion, double gravity);
 
 /// A suite is taken out before an excitation is read, unless it was refused or stands within a sweep.
 void refuse_suite_here(ObjectReader& keys, std::string_view key);

@@ -252,7 +252,10 @@ void ReadingKeys::ground_motion(const GroundMotionReading& how, const std::optio
   if (how.name.empty() || context_.files == nullptr) return;
   auto motion = context_.files->motion(how, in_.problems());
   if (!motion) return;
-  if (strength) recorded.scale = scale_for(in_, *strength, *motion, how.gravity);
+  if (strength) {
+    recorded.scale = scale_for(in_, *strength, *context_.files, motion, how.gravity);
+    recorded.measure_periods = strength->periods;
+  }
   recorded.ground_motion = std::move(motion);
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "rocking/base/utf8.hpp"
+#include "rocking/scene/excitation.hpp"
 
 namespace rocking {
 namespace {
@@ -178,15 +179,16 @@ Json with_suite_as_sweep(Json document) {
 void take_strength_from_sweep(Json& document) {
   Json* excitation = excitation_in(document);
   if (excitation == nullptr || !is_recorded(*excitation) || !document.contains("sweep")) return;
-  for (const char* key : {"scale", "pga_g", "pgv_m_s"}) {
-    if (excitation->contains(key)) return;
+  for (const std::string_view key : all_strengths) {
+    if (excitation->contains(std::string(key))) return;
   }
   const Json& sweep = document["sweep"];
   if (!sweep.is_array()) return;
   for (const Json& axis : sweep) {
     if (!axis.is_object() || !axis.contains("parameter")) continue;
-    for (const char* key : {"pga_g", "pgv_m_s"}) {
-      if (axis["parameter"] != std::string("/excitation/") + key) continue;
+    for (const std::string_view measure : all_strengths) {
+      const std::string key(measure);
+      if (key == "scale" || axis["parameter"] != "/excitation/" + key) continue;
       const bool listed = axis.contains("values") && axis["values"].is_array() && !axis["values"].empty();
       if (listed) (*excitation)[key] = axis["values"].front();
       if (!listed && axis.contains("from")) (*excitation)[key] = axis["from"];

@@ -39,7 +39,7 @@ void write_suite(Json& canonical, const std::vector<Json>& records);
 /// The experiment with the suite as an entry of its sweep, so that defaults that follow from a record are not written.
 [[nodiscard]] Json with_suite_as_sweep(Json document);
 
-/// Gives a recorded excitation the first value of a sweep of `pga_g` or `pgv_m_s`, if it has neither these nor a scale:
+/// Gives a recorded excitation the first value of a sweep of a measure of its strength, if it has none, nor a scale:
 /// otherwise the standard scale would contradict the sweep.
 void take_strength_from_sweep(Json& document);
 

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "rocking/scene/excitation.hpp"
 #include "rocking/text/spelling.hpp"
 
 namespace rocking {
@@ -40,10 +41,17 @@ std::vector<std::string> pointers_into(const Json& document) {
 }
 
 /// Keys of which a file has one, in different units.
-constexpr std::array<std::array<std::string_view, 3>, 3> alternatives{
-    {{"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
-     {"/excitation/scale", "/excitation/pga_g", "/excitation/pgv_m_s"},
-     {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"}}};
+const std::vector<std::vector<std::string>>& alternatives() {
+  static const std::vector<std::vector<std::string>> places = [] {
+    std::vector<std::string> strengths;
+    for (const std::string_view key : all_strengths) strengths.push_back("/excitation/" + std::string(key));
+    return std::vector<std::vector<std::string>>{
+        {"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
+        std::move(strengths),
+        {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"}};
+  }();
+  return places;
+}
 
 /// What to do about a place that the file has in another form: the other unit of a number, or a restitution.
 std::optional<std::string> advice_on_form(const std::string& pointer, const Json& document) {
@@ -52,11 +60,10 @@ std::optional<std::string> advice_on_form(const std::string& pointer, const Json
   };
   if (pointer == "/restitution/rate_ratio" && document.contains("restitution"))
     return advice("/restitution", "{\"rate_ratio\": 0.93}");
-  for (const auto& places : alternatives) {
+  for (const auto& places : alternatives()) {
     if (std::ranges::find(places, pointer) == places.end()) continue;
-    for (const std::string_view place : places) {
-      if (document.contains(Json::json_pointer(std::string(place))))
-        return advice(place, '"' + last_key(pointer) + '"');
+    for (const std::string& place : places) {
+      if (document.contains(Json::json_pointer(place))) return advice(place, '"' + last_key(pointer) + '"');
     }
   }
   return std::nullopt;

@@ -17,7 +17,7 @@ std::string value_text(const AnnualRate& rate, const FragilityEvent& event) {
   if (rate.interval) {
     text += " [" + significant(rate.interval->low, 3) + ", " + significant(rate.interval->high, 3) + ']';
   }
-  return text + (rate.value > 0.0 ? ", once in " + significant(1.0 / rate.value, 3) + " years\n" : "\n");
+  return text + (rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n");
 }
 
 std::string range_table(const AnnualRate& rate, const std::string& measure) {
@@ -60,7 +60,7 @@ std::string estimate_table(const std::vector<RateEstimate>& estimates) {
   for (const RateEstimate& estimate : estimates) {
     rows.push_back({source_in_words(estimate.source), significant(estimate.value, 3),
                     estimate.interval ? interval_in_words(*estimate.interval) : ".",
-                    estimate.value > 0.0 ? significant(1.0 / estimate.value, 3) : "."});
+                    estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : "."});
   }
   return aligned(rows);
 }

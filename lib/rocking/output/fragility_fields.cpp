@@ -320,6 +320,32 @@ const StructType& fields_of(const SuiteRate*) {
   return fields;
 }
 
+static const StructType& fields_of(const RateComparison*) {
+  using Comparison = RateComparison;
+  static const StructType fields{
+      "RateComparison",
+      field<&Comparison::base>("base", "values of the other entries of the sweep in the first suite"),
+      field<&Comparison::option>("option", "in the one that is compared with it"),
+      field<&Comparison::event>("event", "as of a curve"),
+      field<&Comparison::difference>("difference",
+                                     "rate of the option less that of the base, by isotonic shares [1/year]"),
+      field<&Comparison::interval>("interval", "of it by bootstrap over records, the same in both; null: none"),
+      field<&Comparison::ratio>("ratio", "rate of the option over that of the base; null: that is 0",
+                                rule::not_negative),
+      field<&Comparison::ratio_interval>("ratio_interval", "of it likewise", rule::not_negative),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const ReportedComparison*) {
+  static const StructType fields{
+      "ReportedComparison",
+      inlined<&ReportedComparison::run>(),
+      inlined<&ReportedComparison::comparison>(),
+  };
+  return fields;
+}
+
 static const StructType& fields_of(const ReportedCurve*) {
   using Reported = ReportedCurve;
   static const StructType fields{
@@ -379,6 +405,9 @@ const StructType& fields_of(const FragilityReport*) {
   static const StructType fields{
       "Fragility",
       field<&FragilityReport::curves>("curves", "of one motion, or of a suite, which has `pooled`"),
+      field<&FragilityReport::comparisons>("comparisons",
+                                           "with `--hazard`: suites with other values of the rest of the sweep", {},
+                                           WithoutValue::omitted),
       field<&FragilityReport::incremental>("incremental", "incremental dynamic analyses, with `--ida`", {},
                                            WithoutValue::omitted),
   };
@@ -438,6 +467,7 @@ FragilityReport fragility_report(const std::vector<RunFragility>& runs) {
     const CurveRun run{.title = found.experiment.title, .experiment = base::sha256(found.experiment.canonical_text)};
     for (const auto& [curve, rate] : found.curves) report.curves.emplace_back(ReportedCurve{run, curve, rate});
     for (const auto& [curve, rate] : found.suites) report.curves.emplace_back(ReportedSuite{run, curve, rate});
+    for (const RateComparison& comparison : found.comparisons) report.comparisons.push_back({run, comparison});
     for (const IncrementalAnalysis& analysis : found.incremental) report.incremental.push_back({run, analysis});
   }
   return report;

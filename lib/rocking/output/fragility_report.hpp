@@ -37,10 +37,17 @@ struct ReportedAnalysis {
   IncrementalAnalysis analysis;
 };
 
+/// A comparison of rates of a run.
+struct ReportedComparison {
+  CurveRun run;
+  RateComparison comparison;
+};
+
 /// Probabilities of overturning against the intensity, of several runs.
 struct FragilityReport {
   std::vector<std::variant<ReportedCurve, ReportedSuite>> curves;
   std::vector<ReportedAnalysis> incremental;
+  std::vector<ReportedComparison> comparisons;
 };
 
 [[nodiscard]] FragilityReport fragility_report(const std::vector<RunFragility>& runs);

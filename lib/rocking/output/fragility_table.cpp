@@ -7,6 +7,7 @@
 
 #include "rocking/output/annual_rate_table.hpp"
 #include "rocking/output/fragility_words.hpp"
+#include "rocking/output/mode_table.hpp"
 #include "rocking/output/shaking_text.hpp"
 #include "rocking/output/text_table.hpp"
 #include "rocking/text/json.hpp"
@@ -160,6 +161,27 @@ std::string rate_text(const std::optional<SuiteRate>& rate, const CurveSubject& 
   return rate ? annual_rate_table(*rate, subject) : "";
 }
 
+std::string values_of(const std::vector<Parameter>& parameters) {
+  std::string text;
+  for (const Parameter& parameter : parameters) {
+    text += (text.empty() ? "" : ", ") + last_key(parameter.pointer) + ' ' + short_value(parameter);
+  }
+  return text;
+}
+
+std::string comparison_table(const std::vector<ReportedComparison>& comparisons) {
+  std::vector<TextRow> rows{{"option", "against", "event", "difference per year", "interval", "ratio", "interval"}};
+  const auto interval = [](const std::optional<stats::Interval>& found) {
+    return found ? interval_in_words(*found) : std::string(".");
+  };
+  for (const auto& [run, found] : comparisons) {
+    rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
+                    significant(found.difference, 3), interval(found.interval),
+                    found.ratio ? significant(*found.ratio, 3) : ".", interval(found.ratio_interval)});
+  }
+  return "rates compared, by isotonic shares, with the same records and random numbers\n" + aligned(rows);
+}
+
 }  // namespace
 
 std::string fragility_table(const FragilityReport& report, RecordTable records) {
@@ -176,6 +198,7 @@ std::string fragility_table(const FragilityReport& report, RecordTable records) 
         },
         curve);
   }
+  if (!report.comparisons.empty()) text += comparison_table(report.comparisons) + '\n';
   for (const auto& [run, analysis] : report.incremental) {
     text += heading_of_curve(run.title, analysis.others) + incremental_table(analysis) + '\n';
   }

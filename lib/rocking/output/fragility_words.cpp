@@ -24,6 +24,12 @@ std::string bounded_in_words(const stats::Bounded& bounded) {
   return significant(bounded.value, 3) + ' ' + interval_in_words(bounded.interval);
 }
 
+std::string years_in_words(double years) {
+  if (!(years >= 100.0 && years < 1e9)) return significant(years, 3);
+  const double unit = std::pow(10.0, std::floor(std::log10(years)) - 2.0);
+  return std::to_string(std::llround(std::round(years / unit) * unit));
+}
+
 std::string test_in_words(const stats::LackOfFit& test) {
   return "lack of fit: deviance " + significant(test.deviance, 3) + ", p = " + significant(test.p_value, 2) + " (" +
          std::to_string(test.samples) + " bootstrap samples)\n";

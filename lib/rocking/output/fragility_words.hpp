@@ -18,6 +18,9 @@ namespace rocking {
 [[nodiscard]] std::string interval_in_words(const stats::Interval& interval);
 [[nodiscard]] std::string bounded_in_words(const stats::Bounded& bounded);
 
+/// A number of years with three digits and without a power of ten: `1910`, `0.25`.
+[[nodiscard]] std::string years_in_words(double years);
+
 /// `lack of fit: deviance 3.2, p = 0.4 (499 bootstrap samples)`, as a line.
 [[nodiscard]] std::string test_in_words(const stats::LackOfFit& test);
 

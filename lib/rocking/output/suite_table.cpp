@@ -81,7 +81,13 @@ std::string record_table(const SuiteCurve& curve) {
 }
 
 std::string measure_table(const std::vector<RankedMeasure>& measures) {
+  const auto has = [&measures](auto RankedMeasure::*covariate) {
+    return std::ranges::any_of(measures, [&](const RankedMeasure& found) { return (found.*covariate).has_value(); });
+  };
+  const bool has_magnitude = has(&RankedMeasure::by_magnitude), has_distance = has(&RankedMeasure::by_distance);
   std::vector<TextRow> rows{{"measure", "median", "dispersion", "between", "within", "deviance", "AIC"}};
+  if (has_magnitude) rows.front().emplace_back("p (magnitude)");
+  if (has_distance) rows.front().emplace_back("p (distance)");
   for (const RankedMeasure& found : measures) {
     TextRow row{std::string(to_string(found.measure))};
     const auto add = [&row](const std::optional<double>& number, int digits) {
@@ -90,9 +96,18 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
     for (const auto& number : {found.median, found.dispersion, found.between_records, found.within_record})
       add(number, 3);
     for (const auto& number : {found.deviance, found.aic}) add(number, 6);
+    const auto add_p = [&add](const std::optional<stats::SuiteCovariate>& covariate) {
+      add(covariate ? std::optional(covariate->p_value) : std::nullopt, 2);
+    };
+    if (has_magnitude) add_p(found.by_magnitude);
+    if (has_distance) add_p(found.by_distance);
     rows.push_back(std::move(row));
   }
-  return "measures of intensity, smallest dispersion first\n" + aligned(rows);
+  std::string text = "measures of intensity, smallest dispersion (most efficient) first\n" + aligned(rows);
+  if (has_magnitude || has_distance) {
+    text += "p: of no dependence of the capacity in this measure on the earthquake; below 0.05 it is not sufficient\n";
+  }
+  return text;
 }
 
 }  // namespace

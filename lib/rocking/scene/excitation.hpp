@@ -100,6 +100,10 @@ struct Harmonic {
   [[nodiscard]] std::vector<std::string_view> effects() const { return {}; }
 };
 
+/// Keys that give how strong a ground motion is made; all but the first are measures of its intensity.
+inline constexpr std::array<std::string_view, 6> all_strengths{"scale", "pga_g",  "pgv_m_s",
+                                                               "sa_g",  "sa_p_g", "avgsa_g"};
+
 /// Recorded excitation as asked for: a ground motion times a scale.
 struct Recorded {
   static constexpr std::string_view name = "recorded";
@@ -110,6 +114,8 @@ struct Recorded {
   std::shared_ptr<const GroundMotion> ground_motion{};  ///< null only if its file was found to be unreadable
   Quantity scale = 1.0;                                 ///< factor on all accelerations [-]
   double frequency_ratio = 1.0;                         ///< frequency of the strobe over p [-]
+  /// Of the spectral acceleration by which a file gives the scale [s]: one, or the ends of a range. Empty: none.
+  std::vector<double> measure_periods{};
 
   friend bool operator==(const Recorded&, const Recorded&) = default;
 

@@ -1,7 +1,10 @@
 #include "rocking/scene/excitation_keys.hpp"
 
 #include <array>
+#include <numbers>
+#include <utility>
 #include <variant>
+#include <vector>
 
 #include "rocking/scene/defaults.hpp"
 #include "rocking/scene/rules.hpp"
@@ -25,10 +28,15 @@ constexpr std::array<UnitKey, 3> frequency_units{
      {{"frequency_hz", "omega/(2 pi) [Hz]"}, rules::frequency_hz},
      {{"period_s", "2 pi/omega [s]"}, rules::period_s}}};
 /// Of a ground motion.
-constexpr std::array<UnitKey, 3> strength_units{
+constexpr std::array<UnitKey, all_strengths.size()> strength_units{
     {{{"scale", "factor on the recorded accelerations"}, rules::scale},
      {{"pga_g", "in place of scale: the peak horizontal acceleration over gravity_m_s2"}, rules::pga_g},
-     {{"pgv_m_s", "in place of scale: the peak horizontal velocity [m/s]"}, rules::pgv_m_s}}};
+     {{"pgv_m_s", "in place of scale: the peak horizontal velocity [m/s]"}, rules::pgv_m_s},
+     {{"sa_g", "in place of scale: the spectral acceleration at period_s with 5 % damping, over gravity_m_s2"},
+      rules::pga_g},
+     {{"sa_p_g", "in place of scale: the same at the period 2 pi/p of the mean block"}, rules::pga_g},
+     {{"avgsa_g", "in place of scale: the geometric mean of the same over periods_s, at ten periods with equal ratios"},
+      rules::pga_g}}};
 
 /// The number as it is given: `normalised`, or in the physical unit.
 template <class Physical>
@@ -67,10 +75,8 @@ void refuse_keys_of_others(Keys& in, const Recorded&) {
     in.refuse(unit.key.name, "is for harmonic excitation and pulses; a ground motion has a scale",
               "write \"scale\" instead");
   }
-  for (const std::string_view key : {"frequency_hz", "period_s"}) {
-    in.refuse(key, "is for harmonic excitation and pulses; a ground motion has no frequency",
-              "omit it: a strobe period is one second, unless \"frequency_ratio\" is given");
-  }
+  in.refuse("frequency_hz", "is for harmonic excitation and pulses; a ground motion has no frequency",
+            "omit it: a strobe period is one second, unless \"frequency_ratio\" is given");
   in.refuse("phase_rad", "is for harmonic excitation; a ground motion has no phase",
             "shift the times of the ground motion");
 }
@@ -84,6 +90,40 @@ void keys_of_format_and_unit(Keys& in, GroundMotionReading& how) {
          "columns of numbers, but format columns needs it"},
         unit, record_unit_names, Absent::omitted);
   });
+}
+
+/// The periods of the spectral accelerations by which a file gives the strength of a motion; empty: none.
+std::vector<double> keys_of_periods(Keys& in, std::string_view strength, const dynamics::Block* block) {
+  std::vector<double> periods;
+  const bool is_sa = strength == "sa_g";
+  if (is_sa || in.stands("period_s", false)) {
+    double period = 1.0;
+    if (in.is_reading() && !is_sa) {
+      in.refuse("period_s", "is for \"sa_g\", and for harmonic excitation and pulses",
+                strength == "avgsa_g" ? "write \"periods_s\": [shortest, longest]" : "omit it");
+    } else {
+      in.number({"period_s", "with sa_g: period of the oscillator [s]"}, period, rules::oscillator_period_s,
+                is_sa ? Absent::error : Absent::omitted);
+      if (is_sa) periods = {period};
+    }
+  }
+  const bool is_average = strength == "avgsa_g";
+  if (is_average || in.stands("periods_s", false)) {
+    if (in.is_reading() && !is_average) {
+      in.refuse("periods_s", "is for \"avgsa_g\"", is_sa ? "write \"period_s\": 1.0" : "omit it");
+    } else {
+      std::vector<double> range{0.5, 2.0};
+      in.numbers({"periods_s", "with avgsa_g: shortest and longest period [s]"}, range, {.least = 2, .most = 2},
+                 rules::oscillator_period_s, Absent::omitted);
+      const bool is_sound = range.size() == 2 && range[0] < range[1];
+      if (range.size() == 2 && !is_sound) in.reject("periods_s", {"must rise", "write [shortest, longest]"});
+      if (is_average && is_sound) periods = range;
+    }
+  }
+  if (strength == "sa_p_g" && block != nullptr) {
+    periods = {2.0 * std::numbers::pi / dynamics::geometry_of(*block).frequency_parameter};
+  }
+  return periods;
 }
 
 void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
@@ -108,7 +148,11 @@ void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
   }
   if (!is_sound([&] { keys_of_format_and_unit(in, how); })) how.name.clear();
   QuantityInUnit strength{.unit = 0, .value = recorded.scale};
-  const bool has_strength = is_sound([&] { in.one_of(strength_units, strength, Absent::standard); });
+  std::vector<double> periods;
+  const bool has_strength = is_sound([&] {
+    in.one_of(strength_units, strength, Absent::standard);
+    periods = keys_of_periods(in, strength_units[strength.unit].key.name, block_is_sound ? &block : nullptr);
+  });
   const bool has_times = is_sound([&] {
     in.optional("time_step_s", how.time_step, [&in](double& time_step) {
       in.number({"time_step_s", "between samples [s]; absent: the first column of the file is the time"}, time_step,
@@ -121,7 +165,9 @@ void keys_of(Keys& in, Recorded& recorded, const dynamics::Block& block) {
             recorded.frequency_ratio, rules::frequency_ratio, in.follows_from({"/block", "/excitation/kind"}));
   if (strength.unit == 0) recorded.scale = strength.value;
   std::optional<Strength> wanted;
-  if (has_strength && block_is_sound) wanted.emplace(Strength{strength_units[strength.unit], strength.value});
+  if (has_strength && block_is_sound) {
+    wanted.emplace(Strength{strength_units[strength.unit], strength.value, std::move(periods)});
+  }
   in.ground_motion(how, wanted, recorded);
 }
 

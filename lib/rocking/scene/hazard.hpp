@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,13 @@ struct HazardCurve {
   std::string intensity;        ///< measure that its header names; empty: it has no header
   std::size_t header_line = 0;  ///< of the file, from 1
   std::vector<HazardPoint> points;
+};
+
+/// What is known of the earthquake of a record.
+struct RecordMetadata {
+  std::string file;                   ///< as in the experiment, or its last part
+  std::optional<double> magnitude;    ///< moment magnitude [-]
+  std::optional<double> distance_km;  ///< > 0
 };
 
 }  // namespace rocking

@@ -47,6 +47,7 @@ struct QuantityInUnit {
 struct Strength {
   UnitKey unit;
   Quantity value;
+  std::vector<double> periods;  ///< of a spectral acceleration [s]: one, or the ends of a range
 };
 
 /// How many numbers a list has.

@@ -44,6 +44,9 @@ inline constexpr NumberRule pga_g{.bounds = {.least = 0.0, .most = 1e6},
 inline constexpr NumberRule pgv_m_s{.bounds = {.least = 0.0, .most = 1e6},
                                     .demand = "must be a number of m/s from 0 to 1e6: the peak velocity",
                                     .example = "0.5"};
+inline constexpr NumberRule oscillator_period_s{.bounds = {.least = 0.01, .most = 100.0},
+                                                .demand = "must be a period in seconds, from 0.01 to 100",
+                                                .example = "1.0"};
 inline constexpr NumberRule time_step{.bounds = {.least = 1e-9, .most = 1e6},
                                       .demand = "must be a positive number of seconds, from 1e-9 to 1e6",
                                       .example = "0.005"};

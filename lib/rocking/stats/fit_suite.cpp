@@ -375,4 +375,11 @@ std::optional<Interval> percentile_interval(std::vector<double> values, std::uin
   return Interval{.low = at(0.5 * (1.0 - confidence)), .high = at(0.5 * (1.0 + confidence))};
 }
 
+double expanded_confidence(double confidence, std::size_t records) {
+  if (records < 2) return confidence;
+  const auto count = static_cast<double>(records);
+  const double reach = std::sqrt(count / (count - 1.0)) * two_sided_t_quantile(confidence, count - 1.0);
+  return 1.0 - 2.0 * normal_cdf(-reach);
+}
+
 }  // namespace rocking::stats

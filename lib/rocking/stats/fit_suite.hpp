@@ -67,4 +67,9 @@ inline constexpr double least_share_with_law = 0.9;
 [[nodiscard]] std::optional<Interval> percentile_interval(std::vector<double> values, std::uint64_t samples,
                                                           double confidence);
 
+/// The confidence at which percentiles of bootstrap samples of so many records are taken, so that few records do not give
+/// too narrow intervals: 2 Phi(q) - 1 with q = sqrt(n/(n - 1)) times the quantile of Student's distribution with n - 1
+/// degrees of freedom. Source: Hesterberg (2015), The American Statistician 69, 371-386 (expanded percentiles).
+[[nodiscard]] double expanded_confidence(double confidence, std::size_t records);
+
 }  // namespace rocking::stats

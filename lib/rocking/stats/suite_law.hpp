@@ -34,6 +34,12 @@ struct PooledLaw {
   double deviance = 0.0;  ///< from a probability of its own at each intensity
 };
 
+/// How the capacities of records depend on a number of each record.
+struct SuiteCovariate {
+  double slope = 0.0;    ///< change of ln capacity with the number
+  double p_value = 1.0;  ///< of the slope 0
+};
+
 /// Laws of bootstrap samples: each draws as many records as there are, with replacement, and keeps all trials of a
 /// record together. Valid whatever the dependence of trials of one record.
 struct RecordBootstrap {

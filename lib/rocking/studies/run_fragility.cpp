@@ -1,27 +1,46 @@
 #include "rocking/studies/run_fragility.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 
 #include "rocking/base/error.hpp"
+#include "rocking/base/number_text.hpp"
 #include "rocking/ensemble/run.hpp"
 #include "rocking/studies/fragility.hpp"
 #include "rocking/studies/suite/suite_fragility.hpp"
+#include "rocking/studies/suite/suite_rate.hpp"
 
 namespace rocking {
 namespace {
 
+/// `sa_g[0.5]` and `avgsa_g[0.2-2]`: a measure with its periods, as the header of a hazard curve may name it. Empty without
+/// periods that the file of the experiment states.
+std::string with_periods(const std::string& measure, const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  if (recorded == nullptr || recorded->measure_periods.empty() || measure == "sa_p_g") return "";
+  std::string text = measure + '[';
+  for (const double period : recorded->measure_periods) {
+    text += (text.ends_with('[') ? "" : "-") + base::shortest(period);
+  }
+  return text + ']';
+}
+
 /// Throws where the header of the hazard curve names another intensity measure than that of the run.
-void check_intensity(const HazardCurve& hazard, std::string_view parameter) {
+void check_intensity(const HazardCurve& hazard, std::string_view parameter, const Scene& scene) {
   const std::string own(parameter.substr(parameter.rfind('/') + 1));
   if (hazard.intensity.empty() || hazard.intensity == own || hazard.intensity == parameter) return;
-  throw base::InputError({.place = hazard.name + ", line " + std::to_string(hazard.header_line),
-                          .value = hazard.intensity,
-                          .reason = "is not the intensity measure of the run, which is " + own,
-                          .remedy = "give a hazard curve in " + own + " with the header \"" + own +
-                                    ", annual_rate\", or a run that sweeps " + hazard.intensity,
-                          .where = {}});
+  const std::string in_full = with_periods(own, scene);
+  if (hazard.intensity == in_full) return;
+  throw base::InputError(
+      {.place = hazard.name + ", line " + std::to_string(hazard.header_line),
+       .value = hazard.intensity,
+       .reason = "is not the intensity measure of the run, which is " + (in_full.empty() ? own : in_full),
+       .remedy = "give a hazard curve in " + own + " with the header \"" + own +
+                 ", annual_rate\", or a run that sweeps " + hazard.intensity,
+       .where = {}});
 }
 
 /// The parts of all curves, and how far they are.
@@ -52,11 +71,21 @@ class Progress {
   std::uint64_t all_ = 0, done_ = 0, finished_ = 0;
 };
 
+/// Each suite of a later group with that of the first one about the same event.
+void compare(const HazardCurve& hazard, RunFragility& run) {
+  for (const ShownSuite& shown : run.suites) {
+    const auto base = std::ranges::find_if(
+        run.suites, [&](const ShownSuite& other) { return other.curve.subject.event == shown.curve.subject.event; });
+    if (&*base == &shown) continue;
+    run.comparisons.push_back(compared_rates(base->curve, shown.curve, hazard));
+  }
+}
+
 void add_curve(const StripeGroup& group, const FragilityEvent& event, const FragilityQuestion& question,
                const base::ManyParts& how, RunFragility& run) {
   if (group.is_suite()) {
-    ShownSuite& shown =
-        run.suites.emplace_back(ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, how)});
+    ShownSuite& shown = run.suites.emplace_back(
+        ShownSuite{.curve = suite_curve(group, event, run.experiment.seed, question.metadata, how)});
     if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   } else {
     ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
@@ -68,7 +97,7 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
 
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                            const FragilityQuestion& question, const RunOptions& options) {
-  if (question.hazard) check_intensity(*question.hazard, intensity_of(experiment));
+  if (question.hazard) check_intensity(*question.hazard, intensity_of(experiment), experiment.conditions.front().scene);
   std::vector<FragilityEvent> events(1);  // overturning
   for (const double tilt : question.peak_tilts) events.push_back({.peak_tilt = tilt});
   RunFragility run{.experiment = experiment};
@@ -80,6 +109,7 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
     }
     if (question.incremental) run.incremental.push_back(incremental_analysis(group));
   }
+  if (question.hazard) compare(*question.hazard, run);
   return run;
 }
 

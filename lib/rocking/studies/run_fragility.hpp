@@ -80,6 +80,18 @@ struct SuiteRate {
   std::optional<stats::Interval> jackknife;      ///< of ln rate (Efron & Tibshirani 1993, chapter 11)
 };
 
+/// The rate of a suite with other values of the rest of the sweep, as another width or friction of the block, against
+/// that with the first ones. Both by the isotonic shares.
+struct RateComparison {
+  std::vector<Parameter> base;
+  std::vector<Parameter> option;
+  FragilityEvent event;
+  double difference = 0.0;                                 ///< rate of the option less that of the base [1/year]
+  std::optional<stats::Interval> interval = std::nullopt;  ///< of the difference, by bootstrap over records
+  std::optional<double> ratio = std::nullopt;  ///< rate of the option over that of the base; absent if that is 0
+  std::optional<stats::Interval> ratio_interval = std::nullopt;
+};
+
 /// Shares of the rate, and differences of its estimates, that are not reported without a warning.
 inline constexpr double most_undecided_share = 0.05;
 inline constexpr double most_disagreement = 0.15;
@@ -112,17 +124,19 @@ struct RunFragility {
   std::vector<ShownCurve> curves = {};
   std::vector<ShownSuite> suites = {};
   std::vector<IncrementalAnalysis> incremental = {};
+  std::vector<RateComparison> comparisons = {};  ///< of suites with a hazard curve, with the first of each event
 };
 
 /// What is asked of a run beside the probability of overturning.
 struct FragilityQuestion {
-  std::vector<double> peak_tilts = {};     ///< also the probability that abs(Theta) exceeds each; > 0
-  std::optional<HazardCurve> hazard = {};  ///< gives the mean annual rates
-  bool incremental = false;                ///< also the peak tilt against intensity for each record
+  std::vector<double> peak_tilts = {};        ///< also the probability that abs(Theta) exceeds each; > 0
+  std::optional<HazardCurve> hazard = {};     ///< gives the mean annual rates
+  bool incremental = false;                   ///< also the peak tilt against intensity for each record
+  std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are
 };
 
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
-/// of another intensity, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
+/// of another intensity or a record of a suite has no metadata where some are given, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                                          const FragilityQuestion& question, const RunOptions& options);

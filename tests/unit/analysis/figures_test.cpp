@@ -212,7 +212,7 @@ TEST_F(Drawn, ShowsEveryTextAsItIsWhereverItStands) {
   for (char c = '!'; c < 127; ++c) texts.push_back(std::string("<") + c + "08>");
   for (const std::string& text : texts) {
     rocking::analysis::Drawing drawing;
-    const std::string svg = svg_of(figure_with(text), drawing);
+    const std::string svg = picture_of(figure_with(text), "svg", drawing);
     ASSERT_TRUE(drawing.is_drawn()) << text << ": " << drawing.reason;
     // title, subtitle, title of the panel, tick, legend; quantity and unit of the axis
     EXPECT_EQ(count_of(text, words_in(svg)), 7U) << text << '\n' << words_in(svg);
@@ -226,7 +226,7 @@ TEST_F(Drawn, ShowsWhatIsNoTextAtAll) {
                                   std::string("\xED\xA0\x80"), std::string("\xEF\xBF\xBF"), std::string(100'000, '\''),
                                   std::string("two\nlines\r\n")}) {
     rocking::analysis::Drawing drawing;
-    const std::string svg = svg_of(figure_with(text), drawing);
+    const std::string svg = picture_of(figure_with(text), "svg", drawing);
     ASSERT_TRUE(drawing.is_drawn()) << drawing.reason;
     EXPECT_EQ(rocking::analysis::printable(svg).size(), svg.size());  // valid UTF-8; new lines became spaces
     EXPECT_TRUE(
@@ -245,11 +245,11 @@ TEST_F(Drawn, ShowsAxesAndAWordWhereThereIsNothing) {
   for (const bool logarithmic : {false, true}) {
     figure.panels[0].y.logarithmic = logarithmic;
     rocking::analysis::Drawing drawing;
-    EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
+    EXPECT_THAT(picture_of(figure, "svg", drawing), HasSubstr("nothing to show")) << drawing.reason;
   }
   figure.panels[0].layers.clear();
   rocking::analysis::Drawing drawing;
-  EXPECT_THAT(svg_of(figure, drawing), HasSubstr("nothing to show")) << drawing.reason;
+  EXPECT_THAT(picture_of(figure, "svg", drawing), HasSubstr("nothing to show")) << drawing.reason;
 }
 
 using rocking::analysis::FigureLook;

@@ -199,7 +199,7 @@ TEST(Page, SaysThatItHasNoPictures) {
 TEST(Page, HasPicturesThatCutNoWordOff) {
   for (const Figure& figure : run_figures(report_in(quick_report()))) {
     Drawing drawing;
-    const std::string svg = svg_of(figure, drawing);
+    const std::string svg = picture_of(figure, "svg", drawing);
     if (!drawing.is_drawn()) GTEST_SKIP() << "skipped: " << drawing.reason;
     const double height = std::stod(matches(svg, "viewBox=\"0 0 [0-9.]+ ([0-9.]+)\"").at(0));
     const auto baselines = matches(svg, R"re(transform="translate\([0-9.]+,([0-9.]+)\)[^"]*"[^>]*font-family)re");

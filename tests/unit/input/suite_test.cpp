@@ -1,12 +1,15 @@
 // Suites of ground motions in an experiment: which conditions there are, and the canonical text.
 
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <string>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/studies/motion/motion.hpp"
 #include "rocking/text/json.hpp"
 #include "support/record_text.hpp"
 
@@ -120,6 +123,47 @@ TEST_F(Suite, IsScaledToAPeakAccelerationOrVelocity) {
   EXPECT_DOUBLE_EQ(mean_of(strongest("pga_g").scale), 0.6 / 0.4);
   // 0.4 to -0.3 in 0.5 s: the velocity is largest where the acceleration passes 0, after 2/7 s.
   EXPECT_DOUBLE_EQ(mean_of(strongest("pgv_m_s").scale), 0.6 / (0.5 * 0.4 * (0.5 * 0.4 / 0.7) * 9.81));
+}
+
+TEST_F(Suite, IsScaledToASpectralAcceleration) {
+  const auto strongest = [this](const char* key, const char* more, const Json& value) {
+    Json json = experiment(R"("records/*.at2")",
+                           R"([{ "parameter": "/excitation/)" + std::string(key) + R"(", "values": [0.2, 0.6] }])");
+    if (!value.is_null()) json["excitation"][more] = value;
+    const Experiment once = read(json);
+    EXPECT_EQ(read_experiment(once.canonical_text, {}, surroundings()).canonical_text, once.canonical_text);
+    return recorded(once.conditions[3]);
+  };
+  const auto spectral = [](const Recorded& motion, double period) {
+    return spectral_point(motion.ground_motion->samples, 1.0, period, 0.05).sa_m_s2 * mean_of(motion.scale);
+  };
+  EXPECT_NEAR(spectral(strongest("sa_g", "period_s", 0.7), 0.7), 0.6, 1e-14);
+  EXPECT_THAT(strongest("sa_g", "period_s", 0.7).measure_periods, ElementsAre(0.7));
+  const Recorded own = strongest("sa_p_g", "", {});
+  const dynamics::Block block = mean_block(read(experiment(R"("records/*.at2")")).conditions.front().scene);
+  EXPECT_NEAR(spectral(own, 2.0 * std::numbers::pi / dynamics::geometry_of(block).frequency_parameter), 0.6, 1e-14);
+  const Recorded average = strongest("avgsa_g", "periods_s", {0.2, 1.6});
+  double product = 1.0;
+  for (int i = 0; i < 10; ++i) product *= spectral(average, 0.2 * std::pow(8.0, i / 9.0));
+  EXPECT_NEAR(std::pow(product, 0.1), 0.6, 1e-12);
+}
+
+TEST_F(Suite, RefusesPeriodsThatDoNotBelongToItsMeasure) {
+  const auto refusal = [this](const Json& keys) {
+    Json json = experiment(R"("records/*.at2")");
+    json["excitation"].update(keys);
+    return refusal_of(json);
+  };
+  EXPECT_THAT(refusal({{"sa_g", 0.4}}), HasSubstr("/excitation/period_s: is missing"));
+  EXPECT_THAT(refusal({{"sa_g", 0.4}, {"period_s", 0.0}}), HasSubstr("must be a period in seconds"));
+  EXPECT_THAT(refusal({{"pga_g", 0.4}, {"period_s", 1.0}}), HasSubstr("/excitation/period_s = 1.0: is for \"sa_g\""));
+  EXPECT_THAT(refusal({{"sa_p_g", 0.4}, {"period_s", 1.0}}), HasSubstr("is for \"sa_g\""));
+  EXPECT_THAT(refusal({{"avgsa_g", 0.4}, {"period_s", 1.0}}), HasSubstr("write \"periods_s\""));
+  EXPECT_THAT(refusal({{"avgsa_g", 0.4}}), HasSubstr("/excitation/periods_s"));
+  EXPECT_THAT(refusal({{"avgsa_g", 0.4}, {"periods_s", {2.0, 0.5}}}), HasSubstr("must rise"));
+  EXPECT_THAT(refusal({{"avgsa_g", 0.4}, {"periods_s", {0.5, 1.0, 2.0}}}), HasSubstr("/excitation/periods_s"));
+  EXPECT_THAT(refusal({{"sa_g", 0.4}, {"period_s", 1.0}, {"pga_g", 0.4}}), HasSubstr("excludes"));
+  EXPECT_THAT(refusal({{"sa_g", 1e9}, {"period_s", 1.0}}), HasSubstr("/excitation/sa_g"));
 }
 
 TEST_F(Suite, MayHaveRecordsWithAVerticalComponent) {

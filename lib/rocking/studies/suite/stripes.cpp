@@ -5,12 +5,14 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numbers>
 #include <tuple>
 #include <variant>
 
 #include "rocking/base/error.hpp"
 #include "rocking/dynamics/block.hpp"
 #include "rocking/scene/ground_motion_peaks.hpp"
+#include "rocking/scene/response_spectrum.hpp"
 #include "rocking/store/store.hpp"
 #include "rocking/studies/suite/least_uplift.hpp"
 
@@ -66,8 +68,26 @@ void sort(std::vector<Stripe>& stripes) {
   });
 }
 
+/// Spectral accelerations over g of ground motions at scale 1; each is computed once.
+class Spectra {
+ public:
+  double at(const GroundMotion& motion, double period) {
+    const auto [found, is_new] = known_.try_emplace({&motion, period, 0.0}, 0.0);
+    if (is_new) found->second = spectral_acceleration(motion.samples, period);
+    return found->second;
+  }
+  double average(const GroundMotion& motion, double first, double last) {
+    const auto [found, is_new] = known_.try_emplace({&motion, first, last}, 0.0);
+    if (is_new) found->second = average_spectral_acceleration(motion.samples, first, last);
+    return found->second;
+  }
+
+ private:
+  std::map<std::tuple<const GroundMotion*, double, double>, double> known_;
+};
+
 /// Measures of a motion that does not change with the realisation.
-void set_measures(const Scene& scene, Stripe& stripe) {
+void set_measures(const Scene& scene, Spectra& spectra, Stripe& stripe) {
   const auto* recorded = std::get_if<Recorded>(&scene.excitation);
   if (recorded == nullptr || !recorded->ground_motion || is_drawn(recorded->scale)) return;
   const double scale = mean_of(recorded->scale);
@@ -75,7 +95,19 @@ void set_measures(const Scene& scene, Stripe& stripe) {
   const dynamics::Geometry shape = dynamics::geometry_of(block);
   const double pga = scale * peak_acceleration(recorded->ground_motion->samples);
   const double pgv = scale * peak_velocity(recorded->ground_motion->samples, block.gravity);
-  stripe.measures = {pga, pgv, pga / shape.tangent, shape.frequency_parameter * pgv / (block.gravity * shape.tangent)};
+  const GroundMotion& motion = *recorded->ground_motion;
+  const double own = 2.0 * std::numbers::pi / shape.frequency_parameter;
+  const std::vector<double>& periods = recorded->measure_periods;
+  const bool has_range = periods.size() == 2;
+  stripe.measures = {pga,
+                     pgv,
+                     pga / shape.tangent,
+                     shape.frequency_parameter * pgv / (block.gravity * shape.tangent),
+                     scale * spectra.at(motion, own),
+                     periods.size() == 1 && periods.front() != own
+                         ? std::optional(scale * spectra.at(motion, periods.front()))
+                         : std::nullopt,
+                     scale * spectra.average(motion, has_range ? periods[0] : 0.1 * own, has_range ? periods[1] : own)};
 }
 
 /// The outcomes of all conditions. Throws InputError if the store lacks a realisation.
@@ -111,9 +143,12 @@ std::string_view to_string(IntensityMeasure measure) {
     case IntensityMeasure::pga: return "pga_g";
     case IntensityMeasure::pgv: return "pgv_m_s";
     case IntensityMeasure::pga_ratio: return "pga_over_g_tan_psi";
-    case IntensityMeasure::pgv_ratio: break;
+    case IntensityMeasure::pgv_ratio: return "p_pgv_over_g_tan_psi";
+    case IntensityMeasure::sa_p: return "sa_p_g";
+    case IntensityMeasure::sa: return "sa_g";
+    case IntensityMeasure::avgsa: break;
   }
-  return "p_pgv_over_g_tan_psi";
+  return "avgsa_g";
 }
 
 std::vector<std::span<const Stripe>> StripeGroup::by_record() const {
@@ -166,6 +201,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
   ROCKING_EXPECT(!intensity.empty());
   std::vector<StripeGroup> groups;
   std::vector<Stripe> stripes = filled(experiment, store);
+  Spectra spectra;
   for (std::size_t i = 0; i < stripes.size(); ++i) {
     Place place = place_of(experiment.conditions[i], intensity);
     if (!(place.intensity > 0.0)) continue;
@@ -182,7 +218,7 @@ std::vector<StripeGroup> stripes_of(const Experiment& experiment, const Store& s
     stripes[i].intensity = place.intensity;
     stripes[i].shaking = shaking_of(experiment.conditions[i].scene);
     stripes[i].uplift = least_uplift(experiment.conditions[i].scene, place.intensity);
-    set_measures(experiment.conditions[i].scene, stripes[i]);
+    set_measures(experiment.conditions[i].scene, spectra, stripes[i]);
     group->stripes.push_back(std::move(stripes[i]));
   }
   for (StripeGroup& group : groups) sort(group.stripes);

@@ -66,7 +66,9 @@ struct RecordCurve {
 struct RankedMeasure {
   IntensityMeasure measure = IntensityMeasure::pga;
   std::optional<double> median, dispersion, between_records, within_record;
-  std::optional<double> deviance;  ///< -2 ln likelihood, without binomial coefficients
+  std::optional<double> deviance;                     ///< -2 ln likelihood, without binomial coefficients
+  std::optional<stats::SuiteCovariate> by_magnitude;  ///< of the capacity in this measure; a sufficient one has none
+  std::optional<stats::SuiteCovariate> by_distance;   ///< the same with ln distance
   std::optional<double> aic;  ///< deviance + 2 times 3 parameters (Akaike 1974, IEEE Trans. Automat. Contr. 19, 716)
 };
 
@@ -81,6 +83,9 @@ struct SuiteCurve {
   std::vector<RecordCurve> records;     ///< in the order of the sweep
   std::vector<RankedMeasure> measures;  ///< best first; empty where the motions have none
   stats::RecordBootstrap bootstrap;     ///< of the records
+
+  /// Of bootstrap samples over the records, in any order, at the curve's confidence.
+  [[nodiscard]] std::optional<stats::Interval> interval_of(std::vector<double> samples) const;
 };
 
 /// Quantiles of the peak tilt: 16, 50 and 84 %, about a standard deviation around the median of a lognormal number.

@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <span>
-#include <tuple>
 
 #include "rocking/base/error.hpp"
 #include "rocking/random/draws.hpp"
@@ -14,6 +12,7 @@
 #include "rocking/stats/record_shares.hpp"
 #include "rocking/stats/suite_lack_of_fit.hpp"
 #include "rocking/studies/fragility.hpp"
+#include "rocking/studies/suite/ranked_measures.hpp"
 
 namespace rocking {
 namespace {
@@ -23,33 +22,17 @@ constexpr std::uint64_t first_record_draw = std::uint64_t{1} << 62U;
 /// First index of the draws of the test of a suite's law.
 constexpr std::uint64_t first_test_draw = std::uint64_t{3} << 61U;
 
-constexpr double parameters_of_a_law = 3.0;
-
 stats::RecordDraws draws_from(std::uint64_t seed, std::uint64_t first) {
   return [seed, first](std::uint64_t sample, std::uint64_t number) {
     return random::Draws(seed, sample).uniform(random::Source::fragility_bootstrap, first + number);
   };
 }
 
-/// Levels of each record. `measure`: in place of the swept intensity.
-stats::SuiteLevels levels_of_records(const std::vector<Stripe>& stripes, const FragilityEvent& event,
-                                     std::optional<IntensityMeasure> measure = std::nullopt) {
-  stats::SuiteLevels suite;
-  std::map<std::string, std::size_t> places;
-  for (const Stripe& stripe : stripes) {
-    const auto [place, is_new] = places.try_emplace(stripe.record, suite.size());
-    if (is_new) suite.emplace_back();
-    suite[place->second].push_back({.intensity = measure ? stripe.measure(*measure).value() : stripe.intensity,
-                                    .happened = stats::proportion_at(level_of(stripe, event))});
-  }
-  return suite;
-}
-
 template <class Value>
 std::optional<stats::Interval> interval_of_samples(const SuiteCurve& curve, Value&& value) {
   std::vector<double> values;
   for (const stats::SuiteLaw& law : curve.bootstrap.laws) values.push_back(value(law));
-  return stats::percentile_interval(std::move(values), curve.bootstrap.samples, curve.subject.confidence);
+  return curve.interval_of(std::move(values));
 }
 
 SuiteEstimate estimate_of(const stats::SuiteLevels& suite, const stats::SuiteLaw& law, stats::SuiteQuantity quantity,
@@ -87,11 +70,9 @@ void set_simple(const stats::SuiteLevels& suite, SuiteCurve& curve) {
     medians.push_back(sample.median);
     dispersions.push_back(sample.dispersion);
   }
-  const std::uint64_t samples = curve.bootstrap.samples;
-  curve.simple = SimpleLaw{
-      .median = {law->median, stats::percentile_interval(medians, samples, curve.subject.confidence)},
-      .dispersion = {law->dispersion, stats::percentile_interval(dispersions, samples, curve.subject.confidence)},
-      .deviance = law->deviance};
+  curve.simple = SimpleLaw{.median = {law->median, curve.interval_of(std::move(medians))},
+                           .dispersion = {law->dispersion, curve.interval_of(std::move(dispersions))},
+                           .deviance = law->deviance};
 }
 
 std::vector<SuiteLevel> pooled_levels(const stats::SuiteLevels& suite, const SuiteCurve& curve) {
@@ -130,8 +111,7 @@ void set_isotonic(const stats::SuiteLevels& suite, SuiteCurve& curve) {
   }
   for (std::size_t k = 0; k < whole.size(); ++k) {
     curve.levels[k].isotonic = whole[k];
-    curve.levels[k].isotonic_band =
-        stats::percentile_interval(std::move(samples[k]), curve.bootstrap.samples, curve.subject.confidence).value();
+    curve.levels[k].isotonic_band = curve.interval_of(std::move(samples[k])).value();
   }
 }
 
@@ -152,43 +132,17 @@ std::vector<RecordCurve> curves_of_records(const StripeGroup& group, const Fragi
 
 }  // namespace
 
+std::optional<stats::Interval> SuiteCurve::interval_of(std::vector<double> samples) const {
+  const std::size_t sampled = bootstrap.weights.empty() ? 0 : bootstrap.weights.front().size();
+  return stats::percentile_interval(std::move(samples), bootstrap.samples,
+                                    stats::expanded_confidence(subject.confidence, sampled));
+}
+
 stats::SuiteLaw PooledSuite::law() const {
   return {.median = median.value,
           .between_records = between_records.value,
           .within_record = within_record.value,
           .log_likelihood = log_likelihood};
-}
-
-std::vector<RankedMeasure> ranked_measures(const std::vector<Stripe>& stripes, const FragilityEvent& event,
-                                           const base::ManyParts& how) {
-  std::vector<RankedMeasure> ranked;
-  for (const IntensityMeasure measure : all_intensity_measures) {
-    const bool has_measure = std::all_of(stripes.begin(), stripes.end(), [&](const Stripe& stripe) {
-      return stripe.measure(measure) && *stripe.measure(measure) > 0.0;
-    });
-    if (has_measure) ranked.emplace_back().measure = measure;
-  }
-  base::for_each_part(how, ranked.size(), [&](std::size_t i) {
-    RankedMeasure& found = ranked[i];
-    const auto law = stats::fit_suite(levels_of_records(stripes, event, found.measure)).law;
-    if (!law) return;
-    found.median = law->median;
-    found.dispersion = law->dispersion();
-    found.between_records = law->between_records;
-    found.within_record = law->within_record;
-    found.deviance = -2.0 * law->log_likelihood;
-    found.aic = *found.deviance + 2.0 * parameters_of_a_law;
-  });
-  std::stable_sort(ranked.begin(), ranked.end(), [](const RankedMeasure& a, const RankedMeasure& b) {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    // Measures that are proportional to each other have equal laws up to rounding; they keep their order.
-    const auto key = [](const RankedMeasure& found) {
-      return std::tuple(found.dispersion ? std::round(1e6 * *found.dispersion) : infinity,
-                        std::round(1e3 * found.deviance.value_or(0.0)));
-    };
-    return key(a) < key(b);
-  });
-  return ranked;
 }
 
 std::uint64_t parts_of_suite_curve(const StripeGroup& group) {
@@ -197,7 +151,7 @@ std::uint64_t parts_of_suite_curve(const StripeGroup& group) {
 }
 
 SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, std::uint64_t seed,
-                       const base::ManyParts& how) {
+                       const std::vector<RecordMetadata>& metadata, const base::ManyParts& how) {
   ROCKING_EXPECT(group.is_suite());
   SuiteCurve curve;
   curve.subject = subject_of(group, event);
@@ -211,7 +165,7 @@ SuiteCurve suite_curve(const StripeGroup& group, const FragilityEvent& event, st
     curve.pooled->is_extrapolated = median < curve.levels.front().intensity || curve.levels.back().intensity < median;
   }
   curve.records = curves_of_records(group, event, seed, how);
-  curve.measures = ranked_measures(group.stripes, event, how);
+  curve.measures = ranked_measures(group.stripes, event, metadata, how);
   return curve;
 }
 

@@ -1,3 +1,5 @@
+#include "rocking/studies/suite/suite_rate.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -110,6 +112,16 @@ class SuiteRates {
         pieces_(counted_.pieces()),
         rates_(counted_, shares_) {}
 
+  /// By shares, of records with these weights.
+  [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
+    const bool is_isotonic = source == RateSource::isotonic;
+    const std::vector<double> shares =
+        rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights));
+    if (source == RateSource::at_least) return rates_.at_least(shares);
+    if (source == RateSource::at_most) return rates_.at_most(shares);
+    return rates_.rate(shares);
+  }
+
   [[nodiscard]] SuiteRate all() const {
     SuiteRate found;
     if (curve_.pooled) found.estimates.push_back(by_law());
@@ -140,26 +152,14 @@ class SuiteRates {
   [[nodiscard]] RateEstimate by_law() const {
     std::vector<double> samples;
     for (const stats::SuiteLaw& law : curve_.bootstrap.laws) samples.push_back(rate_of(capacity_of(law), pieces_));
-    return {RateSource::law, rate_of(capacity_of(curve_.pooled->law()), pieces_), interval_of(std::move(samples))};
-  }
-
-  [[nodiscard]] double rate_by(RateSource source, const std::vector<double>& weights) const {
-    const bool is_isotonic = source == RateSource::isotonic;
-    const std::vector<double> shares =
-        rates_.counted_of(is_isotonic ? shares_.isotonic(weights) : shares_.mean(weights));
-    if (source == RateSource::at_least) return rates_.at_least(shares);
-    if (source == RateSource::at_most) return rates_.at_most(shares);
-    return rates_.rate(shares);
+    return {RateSource::law, rate_of(capacity_of(curve_.pooled->law()), pieces_),
+            curve_.interval_of(std::move(samples))};
   }
 
   [[nodiscard]] RateEstimate by_shares(RateSource source) const {
     std::vector<double> samples;
     for (const std::vector<double>& weights : curve_.bootstrap.weights) samples.push_back(rate_by(source, weights));
-    return {source, rate_by(source, std::vector<double>(suite_.size(), 1.0)), interval_of(std::move(samples))};
-  }
-
-  [[nodiscard]] std::optional<stats::Interval> interval_of(std::vector<double> samples) const {
-    return stats::percentile_interval(std::move(samples), curve_.bootstrap.samples, curve_.subject.confidence);
+    return {source, rate_by(source, std::vector<double>(suite_.size(), 1.0)), curve_.interval_of(std::move(samples))};
   }
 
   static void set_disagreement(SuiteRate& found) {
@@ -274,6 +274,28 @@ std::string_view to_string(RateSource source) {
     case RateSource::at_most: break;
   }
   return "at_most";
+}
+
+RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard) {
+  const SuiteRates of_base(base, hazard), of_option(option, hazard);
+  RateComparison found{.base = base.subject.others, .option = option.subject.others, .event = option.subject.event};
+  const std::vector<double> equal(base.records.size(), 1.0);
+  const double before = of_base.rate_by(RateSource::isotonic, equal);
+  const double after = of_option.rate_by(RateSource::isotonic, equal);
+  found.difference = after - before;
+  if (before > 0.0) found.ratio = after / before;
+  std::vector<double> differences, ratios;
+  for (const std::vector<double>& weights : base.bootstrap.weights) {
+    const double first = of_base.rate_by(RateSource::isotonic, weights);
+    const double second = of_option.rate_by(RateSource::isotonic, weights);
+    differences.push_back(second - first);
+    if (first > 0.0) ratios.push_back(second / first);
+  }
+  found.interval = base.interval_of(std::move(differences));
+  if (found.ratio) {
+    found.ratio_interval = base.interval_of(std::move(ratios));
+  }
+  return found;
 }
 
 SuiteRate annual_rate(const SuiteCurve& curve, const HazardCurve& hazard) {

@@ -1,0 +1,273 @@
+#include "analysis/page/sheet.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "analysis/page/assets.hpp"
+#include "analysis/page/html.hpp"
+#include "analysis/page/question.hpp"
+#include "analysis/page/words.hpp"
+#include "analysis/sweep_view.hpp"
+#include "rocking/output/annual_rate_table.hpp"
+#include "rocking/output/fragility_words.hpp"
+#include "rocking/output/shaking_text.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking::analysis {
+namespace {
+
+constexpr std::array horizons{1.0, 50.0, 475.0};  // [years]
+constexpr std::size_t most_records_named = 30;
+constexpr std::size_t most_options = 5;
+
+std::string last_part(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+
+/// `5.2 &times; 10<sup>-4</sup>`.
+std::string power_of_ten(double value) {
+  if (!(value > 0.0)) return "0";
+  const int exponent = static_cast<int>(std::floor(std::log10(value)));
+  if (exponent >= -2) return significant(value, 2);
+  return fmt::format("{:.1f}&nbsp;&times;&nbsp;10<sup>&minus;{}</sup>", value * std::pow(10.0, -exponent), -exponent);
+}
+
+/// With two digits, also if the second is a zero: `22`, `1.0`, `0.020`.
+std::string two_digits(double value) {
+  if (value >= 9.95 || !(value > 0.0)) return fmt::format("{:.0f}", value);
+  return fmt::format("{:#.2g}", value);
+}
+
+/// Of a rate, the probability that the event happens within so many years, in per cent.
+std::string within(double years, double rate) { return two_digits(-100.0 * std::expm1(-rate * years)); }
+
+std::string to(const std::string& low, const std::string& high) { return low + " to " + high; }
+
+std::string values_of(const std::vector<Parameter>& parameters) {
+  std::string text;
+  for (const Parameter& parameter : parameters) {
+    text += (text.empty() ? "" : ", ") + place_html(parameter.pointer, value_of(parameter));
+  }
+  return text;
+}
+
+/// The block from the front, in millimetres on the paper.
+class Drawing {
+ public:
+  Drawing(double width_m, double height_m) : width_m_(width_m), height_m_(height_m) {
+    constexpr std::array scales{1.0, 2.0, 5.0, 10.0, 20.0, 25.0, 50.0, 100.0, 200.0, 500.0, 1000.0};
+    const auto fits = [&](double scale) { return width_m <= 0.034 * scale && height_m <= 0.044 * scale; };
+    const auto found = std::ranges::find_if(scales, fits);
+    scale_ = found == scales.end() ? std::ceil(std::max(width_m / 0.034, height_m / 0.044)) : *found;
+  }
+
+  [[nodiscard]] std::string svg() const {
+    const double b = 1000.0 * width_m_ / scale_, h = 1000.0 * height_m_ / scale_;
+    const double left = 31.0 - 0.5 * b, floor = 47.0, top = floor - h;
+    return fmt::format(
+        "<svg width=\"62mm\" height=\"53mm\" viewBox=\"0 3 62 53\" role=\"img\" aria-label=\"The block, {0} m wide and "
+        "{1} m high, to the scale 1 : {2}\">\n<rect x=\"{3:.2f}\" y=\"{4:.2f}\" width=\"{5:.2f}\" height=\"{6:.2f}\" "
+        "fill=\"#dddddd\" stroke=\"#000\" stroke-width=\".35\"/>\n<path d=\"M4 {7} H58\" stroke=\"#000\" "
+        "stroke-width=\".5\"/>\n<path d=\"M{8:.2f} {7} L31 {9:.2f}\" stroke=\"#000\" stroke-width=\".2\" "
+        "stroke-dasharray=\"1 .7\"/>\n<circle cx=\"31\" cy=\"{9:.2f}\" r=\".7\"/>\n{10}\n</svg>",
+        significant(width_m_, 4), significant(height_m_, 4), significant(scale_, 4), left, top, b, h, floor, left + b,
+        floor - 0.5 * h, labels(left, top, b, h, floor));
+  }
+
+ private:
+  [[nodiscard]] std::string labels(double left, double top, double b, double h, double floor) const {
+    return fmt::format(
+        "<path d=\"M{0:.2f} 49 V50.4 M{1:.2f} 49 V50.4 M{0:.2f} 49.7 H{1:.2f} M{2:.2f} {3:.2f} H{4:.2f} M{2:.2f} {5} "
+        "H{4:.2f} M{6:.2f} {3:.2f} V{5}\" fill=\"none\" stroke=\"#000\" stroke-width=\".2\"/>\n<text x=\"31\" y=\"53\" "
+        "font-size=\"2.8\" text-anchor=\"middle\">{7} m</text>\n<text x=\"{8:.2f}\" y=\"{9:.2f}\" font-size=\"2.8\" "
+        "text-anchor=\"end\">{10} m</text>\n<text x=\"58\" y=\"55.5\" font-size=\"2.6\" text-anchor=\"end\">scale 1 : "
+        "{11}</text>",
+        left, left + b, left - 3.0, top, left - 1.6, floor, left - 2.3, significant(width_m_, 4), left - 3.6,
+        floor - 0.5 * h + 1.0, significant(height_m_, 4), significant(scale_, 4));
+  }
+
+  double width_m_, height_m_, scale_;
+};
+
+std::string drawing(const Report& run) {
+  const Json block = value_at(run, run.conditions.front(), "/block");
+  return Drawing(mean_of(block.at("width_m")), mean_of(block.at("height_m"))).svg();
+}
+
+std::string answer(const Sheet& sheet) {
+  const ReportedSuite& object = sheet.suites.front();
+  const AnnualRate& rate = object.rate->chosen;
+  const std::string as = object.curve.subject.others.empty() || sheet.suites.size() == 1
+                             ? ""
+                             : " (" + values_of(object.curve.subject.others) + ")";
+  if (!(rate.value > 0.0)) {
+    return fmt::format(
+        "<p class=\"answer\">The object{} did not overturn under any of the records at these levels.</p>", as);
+  }
+  std::string interval;
+  if (rate.interval && rate.interval->low > 0.0) {
+    interval = fmt::format(" ({} % interval: {} years)", significant(100.0 * object.curve.subject.confidence, 4),
+                           to(years_in_words(1.0 / rate.interval->high), years_in_words(1.0 / rate.interval->low)));
+  }
+  return fmt::format(
+      "<p class=\"answer\">The object{} overturns <strong>once in about {} years</strong>{}: with probability "
+      "<strong>{} %</strong> within 50 years.</p>",
+      as, years_in_words(1.0 / rate.value), interval, within(50.0, rate.value));
+}
+
+std::string motions(const Sheet& sheet) {
+  const std::vector<RecordCurve>& records = sheet.suites.front().curve.records;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(records.size(), most_records_named); ++i) {
+    names += (i == 0 ? "" : ", ") + escaped(last_part(records[i].name));
+  }
+  if (records.size() > most_records_named) names += fmt::format(", and {} more", records.size() - most_records_named);
+  const std::string measure = last_key(sheet.suites.front().curve.subject.parameter);
+  return fmt::format(
+      "<h2>Hazard and records</h2>\n<p>Annual rates of exceedance of <code>{}</code> from {} ({} points, {} to "
+      "{}).{}</p>\n<p class=\"small\">{} records, each scaled to {} levels from {} to {}: {}.</p>\n",
+      escaped(measure), escaped(last_part(sheet.hazard.file)), sheet.hazard.points, significant(sheet.hazard.first, 3),
+      significant(sheet.hazard.last, 3),
+      sheet.hazard.is_measure_assumed ? " The file does not name the measure; it was assumed." : "", records.size(),
+      sheet.suites.front().curve.levels.size(), significant(sheet.suites.front().curve.levels.front().intensity, 3),
+      significant(sheet.suites.front().curve.levels.back().intensity, 3), names);
+}
+
+std::string curve(const Sheet& sheet) {
+  if (sheet.curve_png.empty()) return "";
+  return fmt::format(
+      "<h2>Probability of overturning</h2>\n<div class=\"curve\"><img src=\"{}\" alt=\"Probability of "
+      "overturning as a function of the intensity\"></div>\n",
+      data_address("png", sheet.curve_png));
+}
+
+/// A number with its interval below; `falls`: where the number falls with the rate.
+template <class Shown>
+std::string cell(double value, const std::optional<stats::Interval>& interval, Shown&& shown, bool falls = false) {
+  std::string text = shown(value);
+  if (interval) {
+    const std::string low = shown(interval->low), high = shown(interval->high);
+    text += "<br><span class=\"small\">" + (falls ? to(high, low) : to(low, high)) + "</span>";
+  }
+  return "<td>" + text + "</td>";
+}
+
+std::string rate_cells(const AnnualRate& rate) {
+  const auto years = [](double value) { return value > 0.0 ? years_in_words(1.0 / value) : std::string("&infin;"); };
+  std::string cells = cell(rate.value, rate.interval, power_of_ten) + cell(rate.value, rate.interval, years, true);
+  for (const double horizon : horizons) {
+    cells += cell(rate.value, rate.interval, [horizon](double value) { return within(horizon, value); });
+  }
+  return cells;
+}
+
+/// The rate of an option as a factor of that of the first one.
+std::string factor_cell(const Sheet& sheet, const ReportedSuite& suite) {
+  for (const auto& [run, found] : sheet.comparisons) {
+    const bool is_same = values_of(found.option) == values_of(suite.curve.subject.others);
+    if (is_same && found.ratio) return cell(*found.ratio, found.ratio_interval, two_digits);
+  }
+  return "<td>1</td>";
+}
+
+std::string rates(const Sheet& sheet) {
+  const bool has_options = !sheet.comparisons.empty();
+  std::string rows;
+  for (std::size_t i = 0; i < std::min(sheet.suites.size(), most_options); ++i) {
+    const ReportedSuite& suite = sheet.suites[i];
+    const std::string values = values_of(suite.curve.subject.others);
+    rows += "<tr><th>" + (values.empty() ? "overturning" : values) + "</th>" + rate_cells(suite.rate->chosen) +
+            (has_options ? factor_cell(sheet, suite) : "") + "</tr>\n";
+  }
+  return fmt::format(
+      "<h2>Rate</h2>\n<table><thead><tr><th></th><th>per year</th><th>return period [years]</th><th>in 1 year "
+      "[%]</th><th>in 50 years [%]</th><th>in 475 years [%]</th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n{}",
+      has_options ? "<th>factor</th>" : "", rows,
+      has_options ? "<p class=\"small\">Factor: rate over that of the first row, with the same records and random "
+                    "numbers, by isotonic shares.</p>\n"
+                  : "");
+}
+
+std::string_view way(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "lognormal law";
+    case RateSource::isotonic: return "isotonic shares";
+    case RateSource::at_least: return "at least";
+    case RateSource::at_most: return "at most";
+    default: break;
+  }
+  return "observed shares";
+}
+
+std::string basis(const Sheet& sheet) {
+  const ReportedSuite& object = sheet.suites.front();
+  const SuiteRate& rate = *object.rate;
+  std::string ways;
+  for (const RateEstimate& estimate : rate.estimates) {
+    ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", way(estimate.source), power_of_ten(estimate.value));
+  }
+  std::string text = fmt::format("<p>Per year by {}.", ways);
+  if (object.curve.outcome == stats::FragilityOutcome::rejected) {
+    text += fmt::format(" The lognormal law is rejected (p = {}); the isotonic shares take its place.",
+                        significant(object.curve.test->p_value, 2));
+  }
+  if (rate.leave_one_out) {
+    text += fmt::format(" Without any one of the records: {} to {}.", power_of_ten(rate.leave_one_out->low),
+                        power_of_ten(rate.leave_one_out->high));
+  }
+  const auto most = std::ranges::max_element(rate.by_record, {}, &RateOfRecord::share);
+  if (most != rate.by_record.end() && most->share > 0.0) {
+    text += fmt::format(" The record that contributes most, {}, has {} % of the rate.", escaped(last_part(most->name)),
+                        significant(100.0 * most->share, 2));
+  }
+  text += "</p>\n";
+  const bool disagree = !rate.disagreement || *rate.disagreement > most_disagreement;
+  if (disagree || rate.undecided_share > most_undecided_share) {
+    text += fmt::format("<p class=\"warning\">{}The levels leave {} % of the rate undecided; add the levels {}.</p>\n",
+                        disagree ? "The estimates differ by more than 15 %. " : "",
+                        significant(100.0 * rate.undecided_share, 2), escaped(levels_in_words(rate.add_levels)));
+  }
+  return "<h2>What the answer rests on</h2>\n" + text;
+}
+
+std::string assumptions(const Sheet& sheet) {
+  const CurveSubject& subject = sheet.suites.front().curve.subject;
+  const std::string uplift = subject.least_uplift ? fmt::format("counted from {}, the least that lifts the block, on",
+                                                                significant(*subject.least_uplift, 3))
+                                                  : std::string("counted from its first point on");
+  return fmt::format(
+      "<h2>Assumptions and limits</h2>\n<ol>\n<li>One rigid, symmetric block on a level, rigid floor, in one vertical "
+      "plane; without anchorage, neighbours, twist or flexibility.</li>\n<li>Energy is lost in impacts and by friction "
+      "as stated in the question. Give measured values if there are any.</li>\n<li>The hazard curve is taken as exact, "
+      "and {}.</li>\n<li>Intervals cover the choice of the records and the random numbers, nothing else. Records that "
+      "are scaled far do not become stronger earthquakes.</li>\n<li>Earthquakes follow each other as a Poisson "
+      "process. "
+      "Damage without overturning is not counted.</li>\n</ol>\n",
+      uplift);
+}
+
+std::string footer(const Sheet& sheet) {
+  return fmt::format(
+      "<footer>Experiment SHA-256 <code>{}</code>; results SHA-256 <code>{}</code>; rocking {}. Made by <code>{}</code>"
+      "</footer>\n",
+      base::to_hex(sheet.suites.front().run.experiment), base::to_hex(sheet.run.digest), escaped(sheet.program),
+      escaped(sheet.command));
+}
+
+}  // namespace
+
+std::string sheet_text(const Sheet& sheet) {
+  const std::string title = sheet.run.title().empty() ? "How often does it overturn?" : sheet.run.title();
+  return fmt::format(
+             "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta "
+             "http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src {}; img-src data:\">\n"
+             "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n<h1>{}</h1>\n",
+             policy_hash(sheet_style()), escaped(title), sheet_style(), escaped(title)) +
+         answer(sheet) + "<div class=\"top\">\n<div class=\"object\">\n" + drawing(sheet.run) + motions(sheet) +
+         "</div>\n<div class=\"question\">\n<h2>Question</h2>\n" + question_in_brief(sheet.run) + basis(sheet) +
+         "</div>\n</div>\n" + curve(sheet) + rates(sheet) + assumptions(sheet) + footer(sheet) + "</body>\n</html>\n";
+}
+
+}  // namespace rocking::analysis

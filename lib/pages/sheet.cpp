@@ -1,0 +1,83 @@
+#include <utility>
+
+#include "analysis/draw.hpp"
+#include "analysis/fragility_figure.hpp"
+#include "analysis/page/sheet.hpp"
+#include "analysis/printed_page.hpp"
+#include "rocking/api/refuse.hpp"
+#include "rocking/api/run_store.hpp"
+#include "rocking/base/build_info.hpp"
+#include "rocking/output/report.hpp"
+#include "rocking/pages.hpp"
+#include "rocking/text/files.hpp"
+
+namespace rocking {
+namespace {
+
+/// The suites about overturning that have a rate.
+std::vector<ReportedSuite> suites_with_rate(const FragilityReport& report) {
+  std::vector<ReportedSuite> suites;
+  for (const auto& curve : report.curves) {
+    const auto* suite = std::get_if<ReportedSuite>(&curve);
+    const bool is_shown = suite != nullptr && suite->rate && !suite->curve.subject.event.peak_tilt;
+    if (is_shown) suites.push_back(*suite);
+  }
+  return suites;
+}
+
+std::vector<ReportedComparison> of_overturning(const FragilityReport& report) {
+  std::vector<ReportedComparison> comparisons;
+  for (const ReportedComparison& each : report.comparisons) {
+    if (!each.comparison.event.peak_tilt) comparisons.push_back(each);
+  }
+  return comparisons;
+}
+
+/// The curves of the suites, without titles.
+analysis::Figure curves_of(const std::vector<ReportedSuite>& suites) {
+  FragilityReport report;
+  report.curves.assign(suites.begin(), suites.end());
+  analysis::Figure figure = analysis::fragility_figure(report);
+  figure.title = figure.subtitle = "";
+  return figure;
+}
+
+}  // namespace
+
+Written write_sheet(const StoredRun& stored, const RunFragility& found, const HazardCurve& hazard,
+                    const std::filesystem::path& file, const std::string& command, const Execution& execution) {
+  const FragilityReport report = fragility_report({found});
+  std::vector<ReportedSuite> suites = suites_with_rate(report);
+  if (suites.empty()) refuse("sheet", "", "needs a suite of ground motions and a hazard curve");
+  const Report run = report_of(stored.experiment, complete_result(stored.experiment, stored.run), {});
+  Written written;
+  const auto note = [&written](const analysis::Drawing& drawing) {
+    if (!drawing.is_drawn()) written.not_drawn.push_back(drawing.reason);
+  };
+  analysis::Drawing drawing;
+  analysis::FigureLook look = analysis::journal_look(analysis::JournalWidth::double_column);
+  look.axes_heights.fill(180.0);
+  std::string picture = analysis::picture_of(curves_of(suites), "png", drawing, execution.stop, look);
+  note(drawing);
+  std::string text = analysis::sheet_text({.run = run,
+                                           .suites = std::move(suites),
+                                           .comparisons = of_overturning(report),
+                                           .hazard = {.file = hazard.name,
+                                                      .points = hazard.points.size(),
+                                                      .first = hazard.points.front().intensity,
+                                                      .last = hazard.points.back().intensity,
+                                                      .is_measure_assumed = hazard.intensity.empty()},
+                                           .curve_png = std::move(picture),
+                                           .program = base::code_identity(),
+                                           .command = command});
+  if (file.extension() == ".pdf") {
+    text = analysis::pdf_of(text, drawing, execution.stop);
+    note(drawing);
+    if (!drawing.is_drawn()) return written;
+  }
+  write_atomically(file, text);
+  written.files.push_back(file);
+  return written;
+}
+
+}  // namespace rocking

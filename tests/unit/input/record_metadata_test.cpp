@@ -1,0 +1,46 @@
+// Magnitudes and distances of records: what is read, and every fault with its line.
+
+#include <gmock/gmock.h>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/read_record_metadata.hpp"
+
+namespace rocking {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string metadata_complaint(const std::string& text) {
+  try {
+    static_cast<void>(read_record_metadata(text, "m.csv"));
+  } catch (const base::InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(RecordMetadata, AreReadByTheirColumns) {
+  const auto found = read_record_metadata(
+      "# of the flatfile\nmagnitude, file, distance_km\r\n6.5, \"a b.at2\", 12\n\n7.1,b.at2,3.5 # near\n", "m.csv");
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].file, "a b.at2");
+  EXPECT_EQ(found[0].magnitude, 6.5);
+  EXPECT_EQ(found[1].distance_km, 3.5);
+  EXPECT_FALSE(read_record_metadata("file,magnitude\na.at2,6\n", "m.csv")[0].distance_km);
+}
+
+TEST(RecordMetadata, AreRefusedWithLineValueAndRemedy) {
+  EXPECT_THAT(metadata_complaint(""), HasSubstr("has no line with the names of the columns"));
+  EXPECT_THAT(metadata_complaint("a.at2,6.5\n"), HasSubstr("line 1 = a.at2: is not a column"));
+  EXPECT_THAT(metadata_complaint("file,Mw\n"), HasSubstr("line 1 = Mw: is not a column"));
+  EXPECT_THAT(metadata_complaint("file,file,magnitude\n"), HasSubstr("stands twice"));
+  EXPECT_THAT(metadata_complaint("magnitude,distance_km\n"), HasSubstr("does not name the columns"));
+  const std::string header = "file,magnitude,distance_km\n";
+  EXPECT_THAT(metadata_complaint(header + "a,6\n"), HasSubstr("line 2 = 2 values: do not fit the columns"));
+  EXPECT_THAT(metadata_complaint(header + "a,six,10\n"), HasSubstr("line 2 = six: is not a number"));
+  EXPECT_THAT(metadata_complaint(header + "a,6,0\n"), HasSubstr("must be positive"));
+  EXPECT_THAT(metadata_complaint(header + "a,6,1\nb,inf,1\na,6,1\n"), HasSubstr("line 4 = a: stands twice"));
+}
+
+}  // namespace
+}  // namespace rocking

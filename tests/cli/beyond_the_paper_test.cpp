@@ -54,6 +54,15 @@ TEST_F(BeyondThePaper, IsWrittenUpByTheScriptFromThePublishedReports) {
   }
 }
 
+TEST_F(BeyondThePaper, ComparesWithMeasuredRestitutionsByItsScript) {
+  if (python_with_module().empty()) {
+    GTEST_SKIP() << "skipped: the Python module is not built (Debian: python3-dev pybind11-dev python3-numpy)";
+  }
+  const fs::path script = ROCKING_SOURCE_DIR "/experiments/published_tests/free_rocking.py";
+  const auto checked = shell("exec " + python_with_module() + " -B '" + script.string() + "' --check");
+  EXPECT_EQ(checked.exit_code, 0) << checked.errors;
+}
+
 TEST_F(BeyondThePaper, PublishesFragilityAsTheFormatSays) {
   EXPECT_EQ(objections("fragility", text_of(published_reports / "fragility.json")), "");
 }

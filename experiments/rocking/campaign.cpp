@@ -18,6 +18,7 @@
 #include "rocking/base/build_info.hpp"
 #include "rocking/base/stop_request.hpp"
 #include "rocking/ensemble/run.hpp"
+#include "rocking/output/run_summary.hpp"
 #include "rocking/output/run_table.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/number_text.hpp"
@@ -142,6 +143,10 @@ void add_max_time(CLI::App& command, ExecutionOptions& execution) {
                "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
 }
 
+void add_all_rows(CLI::App& command, bool& all_rows) {
+  command.add_flag("--all", all_rows, "Print every condition, also if there are more than a screen shows");
+}
+
 void add_page_choice(CLI::App& command, PageChoice& page) {
   command.add_flag_callback(
       "--no-page", [&page] { page = PageChoice::omitted; }, "Draw no page; `rocking report DIR` draws it later");
@@ -183,7 +188,9 @@ ExitCode write_results(RunFolder& folder, const Experiment& experiment, Experime
   } else {
     std::string where = fmt::format("report: {}\n", folder.report_path().string());
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
-    print_result(base::printable(run_table(experiment, report, table_look()) + where));
+    TableLook look = table_look();
+    if (!how.all_rows) look.most_rows = most_summary_rows;
+    print_result(base::printable(run_table(experiment, report, look) + where));
   }
   if (failure) std::rethrow_exception(failure);
   return failures.tell(no_page_picture, PictureRole::addition);
@@ -213,8 +220,9 @@ ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& stor
   } catch (const base::Stopped&) {
     return explain_stop(folder, completeness(experiment, store));
   }
-  const ExitCode code = write_results(folder, experiment, *std::move(result),
-                                      {.system = system, .loudness = execution.loudness, .page = execution.page});
+  const ExitCode code = write_results(
+      folder, experiment, *std::move(result),
+      {.system = system, .loudness = execution.loudness, .page = execution.page, .all_rows = execution.all_rows});
   if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", duration_in_words(system.duration_s), counted(system.threads, "thread")));
   }

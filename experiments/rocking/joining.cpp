@@ -139,8 +139,9 @@ ExitCode join_shards(const MergeRequest& request) {
   const Experiment experiment = experiment_of(identity);
   const auto found = completeness(experiment, whole);
   if (found.done < found.all) return explain_missing(folder, found);
-  return write_results(folder, experiment, complete_result(folder, experiment, whole),
-                       {.system = system, .loudness = request.loudness, .page = request.page});
+  return write_results(
+      folder, experiment, complete_result(folder, experiment, whole),
+      {.system = system, .loudness = request.loudness, .page = request.page, .all_rows = request.all_rows});
 }
 
 }  // namespace rocking::program

@@ -43,7 +43,7 @@ Report load_report(const RunFolder& folder) {
   }
 }
 
-/// The table that the run printed.
+/// The table of every condition, however many.
 std::string table_again(const Report& report) {
   const std::string settling = settling_text(settling_rows(report), table_look().width);
   return mode_table(table_rows(report), table_look()) + (settling.empty() ? "" : '\n' + settling);

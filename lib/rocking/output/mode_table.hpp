@@ -18,8 +18,9 @@ namespace rocking {
 
 /// What the terminal can show.
 struct TableLook {
-  std::size_t width = 120;                     ///< largest length of a line in letters
-  std::optional<Letters> bars = std::nullopt;  ///< letters from which bars are drawn; absent: no bars
+  std::size_t width = 120;                              ///< largest length of a line in letters
+  std::optional<Letters> bars = std::nullopt;           ///< letters from which bars are drawn; absent: no bars
+  std::optional<std::size_t> most_rows = std::nullopt;  ///< of a run; more conditions are summarised; absent: all rows
 };
 
 /// A response mode in a row of the table.

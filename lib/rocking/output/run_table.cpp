@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/output/alarms.hpp"
+#include "rocking/output/run_summary.hpp"
 #include "rocking/output/settling_table.hpp"
 #include "rocking/output/unreached_precision.hpp"
 #include "rocking/text/number_text.hpp"
@@ -67,15 +68,9 @@ std::string level_of(const Experiment& experiment) {
   return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
 }
 
-}  // namespace
-
-std::string run_table(const Experiment& experiment, const Report& report, const TableLook& look) {
-  std::uint64_t realisations = 0;
-  for (const ReportedCondition& condition : report.conditions) realisations += condition.result.realisations;
-  std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
-  const std::vector<TableRow> rows = table_rows(report);
-  const std::string table = mode_table(rows, look);
-  text += table;
+/// The legend of the table of every condition.
+std::string legend_of(const Experiment& experiment, const Report& report, const std::string& table) {
+  std::string text;
   if (report.is_random()) {
     text += "\nper cent of n realisations [simultaneous " + level_of(experiment) + " interval" +
             (experiment.conditions.front().until ? ", valid whenever the run stops" : "") +
@@ -85,9 +80,52 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
     text += "\nnothing is random: one realisation is the response of its condition\n";
   }
   if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
+  return text;
+}
+
+/// More conditions than the terminal shows: a suite pooled over its records, and ranges of conditions.
+std::string summary_of(const std::vector<TableRow>& rows, std::size_t most) {
+  const std::string pooled = pooled_summary(rows, most);
+  std::string text;
+  if (!pooled.empty()) {
+    text += "pooled over the records\n" + pooled +
+            "overturned: mean over the records of their shares in per cent; of a record: smallest to largest share\n";
+  }
+  const auto lines = static_cast<std::size_t>(std::ranges::count(pooled, '\n'));
+  const std::string ranges = run_summary(rows, most);
+  if (pooled.empty() || lines + static_cast<std::size_t>(std::ranges::count(ranges, '\n')) <= most) {
+    text += (pooled.empty() ? "" : "\n") + ranges +
+            "per cent: smallest to largest share in a condition; response: the most frequent one\n";
+  }
+  return text + "all " + std::to_string(rows.size()) +
+         " conditions with their intervals: --all, `rocking report DIR --format text,csv`, and the page\n";
+}
+
+/// The settling of responses, unless it is longer than the terminal shows.
+std::string settling_of(const Report& report, const TableLook& look, bool is_summary) {
+  constexpr std::ptrdiff_t most_lines = 12;
+  const std::string text = settling_text(settling_rows(report), look.width);
+  const bool is_too_long = is_summary && std::ranges::count(text, '\n') > most_lines;
+  return is_too_long ? "when responses settle: on the page, and with --all\n" : text;
+}
+
+}  // namespace
+
+std::string run_table(const Experiment& experiment, const Report& report, const TableLook& look) {
+  std::uint64_t realisations = 0;
+  for (const ReportedCondition& condition : report.conditions) realisations += condition.result.realisations;
+  std::string text = experiment.title.empty() ? "" : experiment.title + "\n\n";
+  const std::vector<TableRow> rows = table_rows(report);
+  const bool is_summary = look.most_rows && rows.size() > *look.most_rows;
+  if (is_summary) {
+    text += summary_of(rows, *look.most_rows);
+  } else {
+    const std::string table = mode_table(rows, look);
+    text += table + legend_of(experiment, report, table);
+  }
   text += counted(report.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
           std::to_string(unresolved_realisations(report)) + " unresolved\n";
-  text += settling_text(settling_rows(report), look.width);
+  text += settling_of(report, look, is_summary);
   if (const std::string remedy = unresolved_remedy(report); !remedy.empty()) {
     text += "horizon too short: " + remedy + '\n';
   }

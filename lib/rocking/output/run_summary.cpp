@@ -1,0 +1,179 @@
+#include "rocking/output/run_summary.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include "rocking/output/text_table.hpp"
+#include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace rocking {
+namespace {
+
+using section::ResponseMode;
+
+constexpr ResponseMode overturned{.kind = section::ResponseKind::overturned};
+constexpr std::string_view record_pointer = "/excitation/file";
+
+/// Conditions one after another.
+struct Range {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+ResponseMode most_frequent_in(const TableRow& condition) {
+  const auto most = std::ranges::max_element(condition.modes, {}, &TableEntry::count);
+  return most == condition.modes.end() ? ResponseMode{} : most->mode;
+}
+
+double share_in(const TableRow& condition, const ResponseMode& mode) {
+  const auto found = std::ranges::find(condition.modes, mode, &TableEntry::mode);
+  return found == condition.modes.end() ? 0.0 : found->estimate;
+}
+
+bool have_equal_values(const TableRow& a, const TableRow& b, std::size_t entries) {
+  for (std::size_t i = 0; i < entries; ++i) {
+    if (a.parameters[i].value != b.parameters[i].value) return false;
+  }
+  return true;
+}
+
+/// Neighbours for which `belong` says so.
+template <class Belong>
+std::vector<Range> ranges_of(std::span<const TableRow> conditions, Belong&& belong) {
+  std::vector<Range> ranges;
+  for (std::size_t i = 0; i < conditions.size(); ++i) {
+    if (i > 0 && belong(conditions[i - 1], conditions[i])) {
+      ranges.back().last = i;
+    } else {
+      ranges.push_back({i, i});
+    }
+  }
+  return ranges;
+}
+
+/// Ranges, and of how many entries of the sweep each has one value.
+struct Grouping {
+  std::vector<Range> ranges;
+  std::size_t entries = 0;
+  bool has_one_mode = false;  ///< each range has one most frequent response
+};
+
+Grouping grouping_of(std::span<const TableRow> conditions, std::size_t most) {
+  const std::size_t entries = conditions.front().parameters.size();
+  const std::size_t outer = entries == 0 ? 0 : entries - 1;
+  Grouping found{.ranges = ranges_of(conditions,
+                                     [outer](const TableRow& a, const TableRow& b) {
+                                       return have_equal_values(a, b, outer) &&
+                                              most_frequent_in(a) == most_frequent_in(b);
+                                     }),
+                 .entries = outer,
+                 .has_one_mode = true};
+  for (std::size_t kept = outer; found.ranges.size() > most && kept > 0; --kept) {
+    found = {.ranges = ranges_of(
+                 conditions, [kept](const TableRow& a, const TableRow& b) { return have_equal_values(a, b, kept); }),
+             .entries = kept,
+             .has_one_mode = false};
+  }
+  if (found.ranges.size() <= most) return found;
+  found = {.ranges = {}, .entries = 0, .has_one_mode = false};
+  const std::size_t length = (conditions.size() + most - 1) / most;
+  for (std::size_t i = 0; i < conditions.size(); i += length) {
+    found.ranges.push_back({i, std::min(i + length, conditions.size()) - 1});
+  }
+  return found;
+}
+
+/// `12.0`, or `3.1 to 97.0`.
+std::string span_in_per_cent(double low, double high) {
+  return low == high ? per_cent(low) : per_cent(low) + " to " + per_cent(high);
+}
+
+std::string shares_in(std::span<const TableRow> conditions, const ResponseMode& mode) {
+  double low = 1.0, high = 0.0;
+  for (const TableRow& condition : conditions) {
+    low = std::min(low, share_in(condition, mode));
+    high = std::max(high, share_in(condition, mode));
+  }
+  return span_in_per_cent(low, high);
+}
+
+bool overturns(std::span<const TableRow> conditions) {
+  return std::ranges::any_of(conditions, [](const TableRow& each) { return share_in(each, overturned) > 0.0; });
+}
+
+}  // namespace
+
+std::string run_summary(std::span<const TableRow> conditions, std::size_t most) {
+  if (conditions.empty()) return {};
+  const Grouping grouping = grouping_of(conditions, most);
+  const std::vector<Parameter>& swept = conditions.front().parameters;
+  const bool has_range = grouping.entries < swept.size();
+  const bool may_overturn = overturns(conditions);
+  TextRow header;
+  for (std::size_t i = 0; i < grouping.entries; ++i) header.push_back(last_key(swept[i].pointer));
+  if (has_range) header.push_back(last_key(swept[grouping.entries].pointer));
+  header.insert(header.end(), {"conditions", "n"});
+  if (grouping.has_one_mode) header.insert(header.end(), {"response", "its share"});
+  if (may_overturn) header.emplace_back("overturned");
+  std::vector<TextRow> rows{header};
+  for (const Range& range : grouping.ranges) {
+    const auto own = conditions.subspan(range.first, range.last - range.first + 1);
+    TextRow& row = rows.emplace_back();
+    for (std::size_t i = 0; i < grouping.entries; ++i) row.push_back(short_value(own.front().parameters[i]));
+    if (has_range) {
+      const std::string from = short_value(own.front().parameters[grouping.entries]);
+      const std::string to = short_value(own.back().parameters[grouping.entries]);
+      row.push_back(from == to ? from : from + " to " + to);
+    }
+    std::uint64_t realisations = 0;
+    for (const TableRow& condition : own) realisations += condition.realisations;
+    row.insert(row.end(), {std::to_string(own.size()), std::to_string(realisations)});
+    const ResponseMode mode = most_frequent_in(own.front());
+    if (grouping.has_one_mode) row.insert(row.end(), {to_string(mode), shares_in(own, mode)});
+    if (may_overturn) row.push_back(shares_in(own, overturned));
+  }
+  return aligned(rows);
+}
+
+std::string pooled_summary(std::span<const TableRow> conditions, std::size_t most) {
+  if (conditions.empty()) return {};
+  const std::vector<Parameter>& swept = conditions.front().parameters;
+  const auto record = std::ranges::find(swept, record_pointer, &Parameter::pointer);
+  if (record == swept.end()) return {};
+  const auto place = static_cast<std::size_t>(record - swept.begin());
+  struct Pooled {
+    std::vector<Parameter> others;
+    std::vector<double> shares;
+    std::uint64_t realisations = 0;
+  };
+  std::vector<Pooled> groups;
+  for (const TableRow& condition : conditions) {
+    std::vector<Parameter> others = condition.parameters;
+    others.erase(others.begin() + static_cast<std::ptrdiff_t>(place));
+    auto group = std::ranges::find_if(groups, [&others](const Pooled& known) {
+      return std::ranges::equal(known.others, others, {}, &Parameter::value, &Parameter::value);
+    });
+    if (group == groups.end()) group = groups.insert(groups.end(), {.others = std::move(others), .shares = {}});
+    group->shares.push_back(share_in(condition, overturned));
+    group->realisations += condition.realisations;
+  }
+  if (groups.size() > most) return {};
+  TextRow header;
+  for (const Parameter& other : groups.front().others) header.push_back(last_key(other.pointer));
+  header.insert(header.end(), {"records", "n", "overturned", "of a record"});
+  std::vector<TextRow> rows{header};
+  for (const Pooled& group : groups) {
+    TextRow& row = rows.emplace_back();
+    for (const Parameter& other : group.others) row.push_back(short_value(other));
+    double sum = 0.0;
+    for (const double share : group.shares) sum += share;
+    const auto [low, high] = std::ranges::minmax(group.shares);
+    row.insert(row.end(), {std::to_string(group.shares.size()), std::to_string(group.realisations),
+                           per_cent(sum / static_cast<double>(group.shares.size())), span_in_per_cent(low, high)});
+  }
+  return aligned(rows);
+}
+
+}  // namespace rocking

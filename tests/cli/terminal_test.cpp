@@ -64,6 +64,25 @@ class Terminal : public rocking::support::ProgramTest {
 
 /// A terminal simulated by `script`. Skipped with a message if that is impossible, for example in a container without
 /// /dev/pts.
+// Sixty conditions, and a table of settling as long as they.
+TEST_F(Terminal, ShowsARunInOneScreenUnlessAllIsAsked) {
+  auto many = quick_experiment();
+  many["sweep"] =
+      rocking::Json::parse(R"([{ "parameter": "/excitation/amplitude", "from": 0.1, "to": 6.0, "step": 0.1 }])");
+  many["horizon"]["until_classified"] = {{"at_most_periods", 200}};
+  many["realisations"] = 2;
+  write("many.json", many.dump());
+  const auto lines = [](const Outcome& outcome) { return std::ranges::count(outcome.output, '\n'); };
+  const Outcome short_form = rocking("run many.json -q --no-page -o out");
+  ASSERT_EQ(short_form.exit_code, 0) << short_form.errors;
+  EXPECT_LE(lines(short_form), 62) << short_form.output;
+  EXPECT_THAT(short_form.output,
+              AllOf(HasSubstr("all 60 conditions with their intervals: --all"), HasSubstr("its share")));
+  const Outcome all = rocking("resume out -q --no-page --all");
+  EXPECT_GE(lines(all), 62) << all.output << all.errors;
+  EXPECT_THAT(all.output, Not(HasSubstr("--all")));
+}
+
 class PseudoTerminal : public Terminal {
  protected:
   void SetUp() override {

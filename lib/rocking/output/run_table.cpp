@@ -101,12 +101,12 @@ std::string summary_of(const std::vector<TableRow>& rows, std::size_t most) {
          " conditions with their intervals: --all, `rocking report DIR --format text,csv`, and the page\n";
 }
 
-/// The settling of responses, unless it is longer than the terminal shows.
-std::string settling_of(const Report& report, const TableLook& look, bool is_summary) {
-  constexpr std::ptrdiff_t most_lines = 12;
+/// The settling of responses, unless it and the lines before it are more than the terminal shows.
+std::string settling_of(const Report& report, const TableLook& look, std::ptrdiff_t lines_before) {
+  constexpr std::ptrdiff_t most_lines = 55;
   const std::string text = settling_text(settling_rows(report), look.width);
-  const bool is_too_long = is_summary && std::ranges::count(text, '\n') > most_lines;
-  return is_too_long ? "when responses settle: on the page, and with --all\n" : text;
+  const bool is_too_long = look.most_rows && lines_before + std::ranges::count(text, '\n') > most_lines;
+  return is_too_long ? "when responses settle: --all, and the page\n" : text;
 }
 
 }  // namespace
@@ -125,7 +125,7 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
   }
   text += counted(report.conditions.size(), "condition") + ", " + counted(realisations, "realisation") + ", of which " +
           std::to_string(unresolved_realisations(report)) + " unresolved\n";
-  text += settling_of(report, look, is_summary);
+  text += settling_of(report, look, std::ranges::count(text, '\n'));
   if (const std::string remedy = unresolved_remedy(report); !remedy.empty()) {
     text += "horizon too short: " + remedy + '\n';
   }

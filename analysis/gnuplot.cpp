@@ -44,7 +44,7 @@ Drawing run_gnuplot(const std::filesystem::path& folder, const std::string& name
                                      name + ".gp"};
   const ChildEnd child = run_child(folder, std::move(arguments), stop);
   if (child.error == ENOENT) {
-    return {.end = DrawingEnd::no_gnuplot,
+    return {.end = DrawingEnd::not_installed,
             .reason = "gnuplot is not installed, so no picture was drawn; install it (Debian: gnuplot-nox)"};
   }
   if (child.error != 0)

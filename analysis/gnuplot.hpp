@@ -12,7 +12,7 @@ namespace rocking::analysis {
 /// How an attempt to draw ended.
 enum class DrawingEnd : std::uint8_t {
   drawn,
-  no_gnuplot,  ///< gnuplot is not installed
+  not_installed,  ///< the program that draws is missing
   broken_off,  ///< prevented by this machine: a signal, a full disk, a gnuplot without the format or without a message
   refused,     ///< gnuplot did not understand the script: an error of this program
 };

@@ -15,7 +15,7 @@ constexpr std::size_t most_pdf_bytes = 100'000'000;
 Drawing ending_of(const ChildEnd& child) {
   if (child.error == ENOENT) {
     return {
-        .end = DrawingEnd::no_gnuplot,
+        .end = DrawingEnd::not_installed,
         .reason = "WeasyPrint is not installed, so no PDF was made; install it (Debian: weasyprint), or write HTML"};
   }
   if (child.error != 0) {
@@ -31,7 +31,6 @@ Drawing ending_of(const ChildEnd& child) {
 std::string pdf_of(std::string_view html, Drawing& printing, base::StopRequest stop) {
   const TemporaryFolder folder;
   write_atomically(folder.path() / "page.html", html);
-  // The identifier of a PDF follows from its bytes unless it is given.
   printing = ending_of(run_child(folder.path(), {"weasyprint", "--quiet", "page.html", "page.pdf"}, stop));
   return printing.is_drawn() ? read_file(folder.path() / "page.pdf", most_pdf_bytes) : "";
 }

@@ -29,9 +29,10 @@ std::string last_part(const std::string& path) { return path.substr(path.rfind('
 /// `5.2 &times; 10<sup>-4</sup>`.
 std::string power_of_ten(double value) {
   if (!(value > 0.0)) return "0";
-  const int exponent = static_cast<int>(std::floor(std::log10(value)));
-  if (exponent >= -2) return significant(value, 2);
-  return fmt::format("{:.1f}&nbsp;&times;&nbsp;10<sup>&minus;{}</sup>", value * std::pow(10.0, -exponent), -exponent);
+  if (value >= 0.01) return significant(value, 2);
+  const std::string text = fmt::format("{:.1e}", value);  // 5.2e-04
+  const std::size_t e = text.find('e');
+  return fmt::format("{}&nbsp;&times;&nbsp;10<sup>&minus;{}</sup>", text.substr(0, e), std::stoi(text.substr(e + 2)));
 }
 
 /// With two digits, also if the second is a zero: `22`, `1.0`, `0.020`.
@@ -103,8 +104,12 @@ std::string answer(const Sheet& sheet) {
                              ? ""
                              : " (" + values_of(object.curve.subject.others) + ")";
   if (!(rate.value > 0.0)) {
+    const auto most = std::ranges::find(object.rate->estimates, RateSource::at_most, &RateEstimate::source);
     return fmt::format(
-        "<p class=\"answer\">The object{} did not overturn under any of the records at these levels.</p>", as);
+        "<p class=\"answer\">The object{} did not overturn under any of the records at these levels. Stronger shaking "
+        "was "
+        "not tested: the rate may be up to once in {} years.</p>",
+        as, years_in_words(1.0 / most->value));
   }
   std::string interval;
   if (rate.interval && rate.interval->low > 0.0) {
@@ -167,7 +172,7 @@ std::string rate_cells(const AnnualRate& rate) {
 std::string factor_cell(const Sheet& sheet, const ReportedSuite& suite) {
   for (const auto& [run, found] : sheet.comparisons) {
     const bool is_same = values_of(found.option) == values_of(suite.curve.subject.others);
-    if (is_same && found.ratio) return cell(*found.ratio, found.ratio_interval, two_digits);
+    if (is_same) return found.ratio ? cell(*found.ratio, found.ratio_interval, two_digits) : "<td>unknown</td>";
   }
   return "<td>1</td>";
 }
@@ -181,24 +186,21 @@ std::string rates(const Sheet& sheet) {
     rows += "<tr><th>" + (values.empty() ? "overturning" : values) + "</th>" + rate_cells(suite.rate->chosen) +
             (has_options ? factor_cell(sheet, suite) : "") + "</tr>\n";
   }
+  const std::string omitted =
+      sheet.suites.size() > most_options
+          ? fmt::format("<p class=\"small\">{} more options are in the output of the command.</p>\n",
+                        sheet.suites.size() - most_options)
+          : "";
   return fmt::format(
-      "<h2>Rate</h2>\n<table><thead><tr><th></th><th>per year</th><th>return period [years]</th><th>in 1 year "
-      "[%]</th><th>in 50 years [%]</th><th>in 475 years [%]</th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n{}",
-      has_options ? "<th>factor</th>" : "", rows,
-      has_options ? "<p class=\"small\">Factor: rate over that of the first row, with the same records and random "
-                    "numbers, by isotonic shares.</p>\n"
-                  : "");
-}
-
-std::string_view way(RateSource source) {
-  switch (source) {
-    case RateSource::law: return "lognormal law";
-    case RateSource::isotonic: return "isotonic shares";
-    case RateSource::at_least: return "at least";
-    case RateSource::at_most: return "at most";
-    default: break;
-  }
-  return "observed shares";
+             "<h2>Rate</h2>\n<table><thead><tr><th></th><th>per year</th><th>return period [years]</th><th>in 1 year "
+             "[%]</th><th>in 50 years [%]</th><th>in 475 years "
+             "[%]</th>{}</tr></thead>\n<tbody>\n{}</tbody></table>\n{}",
+             has_options ? "<th>factor</th>" : "", rows,
+             has_options
+                 ? "<p class=\"small\">Factor: rate over that of the first row, with the same records and random "
+                   "numbers, by isotonic shares.</p>\n"
+                 : "") +
+         omitted;
 }
 
 std::string basis(const Sheet& sheet) {
@@ -206,7 +208,8 @@ std::string basis(const Sheet& sheet) {
   const SuiteRate& rate = *object.rate;
   std::string ways;
   for (const RateEstimate& estimate : rate.estimates) {
-    ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", way(estimate.source), power_of_ten(estimate.value));
+    ways += fmt::format("{}{} {}", ways.empty() ? "" : "; ", source_in_words(estimate.source),
+                        power_of_ten(estimate.value));
   }
   std::string text = fmt::format("<p>Per year by {}.", ways);
   if (object.curve.outcome == stats::FragilityOutcome::rejected) {
@@ -223,10 +226,12 @@ std::string basis(const Sheet& sheet) {
                         significant(100.0 * most->share, 2));
   }
   text += "</p>\n";
-  const bool disagree = !rate.disagreement || *rate.disagreement > most_disagreement;
-  if (disagree || rate.undecided_share > most_undecided_share) {
-    text += fmt::format("<p class=\"warning\">{}The levels leave {} % of the rate undecided; add the levels {}.</p>\n",
-                        disagree ? "The estimates differ by more than 15 %. " : "",
+  if (!rate.do_estimates_agree()) {
+    text += fmt::format("<p class=\"warning\">The estimates differ by more than 15 %; add the levels {}.</p>\n",
+                        escaped(levels_in_words(rate.add_levels)));
+  }
+  if (!rate.is_decided()) {
+    text += fmt::format("<p class=\"warning\">The levels leave {} % of the rate undecided; add the levels {}.</p>\n",
                         significant(100.0 * rate.undecided_share, 2), escaped(levels_in_words(rate.add_levels)));
   }
   return "<h2>What the answer rests on</h2>\n" + text;

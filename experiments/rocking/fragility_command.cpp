@@ -1,9 +1,9 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include <fmt/format.h>
@@ -74,14 +74,18 @@ WrittenFigures draw_fragility(const FragilityReport& report, const std::string& 
   return write_figures(figures, folder, look);
 }
 
-/// A line for each suite that has something to add, or one that says so.
-std::string suggestions(const FragilityReport& report, const std::vector<std::string>& folders) {
+/// A command for each run that its suites need more levels of, or a line that says that none is needed.
+std::string suggestions(const std::vector<Curves>& curves, const std::vector<std::string>& folders) {
   std::string text;
-  for (const auto& curve : report.curves) {
-    const auto* suite = std::get_if<ReportedSuite>(&curve);
-    if (suite == nullptr || !suite->rate || suite->rate->add_levels.empty()) continue;
-    const std::string folder = folders.size() == 1 ? folders.front() : "DIR";
-    text += fmt::format("rocking resume {} --levels {}\n", folder, levels_in_words(suite->rate->add_levels));
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    if (curves[i].found.suites.empty())
+      throw UsageError("--suggest: " + folders[i] + " has no suite of ground motions");
+    std::set<double> levels;
+    for (const ShownSuite& suite : curves[i].found.suites) {
+      levels.insert(suite.rate->add_levels.begin(), suite.rate->add_levels.end());
+    }
+    if (levels.empty()) continue;
+    text += fmt::format("rocking resume {} --levels {}\n", folders[i], levels_in_words({levels.begin(), levels.end()}));
   }
   return text.empty() ? "the levels suffice: they leave at most 5 % of the rate undecided, and its estimates agree\n"
                       : text;
@@ -135,7 +139,7 @@ ExitCode fragility(const FragilityCommand& command) {
   }
   const bool has_sheet = write_sheet(command, curves.front(), question);
   if (!command.sheet.empty() && has_sheet) table += fmt::format("sheet: {}\n", command.sheet.string());
-  if (command.suggests) table = suggestions(report, command.folders);
+  if (command.suggests) table = suggestions(curves, command.folders);
   print_study(command.execution.loudness, text, table);
   const ExitCode drawn = written.failures.tell(no_figure, PictureRole::purpose);
   return has_sheet ? drawn : ExitCode::input_output;

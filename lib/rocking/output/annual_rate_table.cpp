@@ -44,17 +44,6 @@ std::string extrapolation_text(const AnnualRate& rate, std::optional<double> lea
          ", where the block is not lifted\n";
 }
 
-std::string source_in_words(RateSource source) {
-  switch (source) {
-    case RateSource::law: return "law";
-    case RateSource::isotonic: return "isotonic shares";
-    case RateSource::at_least: return "at least";
-    case RateSource::at_most: return "at most";
-    default: break;
-  }
-  return "observed shares";
-}
-
 std::string estimate_table(const std::vector<RateEstimate>& estimates) {
   std::vector<TextRow> rows{{"rate by", "per year", "interval", "years"}};
   for (const RateEstimate& estimate : estimates) {
@@ -90,12 +79,13 @@ std::string record_share_text(const SuiteRate& rate) {
 
 std::string warning_text(const SuiteRate& rate) {
   std::string text;
-  if (!rate.disagreement || *rate.disagreement > most_disagreement) {
-    text += "warning: the rates by law, isotonic and observed shares differ by " +
-            (rate.disagreement ? per_cent(*rate.disagreement) + " %" : std::string("more than a factor")) +
+  if (!rate.do_estimates_agree()) {
+    text += "warning: of the rates by law, isotonic and observed shares " +
+            (rate.disagreement ? "the largest is " + per_cent(*rate.disagreement) + " % above the smallest"
+                               : std::string("one is 0 and another is not")) +
             "; add the levels " + levels_in_words(rate.add_levels) + '\n';
   }
-  if (rate.undecided_share > most_undecided_share) {
+  if (!rate.is_decided()) {
     text += "the levels leave " + per_cent(rate.undecided_share) + " % of the rate undecided; add " +
             levels_in_words(rate.add_levels) + '\n';
   }
@@ -103,6 +93,17 @@ std::string warning_text(const SuiteRate& rate) {
 }
 
 }  // namespace
+
+std::string source_in_words(RateSource source) {
+  switch (source) {
+    case RateSource::law: return "law";
+    case RateSource::isotonic: return "isotonic shares";
+    case RateSource::at_least: return "at least";
+    case RateSource::at_most: return "at most";
+    default: break;
+  }
+  return "observed shares";
+}
 
 std::string levels_in_words(const std::vector<double>& levels) {
   std::string text;

@@ -15,8 +15,14 @@ namespace rocking {
 [[nodiscard]] const StructType& fields_of(const FragilityCurve*);
 [[nodiscard]] const StructType& fields_of(const AnnualRate*);
 [[nodiscard]] const StructType& fields_of(const SuiteRate*);
+[[nodiscard]] const StructType& fields_of(const RateComparison*);
 [[nodiscard]] const StructType& fields_of(const ReportedSuite*);
 [[nodiscard]] const StructType& fields_of(const ReportedAnalysis*);
+
+template <>
+struct TypeOf<FragilityEvent> {
+  static const ValueType& get();
+};
 
 template <>
 struct TypeOf<stats::FragilityOutcome> {

@@ -16,16 +16,36 @@
 namespace rocking {
 namespace {
 
+/// The periods of the spectral acceleration that is swept; empty: none.
+std::vector<double> measure_periods(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded == nullptr ? std::vector<double>() : recorded->measure_periods;
+}
+
 /// `sa_g[0.5]` and `avgsa_g[0.2-2]`: a measure with its periods, as the header of a hazard curve may name it. Empty without
 /// periods that the file of the experiment states.
 std::string with_periods(const std::string& measure, const Scene& scene) {
-  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
-  if (recorded == nullptr || recorded->measure_periods.empty() || measure == "sa_p_g") return "";
+  const std::vector<double> periods = measure_periods(scene);
+  if (periods.empty() || measure == "sa_p_g") return "";
   std::string text = measure + '[';
-  for (const double period : recorded->measure_periods) {
+  for (const double period : periods) {
     text += (text.ends_with('[') ? "" : "-") + base::shortest(period);
   }
   return text + ']';
+}
+
+/// Throws where conditions have different periods: a hazard curve is that of one spectral acceleration.
+void check_one_period(const HazardCurve& hazard, const Experiment& experiment) {
+  const std::vector<double> first = measure_periods(experiment.conditions.front().scene);
+  const bool is_one = std::ranges::all_of(experiment.conditions, [&first](const Condition& condition) {
+    return measure_periods(condition.scene) == first;
+  });
+  if (is_one) return;
+  throw base::InputError({.place = hazard.name,
+                          .value = "",
+                          .reason = "is a curve of one spectral acceleration, but the sweep changes its period",
+                          .remedy = "make a run for each period, with the hazard curve of each",
+                          .where = {}});
 }
 
 /// Throws where the header of the hazard curve names another intensity measure than that of the run.
@@ -97,7 +117,10 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
 
 RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                            const FragilityQuestion& question, const RunOptions& options) {
-  if (question.hazard) check_intensity(*question.hazard, intensity_of(experiment), experiment.conditions.front().scene);
+  if (question.hazard) {
+    check_intensity(*question.hazard, intensity_of(experiment), experiment.conditions.front().scene);
+    check_one_period(*question.hazard, experiment);
+  }
   std::vector<FragilityEvent> events(1);  // overturning
   for (const double tilt : question.peak_tilts) events.push_back({.peak_tilt = tilt});
   RunFragility run{.experiment = experiment};
@@ -110,6 +133,9 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
     if (question.incremental) run.incremental.push_back(incremental_analysis(group));
   }
   if (question.hazard) compare(*question.hazard, run);
+  if (!question.metadata.empty() && run.suites.empty()) {
+    throw base::InputError({"metadata", "", "needs a suite of ground motions", "omit it, or give a run of a suite"});
+  }
   return run;
 }
 

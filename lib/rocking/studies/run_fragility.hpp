@@ -64,6 +64,10 @@ struct RateOfRecord {
   std::optional<double> without;  ///< the rate of the suite without it [1/year]; absent where that has no law
 };
 
+/// Shares of the rate, and differences of its estimates, that are not reported without a warning.
+inline constexpr double most_undecided_share = 0.05;
+inline constexpr double most_disagreement = 0.15;
+
 /// Mean annual rate of a suite, in several ways, and what decides it. Below the least intensity that lifts the block the
 /// probability is 0 in each; above the levels `isotonic` and `observed` stay at the last one.
 struct SuiteRate {
@@ -78,6 +82,9 @@ struct SuiteRate {
   std::vector<RateOfRecord> by_record;
   std::optional<stats::Interval> leave_one_out;  ///< smallest and largest rate without one record
   std::optional<stats::Interval> jackknife;      ///< of ln rate (Efron & Tibshirani 1993, chapter 11)
+
+  [[nodiscard]] bool do_estimates_agree() const { return disagreement && *disagreement <= most_disagreement; }
+  [[nodiscard]] bool is_decided() const { return undecided_share <= most_undecided_share; }
 };
 
 /// The rate of a suite with other values of the rest of the sweep, as another width or friction of the block, against
@@ -91,10 +98,6 @@ struct RateComparison {
   std::optional<double> ratio = std::nullopt;  ///< rate of the option over that of the base; absent if that is 0
   std::optional<stats::Interval> ratio_interval = std::nullopt;
 };
-
-/// Shares of the rate, and differences of its estimates, that are not reported without a warning.
-inline constexpr double most_undecided_share = 0.05;
-inline constexpr double most_disagreement = 0.15;
 
 /// Integral of P(x) |dH(x)| of a curve of one motion. With a fitted function the interval is that of the logarithm of the
 /// rate by the delta method; otherwise it adds up the ends of the simultaneous intervals of the levels, on the assumption
@@ -136,7 +139,7 @@ struct FragilityQuestion {
 };
 
 /// The curves of a run from its stripes: for each group, for each event. Throws base::InputError if the hazard curve is one
-/// of another intensity or a record of a suite has no metadata where some are given, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
+/// of another intensity, or if metadata are given without a suite or not for each of its records, and base::Stopped if it is asked to stop. Uses `threads`, `stop_requested` and `on_progress` of
 /// the options; progress counts parts of about equal work, most of them bootstrap samples.
 [[nodiscard]] RunFragility run_fragility(const Experiment& experiment, const std::vector<StripeGroup>& groups,
                                          const FragilityQuestion& question, const RunOptions& options);

@@ -386,4 +386,11 @@ TEST(SuiteBootstrap, HasNoIntervalWhereATenthOfTheSamplesHasNoLaw) {
   EXPECT_FALSE(percentile_interval({}, 0, 0.95));
 }
 
+// t(9) at 97.5 % is 2.262157; times sqrt(10/9) it is 2.384523, and Phi(-2.384523) = 0.008551.
+TEST(ExpandedConfidence, GrowsForFewRecords) {
+  EXPECT_NEAR(rocking::stats::expanded_confidence(0.95, 10), 1.0 - 2.0 * 0.008551, 1e-6);
+  EXPECT_NEAR(rocking::stats::expanded_confidence(0.95, 1'000'000), 0.95, 1e-6);
+  EXPECT_EQ(rocking::stats::expanded_confidence(0.95, 1), 0.95);
+}
+
 }  // namespace

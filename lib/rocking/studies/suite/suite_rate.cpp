@@ -235,8 +235,8 @@ class SuiteRates {
           return intensity > levels.back().intensity ? 0.5 * (1.0 + means.back())
                                                      : between.probability(std::log(intensity));
         });
-    const bool agree = found.disagreement && *found.disagreement <= most_disagreement;
-    if (!agree && found.add_levels.empty()) found.add_levels.push_back(where_law_differs_most(found));
+    if (!found.do_estimates_agree() && found.add_levels.empty())
+      found.add_levels.push_back(where_law_differs_most(found));
   }
 
   /// Inside the range whose rates by the law and by the observed shares differ most.
@@ -277,6 +277,7 @@ std::string_view to_string(RateSource source) {
 }
 
 RateComparison compared_rates(const SuiteCurve& base, const SuiteCurve& option, const HazardCurve& hazard) {
+  ROCKING_EXPECT(base.records.size() == option.records.size());
   const SuiteRates of_base(base, hazard), of_option(option, hazard);
   RateComparison found{.base = base.subject.others, .option = option.subject.others, .event = option.subject.event};
   const std::vector<double> equal(base.records.size(), 1.0);

@@ -1,11 +1,13 @@
 #include "rocking/studies/suite/undecided.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
+#include <string>
 
 #include <boost/math/distributions/normal.hpp>
+
+#include "rocking/base/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -43,9 +45,10 @@ double hazard_between(const HazardCurve& hazard, double from, std::optional<doub
 
 /// The number with so many digits that lies nearest.
 double rounded(double value, int digits) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.*e", digits - 1, value);
-  return std::strtod(text, nullptr);
+  const std::string text = base::significant(value, digits);
+  double number = value;
+  std::from_chars(text.data(), text.data() + text.size(), number);
+  return number;
 }
 
 }  // namespace

@@ -1,0 +1,275 @@
+// `rocking fragility --hazard` of a suite: rates in several ways, levels to add, options, the sheet, hazard curves.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include <gmock/gmock.h>
+
+#include "cli/five_sines.hpp"
+#include "rocking/text/number_text.hpp"
+
+namespace {
+
+using rocking::Json;
+using rocking::support::FiveSines;
+using ::testing::AllOf;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+class RateOfASuite : public FiveSines {};
+
+double sum_of(const Json& list, const char* key, const auto& belongs) {
+  double sum = 0.0;
+  for (const Json& each : list) {
+    if (belongs(each)) sum += each.at(key).get<double>();
+  }
+  return sum;
+}
+
+/// Phi((ln x - ln median)/dispersion) times |dH|, between two intensities, by the midpoint rule in ln x; not over a kink.
+double rate_between(double median, double dispersion, double from, double to) {
+  constexpr double kink = 0.5;
+  if (from < kink && kink < to) {
+    return rate_between(median, dispersion, from, kink) + rate_between(median, dispersion, kink, to);
+  }
+  // The hazard file of SuiteFragility: from, rate there, exponent.
+  const std::array<std::array<double, 3>, 2> pieces{
+      {{0.1, 1e-2, std::log(1e-1) / std::log(5.0)}, {0.5, 1e-3, std::log(1e-2) / std::log(4.0)}}};
+  constexpr int steps = 40000;
+  const double step = std::log(to / from) / steps;
+  double rate = 0.0;
+  for (int k = 0; k < steps; ++k) {
+    const double x = from * std::exp((k + 0.5) * step);
+    const auto& [begin, rate_there, exponent] = pieces[x < kink ? 0 : 1];
+    const double p = 0.5 * std::erfc(-std::log(x / median) / dispersion / std::numbers::sqrt2);
+    rate += p * rate_there * std::pow(x / begin, exponent) * -exponent * step;
+  }
+  return rate;
+}
+
+// The block lifts at tan(psi) = 0.35/1.6 = 0.21875 g under every record.
+TEST_F(RateOfASuite, GivesTheAnnualRateOfAHazardCurveAboveTheLeastUplift) {
+  run();
+  const Json curve = fragility("--hazard hazard.csv")["curves"][0];
+  constexpr double uplift = 0.21875;
+  EXPECT_NEAR(curve["least_uplift"].get<double>(), uplift, 1e-12);
+  const double median = curve["pooled"]["median"]["value"];
+  const double dispersion = curve["pooled"]["dispersion"]["value"];
+  const Json& found = curve["annual_rate"];
+  const double by_law = rate_between(median, dispersion, uplift, 200.0);
+  EXPECT_EQ(found["estimates"][0]["from"], "law");
+  EXPECT_NEAR(found["estimates"][0]["value"].get<double>(), by_law, 1e-6 * by_law);
+  // The law is rejected, so that the value is that of the isotonic shares.
+  EXPECT_EQ(found["from"], "isotonic");
+  const double rate = found["estimates"][1]["value"];
+  EXPECT_NEAR(found["value"].get<double>(), rate, 1e-12 * rate);
+  EXPECT_NEAR(found["impossible"].get<double>(), rate_between(median, dispersion, 0.1, uplift), 1e-6 * rate);
+  EXPECT_LT(found["interval"][0], found["value"]);
+  EXPECT_GT(found["interval"][1], found["value"]);
+  const auto all = [](const Json&) { return true; };
+  EXPECT_NEAR(sum_of(found["by_level"], "rate", all), rate, 1e-6 * rate);
+  EXPECT_NEAR(sum_of(found["by_level"], "share", all), 1.0, 1e-9);
+  EXPECT_NEAR(sum_of(found["by_level"], "share", [](const Json& range) { return !range["tested"]; }),
+              found["untested_share"].get<double>(), 1e-12);
+  // From the least uplift to 0.3 g, five ranges between the levels that lift the block, and one above.
+  EXPECT_EQ(found["by_level"].size(), 7U);
+  EXPECT_FALSE(found["by_level"][0]["tested"]);
+  EXPECT_EQ(found["by_level"][0]["to"], 0.3);
+  EXPECT_TRUE(found["by_level"][1]["tested"]);
+  EXPECT_FALSE(found["measure_assumed"]);
+  const auto told = rocking("fragility out --hazard hazard.csv");
+  EXPECT_THAT(told.output, AllOf(HasSubstr("mean annual rate of overturning: "), HasSubstr("once in "),
+                                 HasSubstr("% of the rate comes from intensities outside the levels"),
+                                 HasSubstr("the least that lifts the block, 0.218"), HasSubstr("not counted: ")));
+}
+
+// Below the least uplift nothing is known of stronger shaking: the rate is that of all of it at most.
+TEST_F(RateOfASuite, BoundsTheAnnualRateOfASuiteWithoutALaw) {
+  Json calm = experiment();
+  calm["sweep"][0]["values"] = {0.01, 0.02};
+  write("e.json", calm.dump());
+  run();
+  const Json rate = fragility("--hazard hazard.csv")["curves"][0]["annual_rate"];
+  EXPECT_EQ(rate["value"], 0.0);
+  EXPECT_EQ(rate["from"], "isotonic");
+  const double above = 1e-2 * std::pow(0.21875 / 0.1, std::log(0.1) / std::log(5.0));
+  EXPECT_EQ(rate["estimates"][3]["from"], "at_most");
+  EXPECT_NEAR(rate["estimates"][3]["value"].get<double>(), above, 1e-9 * above);
+  EXPECT_FALSE(fragility()["curves"][0].contains("annual_rate"));
+}
+
+TEST_F(RateOfASuite, SaysWhatTheLevelsLeaveOpenAndAddsLevels) {
+  Json few = experiment();
+  few["sweep"][0]["values"] = {0.3, 0.65};
+  write("e.json", few.dump());
+  run();
+  const Json rate = fragility("--hazard hazard.csv")["curves"][0]["annual_rate"];
+  ASSERT_GT(rate["undecided_share"], 0.05);
+  std::string levels;
+  for (const Json& level : rate["add_levels"]) levels += (levels.empty() ? "" : ",") + level.dump();
+  EXPECT_THAT(rocking("fragility out --hazard hazard.csv").output,
+              AllOf(HasSubstr("% of the rate undecided; add " + levels), HasSubstr("records contribute")));
+  const auto suggested = rocking("fragility out --hazard hazard.csv --suggest");
+  EXPECT_EQ(suggested.output, "rocking resume out --levels " + levels + "\n");
+  EXPECT_EQ(rocking("fragility out --suggest").exit_code, 64);
+  const auto more = rocking("resume out -q --no-page --levels " + levels);
+  ASSERT_EQ(more.exit_code, 0) << more.errors;
+  // The bytes are those of one run with these levels, in which nothing was run twice.
+  few["sweep"][0]["values"] = {0.3, 0.65};
+  for (const Json& level : rate["add_levels"]) few["sweep"][0]["values"].push_back(level);
+  std::sort(few["sweep"][0]["values"].begin(), few["sweep"][0]["values"].end());
+  write("whole.json", few.dump());
+  ASSERT_EQ(rocking("run whole.json -q --no-page -o whole").exit_code, 0);
+  EXPECT_EQ(Json::parse(read("out/report.json"))["result"], Json::parse(read("whole/report.json"))["result"]);
+  const auto twice = rocking("resume out --levels 0.65");
+  EXPECT_EQ(twice.exit_code, 64);
+  EXPECT_THAT(twice.errors, AllOf(HasSubstr("--levels"), HasSubstr("0.65"), HasSubstr("is a level of the run")));
+  EXPECT_EQ(rocking("resume out --levels -1").exit_code, 64);
+  EXPECT_EQ(rocking("verify out").exit_code, 0) << "a refused extension changes nothing";
+}
+
+TEST_F(RateOfASuite, SweepsASpectralAccelerationAndTakesItsHazard) {
+  Json spectral = experiment();
+  spectral["excitation"]["period_s"] = 0.5;
+  spectral["sweep"][0] = {{"parameter", "/excitation/sa_g"}, {"values", {0.4, 0.7, 1.0, 1.5}}};
+  write("e.json", spectral.dump());
+  run();
+  for (const char* name : {"sa_g", "sa_g[0.5]"}) {
+    write("hazard.csv", std::string(name) + ", annual_rate\n0.1, 1e-2\n0.5, 1e-3\n5, 1e-5\n");
+    EXPECT_GT(fragility("--hazard hazard.csv")["curves"][0]["annual_rate"]["value"], 0.0) << name;
+  }
+  for (const char* name : {"sa_g[1]", "avgsa_g", "pga_g"}) {
+    write("other.csv", std::string(name) + ", annual_rate\n0.1, 1e-2\n0.5, 1e-3\n");
+    const auto other = rocking("fragility out --hazard other.csv");
+    EXPECT_EQ(other.exit_code, 65) << name;
+    EXPECT_THAT(other.errors, HasSubstr("which is sa_g[0.5]")) << name;
+  }
+  // A curve of one spectral acceleration does not fit a sweep of its period.
+  spectral["sweep"].push_back({{"parameter", "/excitation/period_s"}, {"values", {0.5, 1.0}}});
+  write("periods.json", spectral.dump());
+  ASSERT_EQ(rocking("run periods.json -q --no-page -o periods").exit_code, 0);
+  write("hazard.csv", "sa_g, annual_rate\n0.1, 1e-2\n0.5, 1e-3\n");
+  const auto periods = rocking("fragility periods --hazard hazard.csv");
+  EXPECT_EQ(periods.exit_code, 65);
+  EXPECT_THAT(periods.errors, HasSubstr("the sweep changes its period"));
+  // The measure of the sweep has the law of the suite.
+  const Json curve = fragility()["curves"][0];
+  for (const Json& measure : curve["measures"]) {
+    if (measure["measure"] != "sa_g") continue;
+    EXPECT_NEAR(measure["median"].get<double>(), curve["pooled"]["median"]["value"].get<double>(), 1e-6);
+  }
+}
+
+TEST_F(RateOfASuite, WritesItsAnswerOnASheet) {
+  Json wider = experiment();
+  wider["sweep"].push_back({{"parameter", "/block/width_m"}, {"values", {0.35, 0.5}}});
+  write("e.json", wider.dump());
+  run();
+  const auto made = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  EXPECT_THAT(made.output, AllOf(HasSubstr("sheet: sheet.html"), HasSubstr("rates compared")));
+  const std::string sheet = read("sheet.html");
+  const Json report = Json::parse(read("out/report.json"));
+  for (const std::string& text :
+       {std::string("five sines"), std::string("scale 1 : "), std::string("hazard.csv"), std::string("r3.at2"),
+        std::string("data:image/png;base64,"), std::string("in 475 years"), std::string("Poisson"),
+        report["input"]["sha256"].get<std::string>(), report["result"]["digest"].get<std::string>(),
+        std::string("rocking fragility out --hazard hazard.csv --sheet sheet.html")}) {
+    EXPECT_THAT(sheet, HasSubstr(text));
+  }
+  const Json found = fragility("--hazard hazard.csv");
+  const double rate = found["curves"][0]["annual_rate"]["value"];
+  const std::string within = "<strong>" + rocking::significant(-100.0 * std::expm1(-50.0 * rate), 2) + " %";
+  EXPECT_THAT(sheet, HasSubstr(within));
+  // The wider block against the narrower one, with an interval.
+  const Json& comparison = found["comparisons"].at(0);
+  EXPECT_EQ(comparison["option"], Json({{"/block/width_m", 0.5}}));
+  const double wide = found["curves"][1]["annual_rate"]["estimates"][1]["value"];
+  const double narrow = found["curves"][0]["annual_rate"]["estimates"][1]["value"];
+  EXPECT_NEAR(comparison["difference"].get<double>(), wide - narrow, 1e-12 * narrow);
+  EXPECT_NEAR(comparison["ratio"].get<double>(), wide / narrow, 1e-12);
+  EXPECT_LE(comparison["ratio_interval"][0], comparison["ratio"]);
+  EXPECT_GE(comparison["ratio_interval"][1], comparison["ratio"]);
+  // A base that never overturns has no factor; the second option still has a rate.
+  wider["sweep"][1]["values"] = {3.0, 0.35};
+  write("e.json", wider.dump());
+  ASSERT_EQ(rocking("run e.json -q --no-page -o calm").exit_code, 0);
+  ASSERT_EQ(rocking("fragility calm --hazard hazard.csv --sheet calm.html").exit_code, 0);
+  EXPECT_THAT(read("calm.html"),
+              AllOf(HasSubstr("did not overturn"), HasSubstr("up to once in"), HasSubstr("<td>unknown</td>")));
+  const auto again = rocking("fragility out --hazard hazard.csv --sheet sheet.html");
+  EXPECT_EQ(again.exit_code, 74) << again.errors;
+}
+
+TEST_F(RateOfASuite, MakesAPdfOfItsSheetWhereWeasyPrintIs) {
+  run();
+  const auto without =
+      shell("PATH=/nonexistent '" ROCKING_PROGRAM "' fragility out --hazard hazard.csv --sheet sheet.pdf");
+  EXPECT_EQ(without.exit_code, 74);
+  EXPECT_THAT(without.errors, HasSubstr("WeasyPrint is not installed"));
+  EXPECT_FALSE(exists("sheet.pdf"));
+  if (shell("command -v weasyprint").exit_code != 0) GTEST_SKIP() << "WeasyPrint is not installed";
+  const auto made = rocking("fragility out --hazard hazard.csv --sheet sheet.pdf");
+  ASSERT_EQ(made.exit_code, 0) << made.errors;
+  const std::string pdf = read("sheet.pdf");
+  EXPECT_TRUE(pdf.starts_with("%PDF-"));
+  ASSERT_EQ(rocking("fragility out --hazard hazard.csv --overwrite --sheet sheet.pdf").exit_code, 0);
+  EXPECT_EQ(read("sheet.pdf"), pdf) << "equal input gives equal bytes";
+  EXPECT_EQ(rocking("fragility out --sheet other.pdf").exit_code, 64);
+  EXPECT_EQ(rocking("fragility out --hazard hazard.csv --sheet sheet.doc").exit_code, 64);
+}
+
+TEST_F(RateOfASuite, RefusesAHazardCurveInAnotherMeasure) {
+  run();
+  const std::string points = "0.1, 1e-2\n0.5, 1e-3\n";
+  for (const char* name : {"sa_g", "PGV", "arias_m_s", "annual_rate", "/excitation/scale"}) {
+    write("other.csv", "# a comment\n" + std::string(name) + ", annual_rate\n" + points);
+    const auto other = rocking("fragility out --hazard other.csv");
+    EXPECT_EQ(other.exit_code, 65) << name;
+    EXPECT_EQ(other.output, "") << name;
+    EXPECT_THAT(other.errors, AllOf(HasSubstr("other.csv, line 2"), HasSubstr(name), HasSubstr("which is pga_g")))
+        << name;
+  }
+  for (const char* name : {"pga_g", "/excitation/pga_g", "\"pga_g\""}) {
+    write("own.csv", std::string(name) + ", annual_rate\n" + points);
+    const auto own = rocking("fragility out --hazard own.csv");
+    EXPECT_EQ(own.exit_code, 0) << name << own.errors;
+    EXPECT_THAT(own.output, Not(HasSubstr("was assumed"))) << name;
+  }
+  write("nameless.csv", points);
+  EXPECT_THAT(rocking("fragility out --hazard nameless.csv").output,
+              HasSubstr("does not name its intensity measure: pga_g was assumed"));
+  EXPECT_TRUE(fragility("--hazard nameless.csv")["curves"][0]["annual_rate"]["measure_assumed"]);
+}
+
+// Neighbouring doubles, the least and the largest numbers, and as many points as are allowed.
+TEST_F(RateOfASuite, TakesExtremeHazardCurves) {
+  run();
+  const auto rate = [this](const std::string& text) {
+    write("extreme.csv", "pga_g, annual_rate\n" + text);
+    return fragility("--hazard extreme.csv")["curves"][0]["annual_rate"];
+  };
+  const Json plain = rate("0.3, 1e-3\n2, 1e-5\n");
+  const auto by_law = [](const Json& found) { return found["estimates"][0]["value"].get<double>(); };
+  // The rate falls by half at 0.3 g, the second level.
+  const Json stepped = rate("0.3, 2e-3\n0.30000000000000004, 1e-3\n2, 1e-5\n");
+  const double there = fragility()["curves"][0]["levels"][1]["fitted"];
+  EXPECT_NEAR(by_law(stepped), by_law(plain) + 1e-3 * there, 1e-9);
+  EXPECT_GT(rate("1e-308, 1e-2\n1e308, 1e-3\n")["value"], 1e-3);
+  std::string many;
+  for (int i = 0; i < 10000; ++i) {
+    const double x = 0.3 * std::pow(2.0 / 0.3, i / 9999.0);
+    many +=
+        std::to_string(x) + ", " + Json(1e-3 * std::pow(x / 0.3, std::log(1e-2) / std::log(2.0 / 0.3))).dump() + '\n';
+  }
+  EXPECT_NEAR(rate(many)["value"].get<double>(), plain["value"].get<double>(), 1e-5 * plain["value"].get<double>());
+  write("extreme.csv", many + "3, 1e-9\n");
+  const auto refused = rocking("fragility out --hazard extreme.csv");
+  EXPECT_EQ(refused.exit_code, 65);
+  EXPECT_THAT(refused.errors, HasSubstr("more than 10000 points"));
+}
+
+}  // namespace

@@ -54,7 +54,7 @@ add_test(NAME Reference.IsBuiltWithoutWarnings
     ${ROCKING_PYTHON_EXECUTABLE})
 set_tests_properties(Reference.IsBuiltWithoutWarnings PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS reference)
 
-# `rocking` on damaged and odd input (lib/docs/fuzzing.md); with sanitizers no limit of memory can hold.
+# `rocking` on damaged and odd input (reports/evidence/fuzzing.md); with sanitizers no limit of memory can hold.
 add_test(NAME Attack.FindsNothing COMMAND attack $<TARGET_FILE:rocking> ${ROCKING_ATTACK_SEED} 400)
 set_tests_properties(Attack.FindsNothing PROPERTIES TIMEOUT 3600 LABELS fuzz COST 100)
 set_target_properties(attack PROPERTIES EXCLUDE_FROM_ALL OFF)

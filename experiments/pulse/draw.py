@@ -34,7 +34,7 @@ def ways(report):
 
 
 def slender_without_impact(ratio):
-    """Least amplitude of one cycle of a sine that overturns a slender block without impact (lib/docs/closed-forms.md)."""
+    """Least amplitude of one cycle of a sine that overturns a slender block without impact (reports/evidence/closed-forms.md)."""
     def overturns(a):
         return (math.sqrt(a * a - 1) - ratio) * math.exp((2 * math.pi - math.asin(1 / a)) / ratio) > a
     low, high = 1.0, 10.0 + ratio * ratio

@@ -30,7 +30,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Work that a kill may lose. A commit takes less than a thousandth of it (lib/docs/scale.md).
+/// Work that a kill may lose. A commit takes less than a thousandth of it (reports/evidence/scale.md).
 constexpr std::chrono::milliseconds between_commits(100);
 
 /// How a run ended, and how long it took.

@@ -1,6 +1,6 @@
 // A tighter tolerance reduces the error of a trajectory in proportion, until rounding dominates. This is tested for
 // every reference case, and with fixed random numbers under fluctuation. The printed figures are those of
-// lib/docs/accuracy.md.
+// reports/evidence/accuracy.md.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // Response modes of the noise-free reference cases, run far beyond their 20 periods, and of a few noisy responses,
-// compared with a horizon 20 times longer. Many more of the latter: lib/docs/classification-evidence.md.
+// compared with a horizon 20 times longer. Many more of the latter: reports/evidence/classification-evidence.md.
 
 #include <map>
 #include <string>

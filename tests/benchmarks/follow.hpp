@@ -18,7 +18,7 @@ struct Case {
   double sigma;  ///< of static and kinetic friction
 };
 
-/// The cases of lib/docs/performance.md.
+/// The cases of reports/evidence/performance.md.
 [[nodiscard]] inline std::array<Case, 3> usual_cases() {
   return {{{"no sliding", 4.5, false, 0.0}, {"sliding", 7.0, true, 0.0}, {"fluctuating friction", 7.0, true, 0.03}}};
 }

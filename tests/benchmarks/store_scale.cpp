@@ -1,4 +1,4 @@
-// Cost of a store of many realisations: time, disk space, memory. The numbers of lib/docs/scale.md.
+// Cost of a store of many realisations: time, disk space, memory. The numbers of reports/evidence/scale.md.
 // Usage: store_scale ROWS FOLDER
 
 #include <chrono>

@@ -1,4 +1,4 @@
-// The smallest scene of what the fuzz test found about squat blocks (lib/docs/differential.md).
+// The smallest scene of what the fuzz test found about squat blocks (reports/evidence/differential.md).
 
 #include <gtest/gtest.h>
 

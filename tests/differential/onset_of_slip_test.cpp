@@ -1,4 +1,4 @@
-// The smallest scenes of what the fuzz test found, as regression tests (lib/docs/differential.md).
+// The smallest scenes of what the fuzz test found, as regression tests (reports/evidence/differential.md).
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Our trajectories, compared with those of an independent implementation on SUNDIALS (lib/docs/differential.md).
+// Our trajectories, compared with those of an independent implementation on SUNDIALS (reports/evidence/differential.md).
 
 #include <array>
 #include <cstddef>

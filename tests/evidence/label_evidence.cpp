@@ -1,5 +1,5 @@
 // Reliability of the classification of noisy responses: each is compared with the one at a horizon 20 times longer, and
-// with those at other horizons and thresholds. The tables are for lib/docs/classification-evidence.md.
+// with those at other horizons and thresholds. The tables are for reports/evidence/classification-evidence.md.
 //
 //     label_evidence EXPERIMENT.json REALISATIONS
 

@@ -1,5 +1,5 @@
 // The 0-1 test for chaos as an independent test, and cases in which noise makes it wrong. The table is for
-// lib/docs/classification-evidence.md.
+// reports/evidence/classification-evidence.md.
 //
 //     zero_one_evidence
 //

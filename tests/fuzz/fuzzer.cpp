@@ -1,4 +1,4 @@
-// A libFuzzer target for the function ROCKING_FUZZED of fuzz/targets.hpp; how to run it: lib/docs/fuzzing.md.
+// A libFuzzer target for the function ROCKING_FUZZED of fuzz/targets.hpp; how to run it: reports/evidence/fuzzing.md.
 
 #include <cstddef>
 #include <cstdint>

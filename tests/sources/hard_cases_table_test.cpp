@@ -1,4 +1,4 @@
-// lib/docs/hard-cases.md names tests as evidence. Each of them must exist, and each test of tests/hard_cases must be
+// reports/evidence/hard-cases.md names tests as evidence. Each of them must exist, and each test of tests/hard_cases must be
 // named.
 
 #include <filesystem>
@@ -76,7 +76,7 @@ Names difference(const Names& all, const Names& without) {
   return rest;
 }
 
-std::string hard_cases() { return text_of(fs::path(ROCKING_SOURCE_DIR) / "lib/docs/hard-cases.md"); }
+std::string hard_cases() { return text_of(fs::path(ROCKING_SOURCE_DIR) / "reports/evidence/hard-cases.md"); }
 
 TEST(TableOfHardCases, NamesOnlyTestsThatExist) {
   const Names named = named_tests(hard_cases());

@@ -10,7 +10,7 @@
 namespace rocking {
 namespace {
 
-/// Tolerances below this one reach no more digits in double precision (lib/docs/accuracy.md).
+/// Tolerances below this one reach no more digits in double precision (reports/evidence/accuracy.md).
 constexpr double finest_useful_tolerance = 1e-15;
 
 double share(std::uint64_t part, std::uint64_t whole) {

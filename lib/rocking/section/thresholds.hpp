@@ -3,7 +3,7 @@
 namespace rocking::section {
 
 /// Thresholds of the classifier. Users do not set them. The defaults are derived one by one in
-/// lib/docs/methods-classification.md; lib/docs/classification-evidence.md tabulates how much the result of an
+/// lib/docs/methods-classification.md; reports/evidence/classification-evidence.md tabulates how much the result of an
 /// experiment depends on each of them.
 struct Thresholds {
   // Noise-free responses.

@@ -1,5 +1,5 @@
 // The slender-block limit under harmonic excitation: phase, amplitude, range and stability of symmetric (1,n) orbits in
-// closed form. Derived in lib/docs/closed-forms.md, whose symbols are used here.
+// closed form. Derived in reports/evidence/closed-forms.md, whose symbols are used here.
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // attack ROCKING [SEED [COUNT [FIRST [GENERATOR]]]]: runs the program on damaged and unusual input and checks its
-// behaviour. Usage: lib/docs/fuzzing.md. The same numbers give the same cases on every machine.
+// behaviour. Usage: reports/evidence/fuzzing.md. The same numbers give the same cases on every machine.
 
 #include <array>
 #include <cstdint>

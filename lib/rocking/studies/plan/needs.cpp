@@ -15,7 +15,7 @@ constexpr std::uint64_t page_itself = 450'000;        ///< bytes of the page, wi
 constexpr std::uint64_t program_itself = 15'000'000;  ///< bytes of memory
 constexpr std::uint64_t kept_in_shard = 700;          ///< bytes of memory of a condition; a shard makes no report
 
-/// Bytes of a condition, measured with 10^3 to 10^5 conditions (lib/docs/scale.md).
+/// Bytes of a condition, measured with 10^3 to 10^5 conditions (reports/evidence/scale.md).
 struct PerCondition {
   std::uint64_t at_least;
   std::uint64_t of_several;    ///< more, of several realisations: they have more response modes and a non-recurrence

@@ -13,7 +13,7 @@
 namespace rocking {
 
 /// Largest disk space and memory that a run needs at a time, estimated to within a factor of 1.5 for runs of a megabyte
-/// and more (lib/docs/scale.md).
+/// and more (reports/evidence/scale.md).
 struct Needs {
   std::uint64_t disk_bytes = 0;
   std::uint64_t memory_bytes = 0;

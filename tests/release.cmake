@@ -49,10 +49,10 @@ if(TARGET rocking_python)
       ${PROJECT_SOURCE_DIR})
   set_tests_properties(Install.InstallsThePythonModuleWithPip PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS install)
 endif()
-add_test(NAME Reference.IsBuiltWithoutWarnings
+add_test(NAME Documents.AreASiteWithoutWarnings
   COMMAND ${CMAKE_CURRENT_SOURCE_DIR}/reference/build ${PROJECT_SOURCE_DIR} ${PROJECT_BINARY_DIR}
     ${ROCKING_PYTHON_EXECUTABLE})
-set_tests_properties(Reference.IsBuiltWithoutWarnings PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS reference)
+set_tests_properties(Documents.AreASiteWithoutWarnings PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600 LABELS reference)
 
 # `rocking` on damaged and odd input (reports/evidence/fuzzing.md); with sanitizers no limit of memory can hold.
 add_test(NAME Attack.FindsNothing COMMAND attack $<TARGET_FILE:rocking> ${ROCKING_ATTACK_SEED} 400)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Prints the cost of each effect for the reference block per excitation period: the table of lib/docs/effects.md.
+"""Prints the cost of each effect for the reference block per excitation period: the table of reports/evidence/effects.md.
 
 usage: experiments/effects/cost_table.py [build/release/rocking]
 

@@ -969,7 +969,7 @@ class Stubs(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(SOURCE, "lib/python/rocking/py.typed")))
 
     def test_every_function_has_an_example_and_every_name_is_in_the_reference(self):
-        with open(os.path.join(SOURCE, "lib/docs/reference/index.rst")) as file:
+        with open(os.path.join(SOURCE, "lib/docs/reference/python.rst")) as file:
             reference = file.read()
         for name in rocking.__all__:
             public = getattr(rocking, name)

@@ -40,7 +40,7 @@ release_packages=(
   valgrind  # for a profile
   libsundials-dev  # for one test and a benchmark; installs PETSc and a Fortran compiler too
   python3-pip python3-setuptools python3-wheel  # to install it with pip
-  doxygen python3-sphinx  # for the reference documentation
+  doxygen python3-sphinx python3-myst-parser python3-breathe  # for the site of documents
   dpkg-dev file groff-base  # for the package of the system, and to check the manual pages
   python3-pandas r-base-core octave  # to load results as in lib/docs/loading.md
   iproute2  # for the test of rocking-mpi between two hosts

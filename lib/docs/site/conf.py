@@ -1,0 +1,86 @@
+"""Sphinx settings of the site of documents. The source folder is the root of the repository; tests/reference/build calls it.
+
+The index is lib/docs/README.md. Its headings and links are the navigation of the site, so that no list of pages stands twice.
+"""
+
+import os
+import re
+from pathlib import Path
+
+from docutils import nodes
+from pygments.lexers import PythonLexer
+
+root = Path(__file__).resolve().parents[3]
+
+project = "rocking"
+copyright = "the authors of rocking"
+html_title = "rocking"
+extensions = ["myst_parser", "breathe", "sphinx.ext.autodoc"]
+breathe_projects = {"rocking": os.environ["ROCKING_REFERENCE"] + "/xml"}
+breathe_default_project = "rocking"
+breathe_show_include = False
+nitpicky = True
+nitpick_ignore_regex = [("py:class", ".*"), ("cpp:.*", ".*")]  # types of other libraries, and of headers that are not shown
+root_doc = "lib/docs/README"
+include_patterns = [
+    "*.md",
+    "lib/docs/**.md",
+    "lib/docs/reference/*.rst",
+    "experiments/*/README.md",
+    "reports/**.md",
+    "tests/evidence/proof.md",
+    "tests/reference/README.md",
+]
+exclude_patterns = ["build", "reports/local"]
+html_theme = "alabaster"
+html_theme_options = {
+    "description": "How likely is each response of a rocking block?",
+    "fixed_sidebar": True,
+    "font_family": "sans-serif",
+    "page_width": "auto",
+    "sidebar_width": "18em",
+}
+html_sidebars = {"**": ["about.html", "searchbox.html", "navigation.html"]}
+html_static_path = ["static"]
+html_css_files = ["site.css"]
+html_copy_source = False
+html_extra_path = ["extra"]
+myst_heading_anchors = 4  # as a repository's page has them
+autodoc_typehints = "description"
+autodoc_member_order = "bysource"
+
+
+def navigation(text, folder):
+    """The text of an index, with a hidden table of contents of the pages to which it links below each of its headings."""
+    lines = []
+    for section in re.split(r"(?m)^(?=## )", text):
+        heading = re.match(r"## (.*)\n", section)
+        paths = [(folder / link).resolve() for link in re.findall(r"\]\(([^)#:]+\.(?:md|rst))\)", section)]
+        pages = [f"/{path.relative_to(root).with_suffix('')}" for path in paths]
+        lines += [section, "```{toctree}\n:hidden:", f":caption: {heading[1]}\n" if heading else "", *pages, "```\n"]
+    return "\n".join(lines)
+
+
+def add_navigation(app, docname, source):
+    if docname in (root_doc, "lib/docs/decisions/README"):
+        source[0] = navigation(source[0], root / Path(docname).parent)
+
+
+def name_folder(app, env, node, contnode):
+    """A link to a folder leads to its README, or else names it only: a folder is no page."""
+    folder = (Path(env.doc2path(node["refdoc"])).parent / node["reftarget"]).resolve()
+    if not folder.is_dir():
+        return None
+    page = str((folder / "README").relative_to(root))
+    if page not in env.found_docs:
+        return contnode
+    reference = nodes.reference("", "", internal=True, refuri=app.builder.get_relative_uri(node["refdoc"], page))
+    reference.append(contnode)
+    return reference
+
+
+def setup(app):
+    app.connect("source-read", add_navigation)
+    app.add_lexer("python-pandas", PythonLexer)  # tests/cli/loading_test.cpp tells it from other Python
+    app.connect("missing-reference", name_folder)
+    return {"parallel_read_safe": True}

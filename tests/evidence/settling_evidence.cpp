@@ -1,6 +1,6 @@
 // Error rate of the rule by which a response has settled: each realisation is run on to at_most_periods, whatever its
 // response, and its settled mode is compared with the mode of most windows in the second half. The table is for
-// lib/docs/settling.md.
+// reports/evidence/settling.md.
 //
 //     settling_evidence EXPERIMENT.json REALISATIONS
 

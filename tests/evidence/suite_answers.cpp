@@ -1,5 +1,5 @@
 // How often the test of a suite's law rejects, and how often the intervals of its annual rates cover the truth: the tables
-// of lib/docs/fragility.md.
+// of reports/evidence/intervals.md.
 //
 //     suite_answers [simulated suites] [number of the first scenario]
 

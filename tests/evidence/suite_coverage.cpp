@@ -1,4 +1,4 @@
-// How often the intervals of a suite's law cover the truth: the table of lib/docs/fragility.md.
+// How often the intervals of a suite's law cover the truth: the table of reports/evidence/intervals.md.
 //
 //     suite_coverage [simulated suites] [bootstrap samples]
 

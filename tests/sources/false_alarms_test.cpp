@@ -49,7 +49,7 @@ TEST(FalseAlarms, AreAccountedForByEveryStatisticalTest) {
 }
 
 TEST(FalseAlarms, AreInTheDocumentsAsTheyAreCounted) {
-  const std::string document = text_of(ROCKING_SOURCE_DIR "/lib/docs/methods.md");
+  const std::string document = text_of(ROCKING_SOURCE_DIR "/reports/evidence/false-alarms.md");
   for (const Allowance& allowance : allowances) {
     const std::string row = "| `" + std::string(allowance.test) + "` | " + std::to_string(allowance.instances) + " x " +
                             std::to_string(allowance.comparisons) + " |";

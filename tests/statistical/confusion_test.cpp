@@ -1,5 +1,5 @@
 // Frequency of wrong labels on synthetic responses with known labels. The tables are in
-// lib/docs/methods-classification.md; this program makes them. The seeds are fixed: no false alarm.
+// reports/evidence/classification-evidence.md; this program makes them. The seeds are fixed: no false alarm.
 
 #include <cmath>
 #include <cstdio>

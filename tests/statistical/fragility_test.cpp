@@ -73,7 +73,7 @@ std::string per_cent(int count, int of) {
 
 void expect_in_documents(const std::string& row) {
   static const std::string document = [] {
-    std::ifstream stream(ROCKING_SOURCE_DIR "/lib/docs/methods.md");
+    std::ifstream stream(ROCKING_SOURCE_DIR "/reports/evidence/intervals.md");
     return std::string{std::istreambuf_iterator<char>(stream), {}};
   }();
   EXPECT_NE(document.find(row), std::string::npos) << row;

@@ -248,7 +248,7 @@ std::string per_cent(double probability) {
   return text.data();
 }
 
-/// The rows of the tables in lib/docs/methods.md; the first table is for one mode, the second for three at once.
+/// The rows of the tables in reports/evidence/intervals.md; the first table is for one mode, the second for three at once.
 std::vector<std::string> rows_of_documents() {
   std::vector<std::string> rows;
   const auto add = [&rows](const char* name, std::uint64_t n, std::initializer_list<double> values) {
@@ -279,7 +279,7 @@ std::vector<std::string> rows_of_documents() {
 }
 
 TEST(CoverageTable, InTheDocumentsIsWhatComesOut) {
-  std::ifstream stream(ROCKING_SOURCE_DIR "/lib/docs/methods.md");
+  std::ifstream stream(ROCKING_SOURCE_DIR "/reports/evidence/intervals.md");
   const std::string document{std::istreambuf_iterator<char>(stream), {}};
   for (const std::string& row : rows_of_documents()) EXPECT_NE(document.find(row), std::string::npos) << row;
 }

@@ -144,7 +144,7 @@ std::string per_cent(double probability) {
 }
 
 TEST(PairedCoverageTable, InTheDocumentsIsWhatComesOut) {
-  std::ifstream stream(ROCKING_SOURCE_DIR "/lib/docs/methods.md");
+  std::ifstream stream(ROCKING_SOURCE_DIR "/reports/evidence/intervals.md");
   const std::string document{std::istreambuf_iterator<char>(stream), {}};
   for (const std::uint64_t n : {10U, 30U, 100U}) {
     for (const auto& [name, maker] : {std::pair<const char*, IntervalMaker>{"Wald, paired", &wald},

@@ -124,7 +124,7 @@ std::vector<double> trials_of(const std::vector<Word>& words, std::size_t n, std
   return p_values;
 }
 
-// The table of lib/docs/methods.md, section 4, was made from a million other samples and is accurate to 2 %. Here 20000
+// The table of reports/evidence/intervals.md was made from a million other samples and is accurate to 2 %. Here 20000
 // samples detect a deviation of 20 % at 0.05 and of 50 % at 0.001. The last comparison is the twin: with its nominal
 // p-value Jarque-Bera fails.
 TEST(TestsOfShape, AreAsFarOffInSmallSamplesAsTheirTableSays) {

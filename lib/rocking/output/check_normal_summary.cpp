@@ -45,7 +45,7 @@ std::string nearness_line(const std::string& name, const stats::ShapeTest& shape
          significant(shape.nearness[1].distance, 3) + ", as found here: in " + per_cent(shape.nearness[1]) + '\n';
 }
 
-// The table of lib/docs/methods.md, section 4: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means
+// The table of reports/evidence/intervals.md: at 1000 numbers a p-value of 0.001 means 0.003, at 20000 it means
 // 0.0011.
 std::string jarque_bera_line(const stats::NormalCheck& check) {
   if (check.n >= 10'000) return "";

@@ -44,7 +44,7 @@ struct SuiteFit {
 ///
 /// 0 or infinity where an end does not exist. For a median and for dispersions between records the information is that of
 /// as many independent capacities as there are records; the quantile of the normal distribution would give intervals
-/// that are too narrow for few records (lib/docs/fragility.md has the coverage). `law` is that of fit_suite(suite).
+/// that are too narrow for few records (reports/evidence/intervals.md has the coverage). `law` is that of fit_suite(suite).
 [[nodiscard]] Interval profile_interval(const SuiteLevels& suite, const SuiteLaw& law, SuiteQuantity quantity,
                                         double confidence);
 

@@ -31,7 +31,7 @@ struct ClusteredProportion {
 ///
 /// z and t(n - 1) are two-sided quantiles of the normal law and of Student's. Below n it is n, because no law of a share
 /// has a larger variance than that of whole clusters; so it is if all clusters are equal, where v says nothing. Its
-/// coverage is measured, not proven (lib/docs/settling.md). Without clusters [0, 1].
+/// coverage is measured, not proven (reports/evidence/intervals.md). Without clusters [0, 1].
 /// Source: Korn & Graubard (1998), Surv. Methodol. 24, 193-201.
 [[nodiscard]] Interval korn_graubard(const ClusteredProportion& proportion, double confidence);
 

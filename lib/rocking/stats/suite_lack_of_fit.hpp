@@ -23,7 +23,7 @@ namespace rocking::stats {
 /// capacity by the law and with independent trials around it. The law is fitted to each sample anew, so that a sample has
 /// its own distance from its own law. Samples without a law are not counted; absent where more than a tenth has none.
 /// Source: Davison & Hinkley (1997), Bootstrap Methods and their Application, section 4.4. Its size and power are
-/// measured (lib/docs/fragility.md).
+/// measured (reports/evidence/intervals.md).
 ///
 /// Cost: one fit each sample, which is a part.
 [[nodiscard]] std::optional<LackOfFit> suite_lack_of_fit(const SuiteLevels& suite, const SuiteLaw& law,

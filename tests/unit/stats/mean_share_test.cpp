@@ -102,7 +102,7 @@ TEST(MeanShare, KnowsNothingWithoutClusters) {
   EXPECT_EQ(interval.high, 1.0);
 }
 
-// lib/docs/settling.md has the table. The least coverages that it promises are a little below the measured ones.
+// reports/evidence/intervals.md has the table. The least coverages that it promises are a little below the measured ones.
 TEST(MeanShare, CoversTheShareOfSemiMarkovProcessesAsOftenAsTheDocumentsSay) {
   support::FalseAlarms alarms;
   support::SplitMix random(0x5a4e);

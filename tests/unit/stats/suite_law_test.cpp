@@ -129,7 +129,7 @@ TEST(SuiteLaw, HasTheLargestLikelihoodWhereItDiffersFromLme4) {
       }
     }
   }
-  EXPECT_GT(largest_difference, 1e-3) << "lib/docs/fragility.md says that they differ";
+  EXPECT_GT(largest_difference, 1e-3) << "reports/evidence/intervals.md says that they differ";
 }
 
 /// A law with one quantity fixed, and two free numbers: logarithms of other quantities.

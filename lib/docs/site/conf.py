@@ -28,7 +28,6 @@ include_patterns = [
     "lib/docs/reference/*.rst",
     "experiments/*/README.md",
     "reports/**.md",
-    "tests/evidence/proof.md",
     "tests/reference/README.md",
 ]
 exclude_patterns = ["build", "reports/local"]

@@ -12,8 +12,8 @@ namespace rocking {
 
 /// Which random numbers are compared with a distribution.
 struct SamplerQuestion {
-  std::uint64_t n = 20'000;                             ///< how many numbers; at least 20
-  stats::NormalLaw law = {.mean = 0.4, .sigma = 0.03};  ///< mean and standard deviation, of any distribution
+  std::uint64_t n = 20'000;            ///< how many numbers; at least 20
+  stats::NormalLaw law = {0.4, 0.03};  ///< mean and standard deviation, of any distribution
   FluctuationLaw distribution = FluctuationLaw::normal;
   std::uint64_t seed = 0x2012;
   std::string sampler = "box-muller";  ///< that of simulations, `ziggurat` or `inverse-cdf`

@@ -2,14 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
+#include "analysis/axis_ticks.hpp"
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_text.hpp"
 #include "rocking/output/text_table.hpp"
-#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -64,51 +63,6 @@ Panel fitted(Panel panel, const Place& place) {
   return panel;
 }
 
-/// The least and the largest positive number that the layers of a panel show along an axis; first > second: none.
-std::pair<double, double> span_of(const Figure& figure, const Panel& panel, bool along_x) {
-  double least = std::numeric_limits<double>::infinity();
-  double most = 0.0;
-  for (const Layer& layer : panel.layers) {
-    for (std::size_t place = along_x ? 0 : 1; place < (along_x ? 1 : layer.columns.size()); ++place) {
-      for (const auto& row : figure.tables[layer.table].rows) {
-        const double* number = std::get_if<double>(&row[layer.columns[place]]);
-        if (number == nullptr || !(*number > 0.0)) continue;
-        least = std::min(least, *number);
-        most = std::max(most, *number);
-      }
-    }
-  }
-  return {least, most};
-}
-
-/// Ticks of a logarithmic axis from `least` to `most`: along a few decades also 2 and 5, along many some of them.
-std::vector<Tick> logarithmic_ticks(double least, double most) {
-  const bool few = most <= 1e4 * least;
-  const int first = static_cast<int>(std::floor(std::log10(least)));
-  const int last = static_cast<int>(std::floor(std::log10(most)));
-  const int stride = few ? 1 : (last - first) / 6 + 1;
-  std::vector<Tick> ticks;
-  for (int decade = first; decade <= last; ++decade) {
-    if (decade % stride != 0) continue;
-    for (const double digit : {1.0, 2.0, 5.0}) {
-      const double place = digit * std::pow(10.0, decade);
-      if (place < 0.8 * least || 1.25 * most < place || (!few && digit > 1.0)) continue;
-      ticks.push_back({place, few ? significant(place, 6) : "10^{" + std::to_string(decade) + '}'});
-    }
-  }
-  return ticks;
-}
-
-void name_decades(const Figure& figure, Panel& panel) {
-  for (Axis* axis : {&panel.x, &panel.y}) {
-    if (!axis->logarithmic || !axis->ticks.empty()) continue;
-    auto [least, most] = span_of(figure, panel, axis == &panel.x);
-    least = axis->low.value_or(least);
-    most = axis->high.value_or(most);
-    if (least < most) axis->ticks = logarithmic_ticks(least, most);
-  }
-}
-
 bool is_finite(const Cell& cell) {
   if (std::holds_alternative<std::string>(cell)) return true;
   const double* number = std::get_if<double>(&cell);
@@ -149,8 +103,7 @@ Panel with_settled_axes(const Figure& figure, const Panel& panel, const Place& p
   };
   settle_range(settled.x, !shows_nothing(figure, panel));
   settle_range(settled.y, std::any_of(panel.layers.begin(), panel.layers.end(), scales_y));
-  name_decades(figure, settled);
-  return settled;
+  return with_ticks(figure, std::move(settled), place.right - place.left);
 }
 
 std::string axes_text(const Panel& panel, bool with_x) {

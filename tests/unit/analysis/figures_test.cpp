@@ -5,12 +5,14 @@
 #include <cstdlib>
 #include <filesystem>
 #include <regex>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 #include <gmock/gmock.h>
 
+#include "analysis/axis_ticks.hpp"
 #include "analysis/data_file.hpp"
 #include "analysis/draw.hpp"
 #include "analysis/gnuplot_text.hpp"
@@ -181,6 +183,19 @@ Figure figure_with(const std::string& text) {
   return figure;
 }
 
+/// A figure of two points from `low` to `high` along x, with the quantity `q`.
+Figure figure_from(double low, double high, bool logarithmic) {
+  Figure figure;
+  figure.name = "ticks";
+  figure.tables = {{.name = "points", .columns = {{"x", "q"}, {"y", "y"}}, .rows = {{low, 0.2}, {high, 0.8}}}};
+  figure.panels.push_back(
+      {.title = "",
+       .x = {.quantity = "q", .symbol = "", .unit = "", .logarithmic = logarithmic},
+       .y = {.quantity = "y", .symbol = "", .unit = "", .low = 0.0, .high = 1.0, .ticks = {{0.5, "half"}}},
+       .layers = {{.kind = rocking::analysis::LayerKind::points, .table = 0, .columns = {0, 1}}}});
+  return figure;
+}
+
 /// The text of an SVG, without markup and entities.
 std::string words_in(const std::string& svg) {
   std::string words = std::regex_replace(svg, std::regex("<[^>]*>"), "");
@@ -188,6 +203,57 @@ std::string words_in(const std::string& svg) {
     words = std::regex_replace(words, std::regex(entity), letter);
   }
   return std::regex_replace(words, std::regex("\xE2\x80\x8B"), "");  // the zero-width space in `]]>`
+}
+
+/// The texts that an SVG of gnuplot shows, in their order.
+std::vector<std::string> texts_in(const std::string& svg) {
+  std::vector<std::string> texts;
+  const std::regex shown("<text>(.*?)</text>");
+  for (std::sregex_iterator i(svg.begin(), svg.end(), shown), end; i != end; ++i) {
+    const std::string words = words_in((*i)[1]);
+    if (!words.empty()) texts.push_back(words);
+  }
+  return texts;
+}
+
+TEST_F(Drawn, HasTicksThatDifferAndFitHoweverNarrowTheRange) {
+  for (const bool logarithmic : {false, true}) {
+    for (const auto& [low, high] :
+         {std::pair(60.001, 60.004), std::pair(60.0 + 1e-9, 60.0 + 4e-9), std::pair(1e6 + 1e-4, 1e6 + 4e-4),
+          std::pair(1e12, 1e12 + 1.0), std::pair(1e-12, 4e-12), std::pair(59.0, 61.0), std::pair(3.1, 4.9),
+          std::pair(0.02, 3e5), std::pair(1e-30, 1e30), std::pair(60.0, 60.0), std::pair(60.0, 60.0 + 1e-14),
+          std::pair(-60.004, -60.001), std::pair(-1e6 - 4e-4, -1e6 - 1e-4)}) {
+      if (logarithmic && low < 0.0) continue;
+      rocking::analysis::Drawing drawing;
+      const std::vector<std::string> texts = texts_in(picture_of(figure_from(low, high, logarithmic), "svg", drawing));
+      ASSERT_EQ(drawing.reason, "");
+      const std::string where = ::testing::PrintToString(texts) + (logarithmic ? " log " : " ") + std::to_string(low);
+      EXPECT_EQ(std::set<std::string>(texts.begin(), texts.end()).size(), texts.size()) << where;
+      EXPECT_GE(texts.size(), 4U) << where;  // half, two ticks, the quantities
+      for (const std::string& text : texts) EXPECT_LE(text.size(), 24U) << where;
+    }
+  }
+}
+
+TEST(Ticks, AreFewerWhereTheyWouldOverlap) {
+  const Figure figure = figure_from(-3400.0, 3400.0, false);
+  EXPECT_TRUE(rocking::analysis::with_ticks(figure, figure.panels.front(), 600.0).x.ticks.empty());
+  const auto ticks = rocking::analysis::with_ticks(figure, figure.panels.front(), 140.0).x.ticks;
+  ASSERT_EQ(ticks.size(), 3U);
+  EXPECT_EQ(ticks.front().text,
+            "\xE2\x88\x92"
+            "2000");
+  EXPECT_EQ(ticks.back().place, 2000.0);
+}
+
+TEST(Ticks, CountFromANumberThatTheLabelNames) {
+  const Figure figure = figure_from(-1e6 - 4e-4, -1e6 - 1e-4, false);
+  const auto axis = rocking::analysis::with_ticks(figure, figure.panels.front(), 600.0).x;
+  const std::string label = rocking::analysis::label_of(axis);
+  ASSERT_TRUE(label.starts_with("q + ")) << label;
+  const double from = -std::stod(label.substr(4));
+  ASSERT_GE(axis.ticks.size(), 3U);
+  for (const auto& tick : axis.ticks) EXPECT_NEAR(tick.place, from + std::stod(tick.text), 1e-9) << label;
 }
 
 std::size_t count_of(const std::string& part, const std::string& whole) {

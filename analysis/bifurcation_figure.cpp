@@ -22,6 +22,7 @@ using section::ResponseMode;
 constexpr std::size_t tilt_levels = 190;
 constexpr std::size_t most_columns = 600;
 constexpr std::size_t most_points = 12'000;
+constexpr std::size_t few_points = 300;  // of a mode: drawn larger, to be seen on the line of a branch
 
 std::string_view in_words(Branch branch) {
   switch (branch) {
@@ -120,7 +121,7 @@ void add_points(const DrawnDiagram& diagram, const Steps& steps, const Column& v
   for (auto& [mode, table] : point_tables(diagram, steps, value)) {
     Style style = style_of(mode);
     if (mode.kind == section::ResponseKind::unresolved) style.colour = "#707070";
-    style.size = 0.3;
+    style.size = table.rows.size() < few_points ? 0.6 : 0.3;
     style.width = 0.8;
     figure.panels.back().layers.push_back({.kind = LayerKind::points,
                                            .table = figure.tables.size(),

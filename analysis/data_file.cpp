@@ -56,7 +56,9 @@ std::string cell_text(const Cell& cell) {
 
 std::string data_text(const Figure& figure) {
   std::string text = "# " + harmless(figure.title) + '\n';
-  if (!figure.subtitle.empty()) text += "# " + harmless(figure.subtitle) + '\n';
+  for (const std::string& line : {figure.subtitle, figure.caption}) {
+    if (!line.empty()) text += "# " + harmless(line) + '\n';
+  }
   for (std::size_t i = 0; i < figure.tables.size(); ++i) {
     const Table& table = figure.tables[i];
     text += (i == 0 ? "" : "\n\n") + header_of(table);

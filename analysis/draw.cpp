@@ -4,12 +4,18 @@
 
 #include "analysis/data_file.hpp"
 #include "analysis/gnuplot_script.hpp"
+#include "analysis/matplotlib_script.hpp"
 #include "analysis/temporary_folder.hpp"
 #include "rocking/text/files.hpp"
 
 namespace rocking::analysis {
 const std::vector<std::string>& picture_formats() {
   static const std::vector<std::string> formats{"svg", "png", "pdf"};
+  return formats;
+}
+
+const std::vector<std::string>& text_formats() {
+  static const std::vector<std::string> formats{"tsv", "gp", "py"};
   return formats;
 }
 
@@ -73,6 +79,7 @@ Drawing write_figure(const Figure& figure, const fs::path& folder, const std::ve
                      base::StopRequest stop, const FigureLook& look) {
   write_atomically(folder / (figure.name + ".tsv"), data_text(figure));
   write_atomically(folder / (figure.name + ".gp"), script_text(figure, look));
+  write_atomically(folder / (figure.name + ".py"), matplotlib_text(figure, look));
   Drawing drawing = run_gnuplot(folder, figure.name, {.formats = formats, .ending = unfinished}, stop);
   keep_or_remove(figure, folder, formats, drawing);
   return drawing;

@@ -13,9 +13,12 @@ namespace rocking::analysis {
 /// The available picture formats: svg, png, pdf.
 [[nodiscard]] const std::vector<std::string>& picture_formats();
 
-/// Writes NAME.tsv and NAME.gp into the existing folder `folder` and draws the pictures in these formats there. If a
-/// picture cannot be drawn, the two files are written all the same, existing pictures of the figure are removed (they
-/// would show other data), and the result says why. Equal figures give equal bytes. Throws std::system_error with the
+/// Endings of the files of a figure that need no gnuplot: tsv, gp, py.
+[[nodiscard]] const std::vector<std::string>& text_formats();
+
+/// Writes NAME.tsv, NAME.gp and NAME.py into the existing folder `folder` and draws the pictures in these formats there.
+/// If a picture cannot be drawn, the three files are written all the same, existing pictures of the figure are removed
+/// (they would show other data), and the result says why. Equal figures give equal bytes. Throws std::system_error with the
 /// path.
 [[nodiscard]] Drawing write_figure(const Figure& figure, const std::filesystem::path& folder,
                                    const std::vector<std::string>& formats = picture_formats(),

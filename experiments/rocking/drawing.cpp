@@ -73,7 +73,7 @@ WrittenFigures write_figures(const std::vector<analysis::Figure>& figures, const
         analysis::write_figure(figure, folder, analysis::picture_formats(), stop_on_signal(), look);
     written.failures.add(drawing);
     const std::string stem = (folder / figure.name).string();
-    for (const char* ending : {".tsv", ".gp"}) written.files.push_back(stem + ending);
+    for (const std::string& ending : analysis::text_formats()) written.files.push_back(stem + '.' + ending);
     if (!drawing.is_drawn()) continue;
     for (const std::string& format : analysis::picture_formats()) written.files.push_back(stem + '.' + format);
   }

@@ -64,7 +64,8 @@ Written write_all(const std::vector<analysis::Figure>& figures, const fs::path& 
     const analysis::Drawing drawing =
         analysis::write_figure(figure, folder, analysis::picture_formats(), execution.stop, look_for(column));
     note(drawing, written);
-    for (const char* ending : {"tsv", "gp"}) written.files.push_back(folder / (figure.name + '.' + ending));
+    for (const std::string& ending : analysis::text_formats())
+      written.files.push_back(folder / (figure.name + '.' + ending));
     if (!drawing.is_drawn()) continue;
     for (const std::string& format : analysis::picture_formats()) {
       written.files.push_back(folder / (figure.name + '.' + format));

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
+#include "rocking/text/files.hpp"
 #include "support/json_schema.hpp"
 
 namespace {
@@ -99,6 +100,47 @@ TEST_F(Figures, OfARunShowSomethingAndAreDrawnWithoutRunning) {
   EXPECT_EQ(read("out/figures/mode_bands.svg"), bands);
 }
 
+/// matplotlib is a package of the system's Python, which may not be the first one in PATH.
+const std::string plotting_python = "PATH=/usr/bin:$PATH MPLBACKEND=Agg python3";
+
+TEST_F(Figures, AreDrawnByMatplotlibToo) {
+  if (shell(plotting_python + " -c 'import matplotlib'").exit_code != 0) {
+    GTEST_SKIP() << "matplotlib was not found (Debian: python3-matplotlib)";
+  }
+  Json titled = quick_experiment();
+  titled["title"] = "costs $1 or $2, \\frac{ 'so\" it # is %s";
+  write("titled.json", titled.dump());
+  ASSERT_EQ(rocking("run titled.json -o out -q --no-page").exit_code, 0);
+  ASSERT_EQ(rocking("report out --format gnuplot -q").exit_code, 0);
+  write("path.json", rocking("trajectory titled.json --samples 20").output);
+  write("numbers.json", rocking("check-normal --json").output);
+  ASSERT_EQ(rocking("cost titled.json --sample 8 -o out -q").exit_code, 0);
+  ASSERT_EQ(rocking("bifurcation titled.json -o out -q").exit_code, 0);
+  titled.erase("fluctuation");
+  write("certain.json", titled.dump());
+  ASSERT_EQ(rocking("orbits certain.json -o out -q --periods 1 --branches 2").exit_code, 0);
+  ASSERT_EQ(rocking("figure path.json numbers.json out/cost.json out/bifurcation.json out/orbits.json -o out/figures "
+                    "--style journal -q")
+                .exit_code,
+            0);
+  const Outcome outcome = shell("cd out/figures && ls *.py && for f in *.py; do " + plotting_python +
+                                " -W ignore $f && test -s ${f%.py}-matplotlib.pdf || exit 1; done");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.output;
+  EXPECT_EQ(outcome.errors, "");
+  for (const char* name : {"branches.py", "mode_bands.py", "phase_portrait.py", "scene.py", "work_precision.py"}) {
+    EXPECT_THAT(outcome.output, HasSubstr(name));
+  }
+}
+
+TEST_F(Figures, OfTheReadmeThatMovesIsWhatItsScriptMakes) {
+  if (shell("command -v python3").exit_code != 0) GTEST_SKIP() << "python3 was not found (Debian: python3)";
+  const std::string source = ROCKING_SOURCE_DIR;
+  const Outcome outcome =
+      shell("python3 -B '" + source + "/experiments/headline/draw_rocking_block.py' '" ROCKING_PROGRAM "' moving.svg");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(read("moving.svg"), rocking::read_file(source + "/reports/headline/rocking_block.svg"));
+}
+
 TEST_F(Figures, AreWrittenAsDataWithoutGnuplot) {
   ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
   const Outcome outcome = shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' report out --format gnuplot");
@@ -121,7 +163,7 @@ TEST_F(Figures, ThatFailAreAnErrorAlsoWhereTheCommandIsToBeQuiet) {
   const Outcome report = shell("PATH=\"$PWD/bin:$PATH\" exec '" ROCKING_PROGRAM "' report out --format gnuplot -q");
   EXPECT_EQ(report.exit_code, 70);
   EXPECT_THAT(report.output, AllOf(HasSubstr("scene.gp"), ::testing::Not(HasSubstr(".svg"))));
-  EXPECT_EQ(shell("ls out/figures | grep -v -e 'tsv$' -e 'gp$'").output, "");
+  EXPECT_EQ(shell("ls out/figures | grep -v -e 'tsv$' -e 'gp$' -e 'py$'").output, "");
 }
 
 TEST_F(Figures, ShowEveryTitleAndSaySoWhereThereIsNothing) {

@@ -507,7 +507,7 @@ class Pages(unittest.TestCase):
         written = rocking.write_figures(rocking.run(SLAB), self.ours)
         self.assertEqual(len(written.not_drawn), 1)
         self.assertIn("gnuplot", written.not_drawn[0])
-        self.assertEqual({path.suffix for path in written.files}, {".tsv", ".gp"})
+        self.assertEqual({path.suffix for path in written.files}, {".tsv", ".gp", ".py"})
 
     def test_what_cannot_be_written_is_refused(self):
         with self.assertRaises(OSError):

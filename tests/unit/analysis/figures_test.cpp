@@ -156,7 +156,7 @@ TEST_F(Drawn, TwiceGivesTheSameBytes) {
     // cairo 1.18 compresses the date in a PDF (CHANGELOG, known issues); earlier versions write it as text.
     const bool has_plain_date =
         rocking::read_file(first / (figure.name + ".pdf")).find("/CreationDate (D:") != std::string::npos;
-    for (const std::string ending : {".tsv", ".gp", ".svg", ".png", ".pdf"}) {
+    for (const std::string ending : {".tsv", ".gp", ".py", ".svg", ".png", ".pdf"}) {
       const std::string content = rocking::read_file(first / (figure.name + ending));
       EXPECT_GT(content.size(), 200U) << figure.name << ending;
       if (ending == ".pdf" && !has_plain_date) continue;
@@ -409,7 +409,7 @@ TEST(Drawing, LeavesNoPictureBehindWhereGnuplotFails) {
     EXPECT_THAT(drawing.reason, HasSubstr(reason));
     std::vector<std::string> left;
     for (const auto& entry : std::filesystem::directory_iterator(folder / "")) left.push_back(entry.path().filename());
-    EXPECT_THAT(left, ::testing::UnorderedElementsAre("texts.tsv", "texts.gp")) << script;
+    EXPECT_THAT(left, ::testing::UnorderedElementsAre("texts.tsv", "texts.gp", "texts.py")) << script;
   }
 }
 

@@ -288,6 +288,7 @@ void expect_content(const fs::path& file) {
   const std::map<std::string, std::vector<std::string>> parts{{".html", {"<svg", "(1,1)", "</html>"}},
                                                               {".svg", {"<svg", "<path", "</svg>"}},
                                                               {".gp", {"plot"}},
+                                                              {".py", {"import matplotlib", "savefig"}},
                                                               {".tsv", {"\t", "\n"}},
                                                               {".png", {"PNG", "IDAT", "IEND"}},
                                                               {".pdf", {"%PDF", "%%EOF"}},

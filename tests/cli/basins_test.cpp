@@ -1,5 +1,6 @@
 // experiments/basins: a small version of the run whose table is in its README.
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
@@ -63,6 +64,31 @@ TEST_F(Basins, OfTwoResponsesCoexistInThePublishedFractions) {
     EXPECT_LE(here.low, there.high) << mode << ": " << found.successes << " of " << found.trials;
     EXPECT_GE(here.high, there.low) << mode << ": " << found.successes << " of " << found.trials;
   }
+}
+
+TEST_F(Basins, AreDrawnWithTheirSaddlesAndUnstableManifolds) {
+  if (python_with_module().empty() || shell("command -v gnuplot").exit_code != 0) {
+    GTEST_SKIP() << "skipped: needs the Python module and gnuplot (Debian: gnuplot-nox)";
+  }
+  const auto drawn =
+      shell("exec " + python_with_module() + " -B '" ROCKING_SOURCE_DIR "/experiments/basins/draw.py' out 6");
+  ASSERT_EQ(drawn.exit_code, 0) << drawn.errors;
+  EXPECT_THAT(drawn.output, ::testing::HasSubstr("(3,3) saddle"));
+  EXPECT_TRUE(exists("out/basins.png"));
+  const std::string table = read("out/basins.tsv");
+  std::istringstream lines(table.substr(table.find("# unstable manifolds")));
+  double nearest_to_one = 1.0;
+  double nearest_to_three = 1.0;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream cells(line);
+    double tilt = 0.0;
+    double rate = 0.0;
+    if (!(cells >> tilt >> rate)) continue;
+    nearest_to_one = std::min(nearest_to_one, std::hypot(tilt + 0.005410, rate + 0.551138));
+    nearest_to_three = std::min(nearest_to_three, std::hypot(tilt + 0.032693, rate + 0.792673));
+  }
+  EXPECT_LT(nearest_to_one, 1e-2) << "one side leads to (1,1)";
+  EXPECT_LT(nearest_to_three, 1e-2) << "the other to (1,3)";
 }
 
 }  // namespace

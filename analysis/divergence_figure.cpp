@@ -75,7 +75,7 @@ Table table_of(const Pairs& pairs, const std::string& name, double horizon) {
 
 std::optional<Figure> divergence_times(const Report& report, const Store& store) {
   const std::vector<Pairs> all = pairs_of(report, store);
-  if (all.empty()) return std::nullopt;
+  if (std::ranges::all_of(all, [](const Pairs& pairs) { return pairs.diverged.empty(); })) return std::nullopt;
   Figure figure;
   figure.name = "divergence_times";
   figure.title = "Share of diverged pairs of equal runs against time";

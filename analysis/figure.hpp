@@ -91,6 +91,7 @@ struct Panel {
   std::vector<Layer> layers;
   double height = 1.0;    ///< relative to the panels above and below
   bool to_scale = false;  ///< both axes have the same scale and are not drawn
+  double strip = 0.0;     ///< height of the stacks of boxes, of which one stands above each whole number; 0: no stacks
 };
 
 /// Arrangement of the panels.

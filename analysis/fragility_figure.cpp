@@ -24,7 +24,7 @@ Table level_table(const FragilityCurve& curve, const std::string& name) {
   Table table{.name = name,
               .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
-                          {"overturned", "number of them: " + event_in_words(curve.subject.event)},
+                          {"overturned", "of these: " + event_in_words(curve.subject.event)},
                           {"estimate", "estimated probability of " + probability_of(curve.subject.event)},
                           {"low", "lower end of its exact " + level},
                           {"high", "upper end of its exact " + level}},
@@ -170,21 +170,50 @@ std::string rate_sentence(const ReportedSuite& reported) {
   return text + '.';
 }
 
-std::string law_sentence(const ReportedSuite& reported) {
-  const SuiteCurve& curve = reported.curve;
-  const std::string others = values_in_words(curve.subject.others);
-  const std::string begin = reported.run.title + (others.empty() ? "" : ", " + others) + ": ";
-  if (!curve.pooled) return begin + "no law of the suite (" + std::string(to_string(curve.outcome)) + ").";
-  if (curve.outcome == stats::FragilityOutcome::rejected) {
-    return begin + "the lognormal law is rejected; isotonic shares." + uplift_sentence(curve.subject);
-  }
-  const SuiteEstimate& median = curve.pooled->median;
-  const SuiteEstimate& dispersion = curve.pooled->dispersion;
-  return begin + "median " + value_and_interval(median.value, median.interval) + ", dispersion " +
-         value_and_interval(dispersion.value, dispersion.interval) + '.' + uplift_sentence(curve.subject);
+/// `PGA = 0.36 g`, `PGA = 0.36 [0.31, 0.42] g`.
+std::string at_intensity(const CurveSubject& subject, const std::string& value) {
+  const Axis axis = axis_of_parameter(subject.parameter);
+  return (axis.symbol.empty() ? axis.quantity + ' ' : axis.symbol + " = ") + value +
+         (axis.unit.empty() ? "" : ' ' + axis.unit);
 }
 
-std::string description_of(const ReportedSuite& reported) { return law_sentence(reported) + rate_sentence(reported); }
+/// The observed shares, from the weakest to the strongest level.
+std::string shares_in_words(const SuiteCurve& curve) {
+  const auto at = [&curve](const SuiteLevel& level) {
+    return significant(100.0 * level.estimate, 3) + " % at " +
+           at_intensity(curve.subject, significant(level.intensity, 4));
+  };
+  return at(curve.levels.front()) + (curve.levels.size() > 1 ? " to " + at(curve.levels.back()) : std::string()) +
+         " (observed, mean over " + std::to_string(curve.records.size()) + " ground motions)";
+}
+
+/// What the law of the suite says, `median PGA = 0.36 [0.31, 0.42] g, dispersion 0.45 [0.3, 0.6]`.
+std::string law_in_words(const SuiteCurve& curve) {
+  const SuiteEstimate& median = curve.pooled->median;
+  const SuiteEstimate& dispersion = curve.pooled->dispersion;
+  return "median " + at_intensity(curve.subject, value_and_interval(median.value, median.interval)) +
+         (curve.pooled->is_extrapolated ? " (extrapolated beyond the levels)" : "") + ", dispersion " +
+         value_and_interval(dispersion.value, dispersion.interval);
+}
+
+std::string law_sentence(const SuiteCurve& curve) {
+  if (!curve.pooled) {
+    std::string outcome(to_string(curve.outcome));
+    std::ranges::replace(outcome, '_', ' ');
+    return "No law of the suite is fitted: " + outcome + '.';
+  }
+  if (curve.outcome != stats::FragilityOutcome::rejected)
+    return "Lognormal law of the suite: " + law_in_words(curve) + '.';
+  return "The lognormal law (" + law_in_words(curve) +
+         ") is rejected: the curve shows the nearest shares that do not decrease.";
+}
+
+std::string description_of(const ReportedSuite& reported) {
+  const SuiteCurve& curve = reported.curve;
+  const std::string others = values_in_words(curve.subject.others);
+  return (others.empty() ? "P" : others + ": p") + "robability of " + probability_of(curve.subject.event) + ' ' +
+         shares_in_words(curve) + ". " + law_sentence(curve) + rate_sentence(reported) + uplift_sentence(curve.subject);
+}
 
 std::string description_of(const ReportedCurve& reported) {
   const FragilityCurve& curve = reported.curve;
@@ -272,7 +301,7 @@ class Drawing {
       figure_.panels.back().y.quantity = "probability";
     }
     add_curve(reported, number_++, figure_);
-    figure_.description += (figure_.description.empty() ? "" : " ") + description_of(reported);
+    figure_.description += (figure_.description.empty() ? "" : "\n") + description_of(reported);
   }
 
  private:

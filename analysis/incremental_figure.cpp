@@ -69,10 +69,10 @@ Table quantile_table(const std::vector<PeakTiltLevel>& levels, std::optional<dou
   Table table{.name = "all records",
               .columns = {{"intensity", "intensity of the excitation"},
                           {"n", "realisations"},
-                          {"overturned", "number of them that overturned"},
+                          {"overturned", "of these overturned"},
                           {"q16", "16 % quantile of the peak tilt over psi"},
-                          {"median", "median of it"},
-                          {"q84", "84 % quantile of it"}},
+                          {"median", "median of the peak tilt over psi"},
+                          {"q84", "84 % quantile of the peak tilt over psi"}},
               .rows = {}};
   table.only_drawn = flat.has_value();
   for (const PeakTiltLevel& level : levels) {

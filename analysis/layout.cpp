@@ -15,6 +15,7 @@ constexpr std::size_t letters_of_a_legend = 80;
 constexpr double height_of_a_further_line = 0.85;  // of a title or a legend entry, in the height of a line
 constexpr double gap_of_a_sample = 12.0;           // between the sample of a legend entry and its text
 constexpr double gap_of_an_entry = 18.0;
+constexpr std::size_t most_letters_of_a_margin = 40;  // that are written beside a y axis
 
 std::size_t longest_of(const std::vector<std::string>& lines) {
   std::size_t most = 0;
@@ -66,8 +67,18 @@ double set_in_rows(std::vector<LegendEntry>& entries, double top, const FigureLo
   return top - begin;
 }
 
+/// Space for the label of a y axis beside the words at its ticks.
+constexpr double margin_of_a_label = 30.0;
+
 double left_margin_of(const Figure& figure, const FigureLook& look) {
-  return figure.arrangement == Arrangement::stacked ? look.wide_left_margin : look.left_margin;
+  double margin = figure.arrangement == Arrangement::stacked ? look.wide_left_margin : look.left_margin;
+  for (const Panel& panel : figure.panels) {
+    for (const Tick& tick : panel.y.ticks) {
+      const auto letters = static_cast<double>(std::min(letters_in(printable(tick.text)), most_letters_of_a_margin));
+      margin = std::max(margin, margin_of_a_label + look.letter_width * letters);
+    }
+  }
+  return margin;
 }
 
 int columns_for(const Figure& figure, const FigureLook& look) {

@@ -13,6 +13,7 @@ namespace {
 using section::ResponseMode;
 
 constexpr std::size_t most_shown = 10;
+constexpr std::size_t most_panels = 6;  // of bands; further ones are strips of one panel
 
 double number(std::uint64_t count) { return static_cast<double>(count); }
 
@@ -50,6 +51,9 @@ std::vector<double> places_of(const SweepView& view, const Slice& slice) {
   for (const std::size_t condition : slice.conditions) places.push_back(view.x[condition]);
   return places;
 }
+
+/// Column of a table of bands at which their edges begin.
+constexpr std::size_t first_edge = 4;
 
 // Columns: x, x_low, x_high, n, then from and to of each mode, then of the others.
 Table band_table(const Report& report, const SweepView& view, const Slice& slice) {
@@ -137,45 +141,92 @@ void add_line(const ResponseMode& mode, std::size_t table, std::size_t first, Fi
       {.kind = LayerKind::line, .table = table, .columns = {0, first + 1}, .style = line, .legend = to_string(mode)});
 }
 
-/// Rows of one condition for bars: one for each mode.
-Table bar_table(const Report& report, const ReportedCondition& condition, const std::string& name) {
-  const std::string level = report.level() + " simultaneous interval";
-  Table table{.name = name,
-              .columns = {{"place", "position of the middle of the bar"},
-                          {"from", "its left edge"},
-                          {"to", "its right edge"},
-                          {"zero", "its bottom"},
-                          {"estimate", "estimated probability"},
-                          {"low", "lower end of its " + level},
-                          {"high", "upper end of its " + level},
-                          {"count", "realisations"},
-                          {"n", "number of realisations"},
-                          {"mode", "response mode"}},
-              .rows = {}};
-  double place = 0.0;
-  for (const ResponseMode& mode : shown_modes(report)) {
-    const AnyShare share = share_of(condition, mode);
-    table.rows.push_back({place, place - 0.35, place + 0.35, 0.0, share.estimate, low_of(share), high_of(share),
-                          number(share.count), number(condition.result.realisations), to_string(mode)});
-    place += 1.0;
+/// Of categories: the modes side by side, with their intervals. Of one condition the axis names the modes.
+void add_mode_bars(const Report& report, const SweepView& view, std::size_t slice, Figure& figure) {
+  const auto modes = shown_modes(report);
+  const Table whole = figure.tables[slice];
+  Panel& panel = figure.panels[slice];
+  if (report.swept.empty()) panel.x = {.quantity = "response mode", .symbol = "", .unit = ""};
+  for (std::size_t m = 0; m < modes.size(); ++m) {
+    const std::size_t first = 3 + 4 * m;
+    const CategoryBars bars{.number = m,
+                            .of = modes.size(),
+                            .columns = {first, first + 1, first + 2},
+                            .style = style_of(modes[m]),
+                            .legend = to_string(modes[m]),
+                            .panel = slice};
+    add_bars(whole, bars, figure);
+    if (report.swept.empty()) panel.x.ticks.push_back({.place = bars.shift(), .text = to_string(modes[m])});
   }
-  return table;
+  set_range(view, spans_around(places_of(view, view.slices[slice])), panel);
 }
 
-Panel bar_panel(const Report& report, std::size_t table, const std::string& title) {
-  Panel panel{.title = title,
-              .x = {.quantity = "response mode", .symbol = "", .unit = ""},
-              .y = {.quantity = "probability", .symbol = "P", .unit = "", .low = 0.0, .high = 1.0},
-              .layers = {}};
-  const auto modes = shown_modes(report);
-  panel.x.low = -0.6;
-  panel.x.high = static_cast<double>(modes.size()) - 0.4;
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    panel.x.ticks.push_back({.place = static_cast<double>(m), .text = to_string(modes[m])});
+/// The bands of all slices in one panel: each slice has a strip of this height, one above the other.
+constexpr double strip = 0.9;
+constexpr double gap_below = 0.5 * (1.0 - strip);
+
+Table strip_table(const std::vector<Table>& bands) {
+  Table strips{.name = "strips of all combinations", .columns = bands.front().columns, .rows = {}, .only_drawn = true};
+  for (std::size_t i = 0; i < bands.size(); ++i) {
+    for (std::vector<Cell> row : bands[i].rows) {
+      for (std::size_t c = first_edge; c < row.size(); ++c) {
+        row[c] = static_cast<double>(i) + gap_below + strip * std::get<double>(row[c]);
+      }
+      strips.rows.push_back(std::move(row));
+    }
   }
-  panel.layers.push_back(
-      {.kind = LayerKind::error_bars, .table = table, .columns = {0, 4, 5, 6}, .style = {.size = 0.5}});
-  return panel;
+  return strips;
+}
+
+/// The values of the other parameters beside each strip.
+Axis strip_axis(const Report& report, const SweepView& view) {
+  Axis axis;
+  for (std::size_t i = 0; i < view.slices.size(); ++i) {
+    axis.ticks.push_back({.place = static_cast<double>(i) + 0.5, .text = ""});
+  }
+  for (std::size_t entry = 0; entry < report.swept.size(); ++entry) {
+    if (entry == view.entry) continue;
+    const bool is_first = axis.quantity.empty();
+    const Axis own = axis_of_parameter(report.swept[entry], shakings_of(report));
+    axis.quantity += is_first ? own.quantity : ", " + own.quantity;
+    axis.symbol = is_first ? own.symbol : "";
+    axis.unit = is_first ? own.unit : "";
+    for (std::size_t i = 0; i < view.slices.size(); ++i) {
+      const std::string value = short_value(report.conditions[view.slices[i].conditions.front()].parameters[entry]);
+      axis.ticks[i].text += is_first ? value : ", " + value;
+    }
+  }
+  axis.low = 0.0;
+  axis.high = static_cast<double>(view.slices.size());
+  return axis;
+}
+
+/// Draws the bands, which are the tables of the figure, as strips.
+void set_in_strips(const Report& report, const SweepView& view, Figure& figure) {
+  constexpr double height_of_a_strip = 0.05;
+  figure.panels.resize(1);
+  Panel& panel = figure.panels.front();
+  panel.title.clear();
+  panel.x = view.axis;
+  panel.y = strip_axis(report, view);
+  panel.strip = strip;
+  panel.height = std::max(1.0, height_of_a_strip * static_cast<double>(view.slices.size()));
+  figure.tables.push_back(strip_table(figure.tables));
+}
+
+/// Adds the bands of a table to the panel.
+void add_bands(const Report& report, std::size_t table, Panel& panel) {
+  const auto modes = shown_modes(report);
+  const auto add = [&](std::size_t place, const Style& style, const std::string& legend) {
+    const std::size_t first = first_edge + 2 * place;
+    panel.layers.push_back({.kind = LayerKind::boxes,
+                            .table = table,
+                            .columns = {1, 2, first, first + 1},
+                            .style = style,
+                            .legend = legend});
+  };
+  for (std::size_t m = 0; m < modes.size(); ++m) add(m, style_of(modes[m]), to_string(modes[m]));
+  if (report.occurring().size() > modes.size()) add(modes.size(), style_of_others(), "others");
 }
 
 }  // namespace
@@ -198,78 +249,27 @@ Figure mode_bands(const Report& report) {
   const SweepView view = view_of(report);
   Figure figure = figure_of(report, view, "mode_bands");
   figure.title = "Probability of each response mode";
-  const auto modes = shown_modes(report);
-  const bool with_others = report.occurring().size() > modes.size();
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
     figure.tables.push_back(band_table(report, view, view.slices[i]));
-    Panel& panel = figure.panels[i];
-    set_range(view, spans_around(places_of(view, view.slices[i])), panel);
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-      panel.layers.push_back({.kind = LayerKind::boxes,
-                              .table = i,
-                              .columns = {1, 2, 4 + 2 * m, 5 + 2 * m},
-                              .style = style_of(modes[m]),
-                              .legend = to_string(modes[m])});
-    }
-    if (!with_others) continue;
-    const std::size_t first = 4 + 2 * modes.size();
-    panel.layers.push_back({.kind = LayerKind::boxes,
-                            .table = i,
-                            .columns = {1, 2, first, first + 1},
-                            .style = style_of_others(),
-                            .legend = "others"});
+    set_range(view, spans_around(places_of(view, view.slices[i])), figure.panels[i]);
   }
-  figure.caption = "Estimated probability of each response mode" + in_the_end(report) + ", stacked to 1; " +
-                   realisations_in_words(report) + ". Each condition extends halfway to its neighbours.";
+  const bool in_strips = view.slices.size() > most_panels;
+  if (in_strips) set_in_strips(report, view, figure);
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    add_bands(report, in_strips ? view.slices.size() : i, figure.panels[i]);
+  }
+  figure.caption =
+      "Estimated probability of each response mode" + in_the_end(report) + ", stacked to 1; " +
+      realisations_in_words(report) + ". Each condition extends halfway to its neighbours." +
+      (in_strips ? " One strip for each combination of the other parameters" +
+                       (view.slices.size() == most_slices ? ", the first " + std::to_string(most_slices) + " of them."
+                                                          : std::string("."))
+                 : "");
   return figure;
 }
-
-namespace {
-
-/// Adds a bar for each row of the table that was added last, in the style of its mode, behind the other layers of its
-/// panel.
-void add_bars(const std::vector<ResponseMode>& modes, Figure& figure) {
-  const Table rows = figure.tables.back();
-  std::vector<Layer> bars;
-  for (std::size_t m = 0; m < modes.size(); ++m) {
-    const auto& row = rows.rows[m];
-    bars.push_back({.kind = LayerKind::boxes,
-                    .table = figure.tables.size(),
-                    .columns = {0, 1, 2, 3},
-                    .style = style_of(modes[m])});
-    figure.tables.push_back({.name = "bar of " + to_string(modes[m]) + ": " + rows.name,
-                             .columns = {rows.columns.begin() + 1, rows.columns.begin() + 5},
-                             .rows = {{row[1], row[2], row[3], row[4]}},
-                             .only_drawn = true});
-  }
-  auto& layers = figure.panels.back().layers;
-  layers.insert(layers.begin(), bars.begin(), bars.end());
-}
-
-/// A panel for each condition with a bar for each mode.
-Figure mode_bars(const Report& report, const SweepView& view) {
-  Figure figure;
-  figure.name = "mode_probabilities";
-  figure.title = "Probability of each response mode, with intervals";
-  figure.subtitle = report.title();
-  for (const Slice& slice : view.slices) {
-    for (const std::size_t i : slice.conditions) {
-      const std::string name = name_of_condition(report, report.conditions[i]);
-      figure.tables.push_back(bar_table(report, report.conditions[i], name.empty() ? "the only condition" : name));
-      figure.panels.push_back(bar_panel(report, figure.tables.size() - 1, name));
-      add_bars(shown_modes(report), figure);
-    }
-  }
-  figure.caption = "Estimated probability of each response mode" + in_the_end(report) + " with its " + report.level() +
-                   " simultaneous interval for all modes of a condition; " + realisations_in_words(report) + '.';
-  return figure;
-}
-
-}  // namespace
 
 Figure mode_probabilities(const Report& report) {
   const SweepView view = view_of(report);
-  if (!view.is_line) return mode_bars(report, view);
   Figure figure = figure_of(report, view, "mode_probabilities");
   figure.title = "Probability of each response mode, with intervals";
   const auto modes = shown_modes(report);
@@ -278,11 +278,13 @@ Figure mode_probabilities(const Report& report) {
     set_range(view, spans_around(places_of(view, view.slices[i])), figure.panels[i]);
   }
   for (std::size_t i = 0; i < view.slices.size(); ++i) {
-    for (std::size_t m = 0; m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
+    if (!view.is_line) add_mode_bars(report, view, i, figure);
+    for (std::size_t m = 0; view.is_line && m < modes.size(); ++m) add_line(modes[m], i, 2 + 4 * m, figure);
   }
-  figure.caption = "Estimated probability of each response mode" + in_the_end(report) +
-                   " (markers, joined to guide the eye) with its " + report.level() +
-                   " simultaneous interval for all modes of a condition (ribbon, also where a mode did not occur); " +
+  const std::string joined = view.is_line ? " (markers, joined to guide the eye)" : " (markers)";
+  const std::string interval = view.is_line ? "ribbon, also where a mode did not occur" : "bars with caps";
+  figure.caption = "Estimated probability of each response mode" + in_the_end(report) + joined + " with its " +
+                   report.level() + " simultaneous interval for all modes of a condition (" + interval + "); " +
                    realisations_in_words(report) + '.';
   return figure;
 }

@@ -44,11 +44,11 @@ Table divergence_table(const Report& report, const SweepView& view, const Slice&
   Table table{.name = name_of(slice),
               .columns = {view.column,
                           {"pairs", "pairs of runs"},
-                          {"diverged", "number of them that diverged before the horizon"},
+                          {"diverged", "of these diverged before the horizon"},
                           {"median", "median of the divergence time [periods]"},
                           {"lower", "lower quartile [periods]"},
                           {"upper", "upper quartile [periods]"},
-                          {"upper_drawn", "the same, but at most the horizon [periods]"}},
+                          {"upper_drawn", "upper quartile as drawn, cut at the horizon [periods]"}},
               .rows = {}};
   const auto periods = report.periods();
   const Cell end = periods ? Cell(static_cast<double>(*periods)) : Cell();
@@ -71,7 +71,7 @@ void add_curve(const SweepView& view, std::size_t number, const std::array<std::
   const Slice& slice = view.slices[number];
   if (!view.is_line) {
     const Table whole = figure.tables.back();
-    return add_bars(view, whole, {number, columns, style_of_curve(number), name_of(slice)}, figure);
+    return add_bars(whole, {number, view.slices.size(), columns, style_of_curve(number), name_of(slice)}, figure);
   }
   Panel& panel = figure.panels.front();
   const std::size_t table = figure.tables.size() - 1;

@@ -44,8 +44,7 @@ constexpr std::array drawn_quantities{
           "Distance of the block from its place on the base at the horizon, to the right > 0"},
 };
 
-constexpr double lowest = 0.05;
-constexpr double highest = 0.95;
+constexpr std::array drawn_levels{0.5, 0.05, 0.95};
 
 Cell quantile_cell(const std::optional<double>& value) { return value ? Cell(*value) : Cell(); }
 
@@ -56,31 +55,34 @@ stats::QuantileEstimate at_level(const std::vector<stats::QuantileEstimate>& lev
 
 std::string percent_of(double level) { return significant(100.0 * level, 4); }
 
+/// Of each quantile its value and the ends of its interval.
+void add_columns(const Report& report, const std::string& unit, Table& table) {
+  for (const double level : drawn_levels) {
+    const std::string key = level == 0.5 ? "median" : "q" + percent_of(level);
+    table.columns.push_back({key, (level == 0.5 ? "median" : percent_of(level) + " % quantile") + unit});
+    table.columns.push_back({key + "_low", "lower end of its " + report.level() + " interval" + unit});
+    table.columns.push_back({key + "_high", "upper end of it" + unit});
+  }
+}
+
+void add_cells(const Quantiles& quantiles, std::vector<Cell>& row) {
+  for (const double level : drawn_levels) {
+    const stats::QuantileEstimate quantile = at_level(quantiles.levels, level);
+    for (const auto& value : {quantile.value, quantile.low, quantile.high}) row.push_back(quantile_cell(value));
+  }
+}
+
 Table quantile_table(const Report& report, const SweepView& view, const Slice& slice, const Drawn& drawn) {
   const std::string unit = drawn.unit[0] == '\0' ? "" : std::string(" [") + drawn.unit + ']';
   Table table{.name = slice.name.empty() ? "all conditions" : slice.name,
-              .columns = {view.column,
-                          {"n", "realisations"},
-                          {"beyond", "number of them that count as above every value"},
-                          {"median", "median" + unit},
-                          {"median_low", "lower end of its " + report.level() + " interval" + unit},
-                          {"median_high", "upper end of it" + unit}},
+              .columns = {view.column, {"n", "realisations"}, {"beyond", "of these overturned"}},
               .rows = {}};
-  for (const double level : {lowest, highest}) {
-    const std::string percent = percent_of(level);
-    table.columns.push_back({"q" + percent, percent + " % quantile" + unit});
-    table.columns.push_back({"q" + percent + "_low", "lower end of its interval" + unit});
-    table.columns.push_back({"q" + percent + "_high", "upper end of it" + unit});
-  }
+  add_columns(report, unit, table);
   for (const std::size_t i : slice.conditions) {
     const auto found = drawn.quantiles(report.conditions[i].result.peaks);
     if (!found) continue;
-    std::vector<Cell> row{view.x[i], static_cast<double>(found->realisations), static_cast<double>(found->beyond)};
-    for (const double level : {0.5, lowest, highest}) {
-      const stats::QuantileEstimate quantile = at_level(found->levels, level);
-      for (const auto& value : {quantile.value, quantile.low, quantile.high}) row.push_back(quantile_cell(value));
-    }
-    table.rows.push_back(std::move(row));
+    table.rows.push_back({view.x[i], static_cast<double>(found->realisations), static_cast<double>(found->beyond)});
+    add_cells(*found, table.rows.back());
   }
   return table;
 }
@@ -106,10 +108,10 @@ void add_quantile_bars(const SweepView& view, std::size_t number, const Drawn& d
   const Style style = style_of_curve(number);
   Style outer = style;
   outer.marker = 6;  // a circle: not filled
-  add_bars(view, whole, {number, {3, 4, 5}, style, name + "median"}, figure);
-  if (drawn.is_signed) add_bars(view, whole, {number, {6, 7, 8}, outer, ""}, figure);
+  add_bars(whole, {number, view.slices.size(), {3, 4, 5}, style, name + "median"}, figure);
+  if (drawn.is_signed) add_bars(whole, {number, view.slices.size(), {6, 7, 8}, outer, ""}, figure);
   const std::string legend = drawn.is_signed ? "5 % and 95 % quantiles" : "95 % quantile";
-  add_bars(view, whole, {number, {9, 10, 11}, outer, name + legend}, figure);
+  add_bars(whole, {number, view.slices.size(), {9, 10, 11}, outer, name + legend}, figure);
 }
 
 /// Adds the curves of the table that was added last, and the table of their ribbon.
@@ -181,6 +183,32 @@ Figure quantile_figure(const Report& report, const Drawn& drawn) {
 }
 
 }  // namespace
+
+Table quantiles_of_condition(const Report& report, const ReportedCondition& condition) {
+  const bool is_lone = condition.result.realisations == 1;
+  Table table{.name = "", .columns = {{"quantity", "quantity"}}, .rows = {}};
+  if (is_lone) {
+    table.columns.push_back({"value", "value"});
+  } else {
+    add_columns(report, "", table);
+    table.columns.push_back({"n", "realisations"});
+    table.columns.push_back({"beyond", "of these overturned"});
+  }
+  for (const Drawn& drawn : drawn_quantities) {
+    const auto found = drawn.quantiles(condition.result.peaks);
+    if (!found || found->levels.empty()) continue;
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(label_of({.quantity = drawn.quantity, .symbol = drawn.symbol, .unit = drawn.unit}));
+    if (is_lone) {
+      row.push_back(quantile_cell(at_level(found->levels, 0.5).value));
+    } else {
+      add_cells(*found, row);
+      row.emplace_back(static_cast<double>(found->realisations));
+      row.emplace_back(static_cast<double>(found->beyond));
+    }
+  }
+  return table;
+}
 
 std::vector<Figure> quantile_figures(const Report& report) {
   std::vector<Figure> figures;

@@ -12,4 +12,7 @@ namespace rocking::analysis {
 /// quantiles, against the swept parameter. Empty for reports without them.
 [[nodiscard]] std::vector<Figure> quantile_figures(const Report& report);
 
+/// The same numbers of one condition, with a row for each quantity; of one realisation its values.
+[[nodiscard]] Table quantiles_of_condition(const Report& report, const ReportedCondition& condition);
+
 }  // namespace rocking::analysis

@@ -1,7 +1,5 @@
 #include "analysis/run_figures.hpp"
 
-#include <algorithm>
-
 #include "analysis/divergence_figure.hpp"
 #include "analysis/incidence_figure.hpp"
 #include "analysis/mode_figures.hpp"
@@ -12,18 +10,19 @@
 namespace rocking::analysis {
 
 std::vector<Figure> run_figures(const Report& report, const Store* store) {
-  std::vector<Figure> figures{mode_bands(report)};
-  const bool several =
-      std::any_of(report.conditions.begin(), report.conditions.end(),
-                  [](const ReportedCondition& condition) { return condition.result.realisations > 1; });
-  if (several) figures.push_back(mode_probabilities(report));
+  std::vector<Figure> figures;
+  const bool is_sweep = report.conditions.size() > 1;
+  if (is_sweep) figures.push_back(mode_bands(report));
+  if (report.most_realisations() > 1) figures.push_back(mode_probabilities(report));
   const auto add = [&figures](std::optional<Figure> figure) {
     if (figure) figures.push_back(std::move(*figure));
   };
   add(incidence_figure(report));
-  for (Figure& figure : quantile_figures(report)) figures.push_back(std::move(figure));
-  add(non_recurrence(report));
-  add(divergence_quartiles(report));
+  if (is_sweep) {
+    for (Figure& figure : quantile_figures(report)) figures.push_back(std::move(figure));
+    add(non_recurrence(report));
+    add(divergence_quartiles(report));
+  }
   if (store != nullptr) add(divergence_times(report, *store));
   figures.push_back(scene_sketch(report));
   return figures;

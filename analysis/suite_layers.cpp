@@ -26,8 +26,9 @@ std::string probability_of(const FragilityEvent& event) {
 std::string values_in_words(const std::vector<Parameter>& others) {
   std::string words;
   for (const auto& [pointer, value] : others) {
-    words += (words.empty() ? "" : ", ") + axis_of_parameter(pointer).quantity + ' ' +
-             short_value(pointer, Json::parse(value));
+    const Axis axis = axis_of_parameter(pointer);
+    words += (words.empty() ? "" : ", ") + axis.quantity + ' ' + short_value(pointer, Json::parse(value)) +
+             (axis.unit.empty() ? "" : ' ' + axis.unit);
   }
   return words;
 }
@@ -40,7 +41,7 @@ Table suite_table(const SuiteCurve& curve) {
               .columns = {{"intensity", "intensity of the excitation"},
                           {"records", "records"},
                           {"n", "realisations of all records"},
-                          {"happened", "number of them with " + event_in_words(curve.subject.event)},
+                          {"happened", "of these: " + event_in_words(curve.subject.event)},
                           {"estimate", "mean over the records of their shares"},
                           {"fitted", "probability by the law of the suite"},
                           {"fitted_low", "lower end of its bootstrap interval"},

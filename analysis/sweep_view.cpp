@@ -283,21 +283,23 @@ void set_range(const SweepView& view, Panel& panel) {
   panel.x.high = *most + room;
 }
 
-void add_bars(const SweepView& view, const Table& table, const CategoryBars& bars, Figure& figure) {
+double CategoryBars::shift() const {
   constexpr double widest = 0.6;  // of the distance between categories
-  const double place = (static_cast<double>(bars.slice) + 0.5) / static_cast<double>(view.slices.size());
-  const double shift = widest * (place - 0.5);
+  return widest * ((static_cast<double>(number) + 0.5) / static_cast<double>(of) - 0.5);
+}
+
+void add_bars(const Table& table, const CategoryBars& bars, Figure& figure) {
   const auto& [value, low, high] = bars.columns;
   Table drawn{.name = "bars of " + table.columns[value].name + ": " + table.name,
               .columns = {table.columns[0], table.columns[value], table.columns[low], table.columns[high]},
               .rows = {},
               .only_drawn = true};
   for (const auto& row : table.rows) {
-    drawn.rows.push_back({std::get<double>(row[0]) + shift, row[value], row[low], row[high]});
+    drawn.rows.push_back({std::get<double>(row[0]) + bars.shift(), row[value], row[low], row[high]});
   }
   const std::size_t number = figure.tables.size();
   figure.tables.push_back(std::move(drawn));
-  std::vector<Layer>& layers = figure.panels.back().layers;
+  std::vector<Layer>& layers = figure.panels.at(bars.panel).layers;
   layers.push_back({.kind = LayerKind::error_bars, .table = number, .columns = {0, 1, 2, 3}, .style = bars.style});
   layers.push_back(
       {.kind = LayerKind::points, .table = number, .columns = {0, 1}, .style = bars.style, .legend = bars.legend});

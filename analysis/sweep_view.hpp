@@ -41,14 +41,17 @@ void set_range(const SweepView& view, Panel& panel);
 
 /// Values with their intervals at the places of categories, between which no line means anything.
 struct CategoryBars {
-  std::size_t slice;                   ///< of the view; the bars of the slices stand side by side
+  std::size_t number, of;              ///< place among the bars that stand side by side
   std::array<std::size_t, 3> columns;  ///< of the value, its lower and its upper end in the table of the slice
   Style style;
   std::string legend;
+  std::size_t panel = 0;  ///< of the figure
+  /// By how much the bars stand to the right of their category.
+  [[nodiscard]] double shift() const;
 };
 
-/// Adds the values of `table` as markers with bars to the last panel of the figure.
-void add_bars(const SweepView& view, const Table& table, const CategoryBars& bars, Figure& figure);
+/// Adds the values of `table` as markers with bars to a panel of the figure.
+void add_bars(const Table& table, const CategoryBars& bars, Figure& figure);
 
 /// Name of a swept parameter: `base amplitude`, `A_h`.
 [[nodiscard]] Axis axis_of_parameter(const std::string& pointer);

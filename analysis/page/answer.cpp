@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/mode_figures.hpp"
 #include "analysis/overview.hpp"
 #include "analysis/page/html.hpp"
 #include "analysis/page/mode_drawing.hpp"
@@ -72,6 +73,8 @@ class Along {
   const Slice* slice_;
   std::size_t entry_;
 };
+
+bool is_suite(const Report& report) { return report.input.experiment.at("excitation").contains("suite"); }
 
 bool overturns(const ReportedCondition& condition) { return share_of(condition, overturned).count > 0; }
 
@@ -235,6 +238,25 @@ std::string probability_along(const Along& along, const Range& range, const Resp
   return ", " + per_cent(least) + " to " + per_cent(most) + " %";
 }
 
+/// What the drawings and the names of response modes mean.
+std::string legend_of_modes(const Report& report) {
+  const auto occurring = report.occurring();
+  const bool has_periodic = std::ranges::any_of(
+      occurring, [](const auto& entry) { return entry.first.kind == section::ResponseKind::periodic; });
+  return std::string(has_periodic
+                         ? "(<i>m</i>,<i>n</i>): the block rocks <i>m</i> times, to the left and to the right, in "
+                           "<i>n</i> periods of the shaking, and repeats this. "
+                         : "") +
+         "Drawings: tilt against time (thick line) above the acceleration of the floor (thin line); schematic.";
+}
+
+/// Sentences about a suite, one line for each of its curves.
+std::string suite_in_brief(const std::string& sentences) {
+  std::string text = "<p>" + with_symbols(sentences) + "</p>\n";
+  for (auto at = text.find('\n'); at + 1 < text.size(); at = text.find('\n', at)) text.replace(at, 1, "</p><p>");
+  return text;
+}
+
 std::string responses_along(const Along& along) {
   const auto ranges = along.ranges(most_likely);
   std::vector<std::string> parts;
@@ -252,17 +274,33 @@ std::string responses_along(const Along& along) {
   return text;
 }
 
+/// The response modes of the only condition, each with a bar from 0 to 100 % and its interval as a line with caps.
+std::string shares_in_brief(const Report& report) {
+  const ReportedCondition& condition = report.conditions.front();
+  std::string entries;
+  for (const ResponseMode& mode : shown_modes(report)) {
+    const AnyShare share = share_of(condition, mode);
+    const std::string value = probability_at(condition, mode);
+    const std::string ends = !share.interval
+                                 ? ""
+                                 : fmt::format("<path d=\"M{0:.2f} 5H{1:.2f}M{0:.2f} 2.5v5M{1:.2f} 2.5v5\"/>",
+                                               100.0 * share.interval->low, 100.0 * share.interval->high);
+    entries += fmt::format(
+        "<li><span>{}</span><span><b>{}</b> {}</span><svg class=\"share\" viewBox=\"0 0 100 10\" "
+        "preserveAspectRatio=\"none\" "
+        "role=\"img\" aria-label=\"{}\"><rect class=\"whole\" width=\"100\" height=\"10\"/><rect "
+        "width=\"{:.2f}\" height=\"10\"/>{}</svg><span>{}{}</span></li>\n",
+        mode_drawing(mode), escaped(to_string(mode)), meaning_of(mode), value, 100.0 * share.estimate, ends, value,
+        count_at(condition, mode));
+  }
+  return fmt::format(
+      "<ul class=\"shares\">\n{}</ul>\n<p class=\"small\">Bars: share of the realisations, from 0 to 100 %; lines with "
+      "caps: {} interval, simultaneous for all modes. {}</p>\n",
+      entries, escaped(report.level()), legend_of_modes(report));
+}
+
 /// In how many conditions each mode is the most likely one.
 std::string responses_anywhere(const Report& report) {
-  if (report.conditions.size() == 1) {
-    std::string text;
-    for (const auto& [mode, probability] : report.conditions.front().result.modes) {
-      if (probability.counts.successes == 0) continue;
-      text += (text.empty() ? "" : "; ") + mode_in_words(mode) +
-              (report.is_random() ? ": " + probability_at(report.conditions.front(), mode) : "");
-    }
-    return text;
-  }
   std::vector<std::pair<std::uint64_t, ResponseMode>> ranked;
   for (const auto& [mode, prevalence] : prevalences_of(report)) {
     if (prevalence.most_likely > 0) ranked.emplace_back(prevalence.most_likely, mode);
@@ -287,14 +325,35 @@ std::string divergences(const Report& report, const char* cause, DivergenceTimes
   return "<li>" + text + ".</li>\n";
 }
 
+/// Where nothing differs within any condition.
+std::string alike(const Report& report) {
+  if (const auto unresolved = unresolved_responses(report); unresolved.count > 0) {
+    return fmt::format(
+        "Not known: the realisations of each condition were classified alike, but {} of {} as unresolved.",
+        unresolved.count, counted(realisations_of(report), "realisation"));
+  }
+  double most = 0.0;
+  for (const ReportedCondition& condition : report.conditions) {
+    if (condition.result.non_recurrence) most = std::max(most, condition.result.non_recurrence->differ_interval.high);
+  }
+  const bool lone = report.conditions.size() == 1;
+  const std::string limit = fmt::format(" {} runs differ with a probability of at most {} % ({}).",
+                                        lone ? "Two" : "In any one of them, two", per_cent(most), report.level());
+  if (is_suite(report)) {
+    return "Under each ground motion, at each level, all realisations responded alike, although the block is random: "
+           "one realisation of each suffices for the response mode. What differs is the ground motion." +
+           limit;
+  }
+  return (lone ? std::string("All realisations") : std::string("Within each condition all realisations")) +
+         " responded alike, although something is random: one realisation" + (lone ? "" : " of each") +
+         " suffices for the response mode." + limit;
+}
+
 std::string repeatability(const Report& report) {
   const Repeatability found = repeatability_of(report);
   if (!report.is_random()) return "<p>Nothing is random: the same shaking gives the same response.</p>\n";
   if (found.compared == 0) return "<p>There is one realisation per condition, so that none can be compared.</p>\n";
-  if (found.alike == found.compared) {
-    return fmt::format("<p>All realisations of {} have the same response mode.</p>\n",
-                       found.compared == 1 ? "the condition" : "each condition");
-  }
+  if (found.alike == found.compared) return "<p>" + alike(report) + "</p>\n";
   const NonRecurrence& worst = *report.conditions[*found.least].result.non_recurrence;
   const bool lone = report.conditions.size() == 1;
   return fmt::format(
@@ -331,27 +390,24 @@ std::string recurrence_in_brief(const Report& report) {
 
 std::string modes_in_brief(const Report& report) {
   std::string entries;
-  bool has_periodic = false;
   for (const ResponseMode& mode : modes_to_show(report.occurring(), most_stretches)) {
-    has_periodic = has_periodic || mode.kind == section::ResponseKind::periodic;
     entries += fmt::format("<li>{}<span><b>{}</b> {}</span></li>\n", mode_drawing(mode), escaped(to_string(mode)),
                            meaning_of(mode));
   }
-  return fmt::format(
-      "<ul class=\"modes\">\n{}</ul>\n<p class=\"small\">{}Drawings: tilt against time (thick line) above "
-      "the acceleration of the floor (thin line); schematic.</p>\n",
-      entries,
-      has_periodic ? "(<i>m</i>,<i>n</i>): the block rocks <i>m</i> times, to the left and to the right, in <i>n</i> "
-                     "periods of the shaking, and repeats this. "
-                   : "");
+  return fmt::format("<ul class=\"modes\">\n{}</ul>\n<p class=\"small\">{}</p>\n", entries, legend_of_modes(report));
 }
 
-std::string answer_in_brief(const Report& report) {
+std::string answer_in_brief(const Report& report, const std::string& suite) {
+  const bool is_random = report.is_random();
+  const bool lone = report.conditions.size() == 1;
+  const std::string responses = lone && is_random ? shares_in_brief(report)
+                                : lone            ? modes_in_brief(report)
+                                                  : responses_in_brief(report) + modes_in_brief(report);
   return fmt::format(
-      "<dl class=\"short\">\n<dt>Overturning</dt><dd>{}</dd>\n<dt>{}</dt><dd>{}{}</dd>\n"
+      "<dl class=\"short\">\n<dt>Overturning</dt><dd>{}</dd>\n<dt>{}</dt><dd>{}</dd>\n"
       "<dt>Repeatability</dt><dd>{}</dd>\n</dl>\n",
-      overturning_in_brief(report), report.is_random() ? "Most likely response" : "Response",
-      responses_in_brief(report), modes_in_brief(report), repeatability(report));
+      suite.empty() ? overturning_in_brief(report) : suite_in_brief(suite),
+      is_random && !lone ? "Most likely response" : "Response", responses, repeatability(report));
 }
 
 }  // namespace rocking::analysis

@@ -23,7 +23,8 @@ inline constexpr std::size_t most_stretches = 6;
 /// HTML: the response modes that occur, each in words and with a schematic drawing.
 [[nodiscard]] std::string modes_in_brief(const Report& report);
 
-/// HTML: the first part of a page, made of the above.
-[[nodiscard]] std::string answer_in_brief(const Report& report);
+/// HTML: the answer of a page, made of the above; of one condition with a bar for each response mode. `suite`: sentences
+/// about a suite of ground motions, a line each, which replace the places of overturning; empty if there are none.
+[[nodiscard]] std::string answer_in_brief(const Report& report, const std::string& suite = "");
 
 }  // namespace rocking::analysis

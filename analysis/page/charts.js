@@ -37,6 +37,8 @@ var charts = (function () {
         '. Arrow keys move along it and read its values; plus and minus zoom, 0 shows all. The table below has the numbers.'
     }, holder);
     this.plot = shapes.make('div', { class: 'plot' }, this.frame);
+    this.row = 0;
+    if (panel.height > 1 && panel.strip) this.plot.style.height = 21 * panel.height + 'rem';
     this.cursor = shapes.make('div', { class: 'cursor', hidden: '' }, this.frame);
     var foot = shapes.make('div', { class: 'foot' }, holder);
     this.readout = shapes.make('output', { class: 'readout',
@@ -53,7 +55,7 @@ var charts = (function () {
       looks[name] = { color: shapes.darkened(curve.colour), strokePattern: dash.length ? dash : null,
         strokeWidth: curve.kind === 'points' || curve.kind === 'error_bars' ? 0 : curve.width,
         stepPlot: curve.kind === 'steps', pointSize: 3.5,
-        drawPoints: curve.kind !== 'steps' && curve.columns[0].length <= 400,
+        drawPoints: curve.marker > 0 && curve.kind !== 'steps' && curve.columns[0].length <= 400,
         drawPointCallback: function (g, label, context, x, y, colour, size) {
           shapes.mark(context, x, y, colour, size, curve.marker);
         } };
@@ -62,6 +64,8 @@ var charts = (function () {
     if (names.length === 1) names.push('nothing');
     function axis(description) {
       var options = { axisLabelFormatter: function (number) { return shapes.brief(number); } };
+      var letters = Math.max.apply(null, description.ticks.map(function (tick) { return tick[1].length; }));
+      if (letters > 6) options.axisLabelWidth = 8 * letters;
       if (description.logarithmic) options.logscale = true;
       if (description.ticks.length) {
         options.ticker = function (low, high) {
@@ -172,6 +176,10 @@ var charts = (function () {
       layer.columns[0].forEach(function (left, i) {
         var height = layer.kind === 'boxes' ? layer.columns[3][i] - layer.columns[2][i] : null;
         if (near < left || near > layer.columns[1][i] || height === 0) return;
+        if (chart.panel.strip) {
+          if (Math.floor(layer.columns[2][i]) !== chart.row) return;
+          height /= chart.panel.strip;
+        }
         found.push((layer.legend ? layer.legend + ': ' : '') + (height === null ? 'yes' : shapes.brief(height)));
       });
     });
@@ -193,16 +201,28 @@ var charts = (function () {
     var values = this.values(x), readout = this.readout, axis = this.panel.x;
     if (values.x === null) return;
     this.at = values.x;
-    var tick = axis.ticks.filter(function (one) { return one[0] === values.x; })[0];
+    // The bars of a category stand side by side around its place.
+    var tick = axis.ticks.reduce(function (best, one) {
+      return best && Math.abs(best[0] - values.x) <= Math.abs(one[0] - values.x) ? best : one;
+    }, null);
     var name = (axis.symbol || axis.quantity).replace(/_/g, '');
     readout.textContent = '';
     shapes.make('span', { text: name + ' = ' + (tick ? tick[1] : shapes.brief(values.x)) }, readout);
+    if (this.panel.strip) {
+      shapes.make('span', { text: (this.panel.y.symbol || this.panel.y.quantity).replace(/_/g, '') + ' = ' +
+        this.panel.y.ticks[this.row][1] }, readout);
+    }
     values.texts.forEach(function (text) { shapes.make('span', { text: text }, readout); });
     var place = this.graph.toDomXCoord(values.x), area = this.graph.getArea();
     this.cursor.hidden = place < area.x || place > area.x + area.w;
     this.cursor.style.left = place + 'px';
     this.cursor.style.top = area.y + 'px';
     this.cursor.style.height = area.h + 'px';
+  };
+
+  // Of strips one above the other, the readout tells one.
+  Chart.prototype.turnTo = function (y) {
+    this.row = Math.max(0, Math.min(this.panel.y.ticks.length - 1, Math.floor(y)));
   };
 
   Chart.prototype.step = function (by) {
@@ -214,12 +234,18 @@ var charts = (function () {
   Chart.prototype.listen = function () {
     var chart = this;
     this.plot.addEventListener('mousemove', function (event) {
-      chart.tell(chart.graph.toDataXCoord(event.clientX - chart.plot.getBoundingClientRect().left));
+      var place = chart.plot.getBoundingClientRect();
+      chart.turnTo(chart.graph.toDataYCoord(event.clientY - place.top));
+      chart.tell(chart.graph.toDataXCoord(event.clientX - place.left));
     });
     this.plot.addEventListener('mouseleave', function () { chart.cursor.hidden = true; });
     var keys = { ArrowLeft: function () { chart.step(-1); }, ArrowRight: function () { chart.step(1); },
       Home: function () { chart.step(-Infinity); }, End: function () { chart.step(Infinity); },
       '+': function () { chart.zoom(0.5); }, '-': function () { chart.zoom(2); }, 0: function () { chart.reset(); } };
+    if (this.panel.strip) {
+      keys.ArrowUp = function () { chart.turnTo(chart.row + 1); chart.step(0); };
+      keys.ArrowDown = function () { chart.turnTo(chart.row - 1); chart.step(0); };
+    }
     this.frame.addEventListener('keydown', function (event) {
       if (event.ctrlKey || event.altKey || event.metaKey || !keys[event.key]) return;
       keys[event.key]();

@@ -7,6 +7,7 @@
 
 #include "analysis/page/html.hpp"
 #include "analysis/page/tables.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -75,8 +76,10 @@ bool is_interval_of(const Figure& figure, const Layer& layer, const Layer& curve
 std::size_t group_of(const Figure& figure, const Panel& panel, std::size_t place) {
   const Layer& layer = panel.layers[place];
   if (layer.kind != LayerKind::ribbon && layer.kind != LayerKind::error_bars) return place;
-  for (std::size_t i = 0; i < panel.layers.size(); ++i) {
-    if (is_curve(panel.layers[i]) && is_interval_of(figure, layer, panel.layers[i])) return i;
+  // Curves of several slices have the same column names; an interval stands before its own curve.
+  for (std::size_t step = 1; step < panel.layers.size(); ++step) {
+    const std::size_t other = (place + step) % panel.layers.size();
+    if (is_curve(panel.layers[other]) && is_interval_of(figure, layer, panel.layers[other])) return other;
   }
   return place;
 }
@@ -91,7 +94,7 @@ Json layer_json(const Figure& figure, const Panel& panel, std::size_t place) {
   }
   const Style& style = layer.style;
   return {{"kind", name_of(layer.kind)},  {"legend", layer.legend}, {"group", group_of(figure, panel, place)},
-          {"colour", style.colour},       {"dash", style.dash},     {"marker", style.marker},
+          {"colour", style.colour},       {"dash", style.dash},     {"marker", style.size > 0.0 ? style.marker : 0},
           {"hatch", style.hatch},         {"width", style.width},   {"opacity", style.opacity},
           {"columns", std::move(columns)}};
 }
@@ -99,7 +102,8 @@ Json layer_json(const Figure& figure, const Panel& panel, std::size_t place) {
 Json panel_json(const Figure& figure, const Panel& panel) {
   Json layers = Json::array();
   for (std::size_t i = 0; i < panel.layers.size(); ++i) layers.push_back(layer_json(figure, panel, i));
-  return {{"title", panel.title}, {"x", axis_json(panel.x)}, {"y", axis_json(panel.y)}, {"layers", std::move(layers)}};
+  return {{"title", panel.title},   {"x", axis_json(panel.x)}, {"y", axis_json(panel.y)},
+          {"height", panel.height}, {"strip", panel.strip},    {"layers", std::move(layers)}};
 }
 
 std::string charts_html(const Figure& figure) {
@@ -128,23 +132,77 @@ std::string picture_html(const DrawnFigure& drawn, bool charted) {
                      data_address("svg+xml", drawn.svg));
 }
 
-std::string tables_html(const Report& report, const Figure& figure) {
-  const bool has_probabilities = std::ranges::any_of(
-      report.conditions, [](const ReportedCondition& condition) { return condition.result.realisations > 1; });
-  if (figure.name == "mode_probabilities") return mode_table_html(report);
-  if (figure.name == "mode_bands") return has_probabilities ? "" : mode_table_html(report);  // not twice
-  if (figure.name == "divergence_times") return data_table_html(side_by_side(figure.tables), figure.title);
-  std::string text;
-  for (std::size_t i = 0; i < std::min(most_charts, figure.tables.size()); ++i) {
-    const Table& table = figure.tables[i];
-    if (!table.columns.empty() && !table.grid && !table.only_drawn) text += data_table_html(table, figure.title);
+constexpr std::size_t most_open_tables = 2;
+
+/// Figures with more panels or curves are folded away.
+constexpr std::size_t most_open_panels = 6;
+constexpr std::size_t most_open_curves = 12;
+
+/// Entries of the legend of the panel that has most of them.
+std::size_t most_curves_of(const Figure& figure) {
+  std::size_t curves = 0;
+  for (const Panel& panel : figure.panels) {
+    const auto named = std::ranges::count_if(panel.layers, [](const Layer& layer) { return !layer.legend.empty(); });
+    curves = std::max(curves, static_cast<std::size_t>(named));
   }
-  return text;
+  return curves;
+}
+
+/// The table with the names of categories in place of their positions along the axis.
+Table with_names(Table table, const Axis& axis) {
+  for (std::vector<Cell>& row : table.rows) {
+    const double* place = std::get_if<double>(&row.front());
+    for (const Tick& tick : axis.ticks) {
+      if (place != nullptr && *place == tick.place) {
+        row.front() = tick.text;
+        break;
+      }
+    }
+  }
+  return table;
+}
+
+/// A table with a column for each of many names, such as the records of a suite, with its rows as columns.
+Table upright(const Table& table) {
+  constexpr std::size_t most_columns = 8;
+  const std::size_t columns = table.columns.size();
+  if (columns <= std::max(most_columns, table.rows.size() + 1) || !table.columns.back().is_verbatim) return table;
+  Table turned{.name = table.name, .columns = {{"name", "at each " + table.columns.front().meaning}}, .rows = {}};
+  for (const auto& row : table.rows) {
+    const double* number = std::get_if<double>(&row.front());
+    const std::string place = number != nullptr ? significant(*number, 5) : "";
+    turned.columns.push_back({.name = place, .meaning = place, .is_verbatim = true});
+  }
+  for (std::size_t c = 1; c < columns; ++c) {
+    std::vector<Cell>& row = turned.rows.emplace_back(std::vector<Cell>{table.columns[c].meaning});
+    for (const auto& source : table.rows) row.push_back(source[c]);
+  }
+  return turned;
+}
+
+std::string folded(const std::string& summary, const std::string& content) {
+  return fmt::format("<details class=\"folded\"><summary>{}</summary>\n{}</details>\n", summary, content);
 }
 
 }  // namespace
 
-std::string figure_html(const Report& report, const DrawnFigure& drawn) {
+std::string tables_html(const Report& report, const Figure& figure) {
+  if (figure.name == "mode_probabilities") return mode_table_html(report);
+  if (figure.name == "divergence_times") return data_table_html(side_by_side(figure.tables), figure.title);
+  if (figure.name == "mode_bands") return report.most_realisations() == 1 ? mode_table_html(report) : "";  // not twice
+  std::vector<std::string> tables;
+  for (std::size_t i = 0; i < std::min(most_charts, figure.tables.size()); ++i) {
+    const Table& table = figure.tables[i];
+    if (!table.columns.empty() && !table.grid && !table.only_drawn) {
+      tables.push_back(data_table_html(upright(with_names(table, figure.panels.front().x)), figure.title));
+    }
+  }
+  std::string text, further;
+  for (std::size_t i = 0; i < tables.size(); ++i) (i < most_open_tables ? text : further) += tables[i];
+  return further.empty() ? text : text + folded("Further tables", further);
+}
+
+std::string figure_html(const DrawnFigure& drawn, const std::string& below) {
   const Figure& figure = drawn.figure;
   std::size_t rows = 0;
   for (const Table& table : figure.tables) rows += table.rows.size();
@@ -155,10 +213,20 @@ std::string figure_html(const Report& report, const DrawnFigure& drawn) {
   if (charted) text += charts_html(figure);
   text += picture_html(drawn, charted);
   text += fmt::format("<figcaption>{}</figcaption>\n", lowered(figure.caption));
-  if (!figure.description.empty()) {
-    text += fmt::format("<p class=\"description\">{}</p>\n", escaped(figure.description));
+  return text + below + "</figure>\n";
+}
+
+std::string figure_with_tables_html(const Report& report, const DrawnFigure& drawn) {
+  const Figure& figure = drawn.figure;
+  std::string below;
+  if (!figure.description.empty())
+    below = fmt::format("<p class=\"description\">{}</p>\n", escaped(figure.description));
+  const std::string text = figure_html(drawn, below + tables_html(report, figure));
+  const std::size_t curves = most_curves_of(figure);
+  if (figure.panels.size() > most_open_panels) {
+    return folded(fmt::format("{} ({} charts)", escaped(figure.title), figure.panels.size()), text);
   }
-  return text + tables_html(report, figure) + "</figure>\n";
+  return curves > most_open_curves ? folded(fmt::format("{} ({} curves)", escaped(figure.title), curves), text) : text;
 }
 
 }  // namespace rocking::analysis

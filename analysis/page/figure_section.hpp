@@ -20,8 +20,14 @@ struct DrawnFigure {
   std::string svg;  ///< empty if it could not be drawn
 };
 
-/// HTML of a figure: charts for the script of the page; the picture for printing and for pages without scripts; a
-/// description in words for readers who see neither; and the numbers as a table.
-[[nodiscard]] std::string figure_html(const Report& report, const DrawnFigure& drawn);
+/// HTML of a figure: charts for the script of the page; the picture for printing and for pages without scripts.
+/// `below`: HTML below its caption.
+[[nodiscard]] std::string figure_html(const DrawnFigure& drawn, const std::string& below = "");
+
+/// HTML of the numbers of a figure.
+[[nodiscard]] std::string tables_html(const Report& report, const Figure& figure);
+
+/// HTML of a figure with its description in words and its numbers; folded if it has many panels or curves.
+[[nodiscard]] std::string figure_with_tables_html(const Report& report, const DrawnFigure& drawn);
 
 }  // namespace rocking::analysis

@@ -12,7 +12,9 @@
 #include "analysis/page/limits.hpp"
 #include "analysis/page/question.hpp"
 #include "analysis/page/settling.hpp"
+#include "analysis/page/tables.hpp"
 #include "analysis/page/trust.hpp"
+#include "analysis/quantile_figure.hpp"
 
 namespace rocking::analysis {
 namespace {
@@ -25,11 +27,11 @@ struct Part {
 };
 
 const std::vector<Part>& parts() {
-  static const std::vector<Part> all{{"responses", "Which responses occur, and how likely are they?", {"mode_"}},
+  static const std::vector<Part> all{{"fragility", "All ground motions together", {"fragility", "incremental"}},
+                                     {"responses", "Which responses occur, and how likely are they?", {"mode_"}},
                                      {"by-when", "Which response, and by when?", {"incidence"}},
-                                     {"fragility", "What does the suite say?", {"fragility", "incremental"}},
                                      {"extent", "How far does the block move?", {"peak_", "final_"}},
-                                     {"recurrence", "Is the response repeatable?", {"non_recurrence", "parting"}},
+                                     {"recurrence", "Is the response repeatable?", {"non_recurrence", "divergence"}},
                                      {"question", "What was simulated?", {"scene"}},
                                      {"more", "More figures", {""}}};
   return all;
@@ -54,12 +56,27 @@ std::string section(const char* id, const char* heading, const std::string& cont
       heading, content);
 }
 
-/// Figures by part: each goes to the first part that has a beginning of its name.
+/// The figure that shows the answer: of a suite the probability against the intensity, otherwise the responses along the
+/// sweep; null if there is neither.
+const DrawnFigure* leading_of(const std::vector<DrawnFigure>& figures) {
+  for (const std::string_view name : {"fragility", "mode_bands"}) {
+    const auto found = std::ranges::find(figures, name, [](const DrawnFigure& drawn) { return drawn.figure.name; });
+    if (found != figures.end()) return &*found;
+  }
+  return nullptr;
+}
+
+/// The figures below the leading one by part: each goes to the first part that has a beginning of its name. The answer
+/// has the probabilities of one condition.
 std::map<std::string, std::string> figures_by_part(const Report& report, const std::vector<DrawnFigure>& figures) {
   std::map<std::string, std::string> content;
+  const DrawnFigure* leading = leading_of(figures);
   for (const DrawnFigure& drawn : figures) {
+    if (report.conditions.size() == 1 && drawn.figure.name == "mode_probabilities") continue;
     const auto part = std::ranges::find_if(parts(), [&](const Part& each) { return belongs(each, drawn.figure); });
-    content[part->id] += figure_html(report, drawn);
+    const std::string html =
+        &drawn == leading ? tables_html(report, drawn.figure) : figure_with_tables_html(report, drawn);
+    if (!html.empty()) content[part->id] += html;
   }
   return content;
 }
@@ -82,8 +99,17 @@ std::string page_text(const Report& report, const std::vector<DrawnFigure>& figu
     content["by-when"] = settling + content["by-when"];
   }
   const auto link = [&content](const char* id) { return content.contains(id) ? id : ""; };
-  std::string text = section("answer", "In short", answer_in_brief(report)) + "<div class=\"cards\">\n";
-  text += card("asked", "What was simulated?", question_in_brief(report), "question");
+  const DrawnFigure* leading = leading_of(figures);
+  const std::string suite = leading != nullptr ? leading->figure.description : "";
+  std::string shown;
+  if (leading != nullptr) {
+    shown = figure_html(*leading);
+  } else if (report.conditions.size() == 1) {
+    shown = data_table_html(quantiles_of_condition(report, report.conditions.front()), "How far the block moves");
+  }
+  std::string text = "<div class=\"asked\">" + question_at_once(report) + "</div>\n" +
+                     section("answer", "In short", answer_in_brief(report, suite) + shown);
+  text += "<div class=\"cards\">\n";
   text += card("repeats", "Is the response repeatable?", recurrence_in_brief(report), link("recurrence"));
   text += card("believe", "Can the results be trusted?", trust_in_brief(checks), "trust");
   text += "</div>\n" + animations_section(motions);

@@ -34,11 +34,26 @@
     });
   }
 
+  // A table that is wider than its place says so.
+  function watchWidth(place) {
+    new ResizeObserver(function () {
+      place.classList.toggle('wide', place.scrollWidth > place.clientWidth + 1);
+    }).observe(place);
+  }
+
+  // What is folded away has no width to draw in: it is drawn when it is opened.
+  function whenSeen(holder) {
+    var fold = holder.closest('details');
+    if (!fold || fold.open) charts.add(holder);
+    else fold.addEventListener('toggle', function () { charts.add(holder); }, { once: true });
+  }
+
   document.querySelectorAll('table.sortable').forEach(addSorting);
+  document.querySelectorAll('.scroll').forEach(watchWidth);
   document.querySelectorAll('.motions').forEach(motions.add);
   if (typeof Dygraph === 'undefined') return;
   // The legend of dygraphs sets a style attribute, which the page's policy forbids; the readout shows the same.
   Dygraph.PLUGINS = Dygraph.PLUGINS.filter(function (plugin) { return plugin !== Dygraph.Plugins.Legend; });
   document.documentElement.classList.add('live');
-  document.querySelectorAll('.charts').forEach(charts.add);
+  document.querySelectorAll('.charts').forEach(whenSeen);
 }());

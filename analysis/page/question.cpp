@@ -299,15 +299,9 @@ std::string horizon_in_brief(const Report& report) {
                      number(horizon.at("sampled_periods")));
 }
 
-}  // namespace
-
-std::string question_in_brief(const Report& report) {
-  std::string text = fmt::format(
-      "<p>A block {} and {} stands {}. {}</p>\n", side_in_brief(report, "/block/width_m", "wide"),
-      side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report), friction_in_brief(report));
-  text += fmt::format("<p>{}.</p>\n", impacts_in_brief(report));
-  const std::string sweep = sweep_in_brief(report);
-  if (!sweep.empty()) text += fmt::format("<p>Swept: {}.</p>\n", sweep);
+/// The impacts, what a suite is, and how much was run.
+std::string further_question(const Report& report) {
+  std::string text = fmt::format("<p>{}.</p>\n", impacts_in_brief(report));
   if (report.input.experiment.at("excitation").contains("suite")) {
     text +=
         "<p>Each ground motion stands for one earthquake. Its realisations show what is random in the block; the "
@@ -317,6 +311,17 @@ std::string question_in_brief(const Report& report) {
   return text + fmt::format("<p>{}, {} in all; {}.</p>\n", counted(report.conditions.size(), "condition"),
                             counted(realisations_of(report), "realisation"), horizon_in_brief(report));
 }
+
+}  // namespace
+
+std::string question_at_once(const Report& report) {
+  const std::string sweep = sweep_in_brief(report);
+  return fmt::format("<p>A block {} and {} stands {}. {}</p>\n{}", side_in_brief(report, "/block/width_m", "wide"),
+                     side_in_brief(report, "/block/height_m", "high"), shaking_in_brief(report),
+                     friction_in_brief(report), sweep.empty() ? "" : fmt::format("<p>Swept: {}.</p>\n", sweep));
+}
+
+std::string question_in_brief(const Report& report) { return question_at_once(report) + further_question(report); }
 
 std::string question_in_full(const Report& report) {
   const auto in_words = [&](double (Shape::*number)() const) { return spread_in_words(of_blocks(report, number), 4); };
@@ -333,10 +338,11 @@ std::string question_in_full(const Report& report) {
       add_settings(report, child_pointer("", key), value, rows);
     }
   }
-  return fmt::format(
-      "<dl class=\"settings\">\n{}</dl>\n<details><summary>The experiment file, with every default written "
-      "out</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
-      rows, escaped(report.input.experiment.dump(2)));
+  return further_question(report) +
+         fmt::format(
+             "<dl class=\"settings\">\n{}</dl>\n<details><summary>The experiment file, with every default written "
+             "out</summary>\n<pre tabindex=\"0\">{}</pre></details>\n",
+             rows, escaped(report.input.experiment.dump(2)));
 }
 
 }  // namespace rocking::analysis

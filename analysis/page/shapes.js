@@ -131,7 +131,7 @@ var shapes = (function () {
       context.lineTo(30, 7);
       context.stroke();
       context.setLineDash([]);
-      if (layer.kind !== 'steps') mark(context, 15, 7, darkened(layer.colour), 4, layer.marker);
+      if (layer.marker > 0 && layer.kind !== 'steps') mark(context, 15, 7, darkened(layer.colour), 4, layer.marker);
     }
     return canvas;
   }

@@ -30,13 +30,15 @@ struct PageTable {
   std::size_t all_rows = 0;                 ///< including omitted ones
 };
 
+constexpr int digits_with_interval = 4;
+
 PageCell cell_of(std::string html) { return {.html = std::move(html), .value = {}}; }
 
 /// The script of the page makes the buttons; without it there are none.
 std::string html_of(const PageTable& table) {
   std::string text = fmt::format(
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{}\"><table class=\"sortable\">"
-      "<caption>{}</caption>\n<thead><tr>",
+      "<caption><span>{}</span></caption>\n<thead><tr>",
       table.label, table.caption);
   for (const std::string& cell : table.head) text += fmt::format("<th scope=\"col\">{}</th>", cell);
   text += "</tr></thead>\n<tbody>\n";
@@ -85,10 +87,37 @@ std::string column_name(const Axis& axis) {
          (axis.unit.empty() ? "" : " [" + with_symbols(axis.unit) + ']');
 }
 
-std::string cell_html(const Cell& cell) {
-  if (const double* number = std::get_if<double>(&cell)) return significant(*number, 5);
+std::string cell_html(const Cell& cell, int digits = 5) {
+  if (const double* number = std::get_if<double>(&cell)) return significant(*number, digits);
   if (const std::string* text = std::get_if<std::string>(&cell)) return escaped(*text);
   return "<span class=\"none\">none</span>";
+}
+
+/// Whether the two columns after this one are the ends of its interval: `low` and `high`, or `mode_low` and `mode_high`.
+bool has_interval(const Table& table, std::size_t place) {
+  if (place + 2 >= table.columns.size()) return false;
+  const std::string& low = table.columns[place + 1].name;
+  const std::string& high = table.columns[place + 2].name;
+  return (low == "low" && high == "high") || (low.ends_with("_low") && high == low.substr(0, low.size() - 3) + "high");
+}
+
+/// The name of a column and, below it, that of its interval, whose lower end is the `lower end of its 95 % interval`.
+std::string head_html(const Table& table, std::size_t place) {
+  const Column& column = table.columns[place];
+  const std::string name = column.is_verbatim ? escaped(column.meaning) : lowered(column.meaning);
+  if (!has_interval(table, place)) return name;
+  std::string interval = table.columns[place + 1].meaning;
+  if (const auto its = interval.find(" its "); its != std::string::npos) interval.erase(0, its + 5);
+  if (const auto unit = interval.find(" ["); unit != std::string::npos) interval.erase(unit);
+  return name + " <span class=\"interval\">[" + escaped(interval) + "]</span>";
+}
+
+std::string interval_html(const Cell& low, const Cell& high) {
+  const auto is_open = [](const Cell& cell) { return std::holds_alternative<std::monostate>(cell); };
+  if (is_open(low) && is_open(high)) return "";
+  return fmt::format(" <span class=\"interval\">[{}, {}]</span>",
+                     is_open(low) ? "open" : cell_html(low, digits_with_interval),
+                     is_open(high) ? "open" : cell_html(high, digits_with_interval));
 }
 
 }  // namespace
@@ -136,7 +165,7 @@ Table side_by_side(const std::vector<Table>& tables) {
   Table joined{.name = "", .columns = {tables.front().columns.front()}, .rows = {}};
   std::map<double, std::vector<Cell>> levels;
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    joined.columns.push_back({.name = tables[i].name, .meaning = tables[i].name});
+    joined.columns.push_back({.name = tables[i].name, .meaning = tables[i].name, .is_verbatim = true});
     for (const auto& row : tables[i].rows) {
       std::vector<Cell>& cells = levels[std::get<double>(row[0])];
       cells.resize(tables.size());
@@ -159,13 +188,20 @@ std::string data_table_html(const Table& table, const std::string& title) {
   PageTable shown;
   shown.label = "Table: " + escaped(title) + (table.name.empty() ? "" : " (" + escaped(table.name) + ')');
   shown.caption = escaped(title) + (table.name.empty() ? "" : " (" + with_symbols(table.name) + ')');
-  for (const Column& column : table.columns) {
-    shown.head.push_back(column.is_verbatim ? escaped(column.meaning) : lowered(column.meaning));
+  for (std::size_t i = 0; i < table.columns.size(); ++i) {
+    shown.head.push_back(head_html(table, i));
+    if (has_interval(table, i)) i += 2;
   }
   shown.all_rows = table.rows.size();
-  for (std::size_t i = 0; i < std::min(most_rows, table.rows.size()); ++i) {
+  for (std::size_t r = 0; r < std::min(most_rows, table.rows.size()); ++r) {
+    const std::vector<Cell>& cells = table.rows[r];
     std::vector<PageCell> row;
-    for (const Cell& cell : table.rows[i]) row.push_back(cell_of(cell_html(cell)));
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      row.push_back(cell_of(cell_html(cells[i], has_interval(table, i) ? digits_with_interval : 5)));
+      if (!has_interval(table, i)) continue;
+      row.back().html += interval_html(cells[i + 1], cells[i + 2]);
+      i += 2;
+    }
     shown.rows.push_back(std::move(row));
   }
   return html_of(shown);

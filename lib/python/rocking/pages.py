@@ -49,7 +49,7 @@ def write_page(source: Union[Result, _Path], file: _Path) -> Written:
 
 
 def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = "screen") -> Written:
-    """Draw the figures of a complete run in a folder: data (tsv), gnuplot's script (gp) and pictures (svg, png, pdf).
+    """Draw the figures of a complete run in a folder: data (tsv), scripts (gp, py) and pictures (svg, png, pdf).
 
     source: a Result, or the folder of a run. column: ``screen``, ``journal_single`` (84 mm, 8 points, no titles) or
     ``journal_double`` (174 mm). Errors as write_page().
@@ -61,7 +61,7 @@ def write_figures(source: Union[Result, _Path], folder: _Path, *, column: str = 
     ...     "horizon": {"transient_periods": 5, "sampled_periods": 15}, "realisations": 10, "seed": "0x1"}
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     written = rocking.write_figures(rocking.run(slab), folder, column="journal_single")
-    >>> "mode_bands.gp" in [file.name for file in written.files]
+    >>> "scene.gp" in [file.name for file in written.files]
     True
     """
     result = _complete(source)

@@ -215,7 +215,7 @@ TEST(Page, IsMadeWhereNothingIsSweptOrRandom) {
   question.erase("friction");
   EXPECT_THAT(page_of(report_of(question)),
               AllOf(HasSubstr("It cannot slide. Nothing is random."),
-                    HasSubstr("the same shaking gives the same response"), HasSubstr("the only one")));
+                    HasSubstr("the same shaking gives the same response"), HasSubstr("The block does not overturn.")));
 }
 
 TEST(Page, ChecksWhatCouldMakeAResultUntrue) {

@@ -1,5 +1,6 @@
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -62,8 +63,14 @@ ExitCode bifurcation(const BifurcationCommand& command) {
   const std::string text =
       bifurcation_document().text(bifurcation_report(experiment, command.realisation, drawn.diagrams));
   std::string where = command.file.write(text);
-  for (const auto& file : files) where += fmt::format("        {}\n", file.string());
-  print_study(command.execution.loudness, text, heading(experiment) + bifurcation_table(drawn) + where);
+  constexpr std::size_t most_named = 4;
+  const bool names_all = command.execution.extent == Extent::all || files.size() <= most_named;
+  for (const auto& file : std::span(files).first(names_all ? files.size() : 1)) {
+    where += fmt::format("        {}\n", file.string());
+  }
+  if (!names_all) where += fmt::format("        and one file for each diagram, {} in all\n", files.size() - 1);
+  print_study(command.execution.loudness, text,
+              heading(experiment) + bifurcation_table(drawn, command.execution.extent) + where);
   return ExitCode::done;
 }
 
@@ -89,6 +96,7 @@ void add_bifurcation(CLI::App& app, Action& action) {
       ->type_name("K");
   add_threads(*command, request->execution);
   add_seed(*command, request->overrides);
+  add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return bifurcation(*request); }; });
 }

@@ -143,10 +143,6 @@ void add_max_time(CLI::App& command, ExecutionOptions& execution) {
                "Stop cleanly after this time, e.g. 90s, 15min, 2h; can be resumed");
 }
 
-void add_all_rows(CLI::App& command, bool& all_rows) {
-  command.add_flag("--all", all_rows, "Print every condition, also if there are more than a screen shows");
-}
-
 void add_page_choice(CLI::App& command, PageChoice& page) {
   command.add_flag_callback(
       "--no-page", [&page] { page = PageChoice::omitted; }, "Draw no page; `rocking report DIR` draws it later");
@@ -189,7 +185,7 @@ ExitCode write_results(RunFolder& folder, const Experiment& experiment, Experime
     std::string where = fmt::format("report: {}\n", folder.report_path().string());
     if (how.page == PageChoice::drawn) where += fmt::format("page: {}\n", folder.page_path().string());
     TableLook look = table_look();
-    if (!how.all_rows) look.most_rows = most_summary_rows;
+    if (how.extent == Extent::one_screen) look.most_rows = most_screen_rows;
     print_result(base::printable(run_table(experiment, report, look) + where));
   }
   if (failure) std::rethrow_exception(failure);
@@ -222,7 +218,7 @@ ExitCode run_to_end(RunFolder& folder, const Experiment& experiment, Store& stor
   }
   const ExitCode code = write_results(
       folder, experiment, *std::move(result),
-      {.system = system, .loudness = execution.loudness, .page = execution.page, .all_rows = execution.all_rows});
+      {.system = system, .loudness = execution.loudness, .page = execution.page, .extent = execution.extent});
   if (code == ExitCode::done && !execution.loudness.quiet) {
     print_notice(fmt::format("{} on {}", duration_in_words(system.duration_s), counted(system.threads, "thread")));
   }

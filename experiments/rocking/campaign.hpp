@@ -26,14 +26,12 @@ struct ExecutionOptions {
   Loudness loudness;
   ProcessPool pool = {};
   PageChoice page = PageChoice::drawn;
-  bool all_rows = false;  ///< print every condition, however many there are
+  Extent extent = Extent::one_screen;
 };
 
 /// Adds `-j`, and `--max-time` for commands whose run can be resumed.
 void add_threads(CLI::App& command, ExecutionOptions& execution);
 void add_max_time(CLI::App& command, ExecutionOptions& execution);
-/// Adds `--all`.
-void add_all_rows(CLI::App& command, bool& all_rows);
 /// Adds `--no-page`.
 void add_page_choice(CLI::App& command, PageChoice& page);
 
@@ -47,7 +45,7 @@ struct ResultWriting {
   SystemFacts system;
   Loudness loudness;
   PageChoice page = PageChoice::drawn;
-  bool all_rows = false;
+  Extent extent = Extent::one_screen;
 };
 
 /// Facts of this process, at this time.

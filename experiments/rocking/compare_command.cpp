@@ -18,6 +18,7 @@ namespace {
 struct CompareRequest {
   std::string first;
   std::string second;
+  Extent extent = Extent::one_screen;
   Loudness loudness;
 };
 
@@ -52,7 +53,7 @@ ExitCode compare(const CompareRequest& request) {
   const Comparison found =
       comparison_of(first.experiment, second.experiment, compare(first.store, second.store, confidences));
   print_result(request.loudness.json ? comparison_document().text(found)
-                                     : base::printable(comparison_table(found, first.experiment)));
+                                     : base::printable(comparison_table(found, first.experiment, request.extent)));
   return ExitCode::done;
 }
 
@@ -68,6 +69,7 @@ void add_compare(CLI::App& app, Action& action) {
       "formulation, sigma).");
   command->add_option("DIR_A", request->first, "Folder of a run")->required();
   command->add_option("DIR_B", request->second, "Folder of another run")->required();
+  add_extent(*command, request->extent);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return compare(*request); }; });
 }

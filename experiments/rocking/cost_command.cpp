@@ -66,7 +66,7 @@ ExitCode cost(const CostCommand& command) {
 }
 
 void add_budget(CLI::App& command, CostCommand& asked) {
-  CLI::Option* time = add_duration(command, "--time", asked.cost.seconds,
+  CLI::Option* time = add_duration(command, "--max-time,--time", asked.cost.seconds,
                                    "Measure as many realisations as possible in this time, e.g. 5min")
                           ->capture_default_str();
   command
@@ -88,7 +88,7 @@ void add_cost(CLI::App& app, Action& action) {
   const auto request = std::make_shared<CostCommand>();
   CLI::App* command = app.add_subcommand("cost", "Measure the cost of accuracy in time, on a sample of an experiment");
   command->footer(
-      "Example: rocking cost experiments/headline/headline.json --time 5min -o out\n"
+      "Example: rocking cost experiments/headline/headline.json --max-time 5min -o out\n"
       "runs a sample of the realisations at a series of tolerances with common random numbers. Prints, for each "
       "tolerance, the error, the number of response modes that change, and the time per period; for larger numbers of "
       "realisations, the width of the intervals and the time; and a recommended tolerance. `-o` saves the numbers in "

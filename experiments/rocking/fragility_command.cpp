@@ -129,7 +129,8 @@ ExitCode fragility(const FragilityCommand& command) {
   }
   const FragilityReport report = fragility_report(runs);
   const std::string text = fragility_document().text(report);
-  std::string table = fragility_table(report, command.per_record ? RecordTable::shown : RecordTable::omitted);
+  std::string table =
+      fragility_table(report, command.per_record ? RecordTable::shown : RecordTable::omitted, command.execution.extent);
   command.file.prepare();
   table += command.file.write(text);
   WrittenFigures written;
@@ -190,6 +191,7 @@ void add_fragility(CLI::App& app, Action& action) {
   request->file.add_to(*command, false);
   command->add_option("--figure", request->figures, "Folder for figures; created if necessary")->type_name("DIR");
   add_style(*command, request->style);
+  add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return fragility(*request); }; });
 }

@@ -141,7 +141,7 @@ ExitCode join_shards(const MergeRequest& request) {
   if (found.done < found.all) return explain_missing(folder, found);
   return write_results(
       folder, experiment, complete_result(folder, experiment, whole),
-      {.system = system, .loudness = request.loudness, .page = request.page, .all_rows = request.all_rows});
+      {.system = system, .loudness = request.loudness, .page = request.page, .extent = request.extent});
 }
 
 }  // namespace rocking::program

@@ -14,7 +14,7 @@ struct MergeRequest {
   std::vector<std::string> shards;
   Loudness loudness;
   PageChoice page = PageChoice::drawn;
-  bool all_rows = false;
+  Extent extent = Extent::one_screen;
   bool overwrite = false;  ///< the run in the folder is replaced when all shards are joined
 };
 

@@ -17,7 +17,7 @@ void add_merge(CLI::App& app, Action& action) {
   command->add_option("SHARD", request->shards, "Folders of the parts")->required();
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder, after all shards are joined");
   add_page_choice(*command, request->page);
-  add_all_rows(*command, request->all_rows);
+  add_extent(*command, request->extent);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return join_shards(*request); }; });
 }

@@ -26,6 +26,7 @@ struct MotionRequest {
   bool series = false;
   std::string figures;  ///< folder; empty: nothing is drawn
   StyleRequest style;
+  Extent extent = Extent::one_screen;
   Loudness loudness;
 };
 
@@ -86,7 +87,7 @@ ExitCode motion(const MotionRequest& request) {
   if (request.loudness.json) {
     print_result(motion_document().text(report));
   } else {
-    std::string text = motion_table(report);
+    std::string text = motion_table(report, request.extent);
     if (!written.files.empty()) text += fmt::format("\n{}\n", fmt::join(written.files, "\n"));
     print_result(base::printable(text));
   }
@@ -137,6 +138,7 @@ void add_motion(CLI::App& app, Action& action) {
   command->add_flag("--series", request->series, "Add to --json the motions sample by sample, for `rocking figure`");
   command->add_option("--figure", request->figures, "Folder for figures; created if necessary")->type_name("DIR");
   add_style(*command, request->style);
+  add_extent(*command, request->extent);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return motion(*request); }; });
 }

@@ -10,6 +10,7 @@
 #include "experiment_argument.hpp"
 #include "machine.hpp"
 #include "rocking/api/studies.hpp"
+#include "rocking/output/orbits_table.hpp"
 #include "rocking/section/classification.hpp"
 #include "study_file.hpp"
 #include "watched.hpp"
@@ -54,7 +55,8 @@ ExitCode orbits(const OrbitsCommand& command) {
   Progress progress(suitable_progress_style(command.execution.loudness), "conditions");
   const OrbitStudy study = rocking::orbits(experiment, request, watched(command.execution, progress));
   const std::string text = orbits_text(experiment, study);
-  print_study(command.execution.loudness, text, heading(experiment) + orbits_table(study) + command.file.write(text));
+  print_study(command.execution.loudness, text,
+              heading(experiment) + table_of(study, command.execution.extent) + command.file.write(text));
   return ExitCode::done;
 }
 
@@ -109,6 +111,7 @@ void add_orbits(CLI::App& app, Action& action) {
   request->file.add_to(*command, true);
   add_request(*command, request->orbits);
   add_threads(*command, request->execution);
+  add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return orbits(*request); }; });
 }

@@ -44,6 +44,11 @@ void add_loudness(CLI::App& command, Loudness& loudness) {
   command.add_flag("--no-progress", loudness.no_progress, "Show no progress on standard error");
 }
 
+void add_extent(CLI::App& command, Extent& extent) {
+  command.add_flag_callback(
+      "--all", [&extent] { extent = Extent::all; }, "Print every row, also if there are more than a screen shows");
+}
+
 void expect_free(std::span<const std::filesystem::path> files, bool overwrite) {
   for (const std::filesystem::path& file : files) {
     if (overwrite || !std::filesystem::exists(file)) continue;

@@ -11,6 +11,7 @@
 
 #include "arguments.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/output/text_table.hpp"
 #include "rocking/text/json_writer.hpp"
 
 namespace rocking::program {
@@ -25,6 +26,9 @@ struct Loudness {
 
 /// Adds `--json`, `-q`, `-v` and `--no-progress` to a command.
 void add_loudness(CLI::App& command, Loudness& loudness);
+
+/// Adds `--all`.
+void add_extent(CLI::App& command, Extent& extent);
 
 /// Adds an option that takes a time as 90s, 15min, 2h; `seconds` is a number or an optional one.
 template <class Seconds>

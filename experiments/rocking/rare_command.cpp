@@ -55,7 +55,7 @@ void add_question(CLI::App& command, RareCommand& request) {
                   "Ask for abs(Theta) > A instead of overturning; 1 is the unstable equilibrium")
       ->check(number(0.0, 100.0))
       ->type_name("A");
-  add_duration(command, "--at-most-work", request.rare.seconds,
+  add_duration(command, "--max-time,--at-most-work", request.rare.seconds,
                "Stop after this time for all conditions together, e.g. 10min; what is finished then counts");
   command.add_option("--particles", request.rare.particles, "Trajectories of a repetition at each level")
       ->check(whole_number(least_particles, most_particles))
@@ -78,7 +78,7 @@ void add_rare(CLI::App& app, Action& action) {
   CLI::App* command =
       app.add_subcommand("rare", "Estimate the probability of rare overturning by multilevel splitting");
   command->footer(
-      "Example: rocking rare experiments/headline/headline.json -o out --at-most-work 10min\n"
+      "Example: rocking rare experiments/headline/headline.json -o out --max-time 10min\n"
       "goes to the event by levels: trajectories that reach a level are continued, with new random numbers, to the "
       "next one. Writes the probability of each condition with its interval to out/rare.json and prints it. Something "
       "must be random.");

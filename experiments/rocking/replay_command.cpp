@@ -54,7 +54,8 @@ ExitCode replay(const ReplayRequest& request) {
 
 void add_replay(CLI::App& app, Action& action) {
   const auto request = std::make_shared<ReplayRequest>();
-  CLI::App* command = app.add_subcommand("replay", "Print one realisation of a run again, checked against its digest");
+  CLI::App* command =
+      app.add_subcommand("replay", "Print one realisation of a finished run, checked against its digest");
   command->footer(
       "Example: rocking replay out --condition 12 --realisation 3\n"
       "prints the same as `rocking trajectory`, from the folder of a run. The exit code is 1 if the bits differ from "

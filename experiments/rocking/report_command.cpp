@@ -12,7 +12,7 @@ void add_report(CLI::App& app, Action& action) {
   const std::vector<std::string> all_formats{"html", "csv", "gnuplot", "latex", "text"};
   const auto request = std::make_shared<ReportRequest>();
   request->formats = {"html", "csv", "gnuplot", "latex"};
-  CLI::App* command = app.add_subcommand("report", "Write page, figures and tables of a finished run again");
+  CLI::App* command = app.add_subcommand("report", "Write page, figures and tables of a finished run again (a folder)");
   command->footer(
       "Example: rocking report out --format html,gnuplot\n"
       "html: out/report.html, a page that needs no other file. gnuplot: the figures in out/figures, each as data "

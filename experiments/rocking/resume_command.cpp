@@ -32,7 +32,7 @@ void add_resume(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_threads(*command, request->execution);
   add_max_time(*command, request->execution);
   add_page_choice(*command, request->execution.page);
-  add_all_rows(*command, request->execution.all_rows);
+  add_extent(*command, request->execution.extent);
   add_loudness(*command, request->execution.loudness);
   command->final_callback([&action, request] { action = [request] { return resume_run(*request); }; });
 }

@@ -92,7 +92,7 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
   add_shard(*command, request->shard);
   add_max_time(*command, request->execution);
   add_page_choice(*command, request->execution.page);
-  add_all_rows(*command, request->execution.all_rows);
+  add_extent(*command, request->execution.extent);
   const auto dry_run = command->add_flag("--dry-run", request->dry_run,
                                          "Print what would be done, with the time, and stop; writes nothing");
   command->add_flag("--overwrite", request->overwrite, "Replace the run in the folder when this one is complete");

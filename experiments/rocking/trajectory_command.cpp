@@ -58,7 +58,8 @@ ExitCode print_trajectory(const TrajectoryCommand& command) {
 
 void add_trajectory(CLI::App& app, Action& action) {
   const auto request = std::make_shared<TrajectoryCommand>();
-  CLI::App* command = app.add_subcommand("trajectory", "Print the events and states of one realisation");
+  CLI::App* command =
+      app.add_subcommand("trajectory", "Print one realisation of an experiment file: events and states");
   command->footer(
       "Example: rocking trajectory experiments/headline/headline.json --condition 12 --realisation 3 --periods 20\n"
       "prints the fourth realisation of the thirteenth condition over 20 periods. Numbers start at 0. With `--format "

@@ -10,6 +10,7 @@
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
+#include "support/record_text.hpp"
 
 namespace {
 
@@ -62,8 +63,6 @@ class Terminal : public rocking::support::ProgramTest {
   }
 };
 
-/// A terminal simulated by `script`. Skipped with a message if that is impossible, for example in a container without
-/// /dev/pts.
 // Sixty conditions, and a table of settling as long as they.
 TEST_F(Terminal, ShowsARunInOneScreenUnlessAllIsAsked) {
   auto many = quick_experiment();
@@ -83,6 +82,50 @@ TEST_F(Terminal, ShowsARunInOneScreenUnlessAllIsAsked) {
   EXPECT_THAT(all.output, Not(HasSubstr("--all")));
 }
 
+// The answer in lines of a screen; --all prints more.
+TEST_F(Terminal, ShowsEveryStudyInOneScreenUnlessAllIsAsked) {
+  auto many = quick_experiment();
+  many["sweep"] = rocking::Json::parse(
+      R"([{ "parameter": "/friction/static", "values": [0.5, 0.45, 0.4] },
+          { "parameter": "/excitation/amplitude", "from": 0.5, "to": 7.5, "step": 0.25 }])");
+  many["realisations"] = 3;
+  write("many.json", many.dump());
+  auto calm = many;
+  calm["fluctuation"] = rocking::Json::object();
+  calm.erase("friction");
+  calm["realisations"] = 1;
+  calm["sweep"] =
+      rocking::Json::parse(R"([{ "parameter": "/excitation/amplitude", "from": 0.5, "to": 2.0, "step": 0.025 }])");
+  write("calm.json", calm.dump());
+  ASSERT_EQ(rocking("run many.json -q --no-page -o first").exit_code, 0);
+  auto changed = many;
+  changed["restitution"] = 0.3;
+  write("changed.json", changed.dump());
+  ASSERT_EQ(rocking("run changed.json -q --no-page -o second").exit_code, 0);
+  ASSERT_EQ(shell("mkdir a-folder-with-a-long-name").exit_code, 0);
+  std::string motions = "motion";
+  for (int i = 0; i < 30; ++i) {
+    const std::string name = "a-folder-with-a-long-name/record_" + std::to_string(i) + ".at2";
+    write(name, rocking::support::peer_at2({0.1, -0.2 - 0.01 * i, 0.05}, ".01"));
+    motions += ' ' + name;
+  }
+  const auto lines = [](const Outcome& outcome) { return std::ranges::count(outcome.output, '\n'); };
+  for (const std::string& study :
+       {std::string("compare first second"), std::string("fragility first"),
+        std::string("bifurcation many.json -q -o drawn --overwrite"),
+        std::string("orbits calm.json -q --periods 1 --no-branches -o drawn --overwrite"), motions}) {
+    const Outcome short_form = rocking(study);
+    ASSERT_EQ(short_form.exit_code, 0) << study << short_form.errors;
+    EXPECT_LE(lines(short_form), 60) << study << '\n' << short_form.output;
+    EXPECT_THAT(short_form.output, HasSubstr("--all")) << study;
+    const Outcome all = rocking(study + " --all");
+    EXPECT_GT(lines(all), 60) << study << '\n' << all.output << all.errors;
+    EXPECT_THAT(all.output, Not(HasSubstr("--all"))) << study;
+  }
+}
+
+/// A terminal simulated by `script`. Skipped with a message if that is impossible, for example in a container without
+/// /dev/pts.
 class PseudoTerminal : public Terminal {
  protected:
   void SetUp() override {

@@ -12,21 +12,13 @@
 namespace rocking {
 namespace {
 
-std::string value_text(const AnnualRate& rate, const FragilityEvent& event) {
-  std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
-  if (rate.interval) {
-    text += " [" + significant(rate.interval->low, 3) + ", " + significant(rate.interval->high, 3) + ']';
-  }
-  return text + (rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n");
-}
-
 std::string range_table(const AnnualRate& rate, const std::string& measure) {
   std::vector<TextRow> rows{{measure + " from", "to", "per year", "share", "tested"}};
   for (const RateInRange& range : rate.by_level) {
     rows.push_back({significant(range.from, 4), range.to ? significant(*range.to, 4) : ".", significant(range.rate, 3),
                     per_cent(range.share), range.is_tested ? "yes" : "no"});
   }
-  return aligned(rows);
+  return "\nannual rate by range of " + measure + '\n' + aligned(rows);
 }
 
 /// What the levels leave open, and what lies below the least uplift.
@@ -51,11 +43,11 @@ std::string estimate_table(const std::vector<RateEstimate>& estimates) {
                     estimate.interval ? interval_in_words(*estimate.interval) : ".",
                     estimate.value > 0.0 ? years_in_words(1.0 / estimate.value) : "."});
   }
-  return aligned(rows);
+  return "\nannual rate by the probabilities between the levels\n" + aligned(rows);
 }
 
 std::string record_share_text(const SuiteRate& rate) {
-  constexpr std::size_t most_named = 5;
+  constexpr std::size_t most_named = 3;
   std::vector<const RateOfRecord*> records;
   for (const RateOfRecord& record : rate.by_record) {
     if (record.rate > 0.0) records.push_back(&record);
@@ -111,21 +103,28 @@ std::string levels_in_words(const std::vector<double>& levels) {
   return text;
 }
 
-std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject) {
-  return annual_rate_table(rate.chosen, subject) + estimate_table(rate.estimates) + record_share_text(rate) +
-         warning_text(rate);
-}
-
-std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject) {
-  const std::string measure = last_key(subject.parameter);
-  std::string text = value_text(rate, subject.event);
+std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event) {
+  std::string text = "mean annual rate of " + words_of(event) + ": " + significant(rate.value, 3);
+  if (rate.interval) text += ' ' + interval_in_words(*rate.interval);
+  text += rate.value > 0.0 ? ", once in " + years_in_words(1.0 / rate.value) + " years\n" : "\n";
   if (rate.source == RateSource::levels) {
     text +=
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
   if (rate.source == RateSource::isotonic) text += "no law holds: the rate is that of the isotonic shares\n";
-  text += range_table(rate, measure) + extrapolation_text(rate, subject.least_uplift);
+  return text;
+}
+
+std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent) {
+  return annual_rate_table(rate.chosen, subject, extent) + estimate_table(rate.estimates) + record_share_text(rate) +
+         warning_text(rate);
+}
+
+std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent) {
+  const std::string measure = last_key(subject.parameter);
+  std::string text =
+      (extent == Extent::all ? range_table(rate, measure) : "\n") + extrapolation_text(rate, subject.least_uplift);
   if (rate.probability_at_first > 0.001) {
     text += "at the lowest intensity of the hazard curve the probability is " + per_cent(rate.probability_at_first) +
             " %; weaker shaking is not counted: begin the hazard curve at lower intensities\n";

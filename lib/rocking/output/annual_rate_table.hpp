@@ -3,13 +3,17 @@
 #include <string>
 #include <vector>
 
+#include "rocking/output/text_table.hpp"
 #include "rocking/studies/run_fragility.hpp"
 
 namespace rocking {
 
-/// The rate and its disaggregation as lines.
-[[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject);
-[[nodiscard]] std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject);
+/// The rate in a line, `mean annual rate of overturning: 5.0e-4 [..], once in 2000 years`, and where it comes from.
+[[nodiscard]] std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& event);
+
+/// What the rate consists of; on one screen without its parts by range of intensity.
+[[nodiscard]] std::string annual_rate_table(const AnnualRate& rate, const CurveSubject& subject, Extent extent);
+[[nodiscard]] std::string annual_rate_table(const SuiteRate& rate, const CurveSubject& subject, Extent extent);
 
 /// What gives the probabilities of a rate: `law`, `isotonic shares`.
 [[nodiscard]] std::string source_in_words(RateSource source);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string_view>
 
 #include "rocking/output/mode_table.hpp"
@@ -10,6 +11,7 @@
 #include "rocking/output/text_table.hpp"
 #include "rocking/scene/shaking.hpp"
 #include "rocking/text/json.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 namespace {
@@ -34,7 +36,25 @@ std::string cell(const Diagram& diagram, Branch branch, std::size_t place) {
   return to_string(steps[place].classification.mode) + (restarts ? " *" : "");
 }
 
-std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram) {
+/// `the response depends on the start at 12 of 25 values, from 0.45 to 0.75`.
+std::string coexistence_in(const DrawnDiagrams& drawn, const Diagram& diagram) {
+  std::vector<std::size_t> places;
+  for (std::size_t i = 0; i < diagram.conditions.size(); ++i) {
+    std::set<section::ResponseMode> modes;
+    for (const auto& branch : diagram.branches) modes.insert(branch[i].classification.mode);
+    if (modes.size() > 1) places.push_back(i);
+  }
+  const std::string all = counted(diagram.conditions.size(), "value");
+  if (places.empty()) return "from each start the response is the same, at all of " + all + '\n';
+  const auto value = [&](std::size_t place) {
+    return short_value(parameters_of(drawn, diagram.conditions[place]).front());
+  };
+  return "the response depends on the start at " + std::to_string(places.size()) + " of " + all + ", from " +
+         last_key(parameters_of(drawn, diagram.conditions.front()).front().pointer) + ' ' + value(places.front()) +
+         " to " + value(places.back()) + '\n';
+}
+
+std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram, Extent extent) {
   std::vector<std::string> swept;
   for (const Parameter& parameter : parameters_of(drawn, diagram.conditions.front()))
     swept.push_back(parameter.pointer);
@@ -51,7 +71,33 @@ std::string table_of(const DrawnDiagrams& drawn, const Diagram& diagram) {
     rows.push_back(std::move(row));
   }
   const std::string common = common_shaking(swept, shakings);
-  return aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
+  if (extent == Extent::one_screen) rows = merged_rows(rows, 0, 1 + beside.size());
+  return coexistence_in(drawn, diagram) + '\n' + aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
+}
+
+/// The table of each diagram; on one screen of as many as fit there.
+std::string all_tables(const DrawnDiagrams& drawn, Extent extent) {
+  std::string text;
+  for (std::size_t i = 0; i < drawn.diagrams.size(); ++i) {
+    const Diagram& diagram = drawn.diagrams[i];
+    const auto& parameters = parameters_of(drawn, diagram.conditions.front());
+    std::string name;
+    for (std::size_t k = 1; k < parameters.size(); ++k) {
+      name += (name.empty() ? "" : ", ") + parameters[k].pointer + " = " + parameters[k].value;
+    }
+    const std::string next = (name.empty() ? "" : name + '\n') + table_of(drawn, diagram, extent) + '\n';
+    if (i > 0 && !is_printed_whole(text + next, extent)) {
+      text += counted(drawn.diagrams.size() - i, "more diagram") + '\n';
+      break;
+    }
+    text += next;
+  }
+  text +=
+      "initial: each step from the initial state of the file; upwards, downwards: from the end of the previous step\n";
+  if (text.find(" *\n") != std::string::npos || text.find(" * ") != std::string::npos) {
+    text += "*: from the initial state of the file, because the previous step did not reach its horizon\n";
+  }
+  return text;
 }
 
 const std::string csv_header = "parameter,branch,tilt,tilt_rate,diagram\n";
@@ -98,22 +144,10 @@ std::vector<std::string> diagram_names(const Experiment& experiment, std::span<c
   return names;
 }
 
-std::string bifurcation_table(const DrawnDiagrams& drawn) {
-  std::string text;
-  for (const Diagram& diagram : drawn.diagrams) {
-    const auto& parameters = parameters_of(drawn, diagram.conditions.front());
-    std::string name;
-    for (std::size_t i = 1; i < parameters.size(); ++i) {
-      name += (name.empty() ? "" : ", ") + parameters[i].pointer + " = " + parameters[i].value;
-    }
-    text += (name.empty() ? "" : name + '\n') + table_of(drawn, diagram) + '\n';
-  }
-  text +=
-      "initial: each step from the initial state of the file; upwards, downwards: from the end of the previous step\n";
-  if (text.find(" *\n") != std::string::npos || text.find(" * ") != std::string::npos) {
-    text += "*: from the initial state of the file, because the previous step did not reach its horizon\n";
-  }
-  return text;
+std::string bifurcation_table(const DrawnDiagrams& drawn, Extent extent) {
+  const std::string whole = all_tables(drawn, Extent::all);
+  if (is_printed_whole(whole, extent)) return whole;
+  return all_tables(drawn, Extent::one_screen) + "more rows: --all, and the files\n";
 }
 
 }  // namespace rocking

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "rocking/output/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/bifurcation.hpp"
 
@@ -36,7 +37,8 @@ struct DiagramTable {
 /// `bifurcation_static_0.35`. `bifurcation` if there is only one.
 [[nodiscard]] std::vector<std::string> diagram_names(const Experiment& experiment, std::span<const Diagram> diagrams);
 
-/// The response modes as text: a table for each diagram, a row for each value, a column for each branch.
-[[nodiscard]] std::string bifurcation_table(const DrawnDiagrams& drawn);
+/// The response modes as text: for each diagram where they depend on the start, and a table with a row for each value and
+/// a column for each branch. On one screen neighbours with equal response modes are one row, and the first rows are shown.
+[[nodiscard]] std::string bifurcation_table(const DrawnDiagrams& drawn, Extent extent = Extent::all);
 
 }  // namespace rocking

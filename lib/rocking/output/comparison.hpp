@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "rocking/fields/document.hpp"
+#include "rocking/output/text_table.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison.hpp"
 
@@ -18,8 +19,9 @@ namespace rocking {
 [[nodiscard]] Comparison comparison_of(const Experiment& first, const Experiment& second,
                                        std::vector<ConditionComparison> conditions);
 
-/// The comparison as text: differences between the experiments, then a line for each condition and mode. `first`: the
-/// experiment of the first run.
-[[nodiscard]] std::string comparison_table(const Comparison& found, const Experiment& first);
+/// The comparison as text: differences between the experiments, how many realisations changed their response mode, and a row
+/// for each condition and mode; on one screen the rows of smallest p. `first`: the experiment of the first run.
+[[nodiscard]] std::string comparison_table(const Comparison& found, const Experiment& first,
+                                           Extent extent = Extent::all);
 
 }  // namespace rocking

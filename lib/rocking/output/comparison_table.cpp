@@ -1,8 +1,10 @@
 #include "rocking/output/comparison.hpp"
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "rocking/output/mode_table.hpp"
 #include "rocking/output/shaking_text.hpp"
@@ -37,34 +39,76 @@ std::string name_of(const Experiment& first, std::size_t condition) {
   return name.empty() ? std::to_string(condition) : name;
 }
 
+/// `34 of 1000 realisations changed their response mode`, and the share of each mode in both runs.
+std::string answer_of(const Comparison& found) {
+  std::uint64_t realisations = 0, changed = 0;
+  std::map<section::ResponseMode, std::pair<std::uint64_t, std::uint64_t>> counts;
+  for (const ConditionComparison& condition : found.conditions) {
+    realisations += condition.realisations;
+    changed += condition.changed.counts.successes;
+    for (const auto& [mode, pair] : condition.modes) {
+      counts[mode].first += pair.counts.both + pair.counts.first_only;
+      counts[mode].second += pair.counts.both + pair.counts.second_only;
+    }
+  }
+  std::string text = std::to_string(changed) + " of " + counted(realisations, "realisation") +
+                     " changed their response mode (" + per_cent_of(changed, realisations) + " %)";
+  for (const auto& [mode, both] : counts) {
+    text += "; " + to_string(mode) + ": " + std::to_string(both.first) + " and " + std::to_string(both.second);
+  }
+  return text + '\n';
+}
+
+struct ComparedMode {
+  std::size_t condition = 0;
+  section::ResponseMode mode;
+  const ModeComparison* pair = nullptr;
+};
+
+/// Every mode of every condition in order; on one screen those of smallest p.
+std::vector<ComparedMode> compared_modes(const Comparison& found, Extent extent) {
+  std::vector<ComparedMode> modes;
+  for (std::size_t i = 0; i < found.conditions.size(); ++i) {
+    for (const auto& [mode, pair] : found.conditions[i].modes) modes.push_back({i, mode, &pair});
+  }
+  if (extent == Extent::all || modes.size() <= most_screen_rows) return modes;
+  std::ranges::stable_sort(modes, {}, [](const ComparedMode& each) { return each.pair->test.p_value; });
+  modes.resize(most_screen_rows);
+  std::ranges::stable_sort(modes, {}, &ComparedMode::condition);
+  return modes;
+}
+
 }  // namespace
 
-std::string comparison_table(const Comparison& found, const Experiment& first) {
+std::string comparison_table(const Comparison& found, const Experiment& first, Extent extent) {
   std::string text;
   for (const std::string& difference : found.settings) {
     text += "first run: " + difference + " as in the second\n";
   }
-  if (!text.empty()) text += '\n';
+  text += answer_of(found) + '\n';
   std::uint64_t most = 0;
+  for (const ConditionComparison& condition : found.conditions) most = std::max(most, condition.realisations);
   std::vector<TextRow> rows{
       {"condition", "n", "changed", "mode", "first", "second", "difference", "interval", "p", "worth"}};
-  for (std::size_t i = 0; i < found.conditions.size(); ++i) {
-    const auto& compared = found.conditions[i];
-    most = std::max(most, compared.realisations);
-    for (const auto& [mode, pair] : compared.modes) {
-      const auto& factor = pair.variance_reduction;
-      const std::uint64_t in_first = pair.counts.both + pair.counts.first_only;
-      const std::uint64_t in_second = pair.counts.both + pair.counts.second_only;
-      rows.push_back(
-          {name_of(first, i), std::to_string(compared.realisations), std::to_string(compared.changed.counts.successes),
-           to_string(mode), per_cent(pair.in_first) + count_if_open(in_first, compared.realisations),
-           per_cent(pair.in_second) + count_if_open(in_second, compared.realisations), per_cent(pair.difference),
-           per_cent(pair.exact), significant(pair.test.p_value, 2), factor ? significant(*factor, 2) + "x" : "."});
-    }
+  for (const auto& [i, mode, pair] : compared_modes(found, extent)) {
+    const ConditionComparison& compared = found.conditions[i];
+    const auto& factor = pair->variance_reduction;
+    const std::uint64_t in_first = pair->counts.both + pair->counts.first_only;
+    const std::uint64_t in_second = pair->counts.both + pair->counts.second_only;
+    rows.push_back(
+        {name_of(first, i), std::to_string(compared.realisations), std::to_string(compared.changed.counts.successes),
+         to_string(mode), per_cent(pair->in_first) + count_if_open(in_first, compared.realisations),
+         per_cent(pair->in_second) + count_if_open(in_second, compared.realisations), per_cent(pair->difference),
+         per_cent(pair->exact), significant(pair->test.p_value, 2), factor ? significant(*factor, 2) + "x" : "."});
   }
-  return text + aligned(rows) +
-         "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +
-         level_of(found) + ";\np: exact McNemar test, one of " + std::to_string(number_of_tests(found.conditions)) +
+  const std::size_t tests = number_of_tests(found.conditions);
+  text += aligned(rows);
+  if (rows.size() <= tests) {
+    text += "the " + std::to_string(rows.size() - 1) + " rows of smallest p of " + std::to_string(tests) +
+            "; all: --all, and --json\n";
+  }
+  return text + "\nper cent of n realisations with common random numbers; difference = first - second with its exact " +
+         level_of(found) + ";\np: exact McNemar test, one of " + std::to_string(tests) +
          "; worth: variance with independent random numbers over that with common ones" + count_legend(most) + '\n';
 }
 

@@ -116,7 +116,7 @@ std::string advice(const MeasuredCost& measured) {
   const Cost& cost = measured.cost;
   const Recommendation& found = cost.recommendation;
   if (found.assurance == Assurance::shown || cost.yardstick.is_everything) return "";
-  if (!cost.yardstick.half_width) return " Increase --time, so that every condition is measured.";
+  if (!cost.yardstick.half_width) return " Increase --max-time, so that every condition is measured.";
   const std::string bearable = per_cent(found.bearable, 2) + " %";
   if (!found.sample_needed)
     return " With this share of changes, no sample can show that it is less than " + bearable + '.';
@@ -161,8 +161,8 @@ std::string cost_table(const MeasuredCost& measured) {
   std::vector<TextRow> rows{{"tolerance  ", "median error", "largest", "diverged", "changed", "interval",
                              "beyond " + tolerance_name(cost.floor()), "steps", "us", "speed"}};
   for (std::size_t i = 0; i < cost.curve.size(); ++i) rows.push_back(row_of(cost, i));
-  return aligned(rows) + '\n' + std::to_string(cost.sample) + " realisations of " +
-         std::to_string(cost.sampled_conditions) +
+  return cost_recommendation(measured) + "\n\n" + aligned(rows) + '\n' + std::to_string(cost.sample) +
+         " realisations of " + std::to_string(cost.sampled_conditions) +
          " conditions with the same random numbers as the reference, which is the last line. Error: of the first " +
          std::to_string(cost_error_periods) +
          " periods;\ndiverged: motions that diverged before the horizon, per cent; changed: response modes, with the "
@@ -174,8 +174,7 @@ std::string cost_table(const MeasuredCost& measured) {
          "time per period, with\n" +
          std::to_string(cost.timing.realisations) + " realisations of up to " + std::to_string(cost.timing.periods) +
          " periods on each thread; speed relative to that at the " + (cost.own.size() == 1 ? "" : "tightest ") +
-         "tolerance of the experiment (*)\n\n" + realisations_table(measured) + '\n' + cost_recommendation(measured) +
-         '\n';
+         "tolerance of the experiment (*)\n\n" + realisations_table(measured);
 }
 
 }  // namespace rocking

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string_view>
 #include <vector>
 
@@ -75,7 +76,15 @@ TextRow row_of(const FragilityLevel& level) {
   return row;
 }
 
-std::string curve_table(const FragilityCurve& curve) {
+/// Median and dispersion, or why there are none, and the test of the function.
+std::string law_in_words(const FragilityCurve& curve) {
+  const std::string law =
+      curve.law ? "median " + median_in_words(curve) + ", dispersion " + bounded_in_words(curve.law->dispersion)
+                : std::string(words_for(curve.outcome));
+  return law + '\n' + (curve.test ? test_in_words(*curve.test) : "");
+}
+
+std::string curve_table(const FragilityCurve& curve, Extent extent) {
   const bool is_isotonic = curve.outcome == FragilityOutcome::rejected;
   std::vector<TextRow> rows{{last_key(curve.subject.parameter), "n", column_of(curve.subject.event), "exact",
                              is_isotonic ? "isotonic" : "fitted", "band"}};
@@ -83,19 +92,15 @@ std::string curve_table(const FragilityCurve& curve) {
   for (const FragilityLevel& level : curve.levels) shakings.push_back(level.shaking);
   const auto beside = shaking_columns(swept_in(curve), shakings);
   rows.front().insert(rows.front().begin() + 1, beside.begin(), beside.end());
-  for (std::size_t i = 0; i < curve.levels.size(); ++i) {
+  const std::size_t step = extent == Extent::all ? 1 : (curve.levels.size() + most_screen_rows - 1) / most_screen_rows;
+  for (std::size_t i = 0; i < curve.levels.size(); i += step) {
     TextRow row = row_of(curve.levels[i]);
     for (std::size_t k = beside.size(); k-- > 0;) row.insert(row.begin() + 1, column_cell(shakings[i], beside[k]));
     rows.push_back(std::move(row));
   }
   const std::string common = common_shaking(swept_in(curve), shakings);
-  std::string text = aligned(rows) + (common.empty() ? "" : "shaking: " + common + '\n');
-  if (curve.law) {
-    text += "median " + median_in_words(curve) + ", dispersion " + bounded_in_words(curve.law->dispersion) + '\n';
-  } else {
-    text += std::string(words_for(curve.outcome)) + '\n';
-  }
-  if (curve.test) text += test_in_words(*curve.test);
+  std::string text = law_in_words(curve) + "\nshares at the levels\n" + aligned(rows) +
+                     (common.empty() ? "" : "shaking: " + common + '\n');
   const std::size_t missed = curve.missed_levels();
   if (missed == 0) return text;
   return text + "* at " + std::to_string(missed) + " of " + std::to_string(curve.levels.size()) +
@@ -112,6 +117,12 @@ std::uint64_t most_realisations(const Levels& levels) {
   for (const auto& level : levels) most = std::max(most, counted_at(level).trials);
   return most;
 }
+
+/// What is printed of each curve.
+struct Content {
+  RecordTable records = RecordTable::omitted;
+  Extent extent = Extent::all;
+};
 
 /// What the tables of a report have, for the legends below them.
 struct Shown {
@@ -142,23 +153,32 @@ std::string legends(const Shown& shown) {
   return text;
 }
 
-std::string table_of(const ReportedCurve& reported, RecordTable, Shown& shown) {
+std::string table_of(const ReportedCurve& reported, const Content& content, Shown& shown) {
   shown.has_curve = true;
   shown.has_isotonic = shown.has_isotonic || reported.curve.outcome == FragilityOutcome::rejected;
-  return curve_table(reported.curve);
+  return curve_table(reported.curve, content.extent);
 }
 
-std::string table_of(const ReportedSuite& reported, RecordTable records, Shown& shown) {
+std::string table_of(const ReportedSuite& reported, const Content& content, Shown& shown) {
   shown.has_suite = true;
-  return suite_table(reported.curve, records);
+  return suite_table(reported.curve, content.records, content.extent);
 }
 
-std::string rate_text(const std::optional<AnnualRate>& rate, const CurveSubject& subject) {
-  return rate ? annual_rate_table(*rate, subject) : "";
+const AnnualRate* rate_of(const ReportedCurve& reported) { return reported.rate ? &*reported.rate : nullptr; }
+const AnnualRate* rate_of(const ReportedSuite& reported) { return reported.rate ? &reported.rate->chosen : nullptr; }
+
+/// Median and dispersion of a row of the summary; the outcome where there are none.
+TextRow law_cells(const FragilityCurve& curve) {
+  if (!curve.law) return {std::string(to_string(curve.outcome)), "."};
+  return {median_in_words(curve), bounded_in_words(curve.law->dispersion)};
 }
 
-std::string rate_text(const std::optional<SuiteRate>& rate, const CurveSubject& subject) {
-  return rate ? annual_rate_table(*rate, subject) : "";
+TextRow law_cells(const SuiteCurve& curve) {
+  if (!curve.pooled || curve.outcome != FragilityOutcome::fitted) return {std::string(to_string(curve.outcome)), "."};
+  const auto words = [](const SuiteEstimate& found) {
+    return significant(found.value, 3) + ' ' + interval_in_words(found.bootstrap.value_or(found.interval));
+  };
+  return {words(curve.pooled->median), words(curve.pooled->dispersion)};
 }
 
 std::string values_of(const std::vector<Parameter>& parameters) {
@@ -169,22 +189,21 @@ std::string values_of(const std::vector<Parameter>& parameters) {
   return text;
 }
 
-std::string comparison_table(const std::vector<ReportedComparison>& comparisons) {
+std::string comparisons_of(const FragilityReport& report) {
+  if (report.comparisons.empty()) return "";
   std::vector<TextRow> rows{{"option", "against", "event", "difference per year", "interval", "ratio", "interval"}};
   const auto interval = [](const std::optional<stats::Interval>& found) {
     return found ? interval_in_words(*found) : std::string(".");
   };
-  for (const auto& [run, found] : comparisons) {
+  for (const auto& [run, found] : report.comparisons) {
     rows.push_back({values_of(found.option), values_of(found.base), words_of(found.event),
                     significant(found.difference, 3), interval(found.interval),
                     found.ratio ? significant(*found.ratio, 3) : ".", interval(found.ratio_interval)});
   }
-  return "rates compared, by isotonic shares, with the same records and random numbers\n" + aligned(rows);
+  return "rates compared, by isotonic shares, with the same records and random numbers\n" + aligned(rows) + '\n';
 }
 
-}  // namespace
-
-std::string fragility_table(const FragilityReport& report, RecordTable records) {
+std::string curve_tables(const FragilityReport& report, const Content& content) {
   std::string text;
   Shown shown;
   for (const auto& curve : report.curves) {
@@ -192,17 +211,67 @@ std::string fragility_table(const FragilityReport& report, RecordTable records) 
         [&](const auto& reported) {
           const CurveSubject& subject = reported.curve.subject;
           shown.most = std::max(shown.most, most_realisations(reported.curve.levels));
-          text += heading_of_curve(reported.run.title, subject.others) + table_of(reported, records, shown);
-          text += rate_text(reported.rate, subject);
+          text += heading_of_curve(reported.run.title, subject.others);
+          if (const AnnualRate* rate = rate_of(reported)) text += annual_rate_in_words(*rate, subject.event);
+          text += table_of(reported, content, shown);
+          if (reported.rate) text += annual_rate_table(*reported.rate, subject, content.extent);
           text += '\n';
         },
         curve);
   }
-  if (!report.comparisons.empty()) text += comparison_table(report.comparisons) + '\n';
+  text += comparisons_of(report);
   for (const auto& [run, analysis] : report.incremental) {
     text += heading_of_curve(run.title, analysis.others) + incremental_table(analysis) + '\n';
   }
   return text + legends(shown);
+}
+
+/// A line for each reason why curves of one motion have no function.
+std::string reasons_in(const FragilityReport& report) {
+  std::set<FragilityOutcome> outcomes;
+  for (const auto& curve : report.curves) {
+    const auto* one = std::get_if<ReportedCurve>(&curve);
+    if (one != nullptr && !one->curve.law) outcomes.insert(one->curve.outcome);
+  }
+  std::string text;
+  for (const FragilityOutcome outcome : outcomes) {
+    text += std::string(to_string(outcome)) + ": " + std::string(words_for(outcome)) + '\n';
+  }
+  return text;
+}
+
+/// A row for each curve, in the units of its sweep.
+std::string summary_of(const FragilityReport& report) {
+  std::vector<TextRow> rows{{"curve", "event", "median", "dispersion", "per year", "years"}};
+  for (const auto& curve : report.curves) {
+    std::visit(
+        [&rows](const auto& reported) {
+          const CurveSubject& subject = reported.curve.subject;
+          const std::string values = values_of(subject.others);
+          TextRow row{values.empty() ? reported.run.title : values, column_of(subject.event)};
+          const TextRow law = law_cells(reported.curve);
+          row.insert(row.end(), law.begin(), law.end());
+          const AnnualRate* rate = rate_of(reported);
+          row.push_back(rate ? significant(rate->value, 3) : ".");
+          row.push_back(rate && rate->value > 0.0 ? years_in_words(1.0 / rate->value) : ".");
+          rows.push_back(std::move(row));
+        },
+        curve);
+  }
+  const std::size_t all = rows.size();
+  rows.resize(std::min(all, most_screen_rows));
+  return "curves, median and dispersion in the units of the sweep\n" + aligned(rows) + reasons_in(report);
+}
+
+}  // namespace
+
+std::string fragility_table(const FragilityReport& report, RecordTable records, Extent extent) {
+  const std::string whole = curve_tables(report, {.records = records, .extent = Extent::all});
+  if (is_printed_whole(whole, extent)) return whole;
+  const std::string more = "more rows: --all, and --json\n";
+  const std::string shorter = curve_tables(report, {.records = records, .extent = Extent::one_screen});
+  if (report.curves.size() < 2 || is_printed_whole(shorter, extent)) return shorter + more;
+  return summary_of(report) + '\n' + comparisons_of(report) + more;
 }
 
 }  // namespace rocking

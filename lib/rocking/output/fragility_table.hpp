@@ -4,10 +4,12 @@
 
 #include "rocking/output/fragility_report.hpp"
 #include "rocking/output/suite_table.hpp"
+#include "rocking/output/text_table.hpp"
 
 namespace rocking {
 
-/// The curves as text: a table for each curve, and the fitted function.
-[[nodiscard]] std::string fragility_table(const FragilityReport& report, RecordTable records = RecordTable::omitted);
+/// The curves as text: of each the rate, the fitted function, and its tables. On one screen of many curves a row for each.
+[[nodiscard]] std::string fragility_table(const FragilityReport& report, RecordTable records = RecordTable::omitted,
+                                          Extent extent = Extent::all);
 
 }  // namespace rocking

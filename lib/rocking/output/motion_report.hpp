@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "rocking/fields/document.hpp"
+#include "rocking/output/text_table.hpp"
 #include "rocking/studies/motion/motion.hpp"
 
 namespace rocking {
@@ -67,7 +68,8 @@ enum class MotionDetail : std::uint8_t { measures, series };
 [[nodiscard]] MotionReport motion_report(const std::vector<MeasuredMotion>& motions, const MotionQuestion& question,
                                          MotionDetail detail);
 
-/// The report for a terminal.
-[[nodiscard]] std::string motion_table(const MotionReport& report);
+/// The report for a terminal: measures, what was read, response spectra; on one screen of many motions their first measures
+/// and the range of their spectra.
+[[nodiscard]] std::string motion_table(const MotionReport& report, Extent extent = Extent::all);
 
 }  // namespace rocking

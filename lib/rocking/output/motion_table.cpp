@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 
 #include "rocking/output/motion_report.hpp"
@@ -30,7 +31,7 @@ std::string reading_table(const std::vector<ReportedMotion>& motions) {
   return aligned(rows);
 }
 
-std::string measures_table(const MotionReport& report) {
+std::string measures_table(const MotionReport& report, Extent extent) {
   std::vector<TextRow> rows{{"file"}};
   for (const MeasureColumn& column : measure_columns) rows.front().emplace_back(column.heading);
   if (report.block) rows.front().emplace_back("uplift scale");
@@ -42,6 +43,7 @@ std::string measures_table(const MotionReport& report) {
     if (!motion.uplift_scale) continue;
     rows.back().push_back(*motion.uplift_scale ? significant(**motion.uplift_scale, 4) : "none");
   }
+  if (extent == Extent::one_screen) rows.resize(std::min(rows.size(), most_screen_rows));
   return aligned(rows);
 }
 
@@ -57,13 +59,35 @@ std::string spectrum_table(const std::vector<ReportedMotion>& motions) {
   return aligned(rows);
 }
 
+/// Smallest, median and largest value over the motions at each period; the motions have the same periods.
+std::string spectra_summary(const std::vector<ReportedMotion>& motions) {
+  std::vector<TextRow> rows{{"T [s]", "Sa [g] least", "median", "largest"}};
+  for (std::size_t i = 0; i < motions.front().spectrum.size(); ++i) {
+    std::vector<double> values;
+    for (const ReportedMotion& motion : motions) values.push_back(motion.spectrum[i].sa_g);
+    std::ranges::sort(values);
+    const std::size_t half = values.size() / 2;
+    const double median = values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+    rows.push_back({significant(motions.front().spectrum[i].period_s, 4), significant(values.front(), 4),
+                    significant(median, 4), significant(values.back(), 4)});
+  }
+  return aligned(rows);
+}
+
 }  // namespace
 
-std::string motion_table(const MotionReport& report) {
-  std::string text = reading_table(report.motions) + '\n' + measures_table(report);
-  if (report.motions.empty() || report.motions.front().spectrum.empty()) return text;
-  return text + "\nresponse spectrum, " + significant(100.0 * report.damping, 3) + " % damping\n" +
-         spectrum_table(report.motions);
+std::string motion_table(const MotionReport& report, Extent extent) {
+  const std::string measures = measures_table(report, extent);
+  const bool has_spectrum = !report.motions.empty() && !report.motions.front().spectrum.empty();
+  const std::string heading = "\nresponse spectrum, " + significant(100.0 * report.damping, 3) + " % damping";
+  const std::string whole = measures + '\n' + reading_table(report.motions) +
+                            (has_spectrum ? heading + '\n' + spectrum_table(report.motions) : "");
+  if (is_printed_whole(whole, extent)) return whole;
+  return measures +
+         (has_spectrum
+              ? heading + ", over " + counted(report.motions.size(), "motion") + '\n' + spectra_summary(report.motions)
+              : "") +
+         "more rows: --all, and --json\n";
 }
 
 }  // namespace rocking

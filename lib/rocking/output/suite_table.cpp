@@ -37,7 +37,7 @@ std::string law_table(const SuiteCurve& curve) {
     rows.push_back({name, significant(estimate->value, 3), interval_in_words(estimate->interval),
                     bootstrap_text(estimate->bootstrap)});
   }
-  std::string text = aligned(rows);
+  std::string text = "law of the suite\n" + aligned(rows);
   if (curve.test) text += test_in_words(*curve.test);
   if (curve.outcome == stats::FragilityOutcome::rejected) {
     text += "the lognormal law is rejected: it does not describe these shares; use the isotonic ones\n";
@@ -67,7 +67,7 @@ std::string level_table_of(const SuiteCurve& curve) {
     if (!has_law) rows.back().back() = per_cent(level.isotonic_band);
     if (has_law && level.band) rows.back().back() = per_cent(*level.band);
   }
-  return aligned(rows);
+  return "\nshares of the records at each level\n" + aligned(rows);
 }
 
 std::string record_table(const SuiteCurve& curve) {
@@ -77,7 +77,7 @@ std::string record_table(const SuiteCurve& curve) {
     rows.push_back({record.name, std::string(to_string(record.curve.outcome)),
                     law ? bounded_in_words(law->median) : ".", law ? bounded_in_words(law->dispersion) : "."});
   }
-  return aligned(rows);
+  return "\neach record\n" + aligned(rows);
 }
 
 std::string measure_table(const std::vector<RankedMeasure>& measures) {
@@ -103,7 +103,7 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
     if (has_distance) add_p(found.by_distance);
     rows.push_back(std::move(row));
   }
-  std::string text = "measures of intensity, smallest dispersion (most efficient) first\n" + aligned(rows);
+  std::string text = "\nmeasures of intensity, smallest dispersion (most efficient) first\n" + aligned(rows);
   if (has_magnitude || has_distance) {
     text += "p: of no dependence of the capacity in this measure on the earthquake; below 0.05 it is not sufficient\n";
   }
@@ -112,12 +112,18 @@ std::string measure_table(const std::vector<RankedMeasure>& measures) {
 
 }  // namespace
 
-std::string suite_table(const SuiteCurve& curve, RecordTable records) {
-  std::string text = level_table_of(curve) + law_table(curve);
+std::string suite_table(const SuiteCurve& curve, RecordTable records, Extent extent) {
+  std::string text = law_table(curve);
   if (curve.simple) text += simple_text(*curve.simple);
+  text += level_table_of(curve);
   if (records == RecordTable::shown) text += record_table(curve);
-  if (!curve.measures.empty()) text += measure_table(curve.measures);
-  return text;
+  if (curve.measures.empty()) return text;
+  if (extent == Extent::all) return text + measure_table(curve.measures);
+  const RankedMeasure& best = curve.measures.front();
+  if (!best.dispersion) return text;
+  return text + "most efficient of " + std::to_string(curve.measures.size()) +
+         " measures of intensity: " + std::string(to_string(best.measure)) + ", dispersion " +
+         significant(*best.dispersion, 3) + '\n';
 }
 
 std::string incremental_table(const IncrementalAnalysis& analysis) {
@@ -127,7 +133,7 @@ std::string incremental_table(const IncrementalAnalysis& analysis) {
     for (const auto& quantile : level.quantiles) row.push_back(quantile ? significant(*quantile, 3) : "overturned");
     rows.push_back(std::move(row));
   }
-  return aligned(rows) + "peak tilt, abs(theta)/psi, over all records and realisations\n" +
+  return "peak tilt, abs(theta)/psi, over all records and realisations\n" + aligned(rows) +
          std::to_string(analysis.resurrections.trials) + " of " + std::to_string(analysis.resurrections.of) +
          " realisations that overturned at some level stood again at a stronger one\n";
 }

@@ -5,14 +5,46 @@
 #include "rocking/base/error.hpp"
 
 namespace rocking {
+namespace {
 
-std::size_t letters_in(std::string_view text) {
-  const auto begins = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; };
-  return static_cast<std::size_t>(std::ranges::count_if(text, begins));
+constexpr std::size_t longest_cell = 40;
+constexpr std::ptrdiff_t lines_of_a_screen = 55;
+
+bool begins_letter(char byte) { return (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U; }
+
+/// With `...` in place of the middle if it is longer than a cell; the end, which tells files apart, keeps most.
+std::string shortened(const std::string& cell) {
+  const std::size_t letters = letters_in(cell);
+  if (letters <= longest_cell) return cell;
+  constexpr std::size_t kept_at_start = 12;
+  constexpr std::size_t kept_at_end = longest_cell - kept_at_start - 3;
+  std::string start, end;
+  std::size_t letter = 0;
+  for (const char byte : cell) {
+    letter += begins_letter(byte) ? 1 : 0;
+    if (letter <= kept_at_start) start += byte;
+    if (letter > letters - kept_at_end) end += byte;
+  }
+  return start + "..." + end;
 }
 
-std::string aligned(const std::vector<TextRow>& rows) {
-  if (rows.empty()) return {};
+bool may_merge(const TextRow& a, const TextRow& b, std::size_t first, std::size_t count) {
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if ((i < first || i >= first + count) && a[i] != b[i]) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::size_t letters_in(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, begins_letter));
+}
+
+std::string aligned(const std::vector<TextRow>& given) {
+  if (given.empty()) return {};
+  std::vector<TextRow> rows = given;
+  for (TextRow& row : rows) std::ranges::transform(row, row.begin(), shortened);
   std::vector<std::size_t> widths(rows.front().size(), 0);
   for (const TextRow& row : rows) {
     ROCKING_EXPECT(row.size() == widths.size());
@@ -27,6 +59,20 @@ std::string aligned(const std::vector<TextRow>& rows) {
     text += '\n';
   }
   return text;
+}
+
+bool is_printed_whole(std::string_view text, Extent extent) {
+  return extent == Extent::all || std::ranges::count(text, '\n') <= lines_of_a_screen;
+}
+
+std::vector<TextRow> merged_rows(const std::vector<TextRow>& table, std::size_t first, std::size_t count) {
+  std::vector<TextRow> merged;
+  for (std::size_t from = 0, to = 0; from < table.size(); from = ++to) {
+    while (from > 0 && to + 1 < table.size() && may_merge(table[from], table[to + 1], first, count)) ++to;
+    TextRow& row = merged.emplace_back(table[from]);
+    for (std::size_t i = first; i < first + count && to > from; ++i) row[i] += " to " + table[to][i];
+  }
+  return merged;
 }
 
 }  // namespace rocking

@@ -103,7 +103,7 @@ Check clamped(const Report& report) {
   if (!worst) return check;
   check.rating = Rating::look;
   check.finding += fmt::format(" Most at {}: {}; mostly {}.", with_symbols(condition_name(report, worst->condition)),
-                               in_words(worst->share), escaped(std::string(worst->remedy)));
+                               in_words(worst->share), escaped(worst->remedy));
   return check;
 }
 
@@ -195,6 +195,10 @@ std::vector<Check> checks_of(const Report& report) {
   std::vector<Check> checks{arithmetic(report), unresolved(report), enough(report), contact(report)};
   for (const Kind& kind : kinds) checks.push_back(check_of(report, kind));
   checks.push_back(clamped(report));
+  if (const auto names = left_out_records(report)) {
+    checks.push_back(
+        {.name = "records of the suite", .rating = Rating::look, .finding = escaped(*names) + '.', .where = {}});
+  }
   return checks;
 }
 

@@ -35,6 +35,11 @@ void add_experiment(CLI::App& command, std::string& file) {
   command.add_option("EXPERIMENT", file, "Experiment file (JSON); -: standard input")->required();
 }
 
+void add_skip_unreadable(CLI::App& command, Overrides& overrides) {
+  command.add_flag("--skip-unreadable", overrides.skips_unreadable,
+                   "Leave out records of a suite that cannot be read; the report names them");
+}
+
 void add_seed(CLI::App& command, Overrides& overrides) {
   command.add_option("--seed", overrides.seed, "Seed, instead of the one in the file, for example 0x2012 or 8210")
       ->type_name("S");

@@ -12,6 +12,8 @@ namespace rocking::program {
 
 /// Adds the argument EXPERIMENT.
 void add_experiment(CLI::App& command, std::string& file);
+/// Adds `--skip-unreadable`.
+void add_skip_unreadable(CLI::App& command, Overrides& overrides);
 /// Adds `--seed`.
 void add_seed(CLI::App& command, Overrides& overrides);
 

@@ -8,7 +8,9 @@
 #include <fmt/format.h>
 
 #include "output.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/studies/motion/motion.hpp"
+#include "rocking/text/json.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking::program {
@@ -65,6 +67,9 @@ std::vector<UsedMotion> used_motions(const Experiment& experiment) {
 
 std::vector<std::string> ground_motion_notes(const Experiment& experiment) {
   std::vector<std::string> notes;
+  for (const std::string& name : left_out_of(Json::parse(experiment.canonical_text))) {
+    notes.push_back(name + ": cannot be read; it is left out of the suite");
+  }
   for (const UsedMotion& used : used_motions(experiment)) {
     const std::string& name = used.motion->name;
     for (const std::string& warning : used.motion->warnings) notes.push_back(name + ": " + warning);

@@ -89,6 +89,7 @@ void add_run(CLI::App& app, Action& action, const ProcessPool& pool) {
       ->add_option("--realisations", request->overrides.realisations,
                    "Realisations per condition, instead of the number in the file")
       ->type_name("N");
+  add_skip_unreadable(*command, request->overrides);
   add_shard(*command, request->shard);
   add_max_time(*command, request->execution);
   add_page_choice(*command, request->execution.page);

@@ -15,13 +15,14 @@ namespace {
 
 struct ValidateRequest {
   std::string file;
+  Overrides overrides;
   Loudness loudness;
 };
 
 ExitCode validate(const ValidateRequest& request) {
   try {
     const ExperimentText source = load_experiment_text(request.file);
-    const Experiment experiment = load_experiment(source, {});
+    const Experiment experiment = load_experiment(source, request.overrides);
     if (request.loudness.json) {
       print_result(validation_text(experiment));
     } else if (!request.loudness.quiet) {
@@ -47,6 +48,7 @@ void add_validate(CLI::App& app, Action& action) {
       "prints all problems together, each with its place, value and remedy; with --json it prints the experiment with "
       "every default written out.");
   command->add_option("FILE", request->file, "Experiment file (JSON); -: standard input")->required();
+  add_skip_unreadable(*command, request->overrides);
   add_loudness(*command, request->loudness);
   command->final_callback([&action, request] { action = [request] { return validate(*request); }; });
 }

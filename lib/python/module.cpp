@@ -67,14 +67,19 @@ void add_experiment(py::module_& module) {
         }
         return list;
       });
-  module.def("parse", [](const std::string& text, const std::string& name, const std::string& folder,
-                         std::optional<std::string> seed, std::optional<std::string> realisations) {
-    return parse_experiment(text, folder, name, {.seed = std::move(seed), .realisations = std::move(realisations)});
+  const auto overrides = [](std::optional<std::string> seed, std::optional<std::string> realisations, bool skips) {
+    return Overrides{
+        .seed = std::move(seed), .realisations = std::move(realisations), .levels = {}, .skips_unreadable = skips};
+  };
+  module.def("parse", [overrides](const std::string& text, const std::string& name, const std::string& folder,
+                                  std::optional<std::string> seed, std::optional<std::string> realisations,
+                                  bool skips_unreadable) {
+    return parse_experiment(text, folder, name, overrides(std::move(seed), std::move(realisations), skips_unreadable));
   });
-  module.def("read",
-             [](const std::string& path, std::optional<std::string> seed, std::optional<std::string> realisations) {
-               return read_experiment(path, {.seed = std::move(seed), .realisations = std::move(realisations)});
-             });
+  module.def("read", [overrides](const std::string& path, std::optional<std::string> seed,
+                                 std::optional<std::string> realisations, bool skips_unreadable) {
+    return read_experiment(path, overrides(std::move(seed), std::move(realisations), skips_unreadable));
+  });
 }
 
 }  // namespace

@@ -53,9 +53,16 @@ class Trajectory:
     def facts(self, condition: int, realisation: int) -> str: ...
 
 def parse(
-    text: str, name: str, folder: str, seed: Optional[str], realisations: Optional[str]
+    text: str,
+    name: str,
+    folder: str,
+    seed: Optional[str],
+    realisations: Optional[str],
+    skips_unreadable: bool,
 ) -> Experiment: ...
-def read(path: str, seed: Optional[str], realisations: Optional[str]) -> Experiment: ...
+def read(
+    path: str, seed: Optional[str], realisations: Optional[str], skips_unreadable: bool
+) -> Experiment: ...
 def run(
     experiment: Experiment,
     threads: int,

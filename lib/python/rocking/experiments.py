@@ -66,12 +66,17 @@ class Experiment:
 
 
 def experiment(
-    source: ExperimentLike, *, seed: Union[int, str, None] = None, realisations: Optional[int] = None
+    source: ExperimentLike,
+    *,
+    seed: Union[int, str, None] = None,
+    realisations: Optional[int] = None,
+    skip_unreadable: bool = False,
 ) -> Experiment:
     """Read and check an experiment.
 
     source: a dictionary as in an experiment file, the path of one, or an Experiment, which is returned as it is.
     seed, realisations: replace those of the source; not with an Experiment.
+    skip_unreadable: leaves out records of a suite that cannot be read; `excitation.left_out` names them.
 
     Ground motions that a dictionary names are relative to the current folder, those of a file to the file's.
     Raises InputError with all problems, and OSError where a file cannot be read.
@@ -90,9 +95,9 @@ def experiment(
     number_text = None if realisations is None else str(realisations)
     if isinstance(source, Mapping):
         text = json.dumps(source, default=_plain)
-        return Experiment(_core.parse(text, "experiment", ".", seed_text, number_text), os.getcwd())
+        return Experiment(_core.parse(text, "experiment", ".", seed_text, number_text, skip_unreadable), os.getcwd())
     path = os.fspath(source)
-    return Experiment(_core.read(path, seed_text, number_text), os.path.dirname(os.path.abspath(path)))
+    return Experiment(_core.read(path, seed_text, number_text, skip_unreadable), os.path.dirname(os.path.abspath(path)))
 
 
 def validate(

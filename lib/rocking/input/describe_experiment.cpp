@@ -171,6 +171,8 @@ class DescribingKeys final : public Keys {
     const Json records = {{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", Json::array({path, record})}}}};
     add(key, {{"oneOf", Json::array({path, records})}}, "pattern or list", Absent::omitted, "");
     require_one_of({"file", key.name});
+    add({"left_out", "records of the suite that could not be read, as `run --skip-unreadable` writes them"},
+        {{"type", "array"}, {"items", path}}, "list of paths", Absent::omitted, "");
     return true;
   }
   void ground_motion(const GroundMotionReading&, const std::optional<Strength>&, Recorded&) override {}

@@ -65,25 +65,28 @@ class ExperimentBuilder {
     const bool has_former_keys = rename_former_keys(document_);
     Problems found;
     take_strength_from_sweep(document_);
-    suite_ = take_suite(document_, matches_, files_, found);
+    suite_ = take_suite(document_, matches_, files_, overrides.skips_unreadable, found);
     const bool is_bad_suite = !found.empty();
-    QuestionAsRead base = read_question(suite_.empty() ? document_ : with_suite_as_sweep(document_), &files_, found);
+    QuestionAsRead base = read_question(has_suite() ? with_suite_as_sweep(document_) : document_, &files_, found);
     // Merging and sweeping compare keys with each other, which takes hours where there are 10^5 of them.
     const bool is_hopeless = found.size() > enough_problems;
     const bool swept = !is_hopeless && document_.is_object() && document_.contains("sweep");
     if (swept) read_axes(base.canonical, overrides, found);
     merge(found, "");
-    if (!suite_.empty()) axes_.insert(axes_.begin(), SweepAxis{.pointer = std::string(suite_place), .values = suite_});
+    if (has_suite()) {
+      axes_.insert(axes_.begin(), SweepAxis{.pointer = std::string(suite_place), .values = suite_.records});
+    }
     const bool is_readable = !is_hopeless && !is_bad_suite && document_.is_object();
     if (is_readable && problems_.size() < most_problems) build_conditions();
     name_flags(overrides, problems_);
+    name_readable_records();
     if (has_former_keys) name_former_keys(problems_);
     if (problems_.size() > most_problems) problems_.resize(most_problems);
     if (!problems_.empty()) throw base::InputError(std::move(problems_));
     if (swept) base.canonical["sweep"] = canonical_sweep();
-    if (!suite_.empty()) {
+    if (has_suite()) {
       if (!swept) base.canonical.erase("sweep");
-      write_suite(base.canonical, axes_.front().canonical_values);
+      write_suite(base.canonical, {.records = axes_.front().canonical_values, .left_out = suite_.left_out});
     }
     return {.title = base.question.title,
             .seed = base.question.seed,
@@ -93,15 +96,17 @@ class ExperimentBuilder {
   }
 
  private:
+  [[nodiscard]] bool has_suite() const { return !suite_.records.empty(); }
+
   void read_axes(const Json& canonical, const Overrides& overrides, Problems& found) {
     Json known = canonical;
     known.merge_patch(document_);  // a place whose value is refused is a place nonetheless
     Problems of_sweep;
-    const std::size_t records = std::max<std::size_t>(suite_.size(), 1);
+    const std::size_t records = std::max<std::size_t>(suite_.records.size(), 1);
     axes_ = read_sweep(document_["sweep"], known, std::max<std::size_t>(most_conditions_ / records, 1), of_sweep);
     refuse_swept_flag(overrides, of_sweep);
     add_levels(overrides, of_sweep);
-    if (!suite_.empty()) refuse_swept_suite(of_sweep);
+    if (has_suite()) refuse_swept_suite(of_sweep);
     if (!of_sweep.empty()) axes_.clear();  // the file can still be checked as one condition
     found.insert(found.end(), of_sweep.begin(), of_sweep.end());
   }
@@ -157,6 +162,28 @@ class ExperimentBuilder {
       problems_.push_back(problem);
       problems_.back().reason += where;
     }
+  }
+
+  /// Tells with the first record that cannot be read which ones can.
+  void name_readable_records() {
+    constexpr std::size_t most_named = 30;
+    std::vector<std::string> readable;
+    auto first = problems_.end();
+    for (const Json& record : suite_.records) {
+      const auto found =
+          std::ranges::find_if(problems_, [&record](const base::Problem& each) { return is_of_record(each, record); });
+      if (found == problems_.end()) {
+        readable.push_back(record["file"].get<std::string>());
+      } else {
+        first = std::min(first, found);
+      }
+    }
+    if (first == problems_.end() || readable.empty() || problems_.size() >= most_problems) return;
+    first->remedy += "; --skip-unreadable goes on with the other " + std::to_string(readable.size()) + ": ";
+    for (std::size_t i = 0; i < std::min(readable.size(), most_named); ++i) {
+      first->remedy += (i == 0 ? "" : ", ") + readable[i].substr(readable[i].rfind('/') + 1);
+    }
+    if (readable.size() > most_named) first->remedy += ", ...";
   }
 
   // Every condition is read as a file of its own, in which the swept values stand in their places.
@@ -244,7 +271,7 @@ class ExperimentBuilder {
 
   Json canonical_sweep() const {
     Json sweep = Json::array();
-    const std::size_t of_suite = suite_.empty() ? 0 : 1;
+    const std::size_t of_suite = has_suite() ? 1 : 0;
     for (std::size_t i = of_suite; i < axes_.size(); ++i) {
       Json entry = Json::object();
       entry["parameter"] = axes_[i].pointer;
@@ -263,7 +290,7 @@ class ExperimentBuilder {
   Json document_;
   GroundMotionFiles files_;
   FileMatches matches_;
-  std::vector<Json> suite_;  ///< its records; empty: the experiment has none
+  Suite suite_;  ///< without records: the experiment has none
   std::size_t most_conditions_;
   Problems problems_;
   Problems seen_;

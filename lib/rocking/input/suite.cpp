@@ -4,25 +4,28 @@
 #include <array>
 #include <map>
 #include <string>
+#include <system_error>
 #include <utility>
 
 #include "rocking/base/utf8.hpp"
+#include "rocking/input/read_question.hpp"
 #include "rocking/scene/excitation.hpp"
 
 namespace rocking {
 namespace {
 
 constexpr std::array<std::string_view, 4> keys_of_a_record{"file", "sha256", "vertical_file", "vertical_sha256"};
+constexpr const char* left_out_key = "left_out";
 constexpr std::size_t most_records = 10'000;
 
 bool is_pattern(const std::string& name) { return name.find_first_of("*?") != std::string::npos; }
 
 class SuiteReader {
  public:
-  SuiteReader(const FileMatches& matches, GroundMotionFiles& files, Problems& problems)
-      : matches_(matches), files_(files), problems_(problems) {}
+  SuiteReader(const FileMatches& matches, GroundMotionFiles& files, bool skips_unreadable, Problems& problems)
+      : matches_(matches), files_(files), skips_unreadable_(skips_unreadable), problems_(problems) {}
 
-  std::vector<Json> read(const Json& suite) {
+  Suite read(const Json& suite) {
     const std::string place = "/excitation/suite";
     if (suite.is_string()) {
       add_names(suite, place);
@@ -34,7 +37,7 @@ class SuiteReader {
       reject(place, suite, "must be a list of 1 to 10000 files, or a pattern",
              R"(give ["a.at2", "b.at2"], or "records/*.at2")");
     }
-    return std::move(records_);
+    return std::move(suite_);
   }
 
  private:
@@ -85,8 +88,13 @@ class SuiteReader {
     const auto& name = record["file"].get_ref<const std::string&>();
     const bool is_name =
         !name.empty() && name.find('\0') == std::string::npos;  // others are refused with the excitation
-    if (is_name && !is_new(name, record, place)) return;
-    records_.push_back(record);
+    try {
+      if (is_name && !is_new(name, record, place)) return;
+    } catch (const std::system_error&) {
+      if (!skips_unreadable_) throw;
+      return suite_.left_out.push_back(name);
+    }
+    suite_.records.push_back(record);
   }
 
   /// Whether no record before it has the bytes of this file: under two names it would count twice.
@@ -104,9 +112,10 @@ class SuiteReader {
 
   const FileMatches& matches_;
   GroundMotionFiles& files_;
+  bool skips_unreadable_;
   Problems& problems_;
   std::map<std::string, std::string> names_;  ///< by digest
-  std::vector<Json> records_;
+  Suite suite_;
 };
 
 /// The excitation of an experiment; null if it has none that is an object.
@@ -117,9 +126,43 @@ Json* excitation_in(Json& document) {
 
 bool is_recorded(const Json& excitation) { return excitation.contains("kind") && excitation["kind"] == "recorded"; }
 
+std::vector<std::string> take_left_out(Json& excitation, Problems& problems) {
+  if (!excitation.contains(left_out_key)) return {};
+  const Json names = excitation[left_out_key];
+  excitation.erase(left_out_key);
+  if (names.is_array() && std::ranges::all_of(names, &Json::is_string)) return names.get<std::vector<std::string>>();
+  problems.push_back({std::string("/excitation/") + left_out_key, brief(names), "must be a list of names of files",
+                      "omit it: `rocking run --skip-unreadable` writes it"});
+  return {};
+}
+
+/// Leaves out records in which no motion is found, unless there is no other.
+void leave_out_unreadable(Suite& suite, Json document, GroundMotionFiles& files) {
+  std::vector<Json> readable;
+  std::vector<std::string> left_out = suite.left_out;
+  for (const Json& record : suite.records) {
+    put_record(document, record);
+    Problems problems;
+    bool is_open = true;
+    try {
+      static_cast<void>(read_question(with_suite_as_sweep(document), &files, problems));
+    } catch (const std::system_error&) {
+      is_open = false;  // its vertical component
+    }
+    const auto is_own = [&record](const base::Problem& problem) { return is_of_record(problem, record); };
+    if (is_open && std::ranges::none_of(problems, is_own)) {
+      readable.push_back(record);
+    } else {
+      left_out.push_back(record["file"].get<std::string>());
+    }
+  }
+  if (!readable.empty()) suite = {.records = std::move(readable), .left_out = std::move(left_out)};
+}
+
 }  // namespace
 
-std::vector<Json> take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& files, Problems& problems) {
+Suite take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& files, bool skips_unreadable,
+                 Problems& problems) {
   Json* excitation = excitation_in(document);
   if (excitation == nullptr || !is_recorded(*excitation) || !excitation->contains("suite")) return {};
   for (const std::string_view key : keys_of_a_record) {
@@ -128,11 +171,29 @@ std::vector<Json> take_suite(Json& document, const FileMatches& matches, GroundM
                         "keep one of them; a record of a suite may be an object with these keys"});
   }
   if (!problems.empty()) return {};
-  std::vector<Json> records = SuiteReader(matches, files, problems).read((*excitation)["suite"]);
+  std::vector<std::string> known = take_left_out(*excitation, problems);
+  Suite suite = SuiteReader(matches, files, skips_unreadable, problems).read((*excitation)["suite"]);
   if (!problems.empty()) return {};
+  suite.left_out.insert(suite.left_out.begin(), known.begin(), known.end());
   excitation->erase("suite");
-  put_record(document, records.front());
-  return records;
+  if (suite.records.empty()) {
+    problems.push_back(
+        {"/excitation/suite", "", "has no file that can be read", "check the names and the permissions"});
+    return {};
+  }
+  put_record(document, suite.records.front());
+  if (skips_unreadable) leave_out_unreadable(suite, document, files);
+  put_record(document, suite.records.front());
+  return suite;
+}
+
+bool is_of_record(const base::Problem& problem, const Json& record) {
+  for (const char* key : {"file", "vertical_file"}) {
+    if (!record.contains(key) || !record[key].is_string()) continue;
+    const auto& name = record[key].get_ref<const std::string&>();
+    if (problem.place == name || problem.place.starts_with(name + ':')) return true;
+  }
+  return false;
 }
 
 void put_record(Json& document, const Json& record) {
@@ -160,10 +221,11 @@ std::optional<SweepAxis> suite_axis(const Json& canonical) {
   return axis;
 }
 
-void write_suite(Json& canonical, const std::vector<Json>& records) {
+void write_suite(Json& canonical, const Suite& suite) {
   Json written = Json::object();
   for (const auto& [key, value] : canonical.at("excitation").items()) {
-    if (key == "file") written["suite"] = records;
+    if (key == "file") written["suite"] = suite.records;
+    if (key == "file" && !suite.left_out.empty()) written[left_out_key] = suite.left_out;
     if (std::ranges::find(keys_of_a_record, key) == keys_of_a_record.end()) written[key] = value;
   }
   canonical["excitation"] = std::move(written);
@@ -194,6 +256,11 @@ void take_strength_from_sweep(Json& document) {
       if (!listed && axis.contains("from")) (*excitation)[key] = axis["from"];
     }
   }
+}
+
+std::vector<std::string> left_out_of(const Json& canonical) {
+  const Json::json_pointer place(std::string("/excitation/") + left_out_key);
+  return canonical.contains(place) ? canonical.at(place).get<std::vector<std::string>>() : std::vector<std::string>{};
 }
 
 }  // namespace rocking

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -18,11 +19,19 @@ namespace rocking {
 /// The swept place.
 inline constexpr std::string_view suite_place = "/excitation/file";
 
-/// Takes `excitation.suite` out of an experiment and puts its first record there. Returns the records, each an object
-/// with `file` and perhaps `sha256`, `vertical_file`, `vertical_sha256`; none where there is no suite or a bad one. A
-/// record whose file has the bytes of another one's is refused. Throws std::system_error where a file cannot be read.
-[[nodiscard]] std::vector<Json> take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& files,
-                                           Problems& problems);
+struct Suite {
+  std::vector<Json> records;  ///< each an object with `file` and perhaps `sha256`, `vertical_file`, `vertical_sha256`
+  std::vector<std::string> left_out;  ///< names of files that could not be read
+};
+
+/// Takes `excitation.suite` and `excitation.left_out` out of an experiment and puts its first record there. No records where
+/// there is no suite or a bad one. A record whose file has the bytes of another one's is refused. A file that
+/// cannot be read throws std::system_error. With `skips_unreadable` it is left out, as is one without a motion.
+[[nodiscard]] Suite take_suite(Json& document, const FileMatches& matches, GroundMotionFiles& files,
+                               bool skips_unreadable, Problems& problems);
+
+/// Whether a problem is one of the files of a record, whose place is the name of the file, perhaps with a line.
+[[nodiscard]] bool is_of_record(const base::Problem& problem, const Json& record);
 
 /// Puts a record into `excitation`, in place of the one before.
 void put_record(Json& document, const Json& record);
@@ -33,8 +42,11 @@ void put_record(Json& document, const Json& record);
 /// The suite of a canonical experiment as an entry of its sweep, with the names of the files; absent if it has none.
 [[nodiscard]] std::optional<SweepAxis> suite_axis(const Json& canonical);
 
-/// Writes records in canonical form in place of the one record that a canonical experiment has.
-void write_suite(Json& canonical, const std::vector<Json>& records);
+/// Writes a suite, with records in canonical form, in place of the one record that a canonical experiment has.
+void write_suite(Json& canonical, const Suite& suite);
+
+/// Names of the records that a canonical experiment leaves out.
+[[nodiscard]] std::vector<std::string> left_out_of(const Json& canonical);
 
 /// The experiment with the suite as an entry of its sweep, so that defaults that follow from a record are not written.
 [[nodiscard]] Json with_suite_as_sweep(Json document);

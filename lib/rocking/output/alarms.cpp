@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 #include "rocking/base/number_text.hpp"
+#include "rocking/input/suite.hpp"
+#include "rocking/output/clamp_words.hpp"
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -45,7 +48,7 @@ std::optional<std::string> clamp_alarm(const Report& report) {
   const auto worst = worst_clamps(report);
   if (!worst) return std::nullopt;
   return "random numbers were clamped in " + in_words(worst->share) + " of condition " +
-         std::to_string(worst->condition) + ", the most of any; mostly " + std::string(worst->remedy);
+         std::to_string(worst->condition) + ", the most of any; mostly " + worst->remedy;
 }
 
 struct Remedy {
@@ -69,9 +72,12 @@ constexpr std::array remedies{
            "width or height of the block outside of its bounds: reduce the sigma of /block/width_m or /block/height_m"},
 };
 
-std::string_view clamp_remedy(std::string_view key) {
+std::string clamp_remedy(const Report& report, const ReportedCondition& condition) {
+  const std::string_view key = commonest_clamp(condition.result.validity.clamps);
   const auto* const found = std::ranges::find(remedies, key, &Remedy::key);
-  return found == remedies.end() ? std::string_view("another kind") : found->text;
+  std::string text(found == remedies.end() ? std::string_view("another kind") : found->text);
+  const std::string in_force = law_in_force_words(report, condition, key);
+  return in_force.empty() ? text : text + ". The probabilities are those of other numbers: " + in_force;
 }
 
 }  // namespace
@@ -96,9 +102,18 @@ std::optional<WorstClamps> worst_clamps(const Report& report) {
                             .draws = result.validity.clamps.all(),
                             .of_draws = result.operations.draws()};
     if (!here.is_alarming() || (worst && here.share_of_draws() <= worst->share.share_of_draws())) continue;
-    worst = {.condition = i, .share = here, .remedy = clamp_remedy(commonest_clamp(result.validity.clamps))};
+    worst = {.condition = i, .share = here, .remedy = clamp_remedy(report, report.conditions[i])};
   }
   return worst;
+}
+
+std::optional<std::string> left_out_records(const Report& report) {
+  const std::vector<std::string> names = left_out_of(report.input.experiment);
+  if (names.empty()) return std::nullopt;
+  std::string text = counted(names.size(), "record") + " of the suite could not be read and " +
+                     (names.size() == 1 ? "was" : "were") + " left out:";
+  for (const std::string& name : names) text += (&name == names.data() ? " " : ", ") + name;
+  return text + ". The probabilities are those of the others";
 }
 
 std::string tolerance_remedy(double tolerance) {
@@ -112,7 +127,7 @@ std::string tolerance_remedy(double tolerance) {
 
 std::vector<std::string> alarms_of(const Report& report) {
   std::vector<std::string> alarms;
-  for (auto& alarm : {contact_alarm(report), clamp_alarm(report)}) {
+  for (auto& alarm : {left_out_records(report), contact_alarm(report), clamp_alarm(report)}) {
     if (alarm) alarms.push_back(*alarm);
   }
   return alarms;

@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "rocking/output/report.hpp"
@@ -35,17 +34,21 @@ struct ClampedShare {
 struct WorstClamps {
   std::size_t condition = 0;
   ClampedShare share;
-  std::string_view remedy;  ///< what the most frequent kind of clamp means, and what would avoid it
+  std::string remedy;  ///< what the most frequent kind of clamp means, what would avoid it, and which law it leaves
 };
 
 /// Absent if no condition has an alarming share.
 [[nodiscard]] std::optional<WorstClamps> worst_clamps(const Report& report);
 
+/// Names of the records of a suite that could not be read, in a sentence; absent if none was left out.
+[[nodiscard]] std::optional<std::string> left_out_records(const Report& report);
+
 /// What to do if response modes change with the tolerance: the key and its value, or what is left if `tolerance` is at
 /// the limit of double precision.
 [[nodiscard]] std::string tolerance_remedy(double tolerance);
 
-/// The alarms of a run, each a sentence or two: contact lost before a final fall, clamped draws.
+/// The alarms of a run, each a sentence or two: records left out, contact lost before a final fall, clamped
+/// draws.
 [[nodiscard]] std::vector<std::string> alarms_of(const Report& report);
 
 }  // namespace rocking

@@ -1,5 +1,7 @@
 #include "rocking/output/plan_text.hpp"
 
+#include <algorithm>
+
 #include "rocking/text/number_text.hpp"
 
 namespace rocking {
@@ -44,11 +46,13 @@ std::string plan_text(const Plan& plan) {
   }
   text += at_most(plan) + ' ' + size_in_words(plan.needs.disk_bytes) + " of disk space, " +
           size_in_words(plan.needs.memory_bytes) + " of memory\n";
-  text += time_text(plan) + plan.impacts + '\n';
-  if (plan.effects.empty()) return text + "rocking only: no sliding, and nothing is random\n";
-  text += "in addition to rocking:\n";
-  for (const std::string& effect : plan.effects) text += "  " + effect + '\n';
-  return text;
+  text += time_text(plan) + "\nSimulated: rocking";
+  const bool is_random = std::ranges::any_of(
+      plan.effects, [](const std::string& effect) { return effect.find("drawn") != std::string::npos; });
+  for (const std::string& effect : plan.effects) text += ", " + effect;
+  text += std::string(is_random ? "" : "; nothing is random") + ".\nNot simulated: ";
+  for (const std::string& effect : plan.omitted) text += effect + ", ";
+  return text + "flight, the third dimension.\nImpacts: " + plan.impacts + ".\n" + plan.thresholds;
 }
 
 std::vector<Fact> plan_facts(const Plan& plan) {

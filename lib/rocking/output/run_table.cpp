@@ -42,6 +42,32 @@ std::string noise_line(const std::optional<ToleranceSensitivity>& floor, double 
          per_cent(floor->half_width) + " %\n" + remedy;
 }
 
+/// `95 %`; if the conditions have different confidences, words that say so.
+std::string level_of(const Experiment& experiment) {
+  const auto common = common_confidence(experiment);
+  return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
+}
+
+/// The only response mode of a condition; null if realisations differ.
+const TableEntry* only_mode(const TableRow& condition) {
+  const auto only = std::ranges::find(condition.modes, condition.realisations, &TableEntry::count);
+  return only == condition.modes.end() ? nullptr : &*only;
+}
+
+/// A line where no condition has two responses; empty if one has, or nothing is random.
+std::string alike_line(const Experiment& experiment, const std::vector<TableRow>& rows) {
+  double most = 0.0;
+  for (const TableRow& row : rows) {
+    const TableEntry* only = only_mode(row);
+    if (only == nullptr || !only->interval || row.realisations < 2 || only->mode == section::ResponseMode{}) return "";
+    most = std::max(most, 1.0 - only->interval->low);
+  }
+  return "in no condition did two realisations respond differently; another response than that of its condition has a "
+         "probability\nof at most " +
+         per_cent(most) + " % (" + level_of(experiment) +
+         "): if that is enough, one realisation of each suffices for the response modes\n";
+}
+
 /// A line on the responses that settled within their sampled periods; empty if none did.
 std::string late_settling_of(const Report& report) {
   std::uint64_t count = 0;
@@ -62,12 +88,6 @@ double tightest_tolerance(const Experiment& experiment) {
   return tightest;
 }
 
-/// `95 %`; if the conditions have different confidences, words that say so.
-std::string level_of(const Experiment& experiment) {
-  const auto common = common_confidence(experiment);
-  return common ? level_text(*common) + " %" : "(at the confidence of each condition)";
-}
-
 /// The legend of the table of every condition.
 std::string legend_of(const Experiment& experiment, const Report& report, const std::string& table) {
   std::string text;
@@ -79,7 +99,10 @@ std::string legend_of(const Experiment& experiment, const Report& report, const 
   } else {
     text += "\nnothing is random: one realisation is the response of its condition\n";
   }
-  if (table.find(peak_tilt_heading) != std::string::npos) text += std::string(peak_tilt_legend) + '\n';
+  if (table.find(peak_tilt_heading) != std::string::npos) {
+    text += peak_tilt_legend;
+    text += '\n';
+  }
   return text;
 }
 
@@ -130,7 +153,7 @@ std::string run_table(const Experiment& experiment, const Report& report, const 
     text += "horizon too short: " + remedy + '\n';
   }
   text += unreached_precision(experiment, report);
-  text += overturning_line(rows);
+  text += overturning_line(rows) + alike_line(experiment, rows);
   text += late_settling_of(report);
   text += noise_line(report.tolerance_sensitivity, tightest_tolerance(experiment));
   for (const std::string& alarm : alarms_of(report)) text += "warning: " + alarm + '\n';

@@ -216,6 +216,7 @@ struct Overrides {
   std::optional<std::string> seed = {};          ///< `--seed`
   std::optional<std::string> realisations = {};  ///< `--realisations`
   std::vector<double> levels = {};               ///< `--levels`: intensities that the sweep has as well
+  bool skips_unreadable = false;                 ///< `--skip-unreadable`: goes on without such records of a suite
 };
 
 /// JSON pointers to numbers that are intensities of the excitation.

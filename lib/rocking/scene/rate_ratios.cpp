@@ -11,17 +11,17 @@ namespace {
 /// Least share of Housner's ratio without a second sentence. Measured ratios lie above it for most blocks.
 constexpr double usual_share = 0.85;
 
-std::string in_words(const NumberRange& range) {
-  const std::string least = base::significant(range.least, 3);
-  const std::string largest = base::significant(range.largest, 3);
-  return least == largest ? least : least + " to " + largest;
-}
-
 }  // namespace
 
 void NumberRange::add(double number) {
   least = std::min(least, number);
   largest = std::max(largest, number);
+}
+
+std::string NumberRange::text() const {
+  const std::string first = base::significant(least, 3);
+  const std::string last = base::significant(largest, 3);
+  return first == last ? first : first + " to " + last;
 }
 
 void RateRatios::add(const dynamics::Geometry& block, double restitution) {
@@ -34,8 +34,8 @@ void RateRatios::add(const dynamics::Geometry& block, double restitution) {
 }
 
 std::string RateRatios::text() const {
-  std::string text = "e = " + in_words(restitution_) + ": " + in_words(ratio_) +
-                     " of the tilt rate survives an impact without slip (Housner's ratio: " + in_words(housner_) + ")";
+  std::string text = "e = " + restitution_.text() + ": " + ratio_.text() +
+                     " of the tilt rate survives an impact without slip (Housner's ratio: " + housner_.text() + ")";
   if (!(share_.least < usual_share)) return text;
   return text +
          ". This is less than 0.85 of Housner's ratio. If your number is the measured ratio of the rates, write "

@@ -12,6 +12,8 @@ struct NumberRange {
   double least = std::numeric_limits<double>::infinity();
   double largest = -std::numeric_limits<double>::infinity();
   void add(double number);
+  /// Both in three digits, `0.18 to 0.25`; once if they are equal.
+  [[nodiscard]] std::string text() const;
 };
 
 /// What impacts leave of the tilt rate, over the scenes of an experiment: dynamics::inelastic_rate_ratio beside Housner's

@@ -16,8 +16,6 @@ constexpr double last = 9.0;
 constexpr double per_unit = 32.0;
 constexpr auto intervals = static_cast<std::size_t>((last - first) * per_unit);
 
-double density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
-
 LogNormalProbability computed(double z) {
   const double value = log_normal_cdf(z);
   return {.value = value, .slope = std::exp(-0.5 * z * z - value) / std::sqrt(2.0 * std::numbers::pi)};
@@ -76,7 +74,7 @@ LogNormalProbability log_normal_probability(double z) {
   static const std::array<Interpolation, intervals> table = interpolations();
   if (z >= last) {
     const double y = 1.0 / (z * z);
-    return {.value = -density(z) * (1.0 - y * (1.0 - 3.0 * y)) / z, .slope = density(z)};
+    return {.value = -normal_density(z) * (1.0 - y * (1.0 - 3.0 * y)) / z, .slope = normal_density(z)};
   }
   if (!(z >= first)) return computed(z);  // also if z is not a number
   const double place = (z - first) * per_unit;
@@ -87,7 +85,7 @@ LogNormalProbability log_normal_probability(double z) {
 
 double mills_ratio(double z) {
   if (z <= -first) return 1.0 / log_normal_probability(-z).slope;
-  if (z < 25.0) return normal_cdf(-z) / density(z);
+  if (z < 25.0) return normal_cdf(-z) / normal_density(z);
   // Laplace's series: the first omitted term, 10395/z^12, is 2e-13 at z = 25.
   const double y = 1.0 / (z * z);
   return (1.0 - y * (1.0 - y * (3.0 - y * (15.0 - y * (105.0 - y * 945.0))))) / z;

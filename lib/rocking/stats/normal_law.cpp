@@ -7,6 +7,8 @@
 
 namespace rocking::stats {
 
+double normal_density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
+
 double normal_cdf(double z) { return 0.5 * boost::math::erfc(-z / std::numbers::sqrt2); }
 
 double two_sided_normal_p_value(double z) { return 2.0 * normal_cdf(-std::abs(z)); }

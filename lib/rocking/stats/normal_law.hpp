@@ -11,6 +11,9 @@ struct NormalLaw {
   [[nodiscard]] constexpr double score(double x) const { return (x - mean) / sigma; }
 };
 
+/// Density of the standard normal law.
+[[nodiscard]] double normal_density(double z);
+
 /// Probability that a standard normal number is at most z. Keeps its relative accuracy down to z = -37.
 [[nodiscard]] double normal_cdf(double z);
 

@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "rocking/stats/normal_law.hpp"
 
 namespace rocking::stats {
 namespace {
-
-double standard_density(double z) { return std::exp(-0.5 * z * z) / std::sqrt(2.0 * std::numbers::pi); }
 
 /// Phi(high) - Phi(low) for low < high, without cancellation on either side.
 double probability_between(double low, double high) {
@@ -58,7 +55,7 @@ LocalShape capacity_log_likelihood(const std::vector<CapacityRange>& ranges, con
     for (const auto& [eta, u, sign] : {std::tuple(high, range.high, 1.0), std::tuple(low, range.low, -1.0)}) {
       if (std::isinf(u)) continue;
       const Eigen::Vector2d along(1.0, u);
-      const double density = sign * standard_density(eta) / probability;
+      const double density = sign * normal_density(eta) / probability;
       score += density * along;
       bend -= density * eta * along * along.transpose();
     }

@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include "rocking/input/read_experiment.hpp"
+#include "rocking/input/suite.hpp"
 #include "rocking/studies/motion/motion.hpp"
 #include "rocking/text/json.hpp"
 #include "support/record_text.hpp"
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace rocking;
+using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
@@ -239,6 +241,47 @@ TEST_F(Suite, RefusesTwoStrengthsAndUnitsThatContradict) {
   json["excitation"]["format"] = "auto";
   EXPECT_EQ(refusal_of(json), "accepted");
   EXPECT_FALSE(Json::parse(read(json).canonical_text)["excitation"].contains("format"));
+}
+
+// One bad file among several: told with the names of the others, or left out.
+TEST_F(Suite, NamesTheRecordsThatCanBeReadBesideABadOne) {
+  files_["records/b.at2"] = "no numbers";
+  EXPECT_THAT(
+      refusal_of(experiment(R"(["records/a.at2", "records/b.at2", "v.at2"])")),
+      AllOf(HasSubstr("records/b.at2: "), HasSubstr("--skip-unreadable goes on with the other 2: a.at2, v.at2")));
+}
+
+TEST_F(Suite, GoesOnWithoutRecordsThatCannotBeRead) {
+  files_["records/b.at2"] = "no numbers";
+  const std::string text = experiment(R"(["records/a.at2", "records/b.at2", "missing.at2", "v.at2"])",
+                                      R"([{ "parameter": "/excitation/pga_g", "values": [0.2, 0.4] }])")
+                               .dump();
+  const Overrides skip{.seed = {}, .realisations = {}, .levels = {}, .skips_unreadable = true};
+  const Experiment read = read_experiment(text, skip, surroundings());
+  EXPECT_THAT(read.sweep_sizes, ElementsAre(2U, 2U));
+  EXPECT_EQ(recorded(read.conditions[2]).ground_motion->name, "v.at2");
+  const Json canonical = Json::parse(read.canonical_text);
+  EXPECT_THAT(left_out_of(canonical), ::testing::UnorderedElementsAre("missing.at2", "records/b.at2"));
+  // The canonical text is that of the readable records and says what was left out, also when it is read again.
+  EXPECT_EQ(read_experiment(read.canonical_text, {}, surroundings()).canonical_text, read.canonical_text);
+  EXPECT_EQ(read_experiment(read.canonical_text, skip, surroundings()).canonical_text, read.canonical_text);
+  // Nothing is left out without a reason, nor if nothing would be left.
+  const std::string good = experiment(R"(["records/a.at2", "v.at2"])").dump();
+  EXPECT_EQ(read_experiment(good, skip, surroundings()).canonical_text,
+            read_experiment(good, {}, surroundings()).canonical_text);
+  const std::string bad = experiment(R"(["records/b.at2"])").dump();
+  EXPECT_THROW(static_cast<void>(read_experiment(bad, skip, surroundings())), base::InputError);
+  EXPECT_THROW(static_cast<void>(read_experiment(experiment(R"(["gone.at2"])").dump(), skip, surroundings())),
+               base::InputError);
+}
+
+TEST_F(Suite, RefusesABadListOfRecordsLeftOut) {
+  Json json = experiment(R"(["records/a.at2"])");
+  json["excitation"]["left_out"] = "b.at2";
+  EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/left_out = \"b.at2\": must be a list of names"));
+  json["excitation"].erase("suite");
+  json["excitation"]["file"] = "v.at2";
+  EXPECT_THAT(refusal_of(json), HasSubstr("/excitation/left_out"));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@ using ::testing::AllOf;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 
 /// Two conditions of a thousand realisations and a hundred thousand random numbers each.
 Report calm() {
@@ -52,8 +53,28 @@ TEST(Alarms, HaveARemedyForEveryKindOfClamp) {
   for (const ClampKind& kind : clamp_kinds) {
     Report report = calm();
     report.conditions[0].result.validity.clamps.*kind.count = 50'000;
-    EXPECT_THAT(std::string(worst_clamps(report).value().remedy), HasSubstr("reduce the sigma")) << kind.key;
+    EXPECT_THAT(worst_clamps(report).value().remedy, HasSubstr("reduce the sigma")) << kind.key;
   }
+}
+
+TEST(Alarms, GiveTheLawThatClampsLeave) {
+  Report report = calm();
+  report.conditions[0].result.validity.clamps.kinetic_at_static = 50'000;
+  Json& experiment = report.input.experiment;
+  experiment["friction"] = {{"static", 0.35}, {"kinetic", 0.30}};
+  experiment["fluctuation"] = {{"friction", {{"sigma", 0.03}}}};
+  const std::string in_force = "the kinetic friction in force has mean 0.298 and sigma 0.0277, not 0.3 and 0.03";
+  EXPECT_THAT(worst_clamps(report).value().remedy, HasSubstr(in_force));
+  EXPECT_THAT(alarms_of(report), ElementsAre(HasSubstr(in_force)));
+  experiment["fluctuation"]["friction"]["law"] = "lognormal";
+  EXPECT_THAT(worst_clamps(report).value().remedy, Not(HasSubstr("in force has")));
+}
+
+TEST(Alarms, NameTheRecordsThatWereLeftOut) {
+  Report report = calm();
+  report.input.experiment["excitation"]["left_out"] = {"a.at2", "b.at2"};
+  EXPECT_THAT(alarms_of(report), ElementsAre(HasSubstr("2 records of the suite could not be read and were left out: "
+                                                       "a.at2, b.at2. The probabilities are those of the others")));
 }
 
 TEST(ToleranceRemedy, NamesTheKeyAndItsValueDownToDoublePrecision) {

@@ -10,6 +10,7 @@
 #include "rocking/scene/drawn_quantities.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/scene/rate_ratios.hpp"
+#include "rocking/studies/plan/thresholds.hpp"
 
 namespace rocking {
 namespace {
@@ -45,6 +46,44 @@ constexpr std::array<Effect, 8> effects{{
        return s.fluctuation.amplitude > 0.0 && amplitude_draws(s.excitation) == AmplitudeDraws::once;
      }},
 }};
+
+/// Whether a part of the scene is drawn once for each realisation.
+template <class... Quantities>
+bool is_any_drawn(const Quantities&... quantities) {
+  return (is_drawn(quantities) || ...);
+}
+
+bool has_vertical_motion(const Scene& scene) {
+  const auto* recorded = std::get_if<Recorded>(&scene.excitation);
+  return recorded != nullptr && recorded->ground_motion && recorded->ground_motion->has_vertical;
+}
+
+/// Effects that an experiment may have, in the words of those who miss them.
+constexpr std::array<Effect, 6> optional_effects{{
+    {"sliding", [](const Scene& s) { return s.friction.has_value(); }},
+    {"scatter of friction",
+     [](const Scene& s) {  // without friction nothing is to scatter
+       return !s.friction || (s.fluctuation.static_friction > 0.0 || s.fluctuation.kinetic_friction > 0.0 ||
+                              is_any_drawn(s.friction->static_coefficient, s.friction->kinetic_coefficient));
+     }},
+    {"scatter of restitution",
+     [](const Scene& s) {
+       const auto* number = std::get_if<Quantity>(&s.restitution);
+       return s.fluctuation.restitution > 0.0 || (number != nullptr && is_drawn(*number));
+     }},
+    {"scatter of the amplitude", [](const Scene& s) { return s.fluctuation.amplitude > 0.0; }},
+    {"scatter of the block's size", [](const Scene& s) { return is_any_drawn(s.block.width, s.block.height); }},
+    {"vertical motion of the base", has_vertical_motion},
+}};
+
+std::vector<std::string> omitted_from(const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const Effect& effect : optional_effects) {
+    const auto is_on = [&effect](const Condition& condition) { return effect.is_on(condition.scene); };
+    if (std::ranges::none_of(experiment.conditions, is_on)) names.emplace_back(effect.name);
+  }
+  return names;
+}
 
 /// Every quantity that some condition draws, each once.
 void add_drawn_quantities(const Experiment& experiment, std::vector<std::string>& names) {
@@ -99,6 +138,8 @@ Plan plan_of(const Experiment& experiment, const Means& means) {
     ratios.add(block, restitution_of(condition.scene, block));
   }
   plan.impacts = ratios.text();
+  plan.thresholds = thresholds_text(experiment);
+  plan.omitted = omitted_from(experiment);
   return plan;
 }
 

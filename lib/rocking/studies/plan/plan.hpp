@@ -68,7 +68,9 @@ struct Plan {
   Needs needs;
   std::optional<TimeEstimate> time;  ///< absent: not measured, or not to be had
   std::vector<std::string> effects;  ///< that are on in at least one condition
+  std::vector<std::string> omitted;  ///< effects that are off in every condition
   std::string impacts;               ///< what they leave of the tilt rate, in a sentence
+  std::string thresholds;            ///< of uplift and of sliding, in sentences
 };
 
 /// The plan of a run without its time.

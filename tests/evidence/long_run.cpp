@@ -33,17 +33,16 @@ section::Classification LongRun::name(const Window& window, int exponent_periods
   }
   const auto sampled =
       std::span(periods()).subspan(static_cast<std::size_t>(window.first), static_cast<std::size_t>(window.count));
-  return section::classify({.periods = sampled, .random = random_, .resolution = resolution_, .thresholds = thresholds},
-                           [&] { return exponent(exponent_periods).exponent; });
+  const auto pending =
+      section::classify({.periods = sampled, .random = random_, .resolution = resolution_, .thresholds = thresholds});
+  if (pending.classification) return *pending.classification;
+  return pending.with_exponent(exponent(exponent_periods, pending).exponent);
 }
 
-const ExponentRun& LongRun::exponent(int periods) {
-  const auto known =
-      std::find_if(exponents_.begin(), exponents_.end(), [&](const auto& entry) { return entry.first == periods; });
-  if (known != exponents_.end()) return known->second;
-  PerturbedPair pair(*after_transient_, shape_angle_, periods);
-  run_alone(pair);
-  return exponents_.emplace_back(periods, pair.result()).second;
+ExponentRun LongRun::exponent(int periods, const section::PendingClassification& pending) const {
+  TangentRun run(*after_transient_, shape_angle_, periods);
+  run_alone(run, pending);
+  return run.result();
 }
 
 }  // namespace rocking::evidence

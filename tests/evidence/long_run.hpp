@@ -26,8 +26,8 @@ class LongRun {
   section::Classification name(const Window& window, int exponent_periods, const section::Thresholds& thresholds = {});
   [[nodiscard]] const std::vector<section::Period>& periods() const { return recorder_.periods(); }
 
-  /// Exponent from the end of the condition's transient on. Computed once for each number of periods.
-  [[nodiscard]] const ExponentRun& exponent(int periods);
+  /// Exponent from the end of the condition's transient on, over as many periods as `pending` needs.
+  [[nodiscard]] ExponentRun exponent(int periods, const section::PendingClassification& pending) const;
 
  private:
   double shape_angle_;
@@ -36,7 +36,6 @@ class LongRun {
   StrobeRecorder recorder_;
   std::optional<Motion> after_transient_;
   std::optional<dynamics::Termination> termination_;
-  std::vector<std::pair<int, ExponentRun>> exponents_;  ///< by the number of periods requested
 };
 
 }  // namespace rocking::evidence

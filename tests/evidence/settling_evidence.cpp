@@ -30,14 +30,14 @@ bool is_classified(const ResponseMode& mode) { return mode.kind != ResponseKind:
 std::vector<ResponseMode> modes_of(const Condition& condition, std::uint64_t seed, std::uint64_t realisation) {
   const random::Draws draws(seed, realisation);
   const Start start = start_of(condition.scene, draws);
-  const auto beginning = begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
+  const auto beginning = begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
   HorizonRun run(condition, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   run.observe_long_run();
   std::vector<ResponseMode> modes;
   for (bool goes_on = true; goes_on; modes.push_back(run.newest_mode())) {
     while (!run.motion().ended() || run.go_on()) integrate::step(run.motion(), run.counts());
-    if (PerturbedPair* pair = run.classify()) run_alone(*pair, {});
+    if (TangentRun* tangents = run.classify()) run_alone(*tangents, run.pending());
     goes_on = run.begin_next_window();
   }
   return modes;

@@ -106,7 +106,9 @@ void print(const Scene& scene) {
       x.push_back(run.periods()[500 + static_cast<std::size_t>(k)].point.tilt_rate);
     std::printf(" %.2f |", zero_one(x));
   }
-  const auto exponent = run.exponent(300).exponent;
+  section::PendingClassification longest;
+  longest.may_be_decided_later = [](const section::ExponentEstimate&) { return true; };
+  const auto exponent = run.exponent(300, longest).exponent;
   if (exponent) std::printf(" %.4f +- %.4f |", exponent->exponent, exponent->standard_error);
   std::printf(" %s |\n", to_string(run.name({500, 2400}, 300).mode).c_str());
 }

@@ -87,20 +87,20 @@ Condition random_condition(std::uint64_t number) {
 
 constexpr std::uint64_t seed = 0x2012;
 
-/// Runs a realisation of a condition as run_alone does. The motion is watched, except the reference and the perturbed
-/// trajectory.
+/// Runs a realisation of a condition as run_alone does. The motion is watched, except where it is run again with tangent
+/// vectors.
 RealisationResult run_watched(const Condition& condition, std::uint64_t realisation, GuardTally& tally,
                               const integrate::FiredGuards& overlooked = {}) {
   const random::Draws draws(seed, realisation);
   const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
-                                                strobes_before_copy(condition));
+                                                strobes_before_window(condition));
   HorizonRun run(condition, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   support::GuardWatch<Motion> watch(beginning.setting, run.motion().excitation().has_vertical(), tally);
   support::WatchedMotion watched(run.motion(), watch, overlooked);
   do {
     while (!run.motion().ended() || run.go_on()) integrate::step(watched, run.counts());
-    if (PerturbedPair* perturbed_pair = run.classify()) run_alone(*perturbed_pair);
+    if (TangentRun* tangents = run.classify()) run_alone(*tangents, run.pending());
   } while (run.begin_next_window());
   return run.finish();
 }

@@ -140,7 +140,7 @@ TEST(EveryCombination, CountsWorkForTheEffectsThatItHasAndNoneForTheOthers) {
     EXPECT_EQ(operations.slip_steps > 0, combination.friction);
     EXPECT_EQ(count_of(operations, dynamics::EventKind::slip_start) > 0, combination.friction);
     EXPECT_EQ(operations.ground_motion_segments > 0, combination.base != BaseMotion::harmonic);
-    EXPECT_TRUE(operations.perturbed_pair_periods == 0 || combination.base == BaseMotion::harmonic);
+    EXPECT_TRUE(operations.exponent_periods == 0 || combination.base == BaseMotion::harmonic);
     EXPECT_GT(count_of(operations, dynamics::EventKind::impact_stick) +
                   count_of(operations, dynamics::EventKind::impact_slip),
               9U);

@@ -95,11 +95,11 @@ std::string spelled(const RealisationResult& result) {
   return base::to_hex(digest_of(result, 0)) + " " + std::to_string(operations.steps) + " steps, " +
          std::to_string(operations.slip_steps) + " with slip, " + std::to_string(operations.root_isolations) +
          " isolations, " + std::to_string(operations.ground_motion_segments) + " segments, " +
-         std::to_string(operations.kinetic_friction_draws) + " draws, " +
-         std::to_string(operations.perturbed_pair_periods) + " periods of perturbed pairs, " +
-         std::to_string(result.losses_of_contact) + " losses, " + std::to_string(result.contradictions) +
-         " contradictions, margin " + std::to_string(result.classification.margin) + ", peaks" + spelled(result.peaks) +
-         ", " + std::to_string(result.losses_before_fall) + " losses before the fall" + spelled(result.settling);
+         std::to_string(operations.kinetic_friction_draws) + " draws, " + std::to_string(operations.exponent_periods) +
+         " periods with tangents, " + std::to_string(result.losses_of_contact) + " losses, " +
+         std::to_string(result.contradictions) + " contradictions, margin " +
+         std::to_string(result.classification.margin) + ", peaks" + spelled(result.peaks) + ", " +
+         std::to_string(result.losses_before_fall) + " losses before the fall" + spelled(result.settling);
 }
 
 std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::vector<RequestedRun>& tasks) {
@@ -116,10 +116,10 @@ std::vector<std::string> side_by_side(const lanes::Kernels& kernels, const std::
 std::uint64_t expect_the_bits_alone(const std::vector<Condition>& conditions) {
   const std::vector<RequestedRun> tasks = mixed(conditions);
   std::vector<std::string> alone;
-  std::uint64_t perturbed_pairs = 0;
+  std::uint64_t tangent_runs = 0;
   for (const RequestedRun& task : tasks) {
     const RealisationResult result = realise_unchecked(*task.condition, seed, task.realisation);
-    perturbed_pairs += result.operations.perturbed_pair_periods > 0 ? 1 : 0;
+    tangent_runs += result.operations.exponent_periods > 0 ? 1 : 0;
     alone.push_back(spelled(result));
   }
   for (const lanes::Kernels& kernels : lanes::available_kernels()) {
@@ -129,7 +129,7 @@ std::uint64_t expect_the_bits_alone(const std::vector<Condition>& conditions) {
                                        << ", realisation " << tasks[i].realisation;
     }
   }
-  return perturbed_pairs;
+  return tangent_runs;
 }
 
 TEST(Lanes, GiveEachRealisationTheBitsThatItGetsAlone) { EXPECT_GT(expect_the_bits_alone(crowd()), 10U); }
@@ -176,7 +176,7 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
   for (std::uint64_t number = 0; number < scheduler.wanted_size(); ++number) {
     const random::Draws draws(seed, number);
     const Beginning beginning = begin_realisation(condition, draws, start_of(condition.scene, draws), Strobe::poincare,
-                                                  strobes_before_copy(condition));
+                                                  strobes_before_window(condition));
     runs.push_back(std::make_unique<Run>(condition, beginning, [&](dynamics::Observer& observer) {
       return motion_of(condition.scene, beginning, observer);
     }));
@@ -193,12 +193,12 @@ TEST(Lanes, AllocateNothingInTheInnerLoop) {
 }
 
 struct Work {
-  std::uint64_t perturbed_pair_periods = 0;
+  std::uint64_t exponent_periods = 0;
   std::uint64_t allocations = 0;
 };
 
 /// Work of realisations whose classification needs the exponent, over at least the sampled periods.
-Work work_of_perturbed_pairs(int sampled_periods) {
+Work work_of_tangents(int sampled_periods) {
   Condition condition = shaken(8.0, Friction{.static_coefficient = 0.40, .kinetic_coefficient = 0.35});
   support::harmonic(condition.scene).phase = Uniform{.low = 0.0, .high = 6.0};
   condition.scene.fluctuation.static_friction = condition.scene.fluctuation.kinetic_friction = 0.02;
@@ -208,17 +208,16 @@ Work work_of_perturbed_pairs(int sampled_periods) {
   RealisationScheduler scheduler(seed, lanes::available_kernels().back());
   for (std::uint64_t number = 0; number < 60 || !scheduler.is_idle();) {
     for (; number < 60 && scheduler.wants_more(); ++number) scheduler.start({&condition, number}, number);
-    for (const auto& [id, result] : scheduler.work())
-      work.perturbed_pair_periods += result.operations.perturbed_pair_periods;
+    for (const auto& [id, result] : scheduler.work()) work.exponent_periods += result.operations.exponent_periods;
   }
   work.allocations = allocations - before;
   return work;
 }
 
-TEST(Lanes, AllocateForNoPeriodOfPerturbedPairs) {
-  const Work some = work_of_perturbed_pairs(400);
-  const Work more = work_of_perturbed_pairs(800);
-  const std::uint64_t more_periods = more.perturbed_pair_periods - some.perturbed_pair_periods;
+TEST(Lanes, AllocateForNoPeriodWithTangents) {
+  const Work some = work_of_tangents(400);
+  const Work more = work_of_tangents(800);
+  const std::uint64_t more_periods = more.exponent_periods - some.exponent_periods;
   EXPECT_GT(more_periods, 10'000U);
   EXPECT_LT(more.allocations - some.allocations, more_periods / 4) << "those of naming twice as many points are fewer";
 }

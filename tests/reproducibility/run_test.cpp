@@ -84,7 +84,7 @@ void expect_same(const ConditionResult& a, const ConditionResult& b) {
   if (a.non_recurrence) expect_same(*a.non_recurrence, *b.non_recurrence);
   EXPECT_EQ(a.operations.steps, b.operations.steps);
   EXPECT_EQ(a.operations.root_isolations, b.operations.root_isolations);
-  EXPECT_EQ(a.operations.perturbed_pair_periods, b.operations.perturbed_pair_periods);
+  EXPECT_EQ(a.operations.exponent_periods, b.operations.exponent_periods);
   EXPECT_EQ(a.operations.static_friction_draws, b.operations.static_friction_draws);
   EXPECT_EQ(a.operations.kinetic_friction_draws, b.operations.kinetic_friction_draws);
   EXPECT_EQ(a.operations.initial_draws, b.operations.initial_draws);

@@ -39,6 +39,17 @@ class VariationOfStep {
     }
   }
 
+  /// Multiplies the vectors by a factor that rounds nothing.
+  void scale(double factor) {
+    for (Tangent<double>& vector : start_) vector = plus({}, factor, vector);
+    if constexpr (solution_count == 1) {
+      for (VariationSeries<double>& solution : solutions_) {
+        for (double& coefficient : solution.tilt) coefficient *= factor;
+        for (double& coefficient : solution.tilt_rate) coefficient *= factor;
+      }
+    }
+  }
+
   /// At time x of the step.
   [[nodiscard]] Tangents at(double x, const MotionSeries<double>& rows) const {
     const SlipVariation<double> slip = slip_until(x, rows);

@@ -64,8 +64,7 @@ static const StructType& fields_of(const OperationCounts*) {
                                       "searches for a zero crossing that the inexpensive bound did not exclude"),
       field<&Counts::ground_motion_segments>("ground_motion_segments",
                                              "segments of a ground motion that were looked up"),
-      field<&Counts::perturbed_pair_periods>("exponent_periods",
-                                             "periods of reference and perturbed trajectories of the exponent"),
+      field<&Counts::exponent_periods>("exponent_periods", "periods with tangent vectors, for the Lyapunov exponent"),
       of_owner<Counts>("draws", "random numbers by source", draws),
   };
   return fields;

@@ -19,7 +19,7 @@ RealisationResult Continuation::run(const Condition& of_sweep) {
   check_condition(of_sweep);
   Condition condition = of_sweep;
   condition.horizon.until_classified.reset();  // every step of a sweep is as long as the others
-  const std::int64_t strobes = strobes_before_copy(condition);
+  const std::int64_t strobes = strobes_before_window(condition);
   const Start start = start_of(condition.scene, draws_);
   const Beginning beginning = begin_realisation(condition, draws_, start, Strobe::poincare, strobes);
   HorizonRun run(condition, beginning, [&](dynamics::Observer& observer) {

@@ -10,20 +10,32 @@
 namespace rocking {
 namespace {
 
-constexpr double start_distance = 1e-7;   ///< far above the tolerance, far below the size of the attractor
-constexpr double least_distance = 1e-16;  ///< smallest distance that the arithmetic resolves
+constexpr double least_growth = 1e-9;  ///< in a period; also where the motion loses its memory of the state
+constexpr double largest_size = 0x1p64;
 constexpr std::size_t batches = 8;
 constexpr std::size_t shortest_batch = 4;  ///< periods
-constexpr std::int64_t longest_run = 8;    ///< in units of the periods requested
+constexpr std::int64_t longest_run = 8;    ///< in units of the periods of the window
 
-double length_of(const dynamics::Displacement& d) {
-  return std::sqrt(d.tilt * d.tilt + d.tilt_rate * d.tilt_rate + d.slip_rate * d.slip_rate);
+/// Changes of Theta, Theta' and V by 1.
+TangentRun::Motion::Tangents unit_vectors(double shape_angle) {
+  return {{{.tilt = shape_angle}, {.tilt_rate = shape_angle}, {.slip_rate = 1.0}}};
 }
 
-dynamics::Displacement difference(const dynamics::State& a, const dynamics::State& b, double shape_angle) {
-  return {.tilt = (a.tilt - b.tilt) / shape_angle,
-          .tilt_rate = (a.tilt_rate - b.tilt_rate) / shape_angle,
-          .slip_rate = a.slip_rate - b.slip_rate};
+double norm_of(const TangentRun::Motion::Tangents& vectors, double shape_angle) {
+  double squares = 0.0;
+  for (const auto& vector : vectors) {
+    const double tilt = vector.tilt / shape_angle;
+    const double rate = vector.tilt_rate / shape_angle;
+    squares += tilt * tilt + rate * rate + vector.slip_rate * vector.slip_rate;
+  }
+  return std::sqrt(squares);
+}
+
+/// Norm of the unit vectors, as far as they keep the contact state.
+double unit_norm(const dynamics::State& state, double shape_angle) {
+  auto vectors = unit_vectors(shape_angle);
+  for (auto& vector : vectors) vector = within_contact(vector, state);
+  return norm_of(vectors, shape_angle);
 }
 
 /// Mean growth and its standard error from means of successive batches; absent if there are too few periods.
@@ -42,69 +54,59 @@ std::optional<section::ExponentEstimate> estimate_from(const std::vector<double>
                                    .standard_error = std::sqrt(squares / static_cast<double>(batches * (batches - 1)))};
 }
 
-/// Five standard errors of a mean of eight batches: an exponent of zero exceeds this by chance once in 600 tests.
-bool is_sure(const std::optional<section::ExponentEstimate>& estimate) {
-  return estimate && std::abs(estimate->exponent) >= 5.0 * estimate->standard_error;
-}
-
 }  // namespace
 
-PerturbedPair::PerturbedPair(const Motion& from, double shape_angle, std::int64_t periods)
-    : reference_(from),
-      perturbed_(from),
-      shape_angle_(shape_angle),
-      longest_(longest_run * periods),
+TangentRun::TangentRun(const rocking::Motion& from, double shape_angle, std::int64_t periods)
+    : shape_angle_(shape_angle),
+      window_(periods),
       goal_(periods),
-      direction_{.tilt = start_distance, .tilt_rate = 0.0, .slip_rate = 0.0} {
-  reference_.observe_with(reference_strobe_);
-  reference_.ignore_peaks();  // so are those of its copy, the perturbed trajectory
-  begin_period();
+      size_(unit_norm(from.state(), shape_angle)),
+      motion_(from, unit_vectors(shape_angle)) {
+  motion_.observe_with(*this);
+  motion_.ignore_peaks();
+  motion_.extend(periods);
 }
 
-void PerturbedPair::begin_period() {
-  reference_.move_to_last_strobe();
-  perturbed_ = reference_;
-  perturbed_.observe_with(perturbed_strobe_);
-  distance_ = length_of(perturbed_.displace(direction_));
-  reference_.extend(1);
-  perturbed_.extend(1);
-}
-
-bool PerturbedPair::go_on() {
+void TangentRun::strobe(const dynamics::State& state) {
   ++done_;
-  if (reference_.termination() != dynamics::Termination::reached_horizon) return false;
-  if (perturbed_.termination() != dynamics::Termination::reached_horizon) return false;
-  if (distance_ > 0.0) measure_growth();  // at rest in full contact there is nothing to perturb
-  if (done_ == goal_) {
-    exponent_ = estimate_from(growths_);
-    if (is_sure(exponent_) || goal_ >= longest_) return false;
-    goal_ *= 2;
+  const double size = norm_of(motion_.at_strobe(), shape_angle_);
+  const bool is_measured = size_ > 0.0 && std::isfinite(size);
+  if (is_measured) growths_.push_back(base::natural_logarithm(std::fmax(size / size_, least_growth)));
+  size_ = size;
+  if (size == 0.0 || !std::isfinite(size)) {
+    motion_.restart(unit_vectors(shape_angle_));
+    size_ = unit_norm(state, shape_angle_);
+  } else if (size > largest_size || size < 1.0 / largest_size) {
+    const double scale = std::ldexp(1.0, -std::ilogb(size));
+    motion_.scale(scale);
+    size_ = size * scale;
   }
-  begin_period();
+}
+
+bool TangentRun::go_on(const section::PendingClassification& pending) {
+  if (motion_.termination() != dynamics::Termination::reached_horizon) return false;
+  exponent_ = estimate_from(growths_);
+  is_undecided_ = !exponent_ || pending.may_be_decided_later(*exponent_);
+  if (!is_undecided_ || goal_ >= longest_run * window_) return false;
+  motion_.extend(goal_);
+  goal_ *= 2;
   return true;
 }
 
-void PerturbedPair::measure_growth() {
-  const dynamics::Displacement apart = difference(perturbed_strobe_.state(), reference_strobe_.state(), shape_angle_);
-  const double after = length_of(apart);
-  growths_.push_back(base::natural_logarithm(std::fmax(after, least_distance) / distance_));
-  if (after <= least_distance) return;
-  const double scale = start_distance / after;
-  direction_ = {.tilt = apart.tilt * scale, .tilt_rate = apart.tilt_rate * scale, .slip_rate = apart.slip_rate * scale};
-}
-
-ExponentRun PerturbedPair::result() const {
+ExponentRun TangentRun::result() const {
   return {.exponent = exponent_,
-          .periods = 2 * static_cast<std::uint64_t>(done_),
-          .stayed_unclear = done_ >= longest_ && !is_sure(exponent_)};
+          .periods = static_cast<std::uint64_t>(done_),
+          .stayed_unclear = goal_ >= longest_run * window_ && is_undecided_};
 }
 
-void run_alone(PerturbedPair& pair, base::StopRequest stop) {
+void run_alone(TangentRun& run, const section::PendingClassification& pending, base::StopRequest stop) {
+  integrate::LoopCounts counts;  // not reported
   do {
-    stop.check();
-    integrate::advance(pair.reference());
-    integrate::advance(pair.perturbed());
-  } while (pair.go_on());
+    while (!run.motion().ended()) {
+      stop.check();
+      integrate::step(run.motion(), counts);
+    }
+  } while (run.go_on(pending));
 }
 
 }  // namespace rocking

@@ -6,71 +6,61 @@
 
 #include "rocking/base/stop_request.hpp"
 #include "rocking/realisation/start.hpp"
+#include "rocking/realisation/tangent_motion.hpp"
 #include "rocking/section/classify.hpp"
 
 namespace rocking {
 
-/// Result and cost of a pair of trajectories with common random numbers.
+/// Result and cost of a run with tangent vectors.
 struct ExponentRun {
   std::optional<section::ExponentEstimate> exponent;  ///< absent if the run ended too early
-  std::uint64_t periods = 0;                          ///< excitation periods, of both trajectories together
-  bool stayed_unclear = false;  ///< it did not differ clearly from zero in the longest run that is made
+  std::uint64_t periods = 0;                          ///< excitation periods
+  bool stayed_unclear = false;                        ///< the longest run that is made did not decide
 };
 
-/// Largest Lyapunov exponent per excitation period, from a reference trajectory and a perturbed one with common random
-/// numbers. The perturbation is 1e-7; it is reset to that distance at every strobe point. The perturbed trajectory
-/// passes through its own events, so that its distance includes the saltation at them. The standard error is that of
-/// the mean of eight successive batches. Source: Benettin, Galgani, Giorgilli & Strelcyn (1980), Meccanica 15, 9-20.
+/// Largest Lyapunov exponent per excitation period of a window, from the derivative of the motion in it. The random
+/// numbers are held.
 ///
-/// The caller advances the two trajectories from one strobe point to the next. They report to this object, which
-/// therefore cannot be moved.
-class PerturbedPair {
+/// The motion of the window is run again with the tangent vectors of theta, w and V. From strobe point to strobe point
+/// the norm of this matrix (Frobenius, in units of Theta, Theta' and V) grows by a factor; the exponent is the mean of
+/// its logarithm. The standard error is that of the mean of eight successive batches. Source: Benettin, Galgani,
+/// Giorgilli & Strelcyn (1980), Meccanica 15, 9-20.
+///
+/// The motion reports to this object, which therefore cannot be moved.
+class TangentRun final : private dynamics::Observer {
  public:
-  /// `from`: a realisation at the end of its transient. It is continued for `periods` periods, and for up to eight
-  /// times as many while the exponent does not differ clearly from zero.
-  PerturbedPair(const Motion& from, double shape_angle, std::int64_t periods);
-  PerturbedPair(const PerturbedPair&) = delete;
-  PerturbedPair& operator=(const PerturbedPair&) = delete;
+  using Motion = TangentMotion<rocking::Motion, 3>;
 
-  [[nodiscard]] Motion& reference() { return reference_; }
-  [[nodiscard]] Motion& perturbed() { return perturbed_; }
+  /// `from`: the motion at the beginning of the window. It is continued for the `periods` periods of the window, and for
+  /// up to eight times as many while that may decide the classification.
+  TangentRun(const rocking::Motion& from, double shape_angle, std::int64_t periods);
+  TangentRun(const TangentRun&) = delete;
+  TangentRun& operator=(const TangentRun&) = delete;
 
-  /// To be called when both trajectories have ended. True if that was only the end of a period and both continue.
-  [[nodiscard]] bool go_on();
+  [[nodiscard]] Motion& motion() { return motion_; }
+
+  /// To be called when the motion has ended. True if it continues, because the exponent does not decide `pending` yet.
+  [[nodiscard]] bool go_on(const section::PendingClassification& pending);
 
   /// The result, to be called when go_on() has returned false.
   [[nodiscard]] ExponentRun result() const;
 
  private:
-  /// Keeps the last strobe state.
-  class LastStrobe final : public dynamics::Observer {
-   public:
-    void event(dynamics::EventKind, double, const dynamics::State&) override {}
-    void strobe(const dynamics::State& state) override { state_ = state; }
-    [[nodiscard]] const dynamics::State& state() const { return state_; }
+  void event(dynamics::EventKind, double, const dynamics::State&) override {}
+  void strobe(const dynamics::State& state) override;
 
-   private:
-    dynamics::State state_;
-  };
-
-  void begin_period();
-  void measure_growth();
-
-  Motion reference_;
-  Motion perturbed_;
-  LastStrobe reference_strobe_;
-  LastStrobe perturbed_strobe_;
   double shape_angle_;
-  std::int64_t longest_;  ///< [periods]
-  std::int64_t goal_;     ///< periods after which the exponent is next tested
+  std::int64_t window_;  ///< [periods]
+  std::int64_t goal_;    ///< periods after which the exponent is next tested
   std::int64_t done_ = 0;
-  dynamics::Displacement direction_;
-  double distance_ = 0.0;        ///< at the beginning of the period
-  std::vector<double> growths_;  ///< ln of the growth of the distance, for each period in which it was measured
+  double size_;                  ///< norm of the vectors at the last strobe point; 0 where nothing can change
+  std::vector<double> growths_;  ///< ln of its growth, for each period in which it was measured
   std::optional<section::ExponentEstimate> exponent_;
+  bool is_undecided_ = true;
+  Motion motion_;
 };
 
-/// Runs both trajectories on one lane to their end. Throws base::Stopped if it is asked to stop.
-void run_alone(PerturbedPair& pair, base::StopRequest stop = {});
+/// Runs the motion on one lane to its end. Throws base::Stopped if it is asked to stop.
+void run_alone(TangentRun& run, const section::PendingClassification& pending, base::StopRequest stop = {});
 
 }  // namespace rocking

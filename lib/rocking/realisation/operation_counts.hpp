@@ -15,7 +15,7 @@ struct OperationCounts {
   std::uint64_t slip_steps = 0;       ///< of these, steps of the equations with slip (slide, rock_slide)
   std::uint64_t root_isolations = 0;  ///< searches for a zero crossing that the inexpensive bound did not exclude
   std::uint64_t ground_motion_segments = 0;  ///< segments of a ground motion that were looked up
-  std::uint64_t perturbed_pair_periods = 0;  ///< periods of the reference and the perturbed trajectory
+  std::uint64_t exponent_periods = 0;        ///< periods with tangent vectors, for the Lyapunov exponent
   std::uint64_t static_friction_draws = 0;
   std::uint64_t kinetic_friction_draws = 0;
   std::uint64_t restitution_draws = 0;

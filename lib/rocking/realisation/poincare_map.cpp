@@ -124,6 +124,8 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
   SectionObserver observer(psi, static_cast<int>(schedule.strobes));
   TangentMotion<Motion, 3> motion(motion_of(scene_, begin, observer),
                                   {{{.tilt = 1.0}, {.tilt_rate = 1.0}, {.slip_rate = 1.0}}});
+  GuardLog log;
+  motion.log_guards(log);
   observer.strobe(motion.state());  // the edge about which the block turns at the start
   integrate::advance(motion);
   if (motion.termination() != dynamics::Termination::reached_horizon) return std::nullopt;
@@ -132,8 +134,8 @@ std::optional<PoincareImage> PoincareMap::image(const section::StrobePoint& from
                       .derivative = in_units_of_section(motion.at_strobe(), psi),
                       .not_differentiable = motion.not_differentiable(),
                       .sequence = observer.sequence(),
-                      .crossings = motion.crossings(),
-                      .minima = motion.minima()};
+                      .crossings = log.crossings(),
+                      .minima = log.minima()};
   for (std::size_t k = 1; k < observer.periods().size(); ++k) {
     image.impacts += observer.periods()[k].impacts;
     image.moved = image.moved || observer.periods()[k].moved;

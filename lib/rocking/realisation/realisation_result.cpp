@@ -17,7 +17,7 @@ RealisationResult realise_unchecked(const Condition& condition, std::uint64_t se
   const random::Draws draws(seed, realisation);
   const Start start = start_of(condition.scene, draws);
   const Beginning beginning =
-      begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
+      begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
   HorizonRun run(condition, beginning,
                  [&](dynamics::Observer& observer) { return motion_of(condition.scene, beginning, observer); });
   if (has_long_run(condition, realisation)) run.observe_long_run();

@@ -1,6 +1,5 @@
 #include "rocking/realisation/realisation_scheduler.hpp"
 
-#include <array>
 #include <optional>
 #include <utility>
 
@@ -11,19 +10,6 @@
 namespace rocking {
 namespace {
 
-struct RealisationInProgress;
-
-/// A motion in the scheduler: that of a realisation, or one of its reference and perturbed trajectories.
-struct MotionInProgress {
-  [[nodiscard]] Motion& motion() const { return *its_motion; }
-  [[nodiscard]] integrate::LoopCounts& counts() { return *its_counts; }
-  [[nodiscard]] bool go_on() const;
-
-  RealisationInProgress* run;
-  Motion* its_motion;
-  integrate::LoopCounts* its_counts;
-};
-
 /// A realisation in the scheduler, with the caller's id.
 struct RealisationInProgress : HorizonRun {
   template <class MakeMotion>
@@ -32,14 +18,7 @@ struct RealisationInProgress : HorizonRun {
       : HorizonRun(condition, beginning, make_motion), id(its_id) {}
 
   std::size_t id;
-  MotionInProgress itself{.run = this, .its_motion = &motion(), .its_counts = &counts()};
-  PerturbedPair* perturbed_pair = nullptr;  ///< absent before the exponent is computed
-  std::array<MotionInProgress, 2> pair{};
-  integrate::LoopCounts perturbed_counts;  ///< not reported
-  int under_way = 0;                       ///< trajectories of the pair that have not ended
 };
-
-bool MotionInProgress::go_on() const { return this == &run->itself && run->go_on(); }
 
 /// The same shaking with another size; kinds that hold none stay as they are.
 dynamics::Excitation with_size(const dynamics::Excitation& excitation, double size) {
@@ -71,13 +50,13 @@ class RealisationScheduler::Implementation {
     const random::Draws draws(seed_, run.realisation);
     const Start start = start_of(condition.scene, draws);
     const Beginning beginning =
-        begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_copy(condition));
+        begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
     runs_.push_back(
         std::make_unique<RealisationInProgress>(condition, beginning, id, [&](dynamics::Observer& observer) {
           return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
         }));
     if (has_long_run(condition, run.realisation)) runs_.back()->observe_long_run();
-    scheduler_.add(runs_.back()->itself);
+    scheduler_.add(*runs_.back());
   }
 
   [[nodiscard]] std::vector<Finished> work() {
@@ -115,29 +94,15 @@ class RealisationScheduler::Implementation {
 
   /// Whether a step must be made before a realisation is finished.
   [[nodiscard]] bool is_under_way() {
-    while (const MotionInProgress* motion = scheduler_.take_finished()) go_on(*motion);
+    while (RealisationInProgress* run = scheduler_.take_finished()) end_window(*run);
     return finished_.empty() && scheduler_.size() > 0;
   }
 
-  /// Continues after a motion that has ended.
-  void go_on(const MotionInProgress& motion) {
-    RealisationInProgress& run = *motion.run;
-    if (&motion == &run.itself) {
-      run.perturbed_pair = run.classify();
-      if (run.perturbed_pair == nullptr) return end_window(run);
-      run.pair = {MotionInProgress{&run, &run.perturbed_pair->reference(), &run.perturbed_counts},
-                  MotionInProgress{&run, &run.perturbed_pair->perturbed(), &run.perturbed_counts}};
-    } else {
-      if (--run.under_way > 0) return;
-      if (!run.perturbed_pair->go_on()) return end_window(run);
-    }
-    run.under_way = 2;
-    for (MotionInProgress& trajectory : run.pair) scheduler_.add(trajectory);
-  }
-
+  /// Continues after the motion of a realisation has ended.
   void end_window(RealisationInProgress& run) {
+    if (TangentRun* tangents = run.classify()) run_alone(*tangents, run.pending(), stop_);
     if (!run.begin_next_window()) return finish(run);
-    scheduler_.add(run.itself);
+    scheduler_.add(run);
   }
 
   void finish(RealisationInProgress& run) {
@@ -148,7 +113,7 @@ class RealisationScheduler::Implementation {
   std::uint64_t seed_;
   base::StopRequest stop_;
   std::optional<LastExcitation> last_;
-  lanes::LaneScheduler<MotionInProgress> scheduler_;
+  lanes::LaneScheduler<RealisationInProgress> scheduler_;
   std::vector<std::unique_ptr<RealisationInProgress>> runs_;
   std::vector<Finished> finished_;
 };

@@ -5,16 +5,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <span>
 #include <utility>
-#include <vector>
 
 #include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/impact.hpp"
 #include "rocking/dynamics/saltation.hpp"
 #include "rocking/dynamics/step_series.hpp"
 #include "rocking/dynamics/step_variation.hpp"
-#include "rocking/realisation/guard_minimum.hpp"
+#include "rocking/realisation/guard_log.hpp"
 
 namespace rocking {
 
@@ -25,12 +23,6 @@ struct NotDifferentiable {
       0;  ///< two of impact, end of slip, onset of slip, end of a cell and breakpoint at one instant
 
   [[nodiscard]] bool any() const { return grazings > 0 || coincidences > 0; }
-};
-
-/// The rate at which a guard that depends on the state was reached: of theta over psi, of V, or of the friction limit.
-struct GuardCrossing {
-  dynamics::Guard guard;
-  double rate;
 };
 
 /// A motion with the same bits as `Motion` that also carries `count` tangent vectors: derivatives of its state with
@@ -62,11 +54,20 @@ class TangentMotion : public Motion {
   [[nodiscard]] const Tangents& at_strobe() const { return at_strobe_; }
   [[nodiscard]] const NotDifferentiable& not_differentiable() const { return not_differentiable_; }
 
-  /// In the order of time; without the impacts of a chatter that has ended.
-  [[nodiscard]] const std::vector<GuardCrossing>& crossings() const { return crossings_; }
+  /// From now on, notes in `log` how the guards are reached and passed.
+  void log_guards(GuardLog& log) { log_ = &log; }
 
-  /// Passages of the guards of impact, slip and the friction limit that do not fire, in the order of time.
-  [[nodiscard]] const std::vector<GuardMinimum>& minima() const { return minima_; }
+  /// Multiplies all vectors by a power of two, which rounds nothing.
+  void scale(double power_of_two) {
+    for (Tangents* vectors : {&tangents_, &at_event_, &at_strobe_}) {
+      for (Tangent& vector : *vectors) vector = plus({}, power_of_two, vector);
+    }
+    for (double& delay : delays_) delay *= power_of_two;
+    variation_.scale(power_of_two);
+  }
+
+  /// The vectors become these at the end of the present step; as in the constructor.
+  void restart(const Tangents& vectors) { restart_ = vectors; }
 
   [[nodiscard]] double expand(double reach) {
     const double length = Motion::expand(reach);
@@ -84,8 +85,9 @@ class TangentMotion : public Motion {
     time_went_on_ = x > 0.0;
     if (time_went_on_) {
       begin_step();
-      note_minima(x);
+      if (log_ != nullptr) log_->note_minima(*this, x);
       tangents_ = tangents_until(x);
+      if (restart_) start_again(x);
       length_ = x;
       at_event_ = tangents_;
       is_later_ = false;
@@ -101,7 +103,7 @@ class TangentMotion : public Motion {
                       .kinetic_friction = this->kinetic_friction(),
                       .impact = impact_of(fired, at_breakpoint)};
     if (time_went_on_) count_coincidence(fired, at_breakpoint);
-    if (event.guard && time_went_on_) end_of_step_ = moving_base(length_);
+    if (event.guard && time_went_on_) event_base_ = moving_base(length_);
     Motion::reset(fired, at_breakpoint);
     pass(event);
   }
@@ -116,27 +118,6 @@ class TangentMotion : public Motion {
   };
 
   static constexpr double least_rate = 4.0 / 3.0 * 0x1p-40;
-
-  /// Up to time x of the step.
-  void note_minima(double x) {
-    const dynamics::ArmedGuards armed = this->armed_guards();
-    const auto wanted = [](std::size_t guard) {
-      return guard == static_cast<std::size_t>(Guard::tilt) || guard == static_cast<std::size_t>(Guard::slip) ||
-             guard == static_cast<std::size_t>(Guard::friction_inward) ||
-             guard == static_cast<std::size_t>(Guard::friction_outward);
-    };
-    visit_guards(armed, this->series().rows(), wanted, [&](std::size_t number, std::span<const double> coefficients) {
-      const auto guard = static_cast<Guard>(number);
-      const std::size_t zeros = guard == Guard::tilt              ? armed.tilt_zeros()
-                                : guard == Guard::slip            ? armed.slip_zeros()
-                                : guard == Guard::friction_inward ? armed.inward_zeros()
-                                                                  : armed.outward_zeros();
-      const auto least = local_minimum(coefficients, zeros, x);
-      if (!least) return;
-      const double unit = guard == Guard::tilt ? this->setting().block.shape_angle : 1.0;
-      minima_.push_back({.guard = guard, .value = *least / unit});
-    });
-  }
 
   /// The guard to which Automaton::respond responds, if that changes the state or the contact state.
   template <class Fired>
@@ -201,7 +182,7 @@ class TangentMotion : public Motion {
 
   /// The change of state at the event: with that of its instant.
   void delay(const Event& event) {
-    const Tangent rates = rates_of(event.before, end_of_step_.now, event.kinetic_friction, constants());
+    const Tangent rates = rates_of(event.before, event_base_.now, event.kinetic_friction, constants());
     const std::optional<dynamics::GuardSlope> guard = slope_of(event, rates);
     if (!guard) return;
     is_later_ = true;
@@ -217,14 +198,14 @@ class TangentMotion : public Motion {
       case Guard::tilt: {
         const bool ends_chatter = event.before.tilt_rate != 0.0 && this->state().tilt_rate == 0.0;
         const double least = ends_chatter ? 0.0 : this->setting().tolerance * this->setting().block.shape_angle;
-        crossings_.push_back({Guard::tilt, rates.tilt / this->setting().block.shape_angle});
-        if (!dynamics::is_rocking(this->state().contact)) {
-          while (!crossings_.empty() && crossings_.back().guard == Guard::tilt) crossings_.pop_back();
+        if (log_ != nullptr) {
+          log_->add({Guard::tilt, rates.tilt / this->setting().block.shape_angle});
+          if (!dynamics::is_rocking(this->state().contact)) log_->forget_chatter();
         }
         return unless_grazing({.gradient = {.tilt = 1.0}, .rate = rates.tilt}, least);
       }
       case Guard::slip:
-        crossings_.push_back({Guard::slip, rates.slip_rate});
+        if (log_ != nullptr) log_->add({Guard::slip, rates.slip_rate});
         return unless_grazing({.gradient = {.slip_rate = 1.0}, .rate = rates.slip_rate}, least_rate);
       case Guard::friction_inward: return slope_of_forces(event, -1.0);
       case Guard::friction_outward: return slope_of_forces(event, 1.0);
@@ -232,7 +213,7 @@ class TangentMotion : public Motion {
       case Guard::normal: {
         // Without a change of the contact state the reset is the identity and the rates do not jump.
         const bool changes = event.before.contact == dynamics::ContactState::rock && this->slips();
-        return changes ? unless_grazing(dynamics::slope_of_forces(event.before, end_of_step_, constants(), 1.0, 0.0),
+        return changes ? unless_grazing(dynamics::slope_of_forces(event.before, event_base_, constants(), 1.0, 0.0),
                                         least_rate)
                        : std::nullopt;
       }
@@ -243,8 +224,8 @@ class TangentMotion : public Motion {
   [[nodiscard]] std::optional<dynamics::GuardSlope> slope_of_forces(const Event& event, double by_friction) {
     const double mu_s = this->coefficients().static_friction();  // an onset of slip draws nothing
     const dynamics::GuardSlope guard =
-        dynamics::slope_of_forces(event.before, end_of_step_, constants(), mu_s, by_friction);
-    crossings_.push_back({*event.guard, guard.rate});
+        dynamics::slope_of_forces(event.before, event_base_, constants(), mu_s, by_friction);
+    if (log_ != nullptr) log_->add({*event.guard, guard.rate});
     return unless_grazing(guard, least_rate);
   }
 
@@ -289,6 +270,14 @@ class TangentMotion : public Motion {
 
   [[nodiscard]] Tangents tangents_until(double x) const { return variation_.at(x, this->series().rows()); }
 
+  /// The vectors behind the present step become those of restart().
+  void start_again(double x) {
+    tangents_ = *restart_;
+    const dynamics::State end = this->state_at(x);
+    for (Tangent& tangent : tangents_) tangent = within_contact(tangent, end);
+    restart_.reset();
+  }
+
   [[nodiscard]] dynamics::MovingBase moving_base(double x) const {
     const double side = frame_side(this->state());
     const auto& rows = this->series().rows();
@@ -312,10 +301,10 @@ class TangentMotion : public Motion {
   std::array<double, count> delays_{};  ///< changes of the instant of that event, if is_later_
   bool is_later_ = false;               ///< its instant depends on the initial state
   double length_ = 0.0;                 ///< of the last step
-  dynamics::MovingBase end_of_step_{};
+  dynamics::MovingBase event_base_{};
   NotDifferentiable not_differentiable_;
-  std::vector<GuardCrossing> crossings_;
-  std::vector<GuardMinimum> minima_;
+  std::optional<Tangents> restart_;
+  GuardLog* log_ = nullptr;
   bool is_expanded_ = false;  ///< `variation_` is that of the present step
   bool time_went_on_ = false;
 };

@@ -23,29 +23,53 @@ struct ExponentFinding {
 
 /// The exponent differs clearly from zero if it exceeds a number of standard errors and if it changes a distance by
 /// more than a factor over the window. A smaller change could not be seen in the window itself.
+double clear_distance(const ExponentEstimate& estimate, double standard_errors, double periods,
+                      const Thresholds& thresholds) {
+  return std::max(standard_errors * estimate.standard_error, thresholds.clear_growth / periods);
+}
+
 ExponentFinding judge(const std::optional<ExponentEstimate>& estimate, double periods, const Thresholds& thresholds) {
   if (!estimate) return {};
-  const double needed =
-      std::max(thresholds.clear_standard_errors * estimate->standard_error, thresholds.clear_growth / periods);
+  const double needed = clear_distance(*estimate, thresholds.clear_standard_errors, periods, thresholds);
   const double margin = std::min(std::max(estimate->exponent, -estimate->exponent) / needed, largest_margin);
   if (estimate->exponent > needed) return {Sign::positive, margin};
   if (estimate->exponent < -needed) return {Sign::negative, margin};
   return {};
 }
 
+/// Which signs of the exponent lead to a classification.
+struct DecisiveSigns {
+  bool negative;
+  bool positive;
+};
+
+bool may_be_decided_later(const ExponentEstimate& estimate, DecisiveSigns decisive, double periods,
+                          const Thresholds& thresholds) {
+  if (estimate.exponent > 0.0) {
+    const double sure = clear_distance(estimate, thresholds.sure_standard_errors, periods, thresholds);
+    return decisive.positive && estimate.exponent <= sure;
+  }
+  const double clear = clear_distance(estimate, thresholds.clear_standard_errors, periods, thresholds);
+  return decisive.negative && -estimate.exponent <= clear;
+}
+
 /// decide(judged) returns the classification.
 template <class Decide>
-PendingClassification by_exponent(const ClassifierInput& input, Decide decide) {
+PendingClassification by_exponent(const ClassifierInput& input, DecisiveSigns decisive, Decide decide) {
   const auto periods = static_cast<double>(input.periods.size());
   return {.classification = std::nullopt,
           .with_exponent = [periods, thresholds = input.thresholds,
                             decide](const std::optional<ExponentEstimate>& estimate) -> Classification {
             return decide(judge(estimate, periods, thresholds));
-          }};
+          },
+          .may_be_decided_later =
+              [periods, thresholds = input.thresholds, decisive](const ExponentEstimate& estimate) {
+                return may_be_decided_later(estimate, decisive, periods, thresholds);
+              }};
 }
 
 PendingClassification classified(const Classification& classification) {
-  return {.classification = classification, .with_exponent = {}};
+  return {.classification = classification, .with_exponent = {}, .may_be_decided_later = {}};
 }
 
 Classification chaotic(const ExponentFinding& exponent) {
@@ -56,7 +80,7 @@ PendingClassification classify_noise_free(const ClassifierInput& input) {
   if (input.periods.size() < fewest_noise_free) return classified(unresolved(Reason::too_few_points));
   if (const auto classification = find_recurrence(input.periods, input.resolution, input.thresholds))
     return classified(*classification);
-  return by_exponent(input, [](const ExponentFinding& judged) {
+  return by_exponent(input, {.negative = false, .positive = true}, [](const ExponentFinding& judged) {
     switch (judged.sign) {
       case Sign::positive: return chaotic(judged);
       case Sign::negative: return unresolved(Reason::not_periodic);
@@ -75,8 +99,10 @@ PendingClassification classify_unsteady(const ClassifierInput& input, const Find
   Classification fallback = finding.classification;
   if (change.reason) fallback = unresolved(*change.reason, *change.reason == Reason::changed_regime);
   if (!change.last_regime && finding.need == ExponentNeed::none) return classified(fallback);
-  return by_exponent(input, [fallback, need = finding.need, last = change.last_regime](const ExponentFinding& judged) {
-    if (judged.sign == Sign::positive && need == ExponentNeed::to_find_chaos) return chaotic(judged);
+  const DecisiveSigns decisive{.negative = change.last_regime.has_value(),
+                               .positive = finding.need == ExponentNeed::to_find_chaos};
+  return by_exponent(input, decisive, [fallback, decisive, last = change.last_regime](const ExponentFinding& judged) {
+    if (judged.sign == Sign::positive && decisive.positive) return chaotic(judged);
     if (judged.sign != Sign::negative || !last) return fallback;
     Classification settled = *last;
     settled.margin = std::min(settled.margin, judged.margin);
@@ -89,13 +115,14 @@ PendingClassification classify_random(const ClassifierInput& input) {
   const Finding finding = find_clouds(input.periods, input.resolution, input.thresholds);
   if (finding.classification.mode.kind == ResponseKind::unresolved) return classify_unsteady(input, finding);
   if (finding.need == ExponentNeed::none) return classified(finding.classification);
-  return by_exponent(input, [classification = finding.classification](const ExponentFinding& judged) {
+  const auto decide = [classification = finding.classification](const ExponentFinding& judged) {
     if (judged.sign == Sign::positive) return chaotic(judged);
     if (judged.sign == Sign::unclear) return unresolved(Reason::exponent_unclear, classification.in_transient);
     Classification settled = classification;
     settled.margin = std::min(settled.margin, judged.margin);
     return settled;
-  });
+  };
+  return by_exponent(input, {.negative = true, .positive = true}, decide);
 }
 
 }  // namespace

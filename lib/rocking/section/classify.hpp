@@ -9,8 +9,7 @@
 
 namespace rocking::section {
 
-/// Largest Lyapunov exponent per excitation period, from a reference and a perturbed trajectory with common random
-/// numbers.
+/// Largest Lyapunov exponent per excitation period, of the motion with the random numbers that it drew.
 struct ExponentEstimate {
   double exponent = 0.0;        ///< [1/period]
   double standard_error = 0.0;  ///< [1/period]
@@ -23,6 +22,9 @@ using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 struct PendingClassification {
   std::optional<Classification> classification;  ///< absent if `with_exponent` must be called
   std::function<Classification(const std::optional<ExponentEstimate>&)> with_exponent;
+  /// Whether the exponent of more periods may lead to a classification where that of this estimate does not. A positive
+  /// exponent must be further from zero than a negative one, because a motion may diverge for a while before it settles.
+  std::function<bool(const ExponentEstimate&)> may_be_decided_later;
 };
 
 struct ClassifierInput {

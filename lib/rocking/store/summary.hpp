@@ -74,7 +74,7 @@ void for_each_field(SomeSummary& summary, Visit&& visit) {
   visit("slip_steps", operations.slip_steps);
   visit("root_isolations", operations.root_isolations);
   visit("ground_motion_segments", operations.ground_motion_segments);
-  visit("perturbed_pair_periods", operations.perturbed_pair_periods);
+  visit("exponent_periods", operations.exponent_periods);
   visit("static_friction_draws", operations.static_friction_draws);
   visit("kinetic_friction_draws", operations.kinetic_friction_draws);
   visit("restitution_draws", operations.restitution_draws);

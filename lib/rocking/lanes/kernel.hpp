@@ -13,19 +13,20 @@ namespace {
 /// Number of lanes with an uncleared guard from which on zero crossings are searched for. The search takes as long for
 /// one lane as for a register of them; therefore a few lanes wait for each other. In brief steps so few guards are
 /// uncleared that they would wait long.
-template <Kind kind>
-constexpr int fewest_uncleared(int lanes) {
-  return is_brief(kind) ? 1 : (lanes + 1) / 2;
+template <class Form>
+constexpr int fewest_uncleared() {
+  return Form::is_brief ? 1 : (Row<typename Form::Real>::lanes + 1) / 2;
 }
 
-template <Kind kind, class Shaking, class Real>
+template <class Form>
 void advance(LaneState& state) {
-  Advance<kind, Shaking, Real> lanes(state, 0);
+  Advance<Form> lanes(state, 0);
   lanes.begin();
   lanes.expand();
   lanes.look();
-  typename Advance<kind, Shaking, Real>::Search search;
-  if (!lanes.has_others() || lanes.uncleared_count() >= fewest_uncleared<kind>(Row<Real>::lanes)) {
+  SearchOf<Form> search;
+  const auto& uncleared = lanes.uncleared();
+  if (!uncleared.has_others() || uncleared.lane_count() >= fewest_uncleared<Form>()) {
     lanes.ask(search);
     search.search();
   }
@@ -34,19 +35,19 @@ void advance(LaneState& state) {
 
 /// The lanes of two registers in turns, so that the processor has independent operations to execute while others wait
 /// for operands.
-template <Kind kind, class Shaking, class Real>
+template <class Form>
 void advance_in_turns(LaneState& state) {
-  Advance<kind, Shaking, Real> first(state, 0);
-  Advance<kind, Shaking, Real> second(state, Row<Real>::lanes);
+  Advance<Form> first(state, 0);
+  Advance<Form> second(state, Row<typename Form::Real>::lanes);
   first.begin();
   second.begin();
   first.expand();
   second.expand();
   first.look();
   second.look();
-  typename Advance<kind, Shaking, Real>::Search search;
-  const bool all_uncleared = !first.has_others() && !second.has_others();
-  if (all_uncleared || first.uncleared_count() + second.uncleared_count() >= fewest_uncleared<kind>(Row<Real>::lanes)) {
+  SearchOf<Form> search;
+  const bool all_uncleared = !first.uncleared().has_others() && !second.uncleared().has_others();
+  if (all_uncleared || first.uncleared().lane_count() + second.uncleared().lane_count() >= fewest_uncleared<Form>()) {
     first.ask(search);
     second.ask(search);
     search.search();
@@ -59,9 +60,9 @@ template <int registers, Kind kind, class Shaking, class Real>
 constexpr Kernel kernel() {
   static_assert(registers == 1 || registers == 2);
   if constexpr (registers == 2) {
-    return advance_in_turns<kind, Shaking, Real>;
+    return advance_in_turns<StepForm<kind, Shaking, Real>>;
   } else {
-    return advance<kind, Shaking, Real>;
+    return advance<StepForm<kind, Shaking, Real>>;
   }
 }
 

@@ -3,11 +3,16 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 
 #include "rocking/lanes/pack.hpp"
 
 namespace rocking::lanes {
 namespace {
+
+/// A truth value for each lane of a number type.
+template <class Real>
+using TruthOf = decltype(std::declval<Real>() < std::declval<Real>());
 
 /// Loads a number type from successive doubles, and stores it there.
 template <class Real>

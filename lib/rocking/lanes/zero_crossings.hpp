@@ -5,7 +5,7 @@
 
 #include "rocking/integrate/bernstein.hpp"
 #include "rocking/integrate/refine.hpp"
-#include "rocking/lanes/lane_access.hpp"
+#include "rocking/lanes/row.hpp"
 
 /// integrate::first_zero_crossing in all lanes at once, for the polynomials that need at most one halving; with the
 /// same expressions in the same order.

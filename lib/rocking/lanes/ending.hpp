@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "rocking/dynamics/peaks.hpp"
+#include "rocking/lanes/crossings.hpp"
+#include "rocking/lanes/strobing.hpp"
+
+namespace rocking::lanes {
+namespace {
+
+/// How the coming step of the lanes ends.
+template <class Form>
+struct Ending {
+  using Real = typename Form::Real;
+
+  Crossings<Form> crossings;
+  Point<Real> point;  ///< the state
+  Real steps_since_strobe;
+  Strobing<Form> strobing;
+};
+
+/// The steps of the lanes `computed` go to their ends, or to the last strobe instant.
+template <class Form, class Truth = typename Form::Truth>
+inline void note_peaks(const LaneAccess<typename Form::Real>& lanes, const Step<Form>& step,
+                       const dynamics::StepFinish<typename Form::Real>& end, const Truth& computed) {
+  using base::in_any, base::select;
+  using Real = typename Form::Real;
+  LaneState& state = lanes.state;
+  const dynamics::TiltPeaks<Real> before{.tilt = lanes.load(state.peak_tilt),
+                                         .tilt_rate = lanes.load(state.peak_tilt_rate)};
+  if (!in_any(dynamics::may_raise<Real>(step.m, end, before))) return;
+  const dynamics::TiltPeaks<Real> after =
+      dynamics::peaks_after<Real>(step.m, static_cast<std::size_t>(Form::order), end, before);
+  lanes.store(state.peak_tilt, select(computed, after.tilt, before.tilt));
+  lanes.store(state.peak_tilt_rate, select(computed, after.tilt_rate, before.tilt_rate));
+}
+
+/// How far the steps go: to their ends, or to the last strobe instant.
+template <class Form, class Real = typename Form::Real>
+[[nodiscard]] inline dynamics::StepFinish<Real> finish_of(const LaneAccess<Real>& lanes, const Ending<Form>& end,
+                                                          const typename Form::Truth& at_last_strobe) {
+  using base::select;
+  const Real& duration = end.crossings.duration;
+  if (bits_of(at_last_strobe) == 0) return {duration, end.point.tilt, end.point.tilt_rate};
+  const LaneState& state = lanes.state;
+  const Real last_strobe = end.strobing.time(lanes.load(state.resolution));
+  return {.length = select(at_last_strobe, last_strobe, duration),
+          .tilt = select(at_last_strobe, lanes.load(state.strobe_tilt), end.point.tilt),
+          .tilt_rate = select(at_last_strobe, lanes.load(state.strobe_tilt_rate), end.point.tilt_rate)};
+}
+
+/// Says in the lane state how the step ends: for the lanes that were not moved on.
+template <class Form, class Real = typename Form::Real>
+inline void store_end(const LaneAccess<Real>& lanes, const Step<Form>& step, const Ending<Form>& end) {
+  LaneState& state = lanes.state;
+  lanes.store(state.duration, end.crossings.duration);
+  lanes.store(state.end_tilt, end.point.tilt);
+  lanes.store(state.end_tilt_rate, end.point.tilt_rate);
+  if constexpr (Form::slips) {
+    lanes.store(state.end_slip, end.point.slip);
+    lanes.store(state.end_slip_rate, end.point.slip_rate);
+  }
+  for (std::uint32_t& fired : state.fired) lanes.mark(fired, 0);
+  const Real resolution = lanes.load(state.resolution);
+  std::size_t i = 0;
+  for_each_guard(lanes, step, [&](const auto& row, auto) {
+    lanes.mark(state.fired[static_cast<std::size_t>(row.guard)], bits_of(end.crossings.is_first(i++, resolution)));
+  });
+}
+
+}  // namespace
+}  // namespace rocking::lanes

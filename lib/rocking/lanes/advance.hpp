@@ -1,8 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 
-#include "rocking/lanes/moving_on.hpp"
+#include "rocking/lanes/quiet_step.hpp"
 
 namespace rocking::lanes {
 namespace {
@@ -21,11 +22,28 @@ class Advance {
 
   void begin() { begin_step(lanes_, step_); }
   void expand() { expand_step(lanes_, step_); }
-  void look() { find_uncleared(lanes_, step_, guards_); }
+  /// Finds the uncleared guards. On the friction grid, passes on to the next interval if nothing else happens in any lane.
+  [[gnu::noinline, gnu::flatten]] void look() {
+    guards_ = uncleared_guards(lanes_, step_);
+    if constexpr (Form::on_grid) passage_ = pass_quiet_step(lanes_, step_, guards_);
+  }
+
+  /// The lanes have passed on to an interval that they know: they can make a further step at once.
+  [[nodiscard]] bool can_go_on() const { return passage_ == Passage::to_known_interval; }
   [[nodiscard]] const UnclearedGuards<Form>& uncleared() const { return guards_; }
   void ask(SearchOf<Form>& search) { lanes::ask(lanes_, step_, guards_, search, places_); }
 
-  [[gnu::noinline]] void finish(const SearchOf<Form>& search) {
+  /// Says in the lane state what has become of the lanes.
+  void finish(const SearchOf<Form>& search) {
+    if (passage_ == Passage::none) {
+      finish_step(search);
+    } else {
+      mark_passed();
+    }
+  }
+
+ private:
+  [[gnu::noinline]] void finish_step(const SearchOf<Form>& search) {
     LaneState& state = lanes_.state;
     Ending<Form> end;
     find_crossings<Form>(step_.length, guards_, search, places_, end.crossings);
@@ -51,7 +69,13 @@ class Advance {
     if (bits_of(guards_.occupied && !moved) != 0) store_end(lanes_, step_, end);
   }
 
- private:
+  void mark_passed() const {
+    LaneState& state = lanes_.state;
+    lanes_.mark(state.no_event, bits_of(guards_.occupied));
+    lanes_.mark(state.at_breakpoint, lanes_at_unknown_interval(lanes_, guards_.occupied));
+    for (std::uint32_t* none : {&state.landed, &state.held, &state.strobed}) lanes_.mark(*none, 0);
+  }
+
   /// Lanes whose step the motion alone would compute in the same way, and at whose end it needs nothing else. Stores the
   /// state at their strobe instants.
   [[nodiscard]] Truth find_fitting(const Ending<Form>& end) const {
@@ -82,6 +106,7 @@ class Advance {
   Step<Form> step_;
   UnclearedGuards<Form> guards_;
   SearchPlaces<Form> places_;
+  Passage passage_ = Passage::none;
 };
 
 }  // namespace

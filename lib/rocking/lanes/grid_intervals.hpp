@@ -3,21 +3,18 @@
 #include <bit>
 #include <cstdint>
 
-#include "rocking/lanes/step.hpp"
+#include "rocking/lanes/moving_lanes.hpp"
 
 namespace rocking::lanes {
 namespace {
 
-/// Of the lanes `no_event`, whose brief step ends at a boundary of the friction grid: the next interval begins, or the
-/// motion must draw it if it is not known.
-template <class Form, class Real = typename Form::Real>
-inline void pass_interval(const LaneAccess<Real>& lanes, const Real& period_length,
-                          const typename Form::Truth& no_event) {
+/// In the lanes that move on, whose brief step ends at a boundary of the friction grid: the next interval begins.
+template <class Moving, class Real>
+inline void pass_interval(const Moving& moving, const Real& period_length) {
   using base::select;
+  const auto& lanes = moving.lanes;
   LaneState& state = lanes.state;
-  const Real known = lanes.load(state.intervals.known);
-  lanes.mark(state.at_breakpoint, bits_of(no_event && known == Real(0.0)));
-  lanes.store(state.intervals.known, known - Real(1.0));
+  lanes.store(state.intervals.known, lanes.load(state.intervals.known) - Real(1.0));
   static_assert(std::has_single_bit(static_cast<std::uint64_t>(dynamics::most_known_intervals)));
   std::int64_t* present = &state.intervals.present[lanes.first];
   for (int lane = 0; lane < Row<Real>::lanes; ++lane) {
@@ -27,12 +24,19 @@ inline void pass_interval(const LaneAccess<Real>& lanes, const Real& period_leng
   const Real next = lanes.load(state.intervals.next_boundary) + Real(1.0);
   const auto wraps = next == per_period;
   const Real boundary = select(wraps, Real(0.0), next);
-  const Real period = lanes.load(state.break_period);
   lanes.store(state.intervals.next_boundary, boundary);
   // As dynamics::grid_boundary.
   const Real time = lanes.load(state.intervals.grid_start) + boundary * period_length / per_period;
-  lanes.store(state.break_time, select(no_event, time, lanes.load(state.break_time)));
-  lanes.store(state.break_period, select(no_event && wraps, period + Real(1.0), period));
+  moving.store(state.break_time, time, lanes.load(state.break_time));
+  const Real period = lanes.load(state.break_period);
+  moving.store(state.break_period, select(wraps, period + Real(1.0), period), period);
+}
+
+/// Lanes that have passed on to an interval that is not known.
+template <class Real>
+[[nodiscard]] inline std::uint32_t lanes_at_unknown_interval(const LaneAccess<Real>& lanes,
+                                                             const TruthOf<Real>& passed) {
+  return bits_of(passed && lanes.load(lanes.state.intervals.known) < Real(0.0));
 }
 
 }  // namespace

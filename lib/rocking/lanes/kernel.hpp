@@ -18,57 +18,31 @@ constexpr int fewest_uncleared() {
   return Form::is_brief ? 1 : (Row<typename Form::Real>::lanes + 1) / 2;
 }
 
-template <class Form>
+/// Advances the lanes of all registers in turns, stage by stage, so that the processor has independent operations to
+/// execute while others wait for operands. On the friction grid, the lanes go on while nothing happens in any of them.
+template <int registers, class Form>
 void advance(LaneState& state) {
-  Advance<Form> lanes(state, 0);
-  lanes.begin();
-  lanes.expand();
-  lanes.look();
-  SearchOf<Form> search;
-  const auto& uncleared = lanes.uncleared();
-  if (!uncleared.has_others() || uncleared.lane_count() >= fewest_uncleared<Form>()) {
-    lanes.ask(search);
-    search.search();
+  [&]<std::size_t... i>(std::index_sequence<i...>) {
+    Advance<Form> all[] = {Advance<Form>(state, i * Row<typename Form::Real>::lanes)...};
+    do {
+      (all[i].begin(), ...);
+      (all[i].expand(), ...);
+      (all[i].look(), ...);
+    } while ((all[i].can_go_on() && ...));
+    SearchOf<Form> search;
+    const bool have_others = (all[i].uncleared().has_others() || ...);
+    if (!have_others || (all[i].uncleared().lane_count() + ...) >= fewest_uncleared<Form>()) {
+      (all[i].ask(search), ...);
+      search.search();
+    }
+    (all[i].finish(search), ...);
   }
-  lanes.finish(search);
-}
-
-/// The lanes of two registers in turns, so that the processor has independent operations to execute while others wait
-/// for operands.
-template <class Form>
-void advance_in_turns(LaneState& state) {
-  Advance<Form> first(state, 0);
-  Advance<Form> second(state, Row<typename Form::Real>::lanes);
-  first.begin();
-  second.begin();
-  first.expand();
-  second.expand();
-  first.look();
-  second.look();
-  SearchOf<Form> search;
-  const bool all_uncleared = !first.uncleared().has_others() && !second.uncleared().has_others();
-  if (all_uncleared || first.uncleared().lane_count() + second.uncleared().lane_count() >= fewest_uncleared<Form>()) {
-    first.ask(search);
-    second.ask(search);
-    search.search();
-  }
-  first.finish(search);
-  second.finish(search);
-}
-
-template <int registers, Kind kind, class Shaking, class Real>
-constexpr Kernel kernel() {
-  static_assert(registers == 1 || registers == 2);
-  if constexpr (registers == 2) {
-    return advance_in_turns<StepForm<kind, Shaking, Real>>;
-  } else {
-    return advance<StepForm<kind, Shaking, Real>>;
-  }
+  (std::make_index_sequence<registers>{});
 }
 
 template <int registers, class Shaking, class Real, std::size_t... kind>
 constexpr std::array<Kernel, kind_count> by_kind(std::index_sequence<kind...>) {
-  return {kernel<registers, static_cast<Kind>(kind), Shaking, Real>()...};
+  return {advance<registers, StepForm<static_cast<Kind>(kind), Shaking, Real>>...};
 }
 
 template <int registers, class Real, class... Shaking>
@@ -78,7 +52,7 @@ constexpr Kernels kernels_under(std::string_view name, std::variant<Shaking...>*
           .advance = {by_kind<registers, Shaking, Real>(std::make_index_sequence<kind_count>{})...}};
 }
 
-/// The kernels of so many registers of Real side by side: one, or two in turns.
+/// The kernels of so many registers of Real side by side.
 template <int registers, class Real>
 constexpr Kernels kernels_of(std::string_view name) {
   return kernels_under<registers, Real>(name, static_cast<dynamics::Excitation::Kinds*>(nullptr));

@@ -53,18 +53,6 @@ template <class Form, class Real = typename Form::Real>
           .is_in_period = time < step.now.period_length};
 }
 
-/// Lanes that move on, and access to them.
-template <class Real>
-struct MovingLanes {
-  const LaneAccess<Real>& lanes;
-  TruthOf<Real> moved;
-
-  void store(LaneRow& row, const Real& after, const Real& before) const {
-    using base::select;
-    lanes.store(row, select(moved, after, before));
-  }
-};
-
 /// Counts the step, and the strobe point in the lanes `strobed`.
 template <class Real>
 inline void count_step(const MovingLanes<Real>& moving, const Real& steps_since_strobe, const TruthOf<Real>& strobed) {
@@ -125,7 +113,10 @@ inline typename Form::Truth move_on(const LaneAccess<Real>& lanes, const Step<Fo
   move_state<Form>(moving, step, end.point, {landed, rebound});
   moving.store(state.time, next.time, step.now.time);
   moving.store(state.period, next.period, step.now.period);
-  if constexpr (Form::on_grid) pass_interval<Form>(lanes, step.now.period_length, no_event);
+  if constexpr (Form::on_grid) {
+    pass_interval(moving, step.now.period_length);
+    lanes.mark(state.at_breakpoint, lanes_at_unknown_interval(lanes, no_event));
+  }
   if constexpr (Form::Shaking::has_knots) {
     const auto occupied = lanes.load(state.occupied) == Real(1.0);
     pass_knots<Form>(lanes, bits_of(occupied && no_event), bits_of(no_event && next.at_break));

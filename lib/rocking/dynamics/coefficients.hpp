@@ -19,7 +19,7 @@ struct KnownIntervals {
   std::int64_t next_boundary = 0;  ///< number, within its period, of the boundary at the end of the present interval
 };
 
-inline constexpr std::int64_t most_known_intervals = 32;  ///< a power of two
+inline constexpr std::int64_t most_known_intervals = 64;  ///< a power of two
 
 /// Boundary number `index` of a period that has `per_period` of them; a run starts at number 0.
 [[nodiscard]] inline Instant grid_boundary(const Clock& clock, std::int64_t period, std::int64_t index,

@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <exception>
 #include <memory>
 #include <new>
+#include <string_view>
 #include <system_error>
 
 #include <CLI/CLI.hpp>
@@ -21,7 +24,44 @@
 namespace rocking::program {
 namespace {
 
-void add_commands(CLI::App& app, Action& action, const ProcessPool& pool) {
+using AddCommand = void (*)(CLI::App&, Action&, const ProcessPool&);
+
+template <void (*add)(CLI::App&, Action&)>
+void alone(CLI::App& app, Action& action, const ProcessPool& /*pool*/) {
+  add(app, action);
+}
+
+struct NamedCommand {
+  std::string_view name;
+  AddCommand add;
+};
+
+/// In the order of `rocking --help`.
+constexpr std::array<NamedCommand, 21> commands{{{"run", add_run},
+                                                 {"resume", add_resume},
+                                                 {"status", alone<add_status>},
+                                                 {"merge", alone<add_merge>},
+                                                 {"verify", alone<add_verify>},
+                                                 {"compare", alone<add_compare>},
+                                                 {"bifurcation", alone<add_bifurcation>},
+                                                 {"orbits", alone<add_orbits>},
+                                                 {"rare", alone<add_rare>},
+                                                 {"cost", alone<add_cost>},
+                                                 {"fragility", alone<add_fragility>},
+                                                 {"motion", alone<add_motion>},
+                                                 {"figure", alone<add_figure>},
+                                                 {"report", alone<add_report>},
+                                                 {"trajectory", alone<add_trajectory>},
+                                                 {"replay", alone<add_replay>},
+                                                 {"check-normal", alone<add_check_normal>},
+                                                 {"validate", alone<add_validate>},
+                                                 {"schema", alone<add_schema>},
+                                                 {"doctor", alone<add_doctor>},
+                                                 {"completion", alone<add_completion>}}};
+
+/// Adds the command that `word` names, because describing all of them takes a sixth of the instructions of a short run;
+/// otherwise all, also for `completion`, which lists them.
+void add_commands(CLI::App& app, Action& action, const ProcessPool& pool, std::string_view word) {
   app.formatter(std::make_shared<HelpFormatter>());
   app.set_version_flag("--version", std::string(base::build_info().version));
   app.require_subcommand(1);
@@ -29,27 +69,11 @@ void add_commands(CLI::App& app, Action& action, const ProcessPool& pool) {
       "`rocking COMMAND --help` describes a command, with an example.\n"
       "Exit codes: 0 done, 1 a check failed, 64 usage, 65 bad input file, 66 missing input, 70 bug of rocking,\n"
       "74 input or output, 75 stopped early, 130 interrupted (`rocking resume` continues the run after both).\n");
-  add_run(app, action, pool);
-  add_resume(app, action, pool);
-  add_status(app, action);
-  add_merge(app, action);
-  add_verify(app, action);
-  add_compare(app, action);
-  add_bifurcation(app, action);
-  add_orbits(app, action);
-  add_rare(app, action);
-  add_cost(app, action);
-  add_fragility(app, action);
-  add_motion(app, action);
-  add_figure(app, action);
-  add_report(app, action);
-  add_trajectory(app, action);
-  add_replay(app, action);
-  add_check_normal(app, action);
-  add_validate(app, action);
-  add_schema(app, action);
-  add_doctor(app, action);
-  add_completion(app, action);
+  const auto named = std::ranges::find(commands, word, &NamedCommand::name);
+  const bool one = named != commands.end() && word != "completion";
+  for (const NamedCommand& command : commands) {
+    if (!one || command.name == word) command.add(app, action, pool);
+  }
 }
 
 ExitCode fail(ExitCode code, std::string_view message) {
@@ -98,7 +122,7 @@ ExitCode carry_out_command_line(int argc, const char* const* argv, const Process
   meet_limits_as_errors();
   CLI::App app("Probabilities of the responses of a rocking block", "rocking");
   Action action;
-  add_commands(app, action, pool);
+  add_commands(app, action, pool, argc > 1 ? argv[1] : "");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -23,7 +23,7 @@ ProgressFile::~ProgressFile() {
 
 void ProgressFile::note(std::uint64_t done, std::uint64_t all) {
   if (!done_before_) done_before_ = done;
-  if (Clock::now() < next_) return;
+  if (done == all || Clock::now() < next_) return;  // after the last realisation the file is removed at once
   next_ = Clock::now() + between_notes;
   const ProgressNote note{.process = static_cast<std::uint64_t>(::getpid()),
                           .elapsed_s = std::chrono::duration<double>(Clock::now() - start_).count(),

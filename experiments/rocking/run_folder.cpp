@@ -135,6 +135,7 @@ void RunFolder::tidy_up() const {
 bool RunFolder::forget_what_did_not_begin() const {
   bool lost = replacement().discard_unless_begun();
   for (const RunFiles& files : {RunFiles{path_}, RunFiles{replacement().path()}}) {
+    if (!fs::exists(files.folder)) continue;
     Store::remove_unfinished(files.store());
     Store::remove(mended_store_beside(files.store()));
     lost = Store::remove(extended_store_beside(files.store())) || lost;

@@ -37,6 +37,7 @@ class FileDescriptor {
 };
 
 constexpr std::string_view temporary_name = ".rocking-";
+constexpr std::size_t written_at_once = 65536;  // bytes
 
 // A file with a unique name, removed unless it is renamed. Its lock shows that its process is running.
 class TemporaryFile {
@@ -154,7 +155,14 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
 void write_atomically(const std::filesystem::path& path, const std::function<void(const TextSink& sink)>& write) {
   const std::filesystem::path folder = folder_of(path);
   TemporaryFile file(folder);
-  write([&file](std::string_view piece) { file.write(piece); });
+  std::string waiting;  // a JSON document comes in pieces of a few letters
+  write([&](std::string_view piece) {
+    waiting += piece;
+    if (waiting.size() < written_at_once) return;
+    file.write(waiting);
+    waiting.clear();
+  });
+  file.write(waiting);
   file.rename_to(path);
   // The new name is on the disk only after the folder is flushed.
   const FileDescriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));

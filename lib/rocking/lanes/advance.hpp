@@ -65,7 +65,13 @@ class Advance {
     if (Form::may_land && bits_of(rebounds.lands) != 0) {
       rebounds = find_rebounds(lanes_, step_, end.crossings, end.point.tilt_rate, fits);
     }
-    const Truth moved = move_on(lanes_, step_, end, {fits && !end.crossings.crosses, rebounds, strobed});
+    const Movable<Form> movable{fits && !end.crossings.crosses, rebounds, strobed};
+    Truth moved;
+    if constexpr (Form::has_tangents) {
+      moved = move_with_tangents(end, movable);
+    } else {
+      moved = move_on(lanes_, step_, end, movable);
+    }
     if (bits_of(guards_.occupied && !moved) != 0) store_end(lanes_, step_, end);
   }
 
@@ -74,6 +80,24 @@ class Advance {
     lanes_.mark(state.no_event, bits_of(guards_.occupied));
     lanes_.mark(state.at_breakpoint, lanes_at_unknown_interval(lanes_, guards_.occupied));
     for (std::uint32_t* none : {&state.landed, &state.held, &state.strobed}) lanes_.mark(*none, 0);
+  }
+
+  /// The vectors are computed first, because the kinetic friction of the step is then still known.
+  Truth move_with_tangents(const Ending<Form>& end, const Movable<Form>& movable) const {
+    const TangentStep<Form> tangents(lanes_, step_);
+    const Real duration = end.crossings.duration;
+    TangentRows& rows = *lanes_.state.tangents;
+    if (bits_of(movable.strobed) != 0) {
+      store_vectors(lanes_, rows.at_strobe, tangents.at(end.strobing.time(lanes_.load(lanes_.state.resolution))));
+    }
+    const auto after = tangents.at(duration);
+    const Truth moved = move_on(lanes_, step_, end, movable);
+    move_vectors(MovingLanes<Real>{lanes_, moved}, tangents, after);
+    if (bits_of(guards_.occupied && !moved) != 0) {
+      store_vectors(lanes_, rows.at_end, after);
+      store_end_of_base(lanes_, step_, duration);
+    }
+    return moved;
   }
 
   /// Lanes whose step the motion alone would compute in the same way, and at whose end it needs nothing else. Stores the

@@ -40,16 +40,19 @@ void advance(LaneState& state) {
   (std::make_index_sequence<registers>{});
 }
 
-template <int registers, class Shaking, class Real, std::size_t... kind>
+template <int registers, class Shaking, class Real, bool with_tangents, std::size_t... kind>
 constexpr std::array<Kernel, kind_count> by_kind(std::index_sequence<kind...>) {
-  return {advance<registers, StepForm<static_cast<Kind>(kind), Shaking, Real>>...};
+  if constexpr (with_tangents && !Shaking::is_periodic) return {};
+  return {advance<registers, StepForm<static_cast<Kind>(kind), Shaking, Real, with_tangents>>...};
 }
 
 template <int registers, class Real, class... Shaking>
 constexpr Kernels kernels_under(std::string_view name, std::variant<Shaking...>*) {
+  constexpr auto kinds = std::make_index_sequence<kind_count>{};
   return {.name = name,
           .lanes = registers * Row<Real>::lanes,
-          .advance = {by_kind<registers, Shaking, Real>(std::make_index_sequence<kind_count>{})...}};
+          .advance = {by_kind<registers, Shaking, Real, false>(kinds)...},
+          .advance_with_tangents = {by_kind<registers, Shaking, Real, true>(kinds)...}};
 }
 
 /// The kernels of so many registers of Real side by side.

@@ -42,7 +42,10 @@ struct Kernels {
   std::string_view name;  ///< of the instruction set, as `rocking doctor` prints it
   int lanes;
   /// By kind of the base motion (dynamics::Excitation::index), then by Kind.
-  std::array<std::array<Kernel, kind_count>, dynamics::excitation_kinds> advance;
+  using ByKind = std::array<std::array<Kernel, kind_count>, dynamics::excitation_kinds>;
+  ByKind advance;
+  /// The same with tangent vectors (LaneState::tangents); null for a base motion that is not periodic.
+  ByKind advance_with_tangents;
 };
 
 /// The kernels that this machine can run: one lane of plain doubles first, the fastest last. Their results have the

@@ -5,12 +5,15 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rocking/integrate/hybrid.hpp"
 #include "rocking/lanes/kernels.hpp"
 #include "rocking/lanes/lane_state.hpp"
 #include "rocking/lanes/motion_adapter.hpp"
+#include "rocking/lanes/tangent_rows.hpp"
 #include "rocking/lanes/transfer.hpp"
 
 namespace rocking::lanes {
@@ -46,6 +49,10 @@ template <class Motion>
 template <class Run>
 class LaneGroup {
  public:
+  LaneGroup() {
+    if constexpr (has_tangents) state_->tangents = (tangents_ = std::make_unique<TangentRows>()).get();
+  }
+
   [[nodiscard]] LaneState& state() { return *state_; }
   [[nodiscard]] std::uint32_t occupied() const { return occupied_; }
   [[nodiscard]] Run& run(std::size_t lane) const { return *runs_[lane]; }
@@ -61,6 +68,7 @@ class LaneGroup {
     const ComingStep step = adapt(run(lane).motion()).coming_step();
     load(*state_, lane, step);
     load_known_intervals(lane, step);
+    load_tangents(lane);
   }
 
   /// The run continues in its lane after an event or a breakpoint.
@@ -68,6 +76,7 @@ class LaneGroup {
     const ComingStep step = adapt(run(lane).motion()).coming_step();
     load_step(*state_, lane, step);
     load_known_intervals(lane, step);
+    load_tangents(lane);
   }
 
   void vacate(std::size_t lane) {
@@ -75,7 +84,18 @@ class LaneGroup {
     state_->occupied[lane] = 0.0;
   }
 
-  void pass_strobe(std::size_t lane) { adapt(run(lane).motion()).pass_strobe(strobe_point(*state_, lane)); }
+  void pass_strobe(std::size_t lane) {
+    auto& motion = run(lane).motion();
+    if constexpr (has_tangents) {
+      motion.set_tangents(vectors_of(tangents_->now, lane));
+      motion.set_at_strobe(vectors_of(tangents_->at_strobe, lane));
+    }
+    adapt(motion).pass_strobe(strobe_point(*state_, lane));
+    if constexpr (has_tangents) {
+      adapt(motion).restart(progress(*state_, lane).state);
+      load_tangents(lane);
+    }
+  }
 
   void pass_impact(std::size_t lane) {
     const LaneProgress here = progress(*state_, lane);
@@ -98,6 +118,7 @@ class LaneGroup {
       here.intervals = here.steps - (at_breakpoint ? 1 : 0);
     }
     here.at_breakpoint = at_breakpoint;
+    if constexpr (has_tangents) motion.set_tangents(vectors_of(tangents_->now, lane));
     adapt(motion).catch_up(here);
   }
 
@@ -106,11 +127,29 @@ class LaneGroup {
     auto& motion = run(lane).motion();
     if ((state_->alone >> lane & 1U) != 0) return integrate::step(motion, run(lane).counts());
     ++run(lane).counts().steps;
+    if constexpr (has_tangents) hand_over_end(lane);
     if ((state_->at_last_strobe >> lane & 1U) != 0) return adapt(motion).finish_at_strobe(strobe_point(*state_, lane));
     adapt(motion).finish_step(end_of_step(*state_, lane), fired(*state_, lane));
   }
 
  private:
+  static constexpr bool has_tangents = HasTangents<std::remove_cvref_t<decltype(std::declval<Run&>().motion())>>;
+
+  void load_tangents(std::size_t lane) {
+    if constexpr (has_tangents) load_vectors(tangents_->now, lane, run(lane).motion().tangents());
+  }
+
+  /// The vectors in the step that the lane has computed and the motion completes.
+  void hand_over_end(std::size_t lane) {
+    auto& motion = run(lane).motion();
+    if ((state_->strobed >> lane & 1U) != 0) motion.set_at_strobe(vectors_of(tangents_->at_strobe, lane));
+    if ((state_->at_last_strobe >> lane & 1U) != 0) return;
+    const double side = motion.state().side;
+    motion.end_elsewhere(state_->duration[lane], vectors_of(tangents_->at_end, lane),
+                         {.now = {.horizontal = side * tangents_->end_base[lane], .weight = 1.0},
+                          .slope = {.horizontal = side * tangents_->end_base_slope[lane], .weight = 0.0}});
+  }
+
   void load_known_intervals(std::size_t lane, const ComingStep& step) {
     auto& motion = run(lane).motion();
     if (!motion.slips() || !motion.is_brief() || motion.excitation().has_knots()) return;
@@ -118,6 +157,7 @@ class LaneGroup {
   }
 
   std::unique_ptr<LaneState> state_ = std::make_unique<LaneState>();
+  std::unique_ptr<TangentRows> tangents_;  ///< if the motions have some
   std::array<Run*, most_lanes> runs_{};
   std::uint32_t occupied_ = 0;
   std::vector<Run*> waiting_;

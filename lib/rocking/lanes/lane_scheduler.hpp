@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "rocking/base/stop_request.hpp"
@@ -39,6 +41,8 @@ class LaneScheduler {
 
   /// One step of the group that has most runs.
   void step() { advance(largest_group()); }
+  /// Number of these runs.
+  [[nodiscard]] std::uint32_t largest_size() const { return sizes_[largest_group()]; }
 
   [[nodiscard]] bool has_finished() const { return !finished_.empty(); }
   /// A run that has finished and was not taken yet; null if there is none.
@@ -93,7 +97,8 @@ class LaneScheduler {
       if (group.has_waiting()) group.fill(lane);
     });
     LaneState& state = group.state();
-    kernels_.advance[kind.excitation][static_cast<std::size_t>(kind.kind)](state);
+    const Kernels::ByKind& advance = has_tangents ? kernels_.advance_with_tangents : kernels_.advance;
+    advance[kind.excitation][static_cast<std::size_t>(kind.kind)](state);
     for_each_bit(state.no_event & state.strobed & group.occupied(),
                  [&group](std::size_t lane) { group.pass_strobe(lane); });
     for_each_bit(state.landed & group.occupied(), [&group](std::size_t lane) { group.pass_impact(lane); });
@@ -120,6 +125,8 @@ class LaneScheduler {
   }
 
   [[nodiscard]] std::uint32_t all_lanes() const { return (1U << static_cast<unsigned>(kernels_.lanes)) - 1U; }
+
+  static constexpr bool has_tangents = HasTangents<std::remove_cvref_t<decltype(std::declval<Run&>().motion())>>;
 
   const Kernels& kernels_;
   base::StopRequest stop_;

@@ -8,13 +8,11 @@
 #include "rocking/dynamics/excitation/excitation.hpp"
 #include "rocking/dynamics/guards.hpp"
 #include "rocking/dynamics/setting.hpp"
+#include "rocking/lanes/lane_row.hpp"
 
 namespace rocking::lanes {
 
-inline constexpr int most_lanes = 16;
-
-/// One number for each lane.
-using LaneRow = std::array<double, most_lanes>;
+struct TangentRows;
 
 /// What a kernel reads and writes: realisations side by side, each with its own time, step and events. A plain table,
 /// the same for every instruction set. All in the frame of each block's side, as the series are
@@ -73,6 +71,8 @@ struct alignas(64) LaneState {
     LaneRow next_boundary;  ///< number, within its period, of the boundary at the end of the present interval
     LaneRow grid_start;     ///< time of boundary number 0 within a period
   } intervals;
+
+  TangentRows* tangents;  ///< of these lanes; only for kernels that advance them
 
   // What the last step found.
   std::uint32_t no_event;       ///< lanes without an event but an impact: they were moved on

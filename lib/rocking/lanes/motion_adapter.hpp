@@ -12,6 +12,12 @@
 
 namespace rocking::lanes {
 
+/// A motion with tangent vectors (rocking::TangentMotion).
+template <class Motion>
+concept HasTangents = requires(Motion& motion) {
+  motion.tangents();
+};
+
 /// What the lanes need of a motion (dynamics::BlockMotion): the numbers of its coming step, and the consequences of
 /// steps that a lane has computed. The motion itself does not know lanes.
 template <class Motion>
@@ -20,7 +26,12 @@ class MotionAdapter {
   explicit MotionAdapter(Motion& motion) : motion_(motion) {}
 
   /// Whether a lane can compute the coming step.
-  [[nodiscard]] bool has_ordinary_step() const { return !motion_.ended() && motion_.armed_guards().is_ordinary(); }
+  [[nodiscard]] bool has_ordinary_step() const {
+    if constexpr (HasTangents<Motion>) {
+      if (!motion_.excitation().is_periodic() || motion_.restarts()) return false;
+    }
+    return !motion_.ended() && motion_.armed_guards().is_ordinary();
+  }
 
   [[nodiscard]] ComingStep coming_step() {
     const dynamics::State& state = motion_.state();
@@ -96,8 +107,14 @@ class MotionAdapter {
     motion_.begin_step();
     const bool at_breakpoint = end.duration >= motion_.time_to_breakpoint() - motion_.time_resolution();
     if (end.strobe) pass_strobe(*end.strobe);
+    if (end.duration > 0.0) restart(end.state);
     motion_.end_step(end.duration, from_frame(end.state));
     motion_.reset(fired, at_breakpoint);
+  }
+
+  /// After a strobe instant, in the state `now` at the end of its step.
+  void restart(const SideState& now) {
+    if constexpr (HasTangents<Motion>) motion_.restart_in(from_frame(now));
   }
 
   /// A step of a lane in which the last strobe instant comes before any event. The motion ends where the step began.
@@ -110,8 +127,9 @@ class MotionAdapter {
   static constexpr bool knows_coming_coefficients =
       dynamics::KnowsComingCoefficients<std::remove_cvref_t<decltype(std::declval<Motion&>().coefficients())>>;
 
+  /// NaN also with tangent vectors, which are multiplied by a saltation matrix at an impact.
   [[nodiscard]] double constant_restitution() const {
-    if constexpr (knows_coming_coefficients) {
+    if constexpr (knows_coming_coefficients && !HasTangents<Motion>) {
       if (const std::optional<double> restitution = motion_.coefficients().constant_restitution()) return *restitution;
     }
     return std::numeric_limits<double>::quiet_NaN();

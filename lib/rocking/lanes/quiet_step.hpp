@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "rocking/lanes/moving_on.hpp"
+#include "rocking/lanes/tangent_step.hpp"
 
 namespace rocking::lanes {
 namespace {
@@ -49,6 +50,10 @@ template <class Form, class Real = typename Form::Real>
                               .next = next_start<Form>(lanes, step, step.length, every_lane)};
   if (!is_quiet(lanes, step, quiet, guards.occupied)) return Passage::none;
   note_peaks(lanes, step, {step.length, quiet.end.tilt, quiet.end.tilt_rate}, guards.occupied);
+  if constexpr (Form::has_tangents) {
+    const TangentStep<Form> tangents(lanes, step);
+    move_vectors(AllMoving<Real>{lanes}, tangents, tangents.at(step.length));
+  }
   lanes.store(state.steps_since_strobe, quiet.steps_since_strobe);
   lanes.store(state.steps, lanes.load(state.steps) + Real(1.0));
   lanes.store(state.tilt, quiet.end.tilt);

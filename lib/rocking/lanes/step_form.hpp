@@ -9,13 +9,14 @@ namespace rocking::lanes {
 namespace {
 
 /// What is the same in all lanes of a kernel, known to the compiler. `ShakingKind`: kind of the base motion; `Number`:
-/// type of the numbers, which holds a number of lanes.
-template <Kind kind, class ShakingKind, class Number>
+/// type of the numbers, which holds a number of lanes; `with_tangents`: the lanes carry tangent vectors.
+template <Kind kind, class ShakingKind, class Number, bool with_tangents>
 struct StepForm {
   using Shaking = ShakingKind;
   using Real = Number;
   using Truth = TruthOf<Real>;
 
+  static constexpr bool has_tangents = with_tangents;
   static constexpr bool slips = lanes::slips(kind);
   static constexpr bool tests_friction = lanes::tests_friction(kind);
   static constexpr bool is_brief = lanes::is_brief(kind);
@@ -26,7 +27,7 @@ struct StepForm {
   /// dynamics::out_of_reach holds for this kind.
   static constexpr bool knows_reach = !slips && Shaking::bounds_acceleration && !Shaking::has_vertical;
   /// Some impacts are computed here.
-  static constexpr bool may_land = knows_reach;
+  static constexpr bool may_land = knows_reach && !has_tangents;
   static constexpr int order = order_of(kind);
   /// Number of guards that are armed in an ordinary step (dynamics::ArmedGuards::is_ordinary).
   static constexpr std::size_t guards = slips ? 4 : tests_friction ? 5 : 3;

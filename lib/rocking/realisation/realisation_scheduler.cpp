@@ -10,6 +10,19 @@
 namespace rocking {
 namespace {
 
+struct RealisationInProgress;
+
+/// The window of a realisation, run again with tangent vectors.
+struct TangentsInProgress {
+  [[nodiscard]] TangentRun::Motion& motion() const { return tangent_run->motion(); }
+  [[nodiscard]] integrate::LoopCounts& counts() { return own_counts; }
+  [[nodiscard]] bool go_on() const;
+
+  RealisationInProgress* run;
+  TangentRun* tangent_run;
+  integrate::LoopCounts own_counts{};  ///< not reported
+};
+
 /// A realisation in the scheduler, with the caller's id.
 struct RealisationInProgress : HorizonRun {
   template <class MakeMotion>
@@ -18,7 +31,10 @@ struct RealisationInProgress : HorizonRun {
       : HorizonRun(condition, beginning, make_motion), id(its_id) {}
 
   std::size_t id;
+  std::optional<TangentsInProgress> tangents;  ///< while the exponent of the newest window is computed
 };
+
+bool TangentsInProgress::go_on() const { return tangent_run->go_on(run->pending()); }
 
 /// The same shaking with another size; kinds that hold none stay as they are.
 dynamics::Excitation with_size(const dynamics::Excitation& excitation, double size) {
@@ -36,13 +52,11 @@ dynamics::Excitation with_size(const dynamics::Excitation& excitation, double si
 class RealisationScheduler::Implementation {
  public:
   Implementation(std::uint64_t seed, const lanes::Kernels& kernels, base::StopRequest stop)
-      : seed_(seed), stop_(stop), scheduler_(kernels, stop) {}
+      : seed_(seed), kernels_(kernels), stop_(stop), scheduler_(kernels, stop) {}
   ~Implementation() = default;
 
   // A block that never moves ends in start() and needs no lane. Its result is to be taken before more are started.
-  [[nodiscard]] bool wants_more() const {
-    return !scheduler_.has_finished() && scheduler_.size() < scheduler_.wanted_size();
-  }
+  [[nodiscard]] bool wants_more() const { return !scheduler_.has_finished() && size() < scheduler_.wanted_size(); }
   [[nodiscard]] bool is_idle() const { return runs_.empty() && finished_.empty(); }
 
   void start(const RequestedRun& run, std::size_t id) {
@@ -61,7 +75,13 @@ class RealisationScheduler::Implementation {
 
   [[nodiscard]] std::vector<Finished> work() {
     constexpr int most_steps = 4096;
-    for (int i = 0; i < most_steps && is_under_way(); ++i) scheduler_.step();
+    for (int i = 0; i < most_steps && is_under_way(); ++i) {
+      if (tangents_ && tangents_->largest_size() > scheduler_.largest_size()) {
+        tangents_->step();
+      } else {
+        scheduler_.step();
+      }
+    }
     return std::exchange(finished_, {});
   }
 
@@ -94,13 +114,23 @@ class RealisationScheduler::Implementation {
 
   /// Whether a step must be made before a realisation is finished.
   [[nodiscard]] bool is_under_way() {
-    while (RealisationInProgress* run = scheduler_.take_finished()) end_window(*run);
-    return finished_.empty() && scheduler_.size() > 0;
+    while (RealisationInProgress* run = scheduler_.take_finished()) classify(*run);
+    while (tangents_ && tangents_->has_finished()) end_window(*tangents_->take_finished()->run);
+    return finished_.empty() && size() > 0;
   }
 
+  /// Number of motions that have not ended.
+  [[nodiscard]] std::size_t size() const { return scheduler_.size() + (tangents_ ? tangents_->size() : 0); }
+
   /// Continues after the motion of a realisation has ended.
+  void classify(RealisationInProgress& run) {
+    TangentRun* tangent_run = run.classify();
+    if (tangent_run == nullptr) return end_window(run);
+    if (!tangents_) tangents_.emplace(kernels_, stop_);
+    tangents_->add(run.tangents.emplace(TangentsInProgress{.run = &run, .tangent_run = tangent_run}));
+  }
+
   void end_window(RealisationInProgress& run) {
-    if (TangentRun* tangents = run.classify()) run_alone(*tangents, run.pending(), stop_);
     if (!run.begin_next_window()) return finish(run);
     scheduler_.add(run);
   }
@@ -111,9 +141,11 @@ class RealisationScheduler::Implementation {
   }
 
   std::uint64_t seed_;
+  const lanes::Kernels& kernels_;
   base::StopRequest stop_;
   std::optional<LastExcitation> last_;
   lanes::LaneScheduler<RealisationInProgress> scheduler_;
+  std::optional<lanes::LaneScheduler<TangentsInProgress>> tangents_;  ///< once an exponent was needed
   std::vector<std::unique_ptr<RealisationInProgress>> runs_;
   std::vector<Finished> finished_;
 };

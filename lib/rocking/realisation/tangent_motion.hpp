@@ -68,6 +68,40 @@ class TangentMotion : public Motion {
 
   /// The vectors become these at the end of the present step; as in the constructor.
   void restart(const Tangents& vectors) { restart_ = vectors; }
+  [[nodiscard]] bool restarts() const { return restart_.has_value(); }
+
+  // For the lanes, which compute steps with vectors elsewhere.
+
+  /// At the start of the coming step.
+  [[nodiscard]] Tangents tangents() {
+    if (!is_later_) return at_event_;
+    const Tangent rates = rates_of(this->state(), this->base_motion(), this->kinetic_friction(), constants());
+    Tangents now;
+    for (std::size_t i = 0; i < count; ++i) now[i] = plus(at_event_[i], -delays_[i], rates);
+    return now;
+  }
+  /// Steps elsewhere have led to these.
+  void set_tangents(const Tangents& now) {
+    at_event_ = now;
+    is_later_ = false;
+  }
+  void set_at_strobe(const Tangents& vectors) { at_strobe_ = vectors; }
+  /// If they restart: now, in the state at the end of the step.
+  void restart_in(const dynamics::State& end) {
+    if (!restart_) return;
+    for (std::size_t i = 0; i < count; ++i) tangents_[i] = within_contact((*restart_)[i], end);
+    restart_.reset();
+    set_tangents(tangents_);
+  }
+  /// The coming step ends so, `length` later.
+  void end_elsewhere(double length, const Tangents& end, const dynamics::MovingBase& base) {
+    time_went_on_ = length > 0.0;
+    if (!time_went_on_) return;
+    set_tangents(end);
+    tangents_ = end;
+    event_base_ = base;
+    is_base_known_ = true;
+  }
 
   [[nodiscard]] double expand(double reach) {
     const double length = Motion::expand(reach);
@@ -76,7 +110,7 @@ class TangentMotion : public Motion {
   }
 
   void strobe(double x) {
-    begin_step();
+    vary_step();
     at_strobe_ = tangents_until(x);
     Motion::strobe(x);
   }
@@ -84,13 +118,13 @@ class TangentMotion : public Motion {
   void move(double x) {
     time_went_on_ = x > 0.0;
     if (time_went_on_) {
-      begin_step();
+      vary_step();
       if (log_ != nullptr) log_->note_minima(*this, x);
       tangents_ = tangents_until(x);
-      if (restart_) start_again(x);
       length_ = x;
-      at_event_ = tangents_;
-      is_later_ = false;
+      is_base_known_ = false;
+      set_tangents(tangents_);
+      restart_in(this->state_at(x));
     }
     Motion::move(x);
   }
@@ -103,7 +137,7 @@ class TangentMotion : public Motion {
                       .kinetic_friction = this->kinetic_friction(),
                       .impact = impact_of(fired, at_breakpoint)};
     if (time_went_on_) count_coincidence(fired, at_breakpoint);
-    if (event.guard && time_went_on_) event_base_ = moving_base(length_);
+    if (event.guard && time_went_on_ && !is_base_known_) event_base_ = moving_base(length_);
     Motion::reset(fired, at_breakpoint);
     pass(event);
   }
@@ -249,17 +283,12 @@ class TangentMotion : public Motion {
   }
 
   /// The first use of the step that `expand` has prepared: the vectors at its start, and the variational equations.
-  void begin_step() {
+  void vary_step() {
     if (is_expanded_) return;
     is_expanded_ = true;
     const dynamics::State& state = this->state();
-    tangents_ = at_event_;
-    if (is_later_) {
-      const Tangent rates = rates_of(state, this->base_at(0.0), this->kinetic_friction(), constants());
-      for (std::size_t i = 0; i < count; ++i) tangents_[i] = plus(at_event_[i], -delays_[i], rates);
-      at_event_ = tangents_;
-      is_later_ = false;
-    }
+    tangents_ = tangents();
+    set_tangents(tangents_);
     variation_.expand(this->series().rows(),
                       {.contact = state.contact,
                        .order = this->series().order(),
@@ -269,14 +298,6 @@ class TangentMotion : public Motion {
   }
 
   [[nodiscard]] Tangents tangents_until(double x) const { return variation_.at(x, this->series().rows()); }
-
-  /// The vectors behind the present step become those of restart().
-  void start_again(double x) {
-    tangents_ = *restart_;
-    const dynamics::State end = this->state_at(x);
-    for (Tangent& tangent : tangents_) tangent = within_contact(tangent, end);
-    restart_.reset();
-  }
 
   [[nodiscard]] dynamics::MovingBase moving_base(double x) const {
     const double side = frame_side(this->state());
@@ -301,6 +322,7 @@ class TangentMotion : public Motion {
   std::array<double, count> delays_{};  ///< changes of the instant of that event, if is_later_
   bool is_later_ = false;               ///< its instant depends on the initial state
   double length_ = 0.0;                 ///< of the last step
+  bool is_base_known_ = false;          ///< event_base_ is that at its end
   dynamics::MovingBase event_base_{};
   NotDifferentiable not_differentiable_;
   std::optional<Tangents> restart_;

@@ -54,6 +54,7 @@ template <class Form, class Real = typename Form::Real>
 /// Says in the lane state how the step ends: for the lanes that were not moved on.
 template <class Form, class Real = typename Form::Real>
 inline void store_end(const LaneAccess<Real>& lanes, const Step<Form>& step, const Ending<Form>& end) {
+  using base::select;
   LaneState& state = lanes.state;
   lanes.store(state.duration, end.crossings.duration);
   lanes.store(state.end_tilt, end.point.tilt);
@@ -62,12 +63,14 @@ inline void store_end(const LaneAccess<Real>& lanes, const Step<Form>& step, con
     lanes.store(state.end_slip, end.point.slip);
     lanes.store(state.end_slip_rate, end.point.slip_rate);
   }
-  for (std::uint32_t& fired : state.fired) lanes.mark(fired, 0);
   const Real resolution = lanes.load(state.resolution);
+  Real fired(0.0);
   std::size_t i = 0;
   for_each_guard(lanes, step, [&](const auto& row, auto) {
-    lanes.mark(state.fired[static_cast<std::size_t>(row.guard)], bits_of(end.crossings.is_first(i++, resolution)));
+    constexpr auto bit = [](dynamics::Guard guard) { return static_cast<double>(1U << static_cast<unsigned>(guard)); };
+    fired = fired + select(end.crossings.is_first(i++, resolution), Real(bit(row.guard)), Real(0.0));
   });
+  lanes.store(state.fired, fired);
 }
 
 }  // namespace

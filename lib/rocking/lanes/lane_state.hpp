@@ -93,8 +93,7 @@ struct alignas(64) LaneState {
   LaneRow end_tilt_rate;
   LaneRow end_slip;
   LaneRow end_slip_rate;
-  std::array<std::uint32_t, dynamics::guard_count>
-      fired;  ///< by dynamics::Guard: lanes where it is among the first events
+  LaneRow fired;  ///< sum of 2^guard over the guards (dynamics::Guard) that are among the first events
 };
 
 }  // namespace rocking::lanes

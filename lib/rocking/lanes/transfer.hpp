@@ -124,11 +124,7 @@ inline void load(LaneState& state, std::size_t lane, const ComingStep& step) {
 
 /// The guards that fire at that end.
 [[nodiscard]] inline integrate::FiredGuards fired(const LaneState& state, std::size_t lane) {
-  std::uint32_t guards = 0;
-  for (std::size_t guard = 0; guard < dynamics::guard_count; ++guard) {
-    guards |= (state.fired[guard] >> lane & 1U) << guard;
-  }
-  return {guards};
+  return {count(state.fired[lane])};
 }
 
 }  // namespace rocking::lanes

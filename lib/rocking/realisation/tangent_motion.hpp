@@ -124,7 +124,7 @@ class TangentMotion : public Motion {
       length_ = x;
       is_base_known_ = false;
       set_tangents(tangents_);
-      restart_in(this->state_at(x));
+      if (restart_) restart_in(this->state_at(x));
     }
     Motion::move(x);
   }

@@ -2,83 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "rocking/base/error.hpp"
-#include "rocking/section/classification.hpp"
 #include "rocking/section/order_statistics.hpp"
+#include "rocking/section/trimmed_scatter.hpp"
 
 namespace rocking::section {
 namespace {
-
-// Allows for strays: up to a tenth of the points are excluded from the scatter.
-constexpr double kept_share = 0.9;
-
-// For a normal law in the plane the squared distance is exponential with mean 2. The mean below its 90 % point, 2 ln
-// 10, is 2 (1 - 0.1 (1 + ln 10))/0.9 = 2 x 0.744157...; this factor corrects the trimming.
-constexpr double trimming_correction = 1.0 / 0.74415721411178;
-
-// Median of the squared distance from the centre, in units of the scatter, for a normal law in the plane: 2 ln 2.
-constexpr double median_of_squares = 2.0 * std::numbers::ln2;
-
-/// Squares of the median absolute deviations of the coordinates, at least `floor`: the initial value of the scatter.
-Covariance typical_size(std::span<const PlanePoint> deviations, double floor, std::span<double> memory) {
-  const std::span<double> sizes = memory.first(deviations.size());
-  const Scratch scratch = memory.subspan(sizes.size());
-  std::ranges::transform(deviations, sizes.begin(), [](const PlanePoint& d) { return std::abs(d.x); });
-  const double x = median_of(sizes, scratch);
-  std::ranges::transform(deviations, sizes.begin(), [](const PlanePoint& d) { return std::abs(d.y); });
-  const double y = median_of(sizes, scratch);
-  return {x * x + floor, 0.0, y * y + floor};
-}
-
-/// Index, after sorting, of the largest distance that is kept.
-std::size_t last_kept(std::size_t count) {
-  return static_cast<std::size_t>(kept_share * static_cast<double>(count - 1));
-}
-
-/// Covariance about 0 of the deviations without the ones that are largest in the given metric. `memory` has room for
-/// two numbers per deviation.
-Covariance trimmed_covariance(std::span<const PlanePoint> deviations, const Covariance& metric,
-                              std::span<double> memory) {
-  const std::span<double> distances = memory.first(deviations.size());
-  for (std::size_t k = 0; k < distances.size(); ++k) distances[k] = squared_distance(deviations[k], metric);
-  const double limit = value_of_rank(distances, last_kept(distances.size()), memory.subspan(distances.size()));
-  // Adding 0 does not change a sum; which deviations are kept cannot be predicted, so that a branch takes longer.
-  Covariance sum;
-  double kept = 0.0;
-  for (std::size_t k = 0; k < deviations.size(); ++k) {
-    const PlanePoint& d = deviations[k];
-    const bool keeps = !(distances[k] > limit);
-    sum.xx += keeps ? d.x * d.x : 0.0;
-    sum.xy += keeps ? d.x * d.y : 0.0;
-    sum.yy += keeps ? d.y * d.y : 0.0;
-    kept += keeps ? 1.0 : 0.0;
-  }
-  return sum.scaled(trimming_correction / kept);
-}
-
-/// The scatter that is its own metric for trimming, iterated from the sizes along the axes. An iteration leaves less
-/// than half of the error in the direction, so that four leave less than a twentieth. This is far below the sampling
-/// error of 600 points.
-Covariance robust_scatter(std::span<const PlanePoint> deviations, double floor) {
-  std::vector<double> memory(2 * deviations.size());
-  Covariance scatter = typical_size(deviations, floor, memory);
-  for (int round = 0; round < 4; ++round) {
-    scatter = trimmed_covariance(deviations, scatter, memory);
-    scatter.xx += floor;
-    scatter.yy += floor;
-  }
-  return scatter;
-}
-
-/// Smallest variance of `a` in units of that of `b` over all directions: the smaller root of det(A - z B) = 0.
-double least_ratio(const Covariance& a, const Covariance& b) {
-  const double half_trace = 0.5 * (a.xx * b.yy - 2.0 * a.xy * b.xy + a.yy * b.xx) / b.determinant();
-  const double product = a.determinant() / b.determinant();
-  return half_trace - std::sqrt(std::max(half_trace * half_trace - product, 0.0));
-}
 
 double farthest_turn(const Clouds& clouds, std::size_t divisor) {
   double farthest = 0.0;
@@ -88,59 +19,6 @@ double farthest_turn(const Clouds& clouds, std::size_t divisor) {
     farthest = std::max(farthest, squared_distance(step, clouds.scatter));
   }
   return std::sqrt(farthest);
-}
-
-/// Differences of deviations `lag` apart.
-void steps_of(std::span<const PlanePoint> deviations, std::size_t lag, std::vector<PlanePoint>& steps) {
-  steps.clear();
-  for (std::size_t k = lag; k < deviations.size(); ++k) steps.push_back(deviations[k] - deviations[k - lag]);
-}
-
-/// Largest correlation of deviations whose differences are `steps`. `memory` has room for two numbers per step.
-double memory_of(std::span<const PlanePoint> steps, const Covariance& scatter, double resolution,
-                 std::span<double> memory) {
-  const double unknown = 2.0 * resolution * resolution;  // resolution of the difference of two points
-  Covariance step = trimmed_covariance(steps, scatter, memory);
-  step.xx += unknown;
-  step.yy += unknown;
-  const double least = least_ratio(step, scatter);
-  const auto squares = memory.first(steps.size());  // trimmed_covariance leaves them here
-  const double median = median_of(squares, memory.subspan(steps.size()));
-  return std::max({0.0, 1.0 - 0.5 * least, 1.0 - 0.5 * median / median_of_squares});  // not NaN if one of them is
-}
-
-/// Whether a bound that takes a fraction of the time of memory_of shows that it does not exceed `limit`.
-///
-/// If no more than `last_kept` squared distances are at most `near`, the trimmed covariance keeps all of these. Its
-/// least variance is then at least that of their sum, divided by the number of all. The median is at least any value
-/// that fewer than half of the squares are below. Sums go over squares below 0.999 `near`, and limits are exceeded by 1
-/// %, because both computations round: the conditions on the scatter and on the mean square make that less than 1e-6.
-bool is_memory_surely_below(double limit, std::span<const PlanePoint> steps, const Covariance& scatter) {
-  const double least_variance = 1.01 * 2.0 * (1.0 - limit);
-  if (!(least_variance > 1e-3) || !(scatter.determinant() > 1e-4 * scatter.xx * scatter.yy)) return false;
-  const double low_square = least_variance * median_of_squares;
-  const double scale = 1.0 / scatter.determinant();
-  const auto count = static_cast<double>(steps.size());
-  for (const double near : {4.0, 1.0}) {
-    Covariance sum;
-    double within = 0.0;
-    double low = 0.0;
-    double total = 0.0;
-    for (const PlanePoint& d : steps) {
-      const double square = scale * (d.x * d.x * scatter.yy - 2.0 * d.x * d.y * scatter.xy + d.y * d.y * scatter.xx);
-      const double summed = square <= 0.999 * near ? 1.0 : 0.0;
-      sum.xx += summed * (d.x * d.x);
-      sum.xy += summed * (d.x * d.y);
-      sum.yy += summed * (d.y * d.y);
-      within += square <= near ? 1.0 : 0.0;
-      low += square <= low_square ? 1.0 : 0.0;
-      total += square;
-    }
-    if (!(total < 1e6 * count) || !(2.0 * low < count - 2.0)) return false;
-    if (within > static_cast<double>(last_kept(steps.size()))) continue;
-    return least_ratio(sum.scaled(trimming_correction / count), scatter) > least_variance;
-  }
-  return false;
 }
 
 /// The points divided into classes, with the coordinates of each class next to each other.
@@ -240,29 +118,6 @@ std::vector<bool> strays(std::span<const PlanePoint> points, const Clouds& cloud
     result[k] = nearer_elsewhere;
   }
   return result;
-}
-
-double longest_memory(const Clouds& clouds, double resolution) {
-  std::vector<PlanePoint> steps;
-  std::vector<double> memory(2 * clouds.deviations.size());
-  double longest = 0.0;
-  for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
-    steps_of(clouds.deviations, lag, steps);
-    longest = std::max(longest, memory_of(steps, clouds.scatter, resolution, memory));
-  }
-  return longest;
-}
-
-bool has_longer_memory(const Clouds& clouds, double resolution, double limit) {
-  std::vector<PlanePoint> steps;
-  steps.reserve(clouds.deviations.size());
-  std::vector<double> memory(2 * clouds.deviations.size());
-  for (std::size_t lag = 1; lag <= static_cast<std::size_t>(longest_period); ++lag) {
-    steps_of(clouds.deviations, lag, steps);
-    if (is_memory_surely_below(limit, steps, clouds.scatter)) continue;
-    if (memory_of(steps, clouds.scatter, resolution, memory) > limit) return true;
-  }
-  return false;
 }
 
 double extent_of(const Clouds& clouds) {

@@ -31,6 +31,11 @@ struct Neighbourhood {
 /// The neighbourhood of a line in a series of `points` points from which the means of n classes were removed.
 [[nodiscard]] Neighbourhood neighbourhood_of(double frequency, int n, std::size_t points);
 
+/// What the resolution of the points adds to the sums of squares of the Fourier sums of M neighbours.
+[[nodiscard]] inline double noise_floor(double resolution, std::size_t points, std::size_t neighbours) {
+  return resolution * resolution * static_cast<double>(points) * static_cast<double>(neighbours);
+}
+
 /// P(L <= ratio) of spectral_line.hpp for a line compared with M neighbours.
 [[nodiscard]] double chance_of_ratio(double ratio, std::size_t neighbours, bool at_half);
 

@@ -12,6 +12,7 @@
 #include "rocking/base/elementary.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/section/clouds.hpp"
+#include "rocking/section/line_bounds.hpp"
 #include "rocking/section/rocks.hpp"
 #include "rocking/section/spectral_line.hpp"
 
@@ -20,28 +21,47 @@ namespace {
 
 struct Phases {
   int n = 1;
-  double chance_left = 1.0;            ///< of the strongest line that was not accepted
+  AllChanceBounds bounds;              ///< of the chances of the lines that were not accepted
   std::vector<PlanePoint> centres;     ///< of the n classes
   std::vector<PlanePoint> deviations;  ///< from these
+
+  void find_classes(std::span<const PlanePoint> points) {
+    const Classes classes = classes_by_phase(points.size(), static_cast<std::size_t>(n));
+    centres = centres_of(points, classes);
+    deviations = deviations_of(points, classes, centres);
+  }
 };
+
+std::vector<PlanePoint> deviations_from_mean(std::span<const PlanePoint> points) {
+  PlanePoint sum;
+  for (const PlanePoint& p : points) sum = {sum.x + p.x, sum.y + p.y};
+  const PlanePoint mean = sum.scaled(1.0 / static_cast<double>(points.size()));
+  std::vector<PlanePoint> deviations;
+  deviations.reserve(points.size());
+  for (const PlanePoint& p : points) deviations.push_back(p - mean);
+  return deviations;
+}
 
 /// Least common period of all lines, found one by one. Each line is removed with the class means before the next is
 /// sought, so that a strong line does not hide a weak one.
 std::optional<Phases> find_phases(std::span<const PlanePoint> points, double resolution, double line_chance) {
   Phases phases;
+  const std::vector<PlanePoint> about_mean = deviations_from_mean(points);
+  LineSearch search(about_mean, 1, resolution);
   while (true) {
-    const auto n = static_cast<std::size_t>(phases.n);
-    const Classes classes = classes_by_phase(points.size(), n);
-    phases.centres = centres_of(points, classes);
-    phases.deviations = deviations_of(points, classes, phases.centres);
-    const std::optional<Line> line = strongest_line(phases.deviations, phases.n, resolution, line_chance);
-    if (!line) return phases;
-    if (line->chance >= line_chance) {
-      phases.chance_left = line->chance;
-      return phases;
+    phases.bounds = search.bounds();
+    std::optional<LineFrequency> accepted = certain_line(phases.bounds, phases.n, line_chance);
+    if (!accepted) {
+      if (phases.n == 1) phases.find_classes(points);
+      if (least_chance(phases.bounds, phases.n) >= line_chance) return phases;
+      const auto line = strongest_line(phases.deviations, phases.n, resolution, phases.bounds);
+      if (!line || line->chance >= line_chance) return phases;
+      accepted = line->frequency;
     }
-    phases.n = std::lcm(phases.n, line->frequency.denominator);
+    phases.n = std::lcm(phases.n, accepted->denominator);
     if (phases.n > longest_period) return std::nullopt;
+    phases.find_classes(points);
+    search.remove_classes(phases.deviations, phases.n);
   }
 }
 
@@ -143,7 +163,13 @@ Finding find_clouds(std::span<const Period> periods, double resolution, const Th
   if (rocks.regular_share < thresholds.least_regular_share) {
     return tiny ? final_significance(Reason::impacts_irregular) : uncleared_count(Reason::impacts_irregular);
   }
-  const double margin = std::clamp(std::min(apart, phases->chance_left / line_chance), 1.0, largest_margin);
+  double margin = apart;
+  // The chance of the strongest line that was not accepted is computed only if it may decide.
+  if (least_chance(phases->bounds, phases->n) / line_chance < apart) {
+    const auto line = strongest_line(clouds.deviations, phases->n, resolution, phases->bounds);
+    margin = std::min(margin, (line ? line->chance : 1.0) / line_chance);
+  }
+  margin = std::clamp(margin, 1.0, largest_margin);
   const Reason reason = tiny ? Reason::tight_clouds : Reason::contracting_clouds;
   return {{periodic(rocks.rocks, phases->n), reason, moving, margin},
           tiny ? ExponentNeed::none : ExponentNeed::to_confirm};

@@ -6,24 +6,14 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "rocking/base/elementary.hpp"
 #include "rocking/section/four.hpp"
-#include "rocking/section/line_bounds.hpp"
+#include "rocking/section/nearby_sums.hpp"
 
 namespace rocking::section {
 namespace {
-
-/// Real and imaginary parts of the Fourier sum of the points at a frequency.
-struct Amplitude {
-  PlanePoint real;
-  PlanePoint imaginary;
-
-  void add_to(Covariance& sum) const {
-    sum.add(real);
-    sum.add(imaginary);
-  }
-};
 
 /// Turn by a frequency, and Fourier sums, of four frequencies.
 struct TurningSums {
@@ -90,14 +80,13 @@ double line_chance(const LineFrequency& line, std::span<const PlanePoint> deviat
   const auto points = deviations.last(length);
   const double frequency = static_cast<double>(line.numerator) / line.denominator;
   const Neighbourhood neighbourhood = neighbourhood_of(frequency, n, length);
-  const auto count = static_cast<int>(neighbourhood.count);
   std::array<double, most_neighbours + 1> frequencies{};
   std::ranges::copy(neighbourhood.frequencies, frequencies.begin());
   frequencies[neighbourhood.count] = frequency;
   const Amplitudes amplitudes = amplitudes_at(std::span(frequencies).first(neighbourhood.count + 1), points);
   const Amplitude& own = amplitudes[neighbourhood.count];
 
-  const double floor = resolution * resolution * static_cast<double>(length) * count;
+  const double floor = noise_floor(resolution, length, neighbourhood.count);
   Covariance noise;
   for (const Amplitude& amplitude : std::span(amplitudes).first(neighbourhood.count)) amplitude.add_to(noise);
   noise.xx += floor;
@@ -112,31 +101,44 @@ double line_chance(const LineFrequency& line, std::span<const PlanePoint> deviat
   return chance_of_ratio(ratio, neighbourhood.count, line.denominator == 2);
 }
 
-std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution,
-                                   double needed_from) {
-  const std::array<ChanceBounds, line_count> bounds = chance_bounds(deviations, n, resolution);
-  const auto lines = tested_lines();
-  std::array<std::size_t, line_count> tested{};
-  std::size_t count = 0;
-  double least_most = std::numeric_limits<double>::infinity();  // the least chance is at most this
+double least_chance(const AllChanceBounds& bounds, int n) {
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < bounds.size(); ++i) {
-    if (!is_tested(lines[i], n)) continue;
-    tested[count++] = i;
-    least_most = std::min(least_most, bounds[i].most);
+    if (is_tested(tested_lines()[i], n)) least = std::min(least, bounds[i].least);
   }
-  const auto all = std::span(tested).first(count);
-  const auto may_be_least = [&](std::size_t i) { return bounds[i].least <= least_most; };
-  if (least_most < needed_from && std::ranges::count_if(all, may_be_least) == 1) {
-    return Line{lines[*std::ranges::find_if(all, may_be_least)], least_most};
+  return least;
+}
+
+std::optional<LineFrequency> certain_line(const AllChanceBounds& bounds, int n, double limit) {
+  std::size_t strongest = 0;
+  for (std::size_t i = 1; i < bounds.size(); ++i) {
+    if (bounds[i].most < bounds[strongest].most) strongest = i;
   }
+  if (!(bounds[strongest].most < limit)) return std::nullopt;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const bool may_be_stronger = is_tested(tested_lines()[i], n) && bounds[i].least <= bounds[strongest].most;
+    if (may_be_stronger && i != strongest) return std::nullopt;
+  }
+  return tested_lines()[strongest];
+}
+
+std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution,
+                                   const AllChanceBounds& bounds) {
+  double least_most = std::numeric_limits<double>::infinity();  // the least chance is at most this
+  for (const ChanceBounds& b : bounds) least_most = std::min(least_most, b.most);
   std::optional<Line> strongest;
-  for (const std::size_t i : all) {
-    if (!may_be_least(i) || (strongest && bounds[i].least >= strongest->chance)) continue;
-    const double chance = line_chance(lines[i], deviations, n, resolution);
+  bool is_first = true;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const LineFrequency& line = tested_lines()[i];
+    if (!is_tested(line, n)) continue;
+    const bool first = std::exchange(is_first, false);
+    if (bounds[i].least > least_most || (strongest && bounds[i].least >= strongest->chance)) continue;
+    const bool is_known = bounds[i].least == bounds[i].most;
+    const double chance = is_known ? bounds[i].most : line_chance(line, deviations, n, resolution);
     // Rounding makes the chance NaN where both coordinates are proportional. Such a line is the strongest if it is the
     // first, and is passed over if it is not.
-    const bool is_stronger = strongest ? chance < strongest->chance : i == all.front() || !std::isnan(chance);
-    if (is_stronger) strongest = Line{lines[i], chance};
+    const bool is_stronger = strongest ? chance < strongest->chance : first || !std::isnan(chance);
+    if (is_stronger) strongest = Line{line, chance};
   }
   return strongest;
 }

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 
+#include "rocking/section/line_bounds.hpp"
 #include "rocking/section/line_neighbourhood.hpp"
 #include "rocking/section/plane.hpp"
 
@@ -28,12 +29,15 @@ struct Line {
 [[nodiscard]] double line_chance(const LineFrequency& line, std::span<const PlanePoint> deviations, int n,
                                  double resolution);
 
+/// A number that no chance of a tested line is below.
+[[nodiscard]] double least_chance(const AllChanceBounds& bounds, int n);
+
+/// The line of least chance, if the bounds show which one it is and that its chance is below the limit.
+[[nodiscard]] std::optional<LineFrequency> certain_line(const AllChanceBounds& bounds, int n, double limit);
+
 /// The line of least chance of all j/q with 2 <= q <= 12 where q does not divide n, the first of equal ones; nothing if
-/// there is none to test.
-///
-/// The chance of every line is bounded first (line_bounds.hpp); line_chance is called only for lines that may have the
-/// least. If only one line may have it, and its upper bound is below `needed_from`, the bound is returned instead.
+/// there is none to test. line_chance is called only for lines that may have the least chance by the bounds.
 [[nodiscard]] std::optional<Line> strongest_line(std::span<const PlanePoint> deviations, int n, double resolution,
-                                                 double needed_from = 0.0);
+                                                 const AllChanceBounds& bounds);
 
 }  // namespace rocking::section

@@ -44,6 +44,8 @@ TEST(ValueOfRank, IsTheValueAtThisIndexAfterSorting) {
     for (const double share : {0.0, 0.5, 0.9, 0.999}) {
       const auto rank = static_cast<std::size_t>(share * static_cast<double>(values.size()));
       ASSERT_EQ(value_of_rank(values, rank, scratch), sorted[rank]) << trial << ", rank " << rank;
+      const double guess = draw.uniform() < 0.5 ? sorted[rank] * (0.5 + draw.uniform()) : draw.normal();
+      ASSERT_EQ(value_of_rank(values, rank, scratch, guess), sorted[rank]) << trial << ", rank " << rank;
     }
     ASSERT_EQ(median_of(values, scratch), median_by_sorting(values)) << trial;
   }

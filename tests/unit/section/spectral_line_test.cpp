@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,6 +23,10 @@ std::vector<PlanePoint> white_noise(std::size_t count, support::SplitMix& draw) 
   return points;
 }
 
+std::optional<Line> strongest_of(const std::vector<PlanePoint>& deviations, int n) {
+  return strongest_line(deviations, n, resolution, chance_bounds(deviations, n, resolution));
+}
+
 TEST(StrongestLine, IsLookedForAtTwentyThreeFractions) {
   int fractions = 0;
   for (int q = 2; q <= longest_period; ++q) {
@@ -38,7 +43,7 @@ TEST(StrongestLine, HasTheChanceItStatesUnderWhiteNoise) {
   int below_3 = 0;
   int below_4 = 0;
   for (int series = 0; series < 20000; ++series) {
-    const auto line = strongest_line(white_noise(60 + 60 * static_cast<std::size_t>(series % 3), draw), 1, resolution);
+    const auto line = strongest_of(white_noise(60 + 60 * static_cast<std::size_t>(series % 3), draw), 1);
     ASSERT_TRUE(line);
     below_3 += line->chance < 1e-3 ? 1 : 0;
     below_4 += line->chance < 1e-4 ? 1 : 0;
@@ -58,7 +63,7 @@ TEST(StrongestLine, FindsALineThatIsThere) {
       points[k].x += 3.0 * std::cos(angle);
       points[k].y += 3.0 * std::sin(angle);
     }
-    const auto line = strongest_line(points, 1, resolution);
+    const auto line = strongest_of(points, 1);
     ASSERT_TRUE(line);
     EXPECT_EQ(line->frequency.denominator, q);
     EXPECT_LT(line->chance, 1e-6) << q;
@@ -68,7 +73,7 @@ TEST(StrongestLine, FindsALineThatIsThere) {
 TEST(StrongestLine, IsNotLookedForWhereTheCloudsAlreadyHaveIt) {
   support::SplitMix draw(13);
   for (int series = 0; series < 100; ++series) {
-    const auto line = strongest_line(white_noise(120, draw), 12, resolution);
+    const auto line = strongest_of(white_noise(120, draw), 12);
     ASSERT_TRUE(line);
     EXPECT_NE(12 % line->frequency.denominator, 0);
   }
@@ -89,7 +94,7 @@ TEST(StrongestLine, IsDistinguishedFromTheBroadMaximumOfNoiseWithLongMemory) {
       p = {c * p.x - s * p.y + draw.normal(), s * p.x + c * p.y + draw.normal()};
       points.push_back(p);
     }
-    alarms += strongest_line(points, 1, resolution)->chance < 1e-4 / line_count ? 1 : 0;
+    alarms += strongest_of(points, 1)->chance < 1e-4 / line_count ? 1 : 0;
   }
   EXPECT_LT(alarms, 30);  // measured rate 0.003
 }
@@ -97,7 +102,7 @@ TEST(StrongestLine, IsDistinguishedFromTheBroadMaximumOfNoiseWithLongMemory) {
 TEST(StrongestLine, IsNotFoundInWhatLiesBelowTheResolution) {
   std::vector<PlanePoint> points;
   for (int k = 0; k < 120; ++k) points.push_back({k % 2 == 0 ? 0.01 * resolution : 0.0, 0.0});
-  EXPECT_GT(strongest_line(points, 1, resolution)->chance, 1e-3);
+  EXPECT_GT(strongest_of(points, 1)->chance, 1e-3);
 }
 
 }  // namespace

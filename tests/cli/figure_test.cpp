@@ -141,6 +141,14 @@ TEST_F(Figures, OfTheReadmeThatMovesIsWhatItsScriptMakes) {
   EXPECT_EQ(read("moving.svg"), rocking::read_file(source + "/reports/headline/rocking_block.svg"));
 }
 
+TEST_F(Figures, OfTheReadmeOfTolerancesIsWhatItsScriptMakes) {
+  if (shell("command -v python3").exit_code != 0) GTEST_SKIP() << "python3 was not found (Debian: python3)";
+  const std::string source = ROCKING_SOURCE_DIR;
+  const Outcome outcome = shell("python3 -B '" + source + "/experiments/headline/draw_cost_tolerance.py' drawn.svg");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(read("drawn.svg"), rocking::read_file(source + "/reports/headline/cost_tolerance.svg"));
+}
+
 TEST_F(Figures, AreWrittenAsDataWithoutGnuplot) {
   ASSERT_EQ(rocking("run quick.json -o out -q").exit_code, 0);
   const Outcome outcome = shell("PATH=/nowhere exec '" ROCKING_PROGRAM "' report out --format gnuplot");

@@ -22,14 +22,13 @@ class Advance {
 
   void begin() { begin_step(lanes_, step_); }
   void expand() { expand_step(lanes_, step_); }
-  /// Finds the uncleared guards. On the friction grid, passes on to the next interval if nothing else happens in any lane.
-  [[gnu::noinline, gnu::flatten]] void look() {
-    guards_ = uncleared_guards(lanes_, step_);
-    if constexpr (Form::on_grid) passage_ = pass_quiet_step(lanes_, step_, guards_);
+  void look() { find_uncleared(lanes_, step_, guards_); }
+  /// Moves the lanes on if nothing happens in any of them.
+  void pass() {
+    if constexpr (!Form::Shaking::has_knots) passage_ = pass_quiet_step(lanes_, step_, guards_);
   }
-
-  /// The lanes have passed on to an interval that they know: they can make a further step at once.
-  [[nodiscard]] bool can_go_on() const { return passage_ == Passage::to_known_interval; }
+  /// The lanes have moved on and can make a further step at once.
+  [[nodiscard]] bool can_go_on() const { return passage_ == Passage::to_next_step; }
   [[nodiscard]] const UnclearedGuards<Form>& uncleared() const { return guards_; }
   void ask(SearchOf<Form>& search) { lanes::ask(lanes_, step_, guards_, search, places_); }
 
@@ -78,7 +77,8 @@ class Advance {
   void mark_passed() const {
     LaneState& state = lanes_.state;
     lanes_.mark(state.no_event, bits_of(guards_.occupied));
-    lanes_.mark(state.at_breakpoint, lanes_at_unknown_interval(lanes_, guards_.occupied));
+    const bool has_unknown = passage_ == Passage::to_unknown_interval;
+    lanes_.mark(state.at_breakpoint, has_unknown ? lanes_at_unknown_interval(lanes_, guards_.occupied) : 0);
     for (std::uint32_t* none : {&state.landed, &state.held, &state.strobed}) lanes_.mark(*none, 0);
   }
 

@@ -8,6 +8,15 @@
 namespace rocking::lanes {
 namespace {
 
+/// Kinetic friction of the present interval of the friction grid.
+template <class Real>
+[[nodiscard]] inline Real friction_of_interval(const LaneAccess<Real>& lanes) {
+  using base::select, base::smaller;
+  const auto& intervals = lanes.state.intervals;
+  const Real wanted = Row<Real>::load_each(&intervals.kinetic_friction[lanes.first], &intervals.present[lanes.first]);
+  return smaller(select(wanted < Real(0.0), Real(0.0), wanted), lanes.load(lanes.state.static_friction));
+}
+
 /// In the lanes that move on, whose brief step ends at a boundary of the friction grid: the next interval begins.
 template <class Moving, class Real>
 inline void pass_interval(const Moving& moving, const Real& period_length) {

@@ -54,8 +54,8 @@ template <class Truth>
 
 /// Evaluates the bound of each guard.
 template <class Form, class Real = typename Form::Real>
-inline UnclearedGuards<Form> uncleared_guards(const LaneAccess<Real>& lanes, const Step<Form>& step) {
-  UnclearedGuards<Form> guards;
+[[gnu::noinline, gnu::flatten]] void find_uncleared(const LaneAccess<Real>& lanes, const Step<Form>& step,
+                                                    UnclearedGuards<Form>& guards) {
   guards.occupied = lanes.load(lanes.state.occupied) == Real(1.0);
   std::size_t i = 0;
   for_each_guard(lanes, step, [&](const auto& row, auto coefficient) {
@@ -66,7 +66,6 @@ inline UnclearedGuards<Form> uncleared_guards(const LaneAccess<Real>& lanes, con
   });
   guards.any = guards.lanes[0];
   for (const auto& uncleared : guards.lanes) guards.any = guards.any || uncleared;
-  return guards;
 }
 
 }  // namespace

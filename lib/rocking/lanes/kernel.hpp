@@ -19,7 +19,7 @@ constexpr int fewest_uncleared() {
 }
 
 /// Advances the lanes of all registers in turns, stage by stage, so that the processor has independent operations to
-/// execute while others wait for operands. On the friction grid, the lanes go on while nothing happens in any of them.
+/// execute while others wait for operands. The lanes go on while nothing happens in any of them.
 template <int registers, class Form>
 void advance(LaneState& state) {
   [&]<std::size_t... i>(std::index_sequence<i...>) {
@@ -28,6 +28,7 @@ void advance(LaneState& state) {
       (all[i].begin(), ...);
       (all[i].expand(), ...);
       (all[i].look(), ...);
+      (all[i].pass(), ...);
     } while ((all[i].can_go_on() && ...));
     SearchOf<Form> search;
     const bool have_others = (all[i].uncleared().has_others() || ...);

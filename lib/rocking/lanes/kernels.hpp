@@ -33,8 +33,8 @@ inline constexpr std::size_t kind_count = 6;
   return is_brief(kind) ? dynamics::brief_order : dynamics::full_order;
 }
 
-/// Computes the coming step of every lane, on the friction grid also further ones; see LaneState for what is known after
-/// the last one. At least one lane must have a run.
+/// Computes the coming step of every lane, and further ones while nothing happens in any lane; see LaneState for what is
+/// known after the last one. At least one lane must have a run.
 using Kernel = void (*)(LaneState&);
 
 /// The kernels of one width, compiled for one instruction set.

@@ -39,9 +39,11 @@ class LaneScheduler {
     if (const auto kind = next_kind(run)) wait(run, *kind);
   }
 
-  /// One step of the group that has most runs.
-  void step() { advance(largest_group()); }
-  /// Number of these runs.
+  /// One step of the group that has most runs, and further ones while nothing happens in its lanes.
+  void step() {
+    if (size_ > 0) advance(largest_group());
+  }
+  /// Number of runs of that group.
   [[nodiscard]] std::uint32_t largest_size() const { return sizes_[largest_group()]; }
 
   [[nodiscard]] bool has_finished() const { return !finished_.empty(); }

@@ -8,7 +8,7 @@
 namespace rocking::lanes {
 namespace {
 
-/// Of a step on the friction grid.
+/// The end of a step.
 template <class Form>
 struct QuietStep {
   typename Form::Real steps_since_strobe;
@@ -16,8 +16,8 @@ struct QuietStep {
   NextStart<Form> next;
 };
 
-/// Whether in the lanes `occupied` the step, whose guards are cleared, ends with its interval and nothing else happens in
-/// it.
+/// Whether in the lanes `occupied` nothing happens in the step, whose guards are cleared, but that an interval of the
+/// friction grid ends with it.
 template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline bool is_quiet(const LaneAccess<Real>& lanes, const Step<Form>& step, const QuietStep<Form>& quiet,
                                    const typename Form::Truth& occupied) {
@@ -25,23 +25,24 @@ template <class Form, class Real = typename Form::Real>
   const Real resolution = lanes.load(state.resolution);
   const Real strobe = step.now.until(lanes.load(state.strobe_period), lanes.load(state.strobe_time));
   const auto strobes = strobe < step.length - resolution;
-  const auto is_quiet = !strobes && step.presses && is_finite<Form>(quiet.end) &&
-                        is_ordinary(step, resolution, quiet.steps_since_strobe) && quiet.next.is_in_period;
+  auto is_quiet = !strobes && step.presses && is_finite<Form>(quiet.end) &&
+                  is_ordinary(step, resolution, quiet.steps_since_strobe) && quiet.next.is_in_period;
+  if constexpr (!Form::on_grid) is_quiet = is_quiet && !quiet.next.at_break;
   return bits_of(occupied && !is_quiet) == 0;
 }
 
-/// Where a step on the friction grid leads.
+/// What follows on a step that may be quiet.
 enum class Passage : std::uint8_t {
   none,  ///< it is not quiet: the lanes have not moved
-  to_known_interval,
-  to_unknown_interval,  ///< in some lanes the next interval must be drawn
+  to_next_step,
+  to_unknown_interval,  ///< in some lanes the next interval of the friction grid must be drawn
 };
 
-/// If the step on the friction grid is quiet in all lanes, moves them on to the next interval. That takes half of the
-/// operations of finding and moving the lanes that can move on.
+/// If the step is quiet in all lanes, moves them on. That takes half of the operations of finding and moving the lanes
+/// that can move on.
 template <class Form, class Real = typename Form::Real>
-[[nodiscard]] inline Passage pass_quiet_step(const LaneAccess<Real>& lanes, const Step<Form>& step,
-                                             const UnclearedGuards<Form>& guards) {
+[[nodiscard, gnu::noinline]] Passage pass_quiet_step(const LaneAccess<Real>& lanes, const Step<Form>& step,
+                                                     const UnclearedGuards<Form>& guards) {
   if (bits_of(guards.any) != 0) return Passage::none;
   LaneState& state = lanes.state;
   const auto every_lane = Real(0.0) == Real(0.0);
@@ -58,13 +59,15 @@ template <class Form, class Real = typename Form::Real>
   lanes.store(state.steps, lanes.load(state.steps) + Real(1.0));
   lanes.store(state.tilt, quiet.end.tilt);
   lanes.store(state.tilt_rate, quiet.end.tilt_rate);
-  lanes.store(state.slip, quiet.end.slip);
-  lanes.store(state.slip_rate, quiet.end.slip_rate);
+  if constexpr (Form::slips) {
+    lanes.store(state.slip, quiet.end.slip);
+    lanes.store(state.slip_rate, quiet.end.slip_rate);
+  }
   lanes.store(state.time, quiet.next.time);
   lanes.store(state.period, quiet.next.period);
+  if constexpr (!Form::on_grid) return Passage::to_next_step;
   pass_interval(AllMoving<Real>{lanes}, step.now.period_length);
-  return lanes_at_unknown_interval(lanes, guards.occupied) == 0 ? Passage::to_known_interval
-                                                                : Passage::to_unknown_interval;
+  return lanes_at_unknown_interval(lanes, guards.occupied) == 0 ? Passage::to_next_step : Passage::to_unknown_interval;
 }
 
 }  // namespace

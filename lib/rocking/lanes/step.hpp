@@ -6,7 +6,7 @@
 #include "rocking/dynamics/forces.hpp"
 #include "rocking/dynamics/motion_series.hpp"
 #include "rocking/integrate/step_length.hpp"
-#include "rocking/lanes/lane_access.hpp"
+#include "rocking/lanes/grid_intervals.hpp"
 #include "rocking/lanes/step_form.hpp"
 
 namespace rocking::lanes {
@@ -50,12 +50,8 @@ template <class Form, class Real = typename Form::Real>
 /// Kinetic friction of the coming step.
 template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline Real kinetic_friction(const LaneAccess<Real>& lanes) {
-  using base::select, base::smaller;
-  const LaneState& state = lanes.state;
-  if constexpr (!Form::on_grid) return lanes.load(state.kinetic_friction);
-  const Real wanted =
-      Row<Real>::load_each(&state.intervals.kinetic_friction[lanes.first], &state.intervals.present[lanes.first]);
-  return smaller(select(wanted < Real(0.0), Real(0.0), wanted), lanes.load(state.static_friction));
+  if constexpr (Form::on_grid) return friction_of_interval(lanes);
+  return lanes.load(lanes.state.kinetic_friction);
 }
 
 /// The series of the motion; returns for how long the order suffices.

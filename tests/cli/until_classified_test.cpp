@@ -36,7 +36,10 @@ class UntilClassified : public rocking::support::ProgramTest {
 };
 
 TEST_F(UntilClassified, ContinuesSomeRealisationsAndNotAll) {
-  run_quietly("run until.json -o whole");
+  Json experiment = Json::parse(read("until.json"));
+  experiment["horizon"]["until_classified"]["at_most_periods"] = 700;  // up to 1000 every one is classified
+  write("shorter.json", experiment.dump());
+  run_quietly("run shorter.json -o whole");
   const Json report = Json::parse(read("whole/report.json"));
   std::uint64_t censored = 0;
   std::uint64_t left = 0;

@@ -1,6 +1,7 @@
 #include "rocking/section/classify.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "rocking/base/error.hpp"
@@ -45,12 +46,9 @@ struct DecisiveSigns {
 
 bool may_be_decided_later(const ExponentEstimate& estimate, DecisiveSigns decisive, double periods,
                           const Thresholds& thresholds) {
-  if (estimate.exponent > 0.0) {
-    const double sure = clear_distance(estimate, thresholds.sure_standard_errors, periods, thresholds);
-    return decisive.positive && estimate.exponent <= sure;
-  }
-  const double clear = clear_distance(estimate, thresholds.clear_standard_errors, periods, thresholds);
-  return decisive.negative && -estimate.exponent <= clear;
+  const bool decides = estimate.exponent > 0.0 ? decisive.positive : decisive.negative;
+  return decides &&
+         std::abs(estimate.exponent) <= clear_distance(estimate, thresholds.sure_standard_errors, periods, thresholds);
 }
 
 /// decide(judged) returns the classification.

@@ -22,8 +22,8 @@ using ExponentSource = std::function<std::optional<ExponentEstimate>()>;
 struct PendingClassification {
   std::optional<Classification> classification;  ///< absent if `with_exponent` must be called
   std::function<Classification(const std::optional<ExponentEstimate>&)> with_exponent;
-  /// Whether the exponent of more periods may lead to a classification where that of this estimate does not. A positive
-  /// exponent must be further from zero than a negative one, because a motion may diverge for a while before it settles.
+  /// Whether the exponent of more periods is wanted: this estimate has a sign that would decide, but is not far enough
+  /// from zero. A motion may diverge or converge for the length of a window and do the opposite later.
   std::function<bool(const ExponentEstimate&)> may_be_decided_later;
 };
 

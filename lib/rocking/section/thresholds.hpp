@@ -13,7 +13,7 @@ struct Thresholds {
   double small_drift = 1e-3;  ///< units of Theta: largest drift that may remain
   // The exponent.
   double clear_standard_errors = 3.0;  ///< distance from zero
-  double sure_standard_errors = 5.0;   ///< the same, of a positive exponent of which no more periods are computed
+  double sure_standard_errors = 5.0;   ///< the same, from which on no more periods are computed
   double clear_growth = 1.0;           ///< distance from zero of ln of the change of a distance over the window
   // Noisy responses.
   double line_chance = 1e-4;          ///< false-alarm probability for all spectral lines of a series together

@@ -12,7 +12,7 @@
 namespace rocking::support {
 
 /// Distance below which two strobe points coincide, for tests that need no other value.
-inline constexpr double resolution = 1e-7;
+inline constexpr double point_accuracy = 1e-7;
 
 /// Fluctuation of a synthetic response about its orbit: x' = memory R(angle) x + noise, per period, with the stationary
 /// standard deviation `scatter` in Theta and `stretch` times that in Theta'.

@@ -11,7 +11,7 @@
 namespace rocking::section {
 namespace {
 
-using support::resolution;
+using support::point_accuracy;
 
 std::vector<PlanePoint> normal_cloud(std::size_t count, support::SplitMix& draw) {
   std::vector<PlanePoint> points;
@@ -25,7 +25,7 @@ std::vector<PlanePoint> normal_cloud(std::size_t count, support::SplitMix& draw)
 TEST(Gather, GivesTheCovarianceOfANormalLaw) {
   support::SplitMix draw(1);
   const auto points = normal_cloud(100000, draw);
-  const Clouds clouds = gather(points, classes_by_phase(points.size(), 1), resolution);
+  const Clouds clouds = gather(points, classes_by_phase(points.size(), 1), point_accuracy);
   // Standard errors: the trimmed sums have 9e4 terms, about 0.6 % of each entry.
   EXPECT_NEAR(clouds.scatter.xx, 1.0, 0.03);
   EXPECT_NEAR(clouds.scatter.yy, 4.25, 0.13);
@@ -35,19 +35,19 @@ TEST(Gather, GivesTheCovarianceOfANormalLaw) {
 TEST(Gather, IsNotMovedByAFewStrays) {
   support::SplitMix draw(2);
   auto points = normal_cloud(1000, draw);
-  const Clouds clean = gather(points, classes_by_phase(points.size(), 2), resolution);
+  const Clouds clean = gather(points, classes_by_phase(points.size(), 2), point_accuracy);
   for (std::size_t k = 0; k < points.size(); k += 50) points[k] = {1e3, -1e3};
-  const Clouds strayed = gather(points, classes_by_phase(points.size(), 2), resolution);
+  const Clouds strayed = gather(points, classes_by_phase(points.size(), 2), point_accuracy);
   EXPECT_NEAR(strayed.scatter.xx / clean.scatter.xx, 1.0, 0.3);
   EXPECT_NEAR(strayed.centres[0].x, clean.centres[0].x, 0.1);
 }
 
 TEST(Gather, DoesNotSeeBelowTheResolution) {
   const std::vector<PlanePoint> points(60, PlanePoint{0.25, -1.0});
-  const Clouds clouds = gather(points, classes_by_phase(points.size(), 3), resolution);
+  const Clouds clouds = gather(points, classes_by_phase(points.size(), 3), point_accuracy);
   // Corrected, like any scatter, for the three centres estimated from sixty points.
-  EXPECT_DOUBLE_EQ(clouds.scatter.xx, resolution * resolution * 60.0 / 57.0);
-  EXPECT_DOUBLE_EQ(clouds.scatter.yy, resolution * resolution * 60.0 / 57.0);
+  EXPECT_DOUBLE_EQ(clouds.scatter.xx, point_accuracy * point_accuracy * 60.0 / 57.0);
+  EXPECT_DOUBLE_EQ(clouds.scatter.yy, point_accuracy * point_accuracy * 60.0 / 57.0);
   EXPECT_EQ(clouds.centres[2].x, 0.25);
 }
 
@@ -89,8 +89,8 @@ TEST(LongestMemory, IsTheCorrelationOfAnAutoregression) {
       p = {memory * p.x + kick * draw.normal(), memory * p.y + kick * draw.normal()};
       points.push_back(p);
     }
-    const Clouds clouds = gather(points, classes_by_phase(points.size(), 1), resolution);
-    EXPECT_NEAR(longest_memory(clouds, resolution), memory, 0.04) << memory;
+    const Clouds clouds = gather(points, classes_by_phase(points.size(), 1), point_accuracy);
+    EXPECT_NEAR(longest_memory(clouds, point_accuracy), memory, 0.04) << memory;
   }
 }
 

@@ -10,7 +10,7 @@
 namespace rocking::section {
 namespace {
 
-using support::resolution;
+using support::point_accuracy;
 
 std::vector<Period> noise_free(int n, int m, std::size_t count, std::uint64_t seed) {
   support::SplitMix draw(seed);
@@ -29,7 +29,7 @@ std::vector<Period> converging(std::vector<Period> periods, double size, double 
 TEST(FindRecurrence, FindsEveryPeriodUpToTwelve) {
   for (int n = 1; n <= longest_period; ++n) {
     for (int m = 1; m <= n; ++m) {
-      const auto classification = find_recurrence(noise_free(n, m, 120, 7), resolution);
+      const auto classification = find_recurrence(noise_free(n, m, 120, 7), point_accuracy);
       ASSERT_TRUE(classification) << n;
       EXPECT_EQ(classification->mode, periodic(m, n)) << to_string(classification->mode);
       EXPECT_EQ(classification->reason, Reason::points_coincide);
@@ -40,38 +40,38 @@ TEST(FindRecurrence, FindsEveryPeriodUpToTwelve) {
 }
 
 TEST(FindRecurrence, SaysNothingOfAPeriodOfThirteen) {
-  EXPECT_FALSE(find_recurrence(noise_free(13, 5, 120, 7), resolution));
+  EXPECT_FALSE(find_recurrence(noise_free(13, 5, 120, 7), point_accuracy));
 }
 
 TEST(FindRecurrence, TellsADoublingOfAThousandResolutions) {
   std::vector<Period> periods = noise_free(1, 1, 120, 7);
-  for (std::size_t k = 0; k < periods.size(); k += 2) periods[k].point.tilt_rate += 1e3 * resolution;
-  EXPECT_EQ(find_recurrence(periods, resolution)->mode, periodic(2, 2));
+  for (std::size_t k = 0; k < periods.size(); k += 2) periods[k].point.tilt_rate += 1e3 * point_accuracy;
+  EXPECT_EQ(find_recurrence(periods, point_accuracy)->mode, periodic(2, 2));
 }
 
 TEST(FindRecurrence, DoesNotMindErrorsOfTheSizeOfTheResolution) {
   support::SplitMix draw(3);
   std::vector<Period> periods = noise_free(3, 1, 120, 7);
-  for (Period& period : periods) period.point.tilt += resolution * draw.uniform(-1.0, 1.0);
-  EXPECT_EQ(find_recurrence(periods, resolution)->mode, periodic(1, 3));
+  for (Period& period : periods) period.point.tilt += point_accuracy * draw.uniform(-1.0, 1.0);
+  EXPECT_EQ(find_recurrence(periods, point_accuracy)->mode, periodic(1, 3));
 }
 
 TEST(FindRecurrence, SeesTheSlipRateOfABlockThatOnlySlides) {
   std::vector<Period> periods(120);
   for (std::size_t k = 0; k < periods.size(); ++k) periods[k] = {{0.0, 0.0, k % 2 == 0 ? 0.1 : 0.2}, 0, true};
-  EXPECT_EQ(find_recurrence(periods, resolution)->mode, periodic(0, 2));
+  EXPECT_EQ(find_recurrence(periods, point_accuracy)->mode, periodic(0, 2));
 }
 
 TEST(FindRecurrence, AcceptsGeometricConvergenceWithLittleLeftToCome) {
   for (const double factor : {0.7, 0.8, 0.9, -0.8, -0.9}) {
-    const auto classification = find_recurrence(converging(noise_free(1, 1, 120, 7), 0.01, factor), resolution);
+    const auto classification = find_recurrence(converging(noise_free(1, 1, 120, 7), 0.01, factor), point_accuracy);
     ASSERT_TRUE(classification) << factor;
     EXPECT_EQ(classification->mode, periodic(1, 1)) << factor;
   }
 }
 
 TEST(FindRecurrence, SaysWhereThereIsTooFarToGo) {
-  const auto classification = find_recurrence(converging(noise_free(3, 1, 120, 7), 0.5, 0.99), resolution);
+  const auto classification = find_recurrence(converging(noise_free(3, 1, 120, 7), 0.5, 0.99), point_accuracy);
   ASSERT_TRUE(classification);
   EXPECT_EQ(classification->mode.kind, ResponseKind::unresolved);
   EXPECT_EQ(classification->reason, Reason::still_converging);
@@ -81,14 +81,14 @@ TEST(FindRecurrence, SaysWhereThereIsTooFarToGo) {
 TEST(FindRecurrence, DoesNotTakeAPowerLawForConvergence) {
   std::vector<Period> periods = noise_free(1, 1, 120, 7);
   for (std::size_t k = 0; k < periods.size(); ++k) periods[k].point.tilt += 3.0 / static_cast<double>(500 + k);
-  const auto classification = find_recurrence(periods, resolution);
+  const auto classification = find_recurrence(periods, point_accuracy);
   EXPECT_TRUE(!classification || classification->mode.kind == ResponseKind::unresolved);
 }
 
 TEST(FindRecurrence, DoesNotNameAnOrbitWhoseImpactsAreIrregular) {
   std::vector<Period> periods = noise_free(1, 1, 120, 7);
   periods[100].impacts = 4;
-  EXPECT_EQ(find_recurrence(periods, resolution)->reason, Reason::impacts_irregular);
+  EXPECT_EQ(find_recurrence(periods, point_accuracy)->reason, Reason::impacts_irregular);
 }
 
 TEST(FindRecurrence, SaysNothingOfALogisticMap) {
@@ -99,7 +99,7 @@ TEST(FindRecurrence, SaysNothingOfALogisticMap) {
     periods.push_back({{x, 0.0, 0.0}, 2, true});
   }
   for (std::size_t first = 0; first + 120 <= periods.size(); first += 7) {
-    EXPECT_FALSE(find_recurrence(std::span(periods).subspan(first, 120), resolution)) << first;
+    EXPECT_FALSE(find_recurrence(std::span(periods).subspan(first, 120), point_accuracy)) << first;
   }
 }
 

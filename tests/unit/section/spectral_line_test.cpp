@@ -15,7 +15,7 @@
 namespace rocking::section {
 namespace {
 
-using support::resolution;
+using support::point_accuracy;
 
 std::vector<PlanePoint> white_noise(std::size_t count, support::SplitMix& draw) {
   std::vector<PlanePoint> points;
@@ -24,7 +24,7 @@ std::vector<PlanePoint> white_noise(std::size_t count, support::SplitMix& draw) 
 }
 
 std::optional<Line> strongest_of(const std::vector<PlanePoint>& deviations, int n) {
-  return strongest_line(deviations, n, resolution, chance_bounds(deviations, n, resolution));
+  return strongest_line(deviations, n, point_accuracy, chance_bounds(deviations, n, point_accuracy));
 }
 
 TEST(StrongestLine, IsLookedForAtTwentyThreeFractions) {
@@ -101,7 +101,7 @@ TEST(StrongestLine, IsDistinguishedFromTheBroadMaximumOfNoiseWithLongMemory) {
 
 TEST(StrongestLine, IsNotFoundInWhatLiesBelowTheResolution) {
   std::vector<PlanePoint> points;
-  for (int k = 0; k < 120; ++k) points.push_back({k % 2 == 0 ? 0.01 * resolution : 0.0, 0.0});
+  for (int k = 0; k < 120; ++k) points.push_back({k % 2 == 0 ? 0.01 * point_accuracy : 0.0, 0.0});
   EXPECT_GT(strongest_of(points, 1)->chance, 1e-3);
 }
 

@@ -20,8 +20,8 @@ constexpr std::uint64_t realisations = 40;
 /// The harmonic base motion of the condition as a ground motion of two hundred samples a period.
 Recorded recording_of(const Condition& condition) {
   const auto block = dynamics::geometry_of(rocking::mean_block(condition.scene));
-  const double ratio = support::harmonic(condition.scene).frequency_ratio;
-  const double peak = support::harmonic(condition.scene).amplitude * block.shape_angle;
+  const double ratio = mean_of(support::harmonic(condition.scene).frequency_ratio);
+  const double peak = mean_of(support::harmonic(condition.scene).amplitude) * block.shape_angle;
   const double frequency = ratio * block.frequency_parameter;
   GroundMotion motion{.samples = {}, .has_vertical = false};
   for (int i = 0; i <= 620 * 200; ++i) {

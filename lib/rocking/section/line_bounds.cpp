@@ -180,13 +180,14 @@ std::optional<LineSums> LineSearch::sums_of(std::size_t i) {
   }
   const auto q = static_cast<std::size_t>(tested_lines()[i].denominator);
   const Group& group = group_for(modulus_for(q, deviations_.size()));
-  return LineSums{.noise = {sum_of(sum.xx), sum_of(sum.xy), sum_of(sum.yy)},
-                  .floor = noise_floor(resolution_, deviations_.size() - deviations_.size() % q, neighbours.count),
-                  .own = known.own,
-                  .neighbours = neighbours.count,
-                  .at_half = q == 2,
-                  .error_x = group.error.x,
-                  .error_y = group.error.y};
+  return LineSums{
+      .noise = {sum_of(sum.xx), sum_of(sum.xy), sum_of(sum.yy)},
+      .floor = squares_of_resolution(resolution_, deviations_.size() - deviations_.size() % q, neighbours.count),
+      .own = known.own,
+      .neighbours = neighbours.count,
+      .at_half = q == 2,
+      .error_x = group.error.x,
+      .error_y = group.error.y};
 }
 
 AllChanceBounds LineSearch::bounds_of_known_sums() {

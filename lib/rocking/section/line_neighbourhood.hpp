@@ -32,7 +32,7 @@ struct Neighbourhood {
 [[nodiscard]] Neighbourhood neighbourhood_of(double frequency, int n, std::size_t points);
 
 /// What the resolution of the points adds to the sums of squares of the Fourier sums of M neighbours.
-[[nodiscard]] inline double noise_floor(double resolution, std::size_t points, std::size_t neighbours) {
+[[nodiscard]] inline double squares_of_resolution(double resolution, std::size_t points, std::size_t neighbours) {
   return resolution * resolution * static_cast<double>(points) * static_cast<double>(neighbours);
 }
 

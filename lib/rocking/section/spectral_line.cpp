@@ -86,7 +86,7 @@ double line_chance(const LineFrequency& line, std::span<const PlanePoint> deviat
   const Amplitudes amplitudes = amplitudes_at(std::span(frequencies).first(neighbourhood.count + 1), points);
   const Amplitude& own = amplitudes[neighbourhood.count];
 
-  const double floor = noise_floor(resolution, length, neighbourhood.count);
+  const double floor = squares_of_resolution(resolution, length, neighbourhood.count);
   Covariance noise;
   for (const Amplitude& amplitude : std::span(amplitudes).first(neighbourhood.count)) amplitude.add_to(noise);
   noise.xx += floor;

@@ -59,7 +59,8 @@ class Coordinator {
     RunOptions options = *options_;
     options.stop_requested = &stopping_;
     const PairFlow flow{.next = [this] { return next(); },
-                        .accept = [this](const Pair& pair, const std::vector<Summary>& all) { accept(pair, all); }};
+                        .accept = [this](const Pair& pair, const std::vector<Summary>& all) { accept(pair, all); },
+                        .left = [this] { return left(); }};
     std::unique_lock lock(mutex_);
     while (!over_) {
       seen_ = accepted_;
@@ -86,6 +87,11 @@ class Coordinator {
     flow_->accept(pair, summaries);
     ++accepted_;
     changed_.notify_all();
+  }
+
+  std::uint64_t left() {
+    const std::lock_guard lock(mutex_);
+    return flow_->left();
   }
 
   // The first failure is reported.

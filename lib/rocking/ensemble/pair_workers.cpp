@@ -36,7 +36,7 @@ class PairWorkers {
   void work_with(GroupScheduler<PairInProgress>& scheduler) {
     while (true) {
       while (scheduler.wants_more()) {
-        const auto pair = next(scheduler.is_idle());
+        const auto pair = next(scheduler.size());
         if (!pair) break;
         const std::uint64_t count = effective_realisations(experiment_->conditions[pair->condition]);
         scheduler.start(std::make_unique<PairInProgress>(*experiment_, *pair, count));
@@ -67,18 +67,23 @@ class PairWorkers {
     changed_.notify_all();
   }
 
-  // A pair in progress may lead to more pairs: an idle thread waits for that.
-  [[nodiscard]] std::optional<Pair> next(bool may_wait) {
+  /// The next pair of a thread that has `open` ones. A pair in progress may lead to more pairs: an idle thread waits for
+  /// that.
+  [[nodiscard]] std::optional<Pair> next(std::size_t open) {
     std::unique_lock lock(mutex_);
     while (true) {
-      if (options_->stop_requested.is_made() || has_failed_) return std::nullopt;
+      if (options_->stop_requested.is_made() || has_failed_ || has_its_share(open)) return std::nullopt;
       if (const auto pair = flow_->next()) {
         ++under_way_;
         return pair;
       }
-      if (under_way_ == 0 || !may_wait) return std::nullopt;
+      if (under_way_ == 0 || open > 0) return std::nullopt;
       changed_.wait(lock);
     }
+  }
+
+  [[nodiscard]] bool has_its_share(std::size_t open) const {
+    return open > 0 && 2 * open * options_->threads >= flow_->left();
   }
 
   const Experiment* experiment_;

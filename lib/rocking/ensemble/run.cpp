@@ -94,7 +94,8 @@ RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options
                             look(experiment, store, work, pair.condition);
                             if (options.on_realisations) options.on_realisations(pair.condition, summaries);
                             if (options.on_progress) options.on_progress(work.done(), work.all());
-                          }};
+                          },
+                      .left = [&] { return work.all() - work.done(); }};
   try {
     if (options.pair_runner) {
       options.pair_runner(experiment, options, flow);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -44,9 +46,44 @@ TEST(PairWorkers, AcceptTheResultsOfABlockThatNeverMovesBeforeTheyTakeMore) {
                  [&](const Pair&, const std::vector<Summary>& summaries) {
                    EXPECT_TRUE(std::ranges::all_of(summaries, [](const Summary& s) { return !s.left_ground; }));
                    ++accepted;
-                 }});
+                 },
+             .left = [&] { return 2000 - 2 * accepted; }});
   EXPECT_EQ(accepted, 1000U);
   EXPECT_LE(most_waiting, 2 * options.threads) << "one of each thread, and one on its way to accept()";
+}
+
+/// The same with an excitation that makes the block rock, so that a thread has several pairs in progress.
+Experiment rocking_block(std::uint64_t realisations) {
+  Experiment experiment = block_at_rest(realisations);
+  std::get<Harmonic>(experiment.conditions[0].scene.excitation).amplitude = 3.0;
+  return experiment;
+}
+
+TEST(PairWorkers, NeverTakeMoreThanTheirShareOfWhatIsLeft) {
+  constexpr std::uint64_t realisations = 40;
+  const Experiment experiment = rocking_block(realisations);
+  RunOptions options;
+  options.threads = 4;
+  std::uint64_t taken = 0;
+  std::uint64_t left = realisations;
+  std::map<std::thread::id, std::uint64_t> open;
+  std::uint64_t most_open = 0;
+  run_pairs(experiment, options,
+            {.next = [&]() -> std::optional<Pair> {
+               if (2 * taken == realisations) return std::nullopt;
+               const std::uint64_t here = ++open[std::this_thread::get_id()];
+               most_open = std::max(most_open, here);
+               EXPECT_LT(2 * (here - 1) * options.threads, left);
+               return Pair{.condition = 0, .first = 2 * taken++};
+             },
+             .accept =
+                 [&](const Pair&, const std::vector<Summary>& summaries) {
+                   --open[std::this_thread::get_id()];
+                   left -= summaries.size();
+                 },
+             .left = [&] { return left; }});
+  EXPECT_EQ(left, 0U);
+  EXPECT_GT(most_open, 1U) << "lanes are to be filled";
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
+#include <optional>
 
 #include "rocking/dynamics/armed_guards.hpp"
 #include "rocking/dynamics/displacement.hpp"
-#include "rocking/dynamics/motion_progress.hpp"
-#include "rocking/dynamics/peaks.hpp"
-#include "rocking/dynamics/step_series.hpp"
+#include "rocking/dynamics/motion_course.hpp"
+#include "rocking/dynamics/prepared_step.hpp"
+#include "rocking/dynamics/resting.hpp"
+#include "rocking/dynamics/steps_elsewhere.hpp"
 
 namespace rocking::dynamics {
 
@@ -20,220 +20,171 @@ namespace rocking::dynamics {
 /// `Steps` turns the last two terms of a series into the length of a step: double(last_but_one, last, order, largest).
 /// A copy continues independently of the original.
 template <CoefficientSource Coefficients, class Steps>
-class BlockMotion : public MotionProgress<Coefficients> {
-  using Base = MotionProgress<Coefficients>;
-  using Base::clock_, Base::coefficients_, Base::excitation_, Base::known_, Base::setting_, Base::state_;
-
+class BlockMotion {
  public:
   BlockMotion(const Setting& setting, const Clock& clock, const Coefficients& coefficients, const State& initial,
               const Schedule& schedule, Observer& observer, const Excitation& excitation = {}, Steps steps = {})
-      : Base(setting, clock, coefficients, excitation, observer, schedule), series_(steps) {
-    this->enter(initial);
-    this->settle();
+      : course_{.context = MotionContext<Coefficients>(setting, clock, coefficients, excitation, observer),
+                .automaton = Automaton(std::abs(initial.tilt) >= setting.block.shape_angle),
+                .progress = MotionProgress(schedule)},
+        step_(steps) {
+    enter(context(), initial);
+    progress().settle(context());
   }
 
-  /// Makes the coming steps in which a block at rest stays so, since the base acceleration between two
-  /// samples of a ground motion is far below its threshold. Returns their number. They have the effects of other steps.
-  std::uint64_t rest_below_threshold() {
-    std::uint64_t steps = 0;
-    while (stays_at_rest()) {
-      const SamplesPassed samples = excitation_.samples_below(threshold_at_rest(), this->base_amplitude(),
-                                                              this->next_interruption(), this->steps_left(), clock_);
-      if (samples.count > 0) {
-        this->rest_over(samples);
-      } else {
-        this->rest_until_breakpoint();
-      }
-      steps += std::max<std::size_t>(1, samples.count);
-    }
-    return steps;
+  // The block and its base now.
+
+  [[nodiscard]] const Setting& setting() const { return context().setting; }
+  [[nodiscard]] const State& state() const { return context().state; }
+  [[nodiscard]] const Clock& clock() const { return context().clock; }
+  [[nodiscard]] const Coefficients& coefficients() const { return context().coefficients; }
+  [[nodiscard]] const Excitation& excitation() const { return context().excitation; }
+  [[nodiscard]] bool slips() const { return context().slips(); }
+  [[nodiscard]] std::optional<double> cell_end() const { return context().cell_end(); }
+  [[nodiscard]] BaseMotion base_motion() { return context().base_motion(); }
+  [[nodiscard]] bool is_off_ground() const { return automaton().is_off_ground(); }  ///< N <= 0
+  /// mu_k in force over the coming step while the block slips; else 0.
+  [[nodiscard]] double kinetic_friction() const { return progress().kinetic_friction(); }
+
+  // What has happened.
+
+  [[nodiscard]] std::optional<Termination> termination() const { return context().termination(); }
+  [[nodiscard]] bool ended() const { return context().ended(); }
+  [[nodiscard]] std::uint64_t contradictions() const { return context().contradictions; }
+  [[nodiscard]] const Peaks& peaks() const { return context().peaks; }
+  [[nodiscard]] bool was_past_balance() const { return automaton().was_past_balance(); }
+  [[nodiscard]] std::uint64_t losses_of_contact() const { return automaton().contact().losses(); }
+  /// Of these, the losses before the final fall. That fall begins when abs(Theta) exceeds 1 for the last time in a
+  /// motion that overturns; a loss of contact in it cannot change what follows any more.
+  [[nodiscard]] std::uint64_t losses_before_fall() const {
+    const bool has_fallen = termination() == Termination::overturned;
+    return losses_of_contact() - (has_fallen ? automaton().contact().since_balance() : 0);
   }
+  [[nodiscard]] double first_loss_of_contact() const {
+    return automaton().contact().first();
+  }  ///< tau, if there is one
+  [[nodiscard]] std::uint64_t slip_steps() const { return progress().slip_steps(); }
+  [[nodiscard]] std::uint64_t segments_looked_up() const { return progress().segments(); }  ///< of a ground motion
+  /// X at the end of the motion: at the last strobe instant, or where it ended before.
+  [[nodiscard]] double final_slip() const {
+    return termination() == Termination::reached_horizon ? progress().slip_at_horizon() : state().slip;
+  }
+
+  // The parts of integrate::HybridSystem, in the order of a step.
+
+  /// Makes the coming steps in which a block at rest stays so; returns their number. See resting.hpp.
+  std::uint64_t rest_below_threshold() { return dynamics::rest_below_threshold(course_); }
+
+  [[nodiscard]] double time_resolution() const { return clock().resolution(); }
+  [[nodiscard]] double time_to_strobe() const { return progress().time_to_strobe(clock()); }
+  [[nodiscard]] double time_to_breakpoint() const { return progress().time_to_breakpoint(clock()); }
 
   /// The series of the coming step; returns its length.
   [[nodiscard]] double expand(double reach) {
-    this->count_step();
-    const double length = length_of_series(reach);
-    out_of_reach_ = guards_out_of_reach(length);
-    if (this->continuity_.after_reset) check_validity();
-    if (!(length > least_step * clock_.resolution()) && reach > length) end_without_step();
+    progress().count_step(context());
+    const double length = step_.prepare(course_, reach);
+    if (!(length > least_step * time_resolution()) && reach > length) end_without_step(course_);
     return length;
-  }
-
-  /// The series of the step that `expand` has prepared last.
-  [[nodiscard]] const StepSeries<Steps>& series() const { return series_; }
-  /// The state at time x of the step that `expand` has prepared.
-  [[nodiscard]] State state_at(double x) const { return series_.state_at(x, state_); }
-  /// The base motion at time x of the step that `expand` has prepared.
-  [[nodiscard]] BaseMotion base_at(double x) const { return series_.base_at(x, state_); }
-
-  /// Whether the coming step must end so soon that a lower order may do.
-  [[nodiscard]] bool is_brief() const { return is_brief(this->time_to_breakpoint()); }
-
-  /// Which guards are armed over the coming step.
-  [[nodiscard]] ArmedGuards armed_guards() const {
-    return {.state = state_,
-            .setting = setting_,
-            .known = known_,
-            .order = series_.order(),
-            .side = frame_side(state_),
-            .mu_s = coefficients_.static_friction(),
-            .is_past_balance = this->was_past_balance(),
-            .off_ground = this->is_off_ground(),
-            .has_friction = coefficients_.has_friction(),
-            .vertical = excitation_.has_vertical(),
-            .determinant_can_vanish = this->determinant_may_vanish(this->kinetic_friction()),
-            .cell_end = this->cell_end(),
-            .out_of_reach = out_of_reach_};
   }
 
   /// Calls visit(number, coefficients) for each guard that is armed and in the set.
   template <class Guards, class Visitor>
   void for_each_guard(const Guards& wanted, Visitor&& visit) const {
     visit_guards(
-        armed_guards(), series_.rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
+        armed_guards(), series().rows(), [&wanted](std::size_t guard) { return wanted[guard]; }, visit);
   }
 
   /// Passes a strobe instant at time x of the step.
   void strobe(double x) {
     const State sample = state_at(x);
-    if (!is_finite(sample)) return end_without_step();
-    this->pass_strobe(sample);
-    if (this->ended()) note_peaks(x, sample);
+    if (!is_finite(sample)) return end_without_step(course_);
+    progress().pass_strobe(context(), sample);
+    if (ended()) step_.note_peaks(context(), x, sample);
   }
 
   /// Ends the step at its time x.
   void move(double x) {
-    if (!(x > 0.0)) return this->stand_still();
+    if (!(x > 0.0)) return progress().stand_still(context());
     const State next = state_at(x);
-    if (!is_finite(next)) return end_without_step();
-    note_peaks(x, next);
-    this->end_step(x, next);
+    if (!is_finite(next)) return end_without_step(course_);
+    step_.note_peaks(context(), x, next);
+    end_step(course_, x, next);
+  }
+
+  /// What follows at the end of a step. `fired` is indexed by Guard.
+  template <class Fired>
+  void reset(const Fired& fired, bool at_breakpoint) {
+    dynamics::reset(course_, fired, at_breakpoint);
+  }
+
+  // The step that `expand` has prepared last.
+
+  [[nodiscard]] const StepSeries<Steps>& series() const { return step_.series(); }
+  [[nodiscard]] State state_at(double x) const { return series().state_at(x, state()); }
+  [[nodiscard]] BaseMotion base_at(double x) const { return series().base_at(x, state()); }
+
+  /// Whether the coming step must end so soon that a lower order may do.
+  [[nodiscard]] bool is_brief() const { return dynamics::is_brief(clock(), time_to_breakpoint()); }
+  /// Which guards are armed over the coming step.
+  [[nodiscard]] ArmedGuards armed_guards() const { return step_.armed_guards(course_); }
+
+  // Changes from outside.
+
+  /// From now on, reports events and strobe points to `observer`.
+  void observe_with(Observer& observer) { context().observe_with(observer); }
+  /// From now on, looks for no peaks.
+  void ignore_peaks() { context().peaks = Peaks::unwanted(); }
+  /// From now on the coefficients are these. The values in force stay the same until the next event or breakpoint.
+  void continue_with(const Coefficients& coefficients) { context().coefficients = coefficients; }
+
+  /// After the last strobe point: continues for `more` of them, as if the run had been that long from the start.
+  void extend(std::int64_t more) {
+    progress().strobes.extend(more);
+    context().go_on();
   }
 
   /// After the last strobe point: moves to its instant.
   void move_to_last_strobe() {
-    const double past = clock_.until(this->strobes().last());
-    if (past <= clock_.resolution()) return;
+    const double past = clock().until(progress().strobes.last());
+    if (past <= time_resolution()) return;
     // The series of the step in which the run ended; a lane may have computed that step.
-    static_cast<void>(length_of_series(this->time_to_breakpoint()));
+    static_cast<void>(step_.expand(course_, time_to_breakpoint()));
     move(past);
-    this->settle();
+    progress().settle(context());
   }
 
   /// After move_to_last_strobe: continues for `more` strobe points under other circumstances. The state stays as it is,
   /// including the contact state where that can stay; `clock` says at which instant of which period the base motion
   /// continues.
   void go_on_under(const Setting& setting, const Clock& clock, const Coefficients& coefficients, std::int64_t more) {
-    this->replace(setting, clock, coefficients);
-    known_ = {};
-    this->find_cell();
-    this->extend(more);
-    this->check_contact();
-    this->settle();
+    dynamics::go_on_under(course_, setting, clock, coefficients, more);
   }
 
   /// Displaces the state, within its contact state, by `wanted`; returns the displacement made.
   Displacement displace(const Displacement& wanted) {
-    const Displacement done = dynamics::displace(state_, wanted, setting_.block.shape_angle);
-    this->settle();
+    const Displacement done = dynamics::displace(context().state, wanted, setting().block.shape_angle);
+    progress().settle(context());
     return done;
   }
 
+  /// For steps that the lanes compute (steps_elsewhere.hpp).
+  [[nodiscard]] MotionCourse<Coefficients>& course() { return course_; }
+  [[nodiscard]] const MotionCourse<Coefficients>& course() const { return course_; }
+
  private:
-  /// Whether one step leads to the next breakpoint and a block at rest certainly stays so until then.
-  [[nodiscard]] bool stays_at_rest() {
-    if (state_.contact != ContactState::rest || this->ended() || !this->breakpoint()) return false;
-    const double reach = this->time_to_breakpoint();
-    if (!(reach > clock_.resolution()) || reach > clock_.period_length()) return false;
-    return excitation_.largest_before_change(clock_, this->base_amplitude()) < threshold_at_rest();
-  }
-
-  /// A base acceleration, over g, below which a block at rest certainly stays so. The margin is far above the rounding of
-  /// the base acceleration between two samples.
-  [[nodiscard]] double threshold_at_rest() const {
-    constexpr double margin = 1e-6;
-    return (1.0 - margin) * std::min(coefficients_.static_friction(), setting_.block.tangent);
-  }
-
-  /// The motion goes to the state `next` at time x of the step.
-  void note_peaks(double x, const State& next) {
-    if (!is_rocking(state_.contact)) return;
-    const StepFinish<double> end{
-        .length = x, .tilt = state_.side * next.tilt, .tilt_rate = state_.side * next.tilt_rate};
-    const TiltPeaks<double> before{.tilt = this->peaks().tilt, .tilt_rate = this->peaks().tilt_rate};
-    if (!may_raise<double>(series_.rows(), end, before)) return;
-    this->set_peaks(peaks_after<double>(series_.rows(), static_cast<std::size_t>(series_.order()), end, before));
-  }
-
   [[nodiscard]] static bool is_finite(const State& state) {
     return std::isfinite(state.tilt) && std::isfinite(state.tilt_rate) && std::isfinite(state.slip) &&
            std::isfinite(state.slip_rate);
   }
 
-  [[nodiscard]] bool is_brief(double reach) const { return reach <= brief_step * clock_.period_length(); }
+  [[nodiscard]] MotionContext<Coefficients>& context() { return course_.context; }
+  [[nodiscard]] const MotionContext<Coefficients>& context() const { return course_.context; }
+  [[nodiscard]] const Automaton& automaton() const { return course_.automaton; }
+  [[nodiscard]] MotionProgress& progress() { return course_.progress; }
+  [[nodiscard]] const MotionProgress& progress() const { return course_.progress; }
 
-  /// Fills the series as far as the coming step needs it; returns the step's length.
-  [[nodiscard]] double length_of_series(double reach) {
-    const double near = std::min(reach, time_beyond_cell());
-    if (is_brief(near) && expand_to<brief_order>() >= near) return near;
-    return std::min({expand_to<full_order>(), reach, clock_.period_length()});
-  }
-
-  /// A time in which the block has probably left its cell of friction; infinite without cells.
-  [[nodiscard]] double time_beyond_cell() const {
-    const auto end = this->cell_end();
-    if (!end || state_.slip_rate == 0.0) return std::numeric_limits<double>::infinity();
-    constexpr double margin = 1.1;
-    return margin * std::abs((*end - state_.slip) / state_.slip_rate) + clock_.resolution();
-  }
-
-  template <int order>
-  double expand_to() {
-    this->count_segments(1);
-    return series_.template expand<order>({.setting = setting_,
-                                           .state = state_,
-                                           .clock = clock_,
-                                           .amplitude = this->base_amplitude(),
-                                           .kinetic_friction = this->kinetic_friction(),
-                                           .lift_starts_flat = known_.lift_is_flat,
-                                           .slip_starts_flat = known_.slip_is_flat},
-                                          excitation_);
-  }
-
-  [[nodiscard]] OutOfReach<bool> guards_out_of_reach(double length) {
-    const bool may_hop = this->is_off_ground() || known_.normal_is_zero;
-    const bool is_excluded = state_.contact != ContactState::rock || this->was_past_balance() || may_hop;
-    if (is_excluded || excitation_.has_vertical()) return {};
-    return out_of_reach<double>({.tilt = state_.side * state_.tilt,
-                                 .tilt_rate = state_.side * state_.tilt_rate,
-                                 .base_amplitude = excitation_.most_horizontal(this->base_amplitude()),
-                                 .length = length},
-                                equation_constants(setting_));
-  }
-
-  /// A reset makes the forces jump: whether the block still presses on the base, and the equations still have a
-  /// solution.
-  void check_validity() {
-    const MotionSeries<double>& rows = series_.rows();
-    if (state_.contact == ContactState::rock_slide && this->determinant_may_vanish(this->kinetic_friction())) {
-      const double determinant = setting_.inertia + rows.sine[0] * rows.arm[0];
-      if (determinant <= 0.0) this->end(Termination::painleve);
-    }
-    if (known_.normal_is_zero) return;
-    // In full contact N = (4/3)(1 + alpha_v).
-    const bool has_no_weight = excitation_.has_vertical() && rows.weight[0] <= 0.0;
-    this->set_off_ground(is_rocking(state_.contact) ? rows.normal[0] <= 0.0 : has_no_weight);
-  }
-
-  /// The series does not continue the motion: it diverges near D = 0, or a number in it is not finite.
-  void end_without_step() {
-    const bool near_painleve =
-        state_.contact == ContactState::rock_slide && this->determinant_may_vanish(this->kinetic_friction());
-    this->end(near_painleve ? Termination::painleve : Termination::stopped);
-  }
-
-  StepSeries<Steps> series_;
-  OutOfReach<bool> out_of_reach_{};  ///< over the coming step
+  MotionCourse<Coefficients> course_;
+  PreparedStep<Steps> step_;
 };
 
 }  // namespace rocking::dynamics

@@ -8,7 +8,7 @@ struct KnownAtStart {
   bool slip_is_flat = false;            ///< V' = 0 exactly
   bool normal_is_zero = false;          ///< N = 0 exactly
   double limit_sign = 0.0;              ///< sign of S F, if abs(F) = mu_s N exactly; else 0
-  bool sticks_beyond_friction = false;  ///< until the next event; see ContactChanges::start_slipping
+  bool sticks_beyond_friction = false;  ///< until the next event; see start_slipping
 
   /// Once time has gone on.
   [[nodiscard]] KnownAtStart after_a_step() const {

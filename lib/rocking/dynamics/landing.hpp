@@ -1,116 +1,97 @@
 #pragma once
 
-#include <cmath>
-
 #include "rocking/dynamics/contact_changes.hpp"
 #include "rocking/dynamics/impact.hpp"
-
-namespace rocking::dynamics {
+#include "rocking/dynamics/slip_end.hpp"
+#include "rocking/dynamics/small_hop.hpp"
 
 /// What happens when theta becomes 0: the impact, the end of a chatter, the contact state afterwards.
+namespace rocking::dynamics {
+
 template <CoefficientSource Coefficients>
-class Landing : public ContactChanges<Coefficients> {
- protected:
-  using Changes = ContactChanges<Coefficients>;
-  using Changes::coefficients_, Changes::setting_, Changes::state_, Changes::record, Changes::sign;
+[[nodiscard]] inline ImpactOutcome impact_with_friction(MotionContext<Coefficients>& context, double restitution) {
+  const Setting& setting = context.setting;
+  const ImpactConditions before{.tilt_rate = context.state.tilt_rate,
+                                .slip_rate = context.state.slip_rate,
+                                .restitution = restitution,
+                                .static_friction = context.coefficients.static_friction()};
+  const auto sticks = sticking_impact(before, setting.block, setting.impact_slip_rule);
+  return sticks ? *sticks : slipping_impact(before, context.kinetic_friction(), setting.block);
+}
 
- public:
-  using Changes::Changes;
-
- protected:
-  /// theta has become 0. `slip_ended`: V has become 0 at the same instant.
-  void land(bool slip_ended) {
-    state_.tilt = 0.0;
-    this->note_slip();
-    if (slip_ended) state_.slip_rate = 0.0;
-    bool is_stop = slip_ended;
-    const double side_before = state_.side;
-    if (state_.side * state_.tilt_rate < 0.0) {
-      const double slip_before = state_.slip_rate;
-      if (!impact()) return;
-      is_stop = is_stop || (slip_before != 0.0 && state_.slip_rate == 0.0);
-    } else {
-      state_.tilt_rate = 0.0;  // a touch: no impulse
+/// The impulse. False if the model has no answer.
+template <CoefficientSource Coefficients>
+[[nodiscard]] inline bool apply_impulse(MotionContext<Coefficients>& context) {
+  State& state = context.state;
+  const double restitution = context.coefficients.restitution();
+  ImpactKind kind = ImpactKind::stick;
+  if (context.coefficients.has_friction()) {
+    const ImpactOutcome after = impact_with_friction(context, restitution);
+    if (after.kind == ImpactKind::painleve) {
+      context.end(Termination::painleve);
+      return false;
     }
-    if (is_stop) coefficients_.stop();
-    if (hop_is_too_small(state_.side == side_before)) return end_chatter();
-    if (state_.tilt_rate == 0.0 && state_.slip_rate == 0.0) {
-      return this->leave_full_contact(sign(this->base_acceleration()), false);
-    }
-    state_.contact = state_.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
-    this->check_contact();
+    kind = after.kind;
+    state.tilt_rate = after.tilt_rate;
+    state.slip_rate = after.slip_rate;
+  } else {
+    state.tilt_rate =
+        sticking_tilt_rate({.tilt_rate = state.tilt_rate, .slip_rate = 0.0}, restitution, context.setting.block);
   }
+  if (state.tilt_rate != 0.0) state.side = sign(state.tilt_rate);
+  if (state.slip_rate != 0.0) state.slip_direction = sign(state.slip_rate);
+  context.record(kind == ImpactKind::stick ? EventKind::impact_stick : EventKind::impact_slip);
+  return true;
+}
 
-  /// A sticking impact after which the block rocks about its other edge at `tilt_rate`: what `land` does where the
-  /// caller has shown that the impact sticks, that no chatter ends and that friction holds afterwards.
-  void change_edges(double tilt_rate) {
-    state_.tilt = 0.0;
-    state_.tilt_rate = tilt_rate;
-    state_.side = sign(tilt_rate);
-    record(EventKind::impact_stick);
+template <CoefficientSource Coefficients>
+inline void end_chatter(MotionContext<Coefficients>& context) {
+  State& state = context.state;
+  context.coefficients.chatter_ended();
+  state.tilt_rate = 0.0;
+  if (state.slip_rate != 0.0) {
+    state.contact = ContactState::slide;
+    context.record(EventKind::to_slide);
+    return check_tipping(context);
   }
+  state.contact = ContactState::rest;
+  context.record(EventKind::to_rest);
+  check_full_contact(context);
+}
 
- private:
-  /// The impulse. False if the model has no answer.
-  [[nodiscard]] bool impact() {
-    const double restitution = coefficients_.restitution();
-    ImpactKind kind = ImpactKind::stick;
-    if (coefficients_.has_friction()) {
-      const ImpactOutcome after = impact_with_friction({.tilt_rate = state_.tilt_rate,
-                                                        .slip_rate = state_.slip_rate,
-                                                        .restitution = restitution,
-                                                        .static_friction = coefficients_.static_friction()});
-      if (after.kind == ImpactKind::painleve) {
-        this->end(Termination::painleve);
-        return false;
-      }
-      kind = after.kind;
-      state_.tilt_rate = after.tilt_rate;
-      state_.slip_rate = after.slip_rate;
-    } else {
-      state_.tilt_rate =
-          sticking_tilt_rate({.tilt_rate = state_.tilt_rate, .slip_rate = 0.0}, restitution, setting_.block);
-    }
-    if (state_.tilt_rate != 0.0) state_.side = sign(state_.tilt_rate);
-    if (state_.slip_rate != 0.0) state_.slip_direction = sign(state_.slip_rate);
-    record(kind == ImpactKind::stick ? EventKind::impact_stick : EventKind::impact_slip);
-    return true;
+/// theta has become 0. `slip_ended`: V has become 0 at the same instant.
+template <CoefficientSource Coefficients>
+inline void land(MotionContext<Coefficients>& context, bool slip_ended) {
+  State& state = context.state;
+  state.tilt = 0.0;
+  note_slip(context);
+  if (slip_ended) state.slip_rate = 0.0;
+  bool is_stop = slip_ended;
+  const double side_before = state.side;
+  if (state.side * state.tilt_rate < 0.0) {
+    const double slip_before = state.slip_rate;
+    if (!apply_impulse(context)) return;
+    is_stop = is_stop || (slip_before != 0.0 && state.slip_rate == 0.0);
+  } else {
+    state.tilt_rate = 0.0;  // a touch: no impulse
   }
+  if (is_stop) context.coefficients.stop();
+  if (hop_is_too_small(context, state.side == side_before)) return end_chatter(context);
+  if (state.tilt_rate == 0.0 && state.slip_rate == 0.0) {
+    return leave_full_contact(context, sign(context.base_acceleration()), false);
+  }
+  state.contact = state.slip_rate == 0.0 ? ContactState::rock : ContactState::rock_slide;
+  check_contact(context);
+}
 
-  [[nodiscard]] ImpactOutcome impact_with_friction(const ImpactConditions& before) {
-    const auto sticks = sticking_impact(before, setting_.block, setting_.impact_slip_rule);
-    return sticks ? *sticks : slipping_impact(before, this->kinetic_friction_now(), setting_.block);
-  }
-
-  /// After an impact: whether the coming hop's duration 2 abs(w)/a and its height w^2/(2a) over psi are both below the
-  /// tolerance (or the resolution of time), where a is the acceleration that brings the block back. The hops that would
-  /// follow last abs(delta)/(1 - abs(delta)) times as long in all, and their energy is w^2/2 over p^2.
-  ///
-  /// Full contact must be able to hold afterwards, unless every impact sends the block back over the same edge: then it
-  /// comes to rest before it lifts over the other one.
-  [[nodiscard]] bool hop_is_too_small(bool over_same_edge) {
-    const double rate = std::abs(state_.tilt_rate);
-    const bool slips = state_.slip_rate != 0.0;
-    if (!slips && rate > this->fastest_small_hop()) return false;
-    if (slips && !over_same_edge && this->kinetic_friction_tips()) return false;
-    if (!slips && !over_same_edge && !edges_hold(this->base_motion(), setting_.block)) return false;
-    const double pull = -state_.side * (slips ? this->slipping_acceleration() : this->rocking_acceleration());
-    const double limit = this->hop_limit();
-    return pull >= 0.0 && 2.0 * rate <= limit * pull && rate * rate <= 2.0 * limit * pull * setting_.block.shape_angle;
-  }
-
-  void end_chatter() {
-    coefficients_.chatter_ended();
-    state_.tilt_rate = 0.0;
-    if (state_.slip_rate != 0.0) {
-      state_.contact = ContactState::slide;
-      record(EventKind::to_slide);
-      return this->check_tipping();
-    }
-    state_.contact = ContactState::rest;
-    record(EventKind::to_rest);
-    this->check_full_contact();
-  }
-};
+/// A sticking impact after which the block rocks about its other edge at `tilt_rate`: what `land` does where the caller
+/// has shown that the impact sticks, that no chatter ends and that friction holds afterwards.
+template <CoefficientSource Coefficients>
+inline void change_edges(MotionContext<Coefficients>& context, double tilt_rate) {
+  context.state.tilt = 0.0;
+  context.state.tilt_rate = tilt_rate;
+  context.state.side = sign(tilt_rate);
+  context.record(EventKind::impact_stick);
+}
 
 }  // namespace rocking::dynamics

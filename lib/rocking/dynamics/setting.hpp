@@ -10,7 +10,7 @@ struct Setting {
   Geometry block;
   double inertia;  ///< J
   ImpactSlipRule impact_slip_rule;
-  double tolerance;  ///< of a step, in Theta and Theta'; of a hop, see Landing::hop_is_too_small
+  double tolerance;  ///< of a step, in Theta and Theta'; of a hop, see hop_is_too_small
 };
 
 /// Constants of the equations between events. `Real` is a number of one motion, a pack of lanes, or a row of a table

@@ -92,7 +92,7 @@ struct Cases {
 /// Realisations that left the range of the model or whose classification is uncertain.
 struct Validity {
   Cases left_ground;  ///< reached N <= 0
-  /// Of these, the ones that reached it before their final fall (Automaton::losses_before_fall).
+  /// Of these, the ones that reached it before their final fall (dynamics::BlockMotion::losses_before_fall).
   Cases left_ground_before_fall;
   Cases painleve;           ///< ended because D <= 0 or 1 + 3q <= 0
   Cases stopped;            ///< ended because the budget of events or steps was exhausted

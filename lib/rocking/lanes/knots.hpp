@@ -10,7 +10,7 @@ namespace rocking::lanes {
 namespace {
 
 /// Lanes whose step begins at a breakpoint that was passed here and where sticking may fail: their motions must check
-/// it. The expressions are those of dynamics::ContactRules::friction_holds.
+/// it. The expressions are those of dynamics::friction_holds.
 template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline auto may_slip_at_breakpoint(const LaneAccess<Real>& lanes, const Step<Form>& step) {
   using base::magnitude;

@@ -7,7 +7,8 @@
 
 #include "rocking/dynamics/coefficients.hpp"
 #include "rocking/dynamics/impact.hpp"
-#include "rocking/dynamics/motion_progress.hpp"
+#include "rocking/dynamics/small_hop.hpp"
+#include "rocking/dynamics/steps_elsewhere.hpp"
 #include "rocking/lanes/lane_values.hpp"
 
 namespace rocking::lanes {
@@ -36,6 +37,7 @@ class MotionAdapter {
   [[nodiscard]] ComingStep coming_step() {
     const dynamics::State& state = motion_.state();
     const dynamics::Setting& setting = motion_.setting();
+    auto& [context, automaton, progress] = motion_.course();
     const double side = state.side;
     const double restitution = constant_restitution();
     return {.setting = &setting,
@@ -44,17 +46,17 @@ class MotionAdapter {
                       .tilt_rate = side * state.tilt_rate,
                       .slip = side * state.slip,
                       .slip_rate = side * state.slip_rate},
-            .amplitude = side * motion_.base_amplitude(),
+            .amplitude = side * context.base_amplitude(),
             .static_friction = motion_.coefficients().static_friction(),
             .kinetic_friction = motion_.kinetic_friction(),
             .restitution = restitution,
             .impact_loss = dynamics::impact_loss(restitution, setting.block),
-            .least_rebound = motion_.fastest_small_hop(),
+            .least_rebound = dynamics::fastest_small_hop(context),
             .slip_sign = side * state.slip_direction,
-            .next_strobe = motion_.strobes().next(),
-            .strobes_left = motion_.strobes().left(),
-            .steps_since_strobe = motion_.strobes().steps_since_last(),
-            .breakpoint = motion_.breakpoint().value_or(never),
+            .next_strobe = progress.strobes.next(),
+            .strobes_left = progress.strobes.left(),
+            .steps_since_strobe = progress.strobes.steps_since_last(),
+            .breakpoint = progress.breakpoint().value_or(never),
             .coefficients_change = coefficients_change(),
             .excitation = &motion_.excitation(),
             .peaks = {.tilt = motion_.peaks().tilt, .tilt_rate = motion_.peaks().tilt_rate}};
@@ -66,7 +68,8 @@ class MotionAdapter {
   [[nodiscard]] dynamics::KnownIntervals known_intervals() const {
     if constexpr (knows_coming_coefficients) {
       if (motion_.excitation().has_knots() || motion_.excitation().next_change(motion_.clock())) return {};
-      if (motion_.determinant_may_vanish(motion_.coefficients().static_friction())) return {};  // mu_k <= mu_s
+      const double mu_s = motion_.coefficients().static_friction();  // mu_k <= mu_s
+      if (dynamics::determinant_may_vanish(motion_.setting(), mu_s)) return {};
       const dynamics::KnownIntervals known = motion_.coefficients().known_intervals();
       if (static_cast<double>(known.per_period) * dynamics::brief_step > 1.0) return known;
     }
@@ -74,41 +77,46 @@ class MotionAdapter {
   }
 
   /// A strobe instant has been passed in a lane.
-  void pass_strobe(const SideState& sample) { motion_.pass_strobe(from_frame(sample)); }
+  void pass_strobe(const SideState& sample) {
+    auto& course = motion_.course();
+    course.progress.pass_strobe(course.context, from_frame(sample));
+  }
 
   /// An impact at the end of a lane's steps, which sticks and ends no chatter. `progress` is in the frame of the new
   /// side.
   void pass_impact(const LaneProgress& progress) {
     const double rate_after = -motion_.state().side * progress.state.tilt_rate;
-    motion_.take_over({.state = motion_.state(),
-                       .now = progress.now,
-                       .count = progress.steps,
-                       .since_strobe = progress.steps_since_strobe});
-    motion_.rebound(rate_after);
+    take_over(motion_.course(), {.state = motion_.state(),
+                                 .now = progress.now,
+                                 .count = progress.steps,
+                                 .since_strobe = progress.steps_since_strobe});
+    rebound(motion_.course(), rate_after);
   }
 
   /// The motion continues where its lane has come to.
   void catch_up(const LaneProgress& progress) {
-    motion_.set_peaks(progress.peaks);
-    motion_.take_over({.state = from_frame(progress.state),
-                       .now = progress.now,
-                       .count = progress.steps,
-                       .since_strobe = progress.steps_since_strobe});
+    dynamics::MotionContext<Coefficients>& context = motion_.course().context;
+    context.set_peaks(progress.peaks);
+    take_over(motion_.course(), {.state = from_frame(progress.state),
+                                 .now = progress.now,
+                                 .count = progress.steps,
+                                 .since_strobe = progress.steps_since_strobe});
     if constexpr (knows_coming_coefficients) {
-      if (progress.intervals > 0) motion_.pass_intervals(progress.intervals);
+      if (progress.intervals > 0) context.coefficients.pass_intervals(context.clock, progress.intervals);
     }
     if (progress.breakpoints == 0) return;
-    motion_.pass_breakpoints(progress.at_breakpoint ? dynamics::Contact::to_be_checked : dynamics::Contact::stays);
+    pass_breakpoints(motion_.course(),
+                     progress.at_breakpoint ? dynamics::Contact::to_be_checked : dynamics::Contact::stays);
   }
 
   /// A step of a lane in which an event may occur. `fired` is indexed by dynamics::Guard.
   template <class Fired>
   void finish_step(const StepEnd& end, const Fired& fired) {
-    motion_.begin_step();
+    begin_step(motion_.course());
     const bool at_breakpoint = end.duration >= motion_.time_to_breakpoint() - motion_.time_resolution();
     if (end.strobe) pass_strobe(*end.strobe);
     if (end.duration > 0.0) restart(end.state);
-    motion_.end_step(end.duration, from_frame(end.state));
+    end_step(motion_.course(), end.duration, from_frame(end.state));
     motion_.reset(fired, at_breakpoint);
   }
 
@@ -119,13 +127,13 @@ class MotionAdapter {
 
   /// A step of a lane in which the last strobe instant comes before any event. The motion ends where the step began.
   void finish_at_strobe(const SideState& sample) {
-    motion_.begin_step();
+    begin_step(motion_.course());
     pass_strobe(sample);
   }
 
  private:
-  static constexpr bool knows_coming_coefficients =
-      dynamics::KnowsComingCoefficients<std::remove_cvref_t<decltype(std::declval<Motion&>().coefficients())>>;
+  using Coefficients = std::remove_cvref_t<decltype(std::declval<Motion&>().coefficients())>;
+  static constexpr bool knows_coming_coefficients = dynamics::KnowsComingCoefficients<Coefficients>;
 
   /// NaN also with tangent vectors, which are multiplied by a saltation matrix at an impact.
   [[nodiscard]] double constant_restitution() const {

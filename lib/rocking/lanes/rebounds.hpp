@@ -58,7 +58,7 @@ template <class Form, class Real = typename Form::Real>
          dynamics::friction_is_enough(forces, closest);
 }
 
-/// Of the lanes `fits`, those with such an impact, as in dynamics::Landing::land. `tilt_rate`: at the end of the step.
+/// Of the lanes `fits`, those with such an impact, as in dynamics::land. `tilt_rate`: at the end of the step.
 template <class Form, class Real = typename Form::Real>
 [[nodiscard]] inline Rebounds<Form> find_rebounds(const LaneAccess<Real>& lanes, const Step<Form>& step,
                                                   const Crossings<Form>& crossings, const Real& tilt_rate,

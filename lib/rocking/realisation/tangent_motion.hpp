@@ -185,7 +185,7 @@ class TangentMotion : public Motion {
     const dynamics::Setting& setting = this->setting();
     auto coefficients = this->coefficients();
     dynamics::Clock clock = this->clock();
-    if (at_breakpoint) clock.set(*this->breakpoint());
+    if (at_breakpoint) clock.set(*this->course().progress.breakpoint());
     const double restitution = coefficients.restitution();
     if (!coefficients.has_friction()) return sticking_derivative(restitution, setting.block);
     const bool slip_ends = fired[static_cast<std::size_t>(Guard::slip)];

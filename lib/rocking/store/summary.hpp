@@ -33,7 +33,7 @@ struct Summary {
   std::optional<section::ResponseMode> long_mode;
   OperationCounts operations;
   Clamps clamps;
-  /// Whether contact was lost before a final fall (Automaton::losses_before_fall).
+  /// Whether contact was lost before a final fall (dynamics::BlockMotion::losses_before_fall).
   bool left_ground_before_fall = false;
   PeakValues peaks;
   /// Settling, for realisations that are run until they are classified; otherwise absent.

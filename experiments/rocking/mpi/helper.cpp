@@ -30,7 +30,8 @@ std::vector<PairOutcome> run_block(const Experiment& experiment, const std::vect
              .accept =
                  [&](const Pair& pair, const auto& summaries) {
                    outcomes.push_back({pair, summaries});
-                 }});
+                 },
+             .left = [&] { return block.size() - outcomes.size(); }});
   return outcomes;
 }
 

@@ -83,7 +83,7 @@ class PairWorkers {
   }
 
   [[nodiscard]] bool has_its_share(std::size_t open) const {
-    return open > 0 && 2 * open * options_->threads >= flow_->left();
+    return open > 0 && open * options_->threads >= flow_->left();
   }
 
   const Experiment* experiment_;

@@ -15,7 +15,7 @@ namespace rocking {
 struct PairFlow {
   std::function<std::optional<Pair>()> next;
   std::function<void(const Pair&, const std::vector<Summary>&)> accept;
-  /// Number of realisations that are known to be needed and not accepted, including those in progress.
+  /// Number of pairs that are known to be needed and not accepted, including those in progress.
   std::function<std::uint64_t()> left;
 };
 

@@ -95,7 +95,7 @@ RunEnd run(const Experiment& experiment, Store& store, const RunOptions& options
                             if (options.on_realisations) options.on_realisations(pair.condition, summaries);
                             if (options.on_progress) options.on_progress(work.done(), work.all());
                           },
-                      .left = [&] { return work.all() - work.done(); }};
+                      .left = [&] { return (work.all() - work.done() + 1) / 2; }};
   try {
     if (options.pair_runner) {
       options.pair_runner(experiment, options, flow);

@@ -57,8 +57,10 @@ Verification verify(const Experiment& experiment, const Store& store, const std:
                  [&](const Pair& pair, const std::vector<Summary>& summaries) {
                    for (std::size_t i = 0; i < summaries.size(); ++i)
                      compare({pair.condition, pair.first + i}, summaries[i]);
-                   if (options.on_progress) options.on_progress(++done, picker.size());
-                 }});
+                   ++done;
+                   if (options.on_progress) options.on_progress(done, picker.size());
+                 },
+             .left = [&] { return picker.size() - done; }});
   auto& list = verification.differences;
   std::sort(list.begin(), list.end(), [](const Difference& a, const Difference& b) { return a.key < b.key; });
   if (list.size() > most_listed) list.resize(most_listed);

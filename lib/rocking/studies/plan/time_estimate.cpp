@@ -76,6 +76,11 @@ class PairsInTurn {
     }
     return std::nullopt;
   }
+  [[nodiscard]] std::uint64_t size() const {
+    std::uint64_t pairs = 0;
+    for (const Condition& condition : sample_->conditions) pairs += (effective_realisations(condition) + 1) / 2;
+    return pairs;
+  }
 
  private:
   const Experiment* sample_;
@@ -92,6 +97,7 @@ struct Measured {
 
 Measured measure(const Experiment& sample, unsigned threads, double seconds, const Sampling& sampling) {
   PairsInTurn pairs(sample);
+  std::uint64_t left = pairs.size();
   const auto realisations_in = [&sample](const Pair& pair) {
     return std::min<std::uint64_t>(2, effective_realisations(sample.conditions[pair.condition]) - pair.first);
   };
@@ -120,7 +126,9 @@ Measured measure(const Experiment& sample, unsigned threads, double seconds, con
                    for (const Summary& summary : summaries) {
                      if (summary.mode.kind == section::ResponseKind::unresolved) ++measured.unresolved;
                    }
-                 }});
+                   --left;
+                 },
+             .left = [&] { return left; }});
   measured.seconds = sampling.elapsed_seconds() - start;
   if (measured.realisations > 0) measured.periods += 0.5 * in_progress;
   return measured;

@@ -1,14 +1,22 @@
+#include <algorithm>
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
+
+#include <fmt/format.h>
 
 #include "arguments.hpp"
 #include "campaign.hpp"
 #include "commands.hpp"
 #include "experiment_argument.hpp"
 #include "machine.hpp"
+#include "output.hpp"
 #include "rocking/api/studies.hpp"
 #include "rocking/output/rare_report.hpp"
+#include "rocking/text/files.hpp"
+#include "rocking/text/parse_json.hpp"
 #include "study_file.hpp"
 #include "usage.hpp"
 #include "watched.hpp"
@@ -23,24 +31,47 @@ struct RareCommand {
   std::string experiment;
   StudyFile file{"rare.json"};
   RareRequest rare;
+  bool resume = false;
   Overrides overrides;
   ExecutionOptions execution{.threads = available_threads(), .max_time = {}, .loudness = {}};
 };
 
-ExitCode rare(const RareCommand& command) {
+/// The repetitions that the file of the command has; none without a file.
+std::vector<std::vector<rare::Repetition>> earlier_repetitions(const RareCommand& command,
+                                                               const Experiment& experiment) {
+  if (!std::filesystem::exists(command.file.path())) return {};
+  const RareMeans means{.question = command.rare.question, .particles = command.rare.particles};
+  return repetitions_for(rare_report(experiment, means, {}),
+                         rare_document().read(parse_json(read_file(command.file.path()))));
+}
+
+ExitCode end_of(const std::vector<ReportedRare>& conditions, const StudyFile& file) {
+  const bool is_stopped =
+      std::ranges::any_of(conditions, [](const auto& one) { return one.estimate.end == RareEnd::stopped; });
+  if (!is_stopped) return ExitCode::done;
+  print_notice(fmt::format("interrupted; the finished repetitions are in {}. The same command with --resume goes on",
+                           file.path().string()));
+  return ExitCode::interrupted;
+}
+
+ExitCode rare(RareCommand& command) {
   const ExperimentText source = load_experiment_text(command.experiment);
   const Experiment experiment = load_experiment(source, command.overrides);
   RareRequest request = command.rare;
   request.elapsed_seconds = seconds_from_now();
   check_source(source, [&] { check_request(experiment, request); });
+  if (command.resume) {
+    check_source(source, [&] { request.earlier = earlier_repetitions(command, experiment); });
+    command.file.permit_replacing();
+  }
+  request.keeps_when_stopped = true;
   command.file.prepare();
   Progress progress(suitable_progress_style(command.execution.loudness), "repetitions");
-  const RareReport report =
-      rare_report(experiment, {.question = request.question, .score = request.score, .particles = request.particles},
-                  rare_probabilities(experiment, request, watched(command.execution, progress)));
+  const RareReport report = rare_report(experiment, {.question = request.question, .particles = request.particles},
+                                        rare_probabilities(experiment, request, watched(command.execution, progress)));
   const std::string text = rare_document().text(report);
   print_study(command.execution.loudness, text, heading(experiment) + rare_table(report) + command.file.write(text));
-  return ExitCode::done;
+  return end_of(report.conditions, command.file);
 }
 
 void add_question(CLI::App& command, RareCommand& request) {
@@ -57,33 +88,26 @@ void add_question(CLI::App& command, RareCommand& request) {
       ->type_name("A");
   add_duration(command, "--max-time,--at-most-work", request.rare.seconds,
                "Stop after this time for all conditions together, e.g. 10min; what is finished then counts");
-  command.add_option("--particles", request.rare.particles, "Trajectories of a repetition at each level")
+  command.add_option("--particles", request.rare.particles, "Trajectories of a repetition")
       ->check(whole_number(least_particles, most_particles))
       ->capture_default_str()
       ->type_name("N");
-  const auto set_score = [&request](const std::string& name) {
-    request.rare.score = name == "energy" ? rare::Score::energy : rare::Score::tilt;
-  };
-  command
-      .add_option_function<std::string>("--score", set_score,
-                                        "What measures how near a motion is to the event: tilt or energy")
-      ->check(one_of({"tilt", "energy"}))
-      ->type_name("tilt|energy");
 }
 
 }  // namespace
 
 void add_rare(CLI::App& app, Action& action) {
   const auto request = std::make_shared<RareCommand>();
-  CLI::App* command =
-      app.add_subcommand("rare", "Estimate the probability of rare overturning by multilevel splitting");
+  CLI::App* command = app.add_subcommand("rare", "Estimate the probability of rare overturning");
   command->footer(
       "Example: rocking rare experiments/headline/headline.json -o out --max-time 10min\n"
-      "goes to the event by levels: trajectories that reach a level are continued, with new random numbers, to the "
-      "next one. Writes the probability of each condition with its interval to out/rare.json and prints it. Something "
-      "must be random.");
+      "estimates probabilities far below 1 over the number of simulated realisations: by a particle run that prefers "
+      "motions from which overturning is likely, or by importance sampling where all numbers are drawn once. Writes "
+      "the "
+      "probability of each condition with its interval to out/rare.json and prints it. Something must be random.");
   add_experiment(*command, request->experiment);
   request->file.add_to(*command, true);
+  command->add_flag("--resume", request->resume, "Go on from the repetitions in DIR/rare.json, if it is there");
   add_question(*command, *request);
   add_threads(*command, request->execution);
   add_seed(*command, request->overrides);

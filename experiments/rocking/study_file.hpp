@@ -23,6 +23,8 @@ class StudyFile {
   [[nodiscard]] bool is_asked() const { return !folder_.empty(); }
   [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
   [[nodiscard]] std::filesystem::path path() const { return folder_ / name_; }
+  /// It may be replaced from now on.
+  void permit_replacing() { overwrite_ = true; }
   /// Throws InTheWay if it, or another file of the study, exists and may not be replaced.
   void expect_free() const { expect_free(path()); }
   void expect_free(const std::filesystem::path& other) const { program::expect_free(other, overwrite_); }

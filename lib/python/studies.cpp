@@ -52,11 +52,10 @@ std::string fragility_text_of(const Experiment& experiment, const RunResult& run
 }
 
 std::string rare_text_of(const Experiment& experiment, double relative_error, std::optional<double> peak_tilt,
-                         std::size_t particles, bool by_energy, std::optional<double> seconds, unsigned threads,
+                         std::size_t particles, std::optional<double> seconds, unsigned threads,
                          py::object on_progress) {
   RareRequest request{.question = {.event = {.peak_tilt = peak_tilt}, .relative_error = relative_error},
-                      .particles = particles,
-                      .score = by_energy ? rare::Score::energy : rare::Score::tilt};
+                      .particles = particles};
   request.seconds = seconds;
   request.elapsed_seconds = seconds_from_now();
   return watch(threads, std::move(on_progress), [&](const Execution& execution) {

@@ -161,7 +161,6 @@ def rare(
     relative_error: float,
     peak_tilt: Optional[float],
     particles: int,
-    by_energy: bool,
     seconds: Optional[float],
     threads: int,
     on_progress: _Progress,

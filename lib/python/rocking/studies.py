@@ -127,19 +127,17 @@ def rare(
     *,
     relative_error: float = 0.1,
     peak_tilt: Optional[float] = None,
-    particles: int = 500,
-    score: str = "tilt",
+    particles: int = 1000,
     seconds: Optional[float] = None,
     threads: Optional[int] = None,
     progress: Optional[Progress] = None,
 ) -> documents.RareEvents:
-    """Estimate the probability of rare overturning by multilevel splitting, for each condition.
+    """Estimate the probability of rare overturning for each condition.
 
     relative_error: standard error over the probability that is aimed at. peak_tilt: ask for abs(Theta) above this
-    instead of overturning. particles: trajectories of a repetition at each level, 20 to 100000. score: what measures how
-    near a motion is to the event, ``tilt`` or ``energy``. seconds: stop after this time for all conditions together, with
-    what is finished then; without it the same is estimated again. progress: called with (finished repetitions, planned
-    so far). Raises InputError if nothing in a condition is random or a number is out of range.
+    instead of overturning. particles: trajectories of a repetition, 20 to 100000. seconds: stop after this time for all
+    conditions together, with what is finished then; without it the same is estimated again. progress: called with
+    (finished repetitions, planned so far). Raises InputError if nothing in a condition is random or a number is out of range.
 
     >>> import rocking
     >>> slab = {"format": "rocking.experiment/1", "block": {"width_m": 1, "height_m": 4},
@@ -150,10 +148,7 @@ def rare(
     >>> estimate.interval[0] <= estimate.probability <= estimate.interval[1]
     True
     """
-    if score not in ("tilt", "energy"):
-        raise ValueError(f"score = {score!r}: must be 'tilt' or 'energy'")
-    by_energy = score == "energy"
-    asked = (relative_error, peak_tilt, particles, by_energy, seconds, threads or processors(), progress)
+    asked = (relative_error, peak_tilt, particles, seconds, threads or processors(), progress)
     return documents.RareEvents(_core.rare(experiment(source)._core, *asked))
 
 

@@ -1,10 +1,12 @@
 #include "rocking/api/studies.hpp"
 
+#include <algorithm>
 #include <cstdint>
 
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
 #include "rocking/base/number_text.hpp"
+#include "rocking/base/stop_request.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/studies/rare/rare.hpp"
 
@@ -51,20 +53,23 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
   check_request(experiment, request);
   const OptionsOfExecution asked(execution);
   TotalProgress progress(asked.options());
-  RareSettings settings{
-      .particles = request.particles, .score = request.score, .threads = asked.options().threads, .stop = asked.stop()};
+  RareSettings settings{.particles = request.particles, .threads = asked.options().threads, .stop = asked.stop()};
   settings.seconds = request.seconds;
   settings.elapsed_seconds = request.elapsed_seconds;
   settings.on_progress = [&progress](std::size_t condition, std::size_t done, std::size_t planned) {
     progress.tell(condition, done, planned);
   };
-  return rare_probabilities(experiment, request.question, settings);
+  settings.earlier = request.earlier;
+  std::vector<RareEstimate> found = rare_probabilities(experiment, request.question, settings);
+  const bool is_stopped = std::ranges::any_of(found, [](const auto& one) { return one.end == RareEnd::stopped; });
+  if (is_stopped && !request.keeps_when_stopped) throw base::Stopped();
+  return found;
 }
 
 std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
                                     const std::vector<RareEstimate>& found) {
-  return rare_document().text(rare_report(
-      experiment, {.question = request.question, .score = request.score, .particles = request.particles}, found));
+  return rare_document().text(
+      rare_report(experiment, {.question = request.question, .particles = request.particles}, found));
 }
 
 }  // namespace rocking

@@ -9,27 +9,21 @@
 
 namespace rocking {
 
-constexpr std::array all_scores{rare::Score::tilt, rare::Score::energy};
-template <>
-struct TypeOf<rare::Score> {
-  static const ValueType& get() { return the_only<NamedType<all_scores>>(); }
-};
-
-constexpr std::array all_rare_methods{RareMethod::markov_chain, RareMethod::both};
+constexpr std::array all_rare_methods{RareMethod::twisted_run, RareMethod::importance_sampling};
 template <>
 struct TypeOf<RareMethod> {
   static const ValueType& get() { return the_only<NamedType<all_rare_methods>>(); }
 };
 
-constexpr std::array all_rare_ends{RareEnd::precise, RareEnd::out_of_time, RareEnd::never_seen,
+constexpr std::array all_rare_ends{RareEnd::precise, RareEnd::out_of_time, RareEnd::stopped, RareEnd::never_seen,
                                    RareEnd::most_repetitions};
 template <>
 struct TypeOf<RareEnd> {
   static const ValueType& get() { return the_only<NamedType<all_rare_ends>>(); }
 };
 
-constexpr std::array all_rare_diagnoses{RareDiagnosis::none, RareDiagnosis::no_levels, RareDiagnosis::few_repetitions,
-                                        RareDiagnosis::few_ancestors, RareDiagnosis::uneven};
+constexpr std::array all_rare_diagnoses{RareDiagnosis::none, RareDiagnosis::not_found, RareDiagnosis::few_repetitions,
+                                        RareDiagnosis::uneven};
 template <>
 struct TypeOf<RareDiagnosis> {
   static const ValueType& get() { return the_only<NamedType<all_rare_diagnoses>>(); }
@@ -92,24 +86,25 @@ static const StructType& fields_of(const ReportedRare*) {
       field<estimate, &Found::relative_error>(
           "relative_error", "standard error over the probability; null for a probability 0, and for few repetitions",
           rule::not_negative),
-      field<estimate, &Found::work>(
-          "work", "simulated time with the pilot run, in realisations to the horizon; no processor time (rare.md)",
-          rule::not_negative),
+      field<estimate, &Found::work>("work", "simulated time with the pilot runs, in realisations to the horizon",
+                                    rule::not_negative),
       field<estimate, &Found::crude_work>(
           "crude_work",
           "realisations that plain sampling needs for the same relative error, (1 - P)/(P error^2); null: unknown",
           rule::not_negative),
-      field<estimate, &Found::method>("method", "how the random numbers are changed"),
+      field<estimate, &Found::method>("method", "`twisted_run` where numbers are drawn along the way"),
       field<estimate, &Found::end>("ended", "why no more repetitions were made"),
       field<estimate, &Found::diagnosis>("diagnosis", "what stands in the way of trusting the interval"),
       field<estimate>("ancestors",
                       "of the repetitions that have seen the event: first trajectories from which those with the event "
                       "descend",
                       ancestor_fields()),
-      field<estimate, &Found::levels>("levels", "of the score, rising", rule::not_negative),
+      field<estimate, &Found::levels>(
+          "levels", "of abs(Theta) in the search for the event, rising; empty for a twisted run", rule::not_negative),
       field<estimate, &Found::reached>(
-          "reached", "mean share of the particles that reach each level, and the event last", rule::share),
-      field<estimate, &Found::pilot_work>("pilot_work", "part of `work` that found the levels", rule::not_negative),
+          "reached", "share of the particles of that search that reach each level, and the event last", rule::share),
+      field<estimate, &Found::pilot_work>("pilot_work", "part of `work` before the first repetition",
+                                          rule::not_negative),
       field<estimate, &Found::repetitions>("repetitions", "[estimate, work, ancestors] of each"),
   };
   return fields;
@@ -138,7 +133,6 @@ const StructType& settings_fields() {
       "RareSettings",
       field<&File::seed>("seed", "of the experiment", seed_type()),
       field<&File::particles>("particles", "of a repetition", Rule{.least = 20.0}),
-      field<&File::score>("score", "what measures how near a motion is to the event"),
   };
   return fields;
 }
@@ -177,12 +171,25 @@ base::Sha256 RareReport::digest() const {
   return builder.finish();
 }
 
+std::vector<std::vector<rare::Repetition>> repetitions_for(const RareReport& asked, const RareReport& earlier) {
+  const auto differ = [](const char* place) {
+    throw base::InputError({place, "", "is not that of the earlier estimate, whose repetitions are therefore of no use",
+                            "use the same experiment and options, or `--overwrite` without `--resume`"});
+  };
+  if (asked.input.sha256 != earlier.input.sha256) differ("/input");
+  if (asked.seed != earlier.seed) differ("/settings/seed");
+  if (asked.particles != earlier.particles) differ("/settings/particles");
+  if (asked.question.event.peak_tilt != earlier.question.event.peak_tilt) differ("/question/peak_tilt");
+  std::vector<std::vector<rare::Repetition>> all;
+  for (const ReportedRare& condition : earlier.conditions) all.push_back(condition.estimate.repetitions);
+  return all;
+}
+
 RareReport rare_report(const Experiment& experiment, const RareMeans& means, const std::vector<RareEstimate>& found) {
   RareReport report{.input = input_of(experiment),
                     .question = means.question,
                     .seed = experiment.seed,
                     .particles = means.particles,
-                    .score = means.score,
                     .conditions = {}};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Condition& condition = experiment.conditions[i];

@@ -26,7 +26,6 @@ struct RareReport {
   RareQuestion question;
   std::uint64_t seed = 0;
   std::uint64_t particles = 0;  ///< of a repetition
-  rare::Score score = rare::Score::tilt;
   std::vector<ReportedRare> conditions;
 
   /// Over the bits of the levels and of every repetition's estimate and work, in order.
@@ -36,12 +35,16 @@ struct RareReport {
 /// How the probabilities were estimated, beside the experiment.
 struct RareMeans {
   RareQuestion question;
-  rare::Score score;
   std::size_t particles;  ///< of a repetition
 };
 
 [[nodiscard]] RareReport rare_report(const Experiment& experiment, const RareMeans& means,
                                      const std::vector<RareEstimate>& found);
+
+/// The repetitions of an earlier report by condition, of which `asked` wants more. Throws base::InputError if it is not of
+/// the same experiment, event or number of particles.
+[[nodiscard]] std::vector<std::vector<rare::Repetition>> repetitions_for(const RareReport& asked,
+                                                                         const RareReport& earlier);
 
 [[nodiscard]] const StructType& fields_of(const RareReport*);
 

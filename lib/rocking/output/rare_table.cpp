@@ -20,18 +20,16 @@ std::string percentage(const std::optional<double>& relative) {
 std::string warning_about(const RareEstimate& found) {
   switch (found.diagnosis) {
     case RareDiagnosis::none: return "";
-    case RareDiagnosis::no_levels:
-      return "the pilot run found no way to the event. The probability may be 0; the interval's upper end is that of "
-             "the highest level reached";
+    case RareDiagnosis::not_found:
+      return "the pilot runs found no way to the event, and the repetitions are plain sampling. The probability may be "
+             "0";
     case RareDiagnosis::few_repetitions:
       return "finished in time: " + counted(found.repetitions.size(), "repetition") +
              ". An interval needs 8. Give more time, or fewer --particles";
-    case RareDiagnosis::few_ancestors:
-      return "half of the repetitions descend from fewer than 10 first trajectories; the interval may be too narrow. "
-             "Use more --particles";
     case RareDiagnosis::uneven:
-      return "some repetitions missed the event, or one has more than a third of the sum; the interval may be too "
-             "narrow. Use more --particles";
+      return "a tenth of the repetitions missed the event, or one has more than a third of the sum; the interval may "
+             "be "
+             "too narrow. Use more --particles";
   }
   return "";
 }
@@ -40,6 +38,7 @@ std::string end_of(const RareEstimate& found) {
   switch (found.end) {
     case RareEnd::precise: return "";
     case RareEnd::out_of_time: return "the time was up before the relative error was reached";
+    case RareEnd::stopped: return "it was stopped before the relative error was reached; the same command goes on";
     case RareEnd::never_seen: return "no repetition saw the event";
     case RareEnd::most_repetitions:
       return "the largest number of repetitions was made before the relative error was reached";
@@ -53,7 +52,7 @@ std::string rare_table(const RareReport& report) {
   const auto& conditions = report.conditions;
   TextRow heading;
   for (const Parameter& parameter : conditions.front().parameters) heading.push_back(last_key(parameter.pointer));
-  for (const char* name : {"probability", "from", "to", "error", "levels", "repetitions", "work", "plain sampling"}) {
+  for (const char* name : {"probability", "from", "to", "error", "repetitions", "work", "plain sampling"}) {
     heading.emplace_back(name);
   }
   std::vector<TextRow> rows{heading};
@@ -64,11 +63,11 @@ std::string rare_table(const RareReport& report) {
     highest = std::max(highest, conditions[c].confidence);
     TextRow row;
     for (const Parameter& parameter : conditions[c].parameters) row.push_back(short_value(parameter));
-    row.insert(row.end(), {estimate.probability ? significant(*estimate.probability, 3) : "-",
-                           significant(estimate.interval.low, 3), significant(estimate.interval.high, 3),
-                           percentage(estimate.relative_error), std::to_string(estimate.levels.size()),
-                           std::to_string(estimate.repetitions.size()), significant(estimate.work, 3),
-                           estimate.crude_work ? significant(*estimate.crude_work, 3) : "-"});
+    row.insert(row.end(),
+               {estimate.probability ? significant(*estimate.probability, 3) : "-",
+                significant(estimate.interval.low, 3), significant(estimate.interval.high, 3),
+                percentage(estimate.relative_error), std::to_string(estimate.repetitions.size()),
+                significant(estimate.work, 3), estimate.crude_work ? significant(*estimate.crude_work, 3) : "-"});
     rows.push_back(std::move(row));
     for (const std::string& note : {end_of(estimate), warning_about(estimate)}) {
       if (note.empty()) continue;
@@ -78,8 +77,7 @@ std::string rare_table(const RareReport& report) {
   return "Probability that " + event_words(report.question) + ".\n\n" + aligned(rows) + "from, to: interval with " +
          level_text(highest) +
          " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
-         "realisations to the horizon, by this method and by plain sampling for the same error. It is no processor\n"
-         "time: `rocking run` simulates several realisations at once in SIMD lanes, this method one.\n" +
+         "realisations to the horizon, by this method and by plain sampling for the same error.\n" +
          notes;
 }
 

@@ -16,15 +16,13 @@ inline constexpr auto last_source_along_the_way = static_cast<std::size_t>(Sourc
 /// For each of these sources, at its number, the index from which on no draw has been made.
 using FirstUnused = std::array<std::uint64_t, last_source_along_the_way + 1>;
 
-/// From these indices on, the normal draws z along the way become sqrt(1 - size^2) z + size z', with z' of another
-/// realisation number, the branch number. This leaves their law as it is; size 1 draws them anew.
+/// From these indices on, the normal draws along the way are those of another realisation number, the branch number.
 struct Branch {
   std::uint64_t number = 0;
   FirstUnused from{};
-  double size = 1.0;  ///< in (0, 1]
 };
 
-/// Draw 0 of a source that is drawn once: this number in place of it.
+/// Draw 0 of a source: this number in place of it.
 struct GivenDraw {
   Source source;
   double number;
@@ -51,8 +49,9 @@ class BranchedDraws {
  private:
   [[nodiscard]] const double* given(Source source, std::uint64_t index) const;
   /// The last branch that draws the number anew, counted from 1; 0 if none does.
-  [[nodiscard]] std::size_t origin(Source source, std::uint64_t index) const;
-  [[nodiscard]] Draws after(std::size_t branches) const;
+  [[nodiscard]] std::size_t last_branch(Source source, std::uint64_t index) const;
+  /// Its draws, or those of the realisation.
+  [[nodiscard]] Draws origin(Source source, std::uint64_t index) const;
 
   Draws draws_;
   const DrawHistory* history_;

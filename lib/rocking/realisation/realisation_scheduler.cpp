@@ -5,6 +5,7 @@
 
 #include "rocking/lanes/lane_scheduler.hpp"
 #include "rocking/realisation/horizon_run.hpp"
+#include "rocking/realisation/shared_excitation.hpp"
 #include "rocking/realisation/start.hpp"
 
 namespace rocking {
@@ -36,17 +37,6 @@ struct RealisationInProgress : HorizonRun {
 
 bool TangentsInProgress::go_on() const { return tangent_run->go_on(run->pending()); }
 
-/// The same shaking with another size; kinds that hold none stay as they are.
-dynamics::Excitation with_size(const dynamics::Excitation& excitation, double size) {
-  return excitation.visit([size](const auto& kind) -> dynamics::Excitation {
-    if constexpr (requires { kind.scaled(size); }) {
-      return kind.scaled(size);
-    } else {
-      return kind;
-    }
-  });
-}
-
 }  // namespace
 
 class RealisationScheduler::Implementation {
@@ -67,7 +57,7 @@ class RealisationScheduler::Implementation {
         begin_realisation(condition, draws, start, Strobe::poincare, strobes_before_window(condition));
     runs_.push_back(
         std::make_unique<RealisationInProgress>(condition, beginning, id, [&](dynamics::Observer& observer) {
-          return motion_of(beginning, observer, shared_excitation(condition.scene, beginning));
+          return motion_of(beginning, observer, excitation_.of(condition.scene, beginning));
         }));
     if (has_long_run(condition, run.realisation)) runs_.back()->observe_long_run();
     scheduler_.add(*runs_.back());
@@ -86,32 +76,6 @@ class RealisationScheduler::Implementation {
   }
 
  private:
-  /// The last computed excitation. Realisations with equal blocks share the knots of a ground motion.
-  struct LastExcitation {
-    Excitation asked;
-    double frequency_parameter;  ///< p
-    double frequency;            ///< of the clock [-]
-    double start;                ///< of the clock, tau
-    double size;                 ///< that was drawn
-    dynamics::Excitation excitation;
-  };
-
-  const dynamics::Excitation& shared_excitation(const Scene& scene, const Beginning& beginning) {
-    const double p = beginning.setting.block.frequency_parameter;
-    const double frequency = beginning.clock.frequency();
-    const double start = beginning.clock.start();
-    const double size = beginning.excitation_size;
-    const bool is_known = last_ && last_->asked == scene.excitation && last_->frequency_parameter == p &&
-                          last_->frequency == frequency && last_->start == start;
-    if (!is_known) {
-      last_ = LastExcitation{scene.excitation, p, frequency, start, size, excitation_of(scene, beginning)};
-    } else if (last_->size != size) {
-      last_->size = size;
-      last_->excitation = with_size(last_->excitation, size);
-    }
-    return last_->excitation;
-  }
-
   /// Whether a step must be made before a realisation is finished.
   [[nodiscard]] bool is_under_way() {
     while (RealisationInProgress* run = scheduler_.take_finished()) classify(*run);
@@ -143,7 +107,7 @@ class RealisationScheduler::Implementation {
   std::uint64_t seed_;
   const lanes::Kernels& kernels_;
   base::StopRequest stop_;
-  std::optional<LastExcitation> last_;
+  SharedExcitation excitation_;
   lanes::LaneScheduler<RealisationInProgress> scheduler_;
   std::optional<lanes::LaneScheduler<TangentsInProgress>> tangents_;  ///< once an exponent was needed
   std::vector<std::unique_ptr<RealisationInProgress>> runs_;

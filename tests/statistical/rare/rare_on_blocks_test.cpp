@@ -1,10 +1,11 @@
 // Rare probabilities of blocks are unbiased: compared with a closed form where numbers are drawn once, and with plain
-// sampling where they are drawn along the way. A kernel that prefers high scores must fail both comparisons.
+// sampling where they are drawn along the way. A run whose
+// offspring have other parents than they should must fail the comparison.
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -14,17 +15,25 @@
 
 #include "rocking/realisation/realisation_result.hpp"
 #include "rocking/stats/repetitions.hpp"
-#include "rocking/studies/rare/block_model.hpp"
-#include "rocking/studies/rare/splitting.hpp"
+#include "rocking/studies/rare/estimator.hpp"
+#include "rocking/studies/rare/twisted_run.hpp"
 #include "support/excitation.hpp"
 #include "support/false_alarms.hpp"
 
 namespace {
 
 using rocking::Condition;
-using rocking::rare::BlockModel;
+using rocking::rare::BlockPaths;
+using rocking::rare::BlockPopulation;
+using rocking::rare::Committor;
 using rocking::rare::Event;
+using rocking::rare::Guide;
+using rocking::rare::Image;
+using rocking::rare::SectionGrid;
 using rocking::rare::Stream;
+using rocking::rare::Transitions;
+using rocking::rare::TwistedPlan;
+using rocking::rare::TwistedRun;
 using rocking::support::FalseAlarms;
 using rocking::support::largest_score;
 
@@ -39,42 +48,41 @@ struct Estimate {
 /// Of the difference of two estimates.
 double score_of(const Estimate& a, const Estimate& b) { return (a.mean - b.mean) / std::hypot(a.error, b.error); }
 
-template <class Model>
-Estimate by_splitting(const Model& model, std::size_t particles, std::uint64_t repetitions) {
-  const rocking::rare::ForEach one_by_one = [](std::size_t count, const std::function<void(std::size_t)>& work) {
-    for (std::size_t i = 0; i < count; ++i) work(i);
-  };
-  const rocking::rare::SplittingPlan plan{.seed = run_seed, .particles = particles};
-  const auto pilot = rocking::rare::find_levels(model, plan, one_by_one);
-  EXPECT_EQ(pilot.end, rocking::rare::PilotEnd::reached);
-  EXPECT_GE(pilot.levels.size(), 2U) << "or it is plain sampling";
-  std::vector<double> estimates;
-  for (std::uint64_t i = 1; i <= repetitions; ++i) {
-    estimates.push_back(rocking::rare::repeat(model, plan, pilot.levels, i, one_by_one).estimate);
+/// A condition and the event in it.
+struct Question {
+  Condition condition;
+  Event event;
+
+  [[nodiscard]] BlockPaths paths() const {
+    return {.condition = &condition, .seed = run_seed, .event = event, .halt = {}};
   }
+};
+
+Estimate mean_of(const std::vector<double>& estimates) {
   const auto found = rocking::stats::mean_of_repetitions(estimates, 0.95);
   return {found.mean, found.mean * found.relative_error.value()};
 }
 
-/// A kernel with a fault: of four offspring it takes the one with the highest score.
-struct BestOfFour {
-  using Particle = BlockModel::Particle;
-  const BlockModel& model;
+/// By the estimator of `rocking rare`, after its pilot runs.
+Estimate estimated(const Question& question, std::size_t particles, std::uint64_t repetitions) {
+  const BlockPaths paths = question.paths();
+  const auto estimator = rocking::rare::estimator_of(paths, particles, 1);
+  EXPECT_TRUE(estimator->pilot().found_event);
+  std::vector<double> estimates;
+  for (std::uint64_t i = 1; i <= repetitions; ++i) estimates.push_back(estimator->repeat(i).estimate);
+  return mean_of(estimates);
+}
 
-  [[nodiscard]] Particle start(const Stream& stream, double target) const { return model.start(stream, target); }
-  [[nodiscard]] Particle go_on(const Particle& parent, const Stream& stream, double level, double target) const {
-    Particle best = model.go_on(parent, stream, level, target);
-    for (std::uint64_t i = 1; i < 4; ++i) {
-      Stream other = stream;
-      other.particle += i * (rocking::rare::particle_limit / 4);
-      Particle one = model.go_on(parent, other, level, target);
-      if (one.score > best.score) best = std::move(one);
-    }
-    return best;
+Estimate plain(const Question& question) {
+  constexpr std::uint64_t realisations = 40'000;
+  std::uint64_t count = 0;
+  for (std::uint64_t i = 0; i < realisations; ++i) {
+    count += rocking::realise(question.condition, run_seed, i).peaks.tilt > *question.event.peak_tilt ? 1 : 0;
   }
-  [[nodiscard]] static double score(const Particle& particle) { return particle.score; }
-  [[nodiscard]] static double work(const Particle& particle) { return particle.work; }
-};
+  constexpr auto n = static_cast<double>(realisations);
+  const double share = static_cast<double>(count) / n;
+  return {share, std::sqrt(share * (1.0 - share) / n)};
+}
 
 // A free block that stands with a random tilt rate Theta' overturns where its energy lifts it past balance:
 // psi abs(Theta') > 2 sin(psi/2). The horizon, 4 pi in tau, leaves out those whose energy exceeds that
@@ -86,7 +94,7 @@ class FreeBlock {
     condition_.scene.initial.tilt_rate = tilt_rate;
     condition_.horizon = {.transient_periods = 0, .sampled_periods = 1};
   }
-  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = run_seed, .event = {}}}; }
+  [[nodiscard]] Question question() const { return {condition_, {}}; }
   /// The least abs(Theta') that overturns it.
   [[nodiscard]] static double threshold() {
     const double psi = std::atan(0.25);  // of the standard block, 1 m x 4 m
@@ -101,43 +109,28 @@ class FreeBlock {
 
 /// A block whose friction, restitution and amplitude are drawn along the way, by normal or other laws, in time or for
 /// each place; the event is a peak tilt.
-class ShakenBlock {
- public:
-  explicit ShakenBlock(const rocking::FluctuationLaws& laws = {}, double correlation = 0.0,
-                       std::optional<double> refresh_slip_m = {}) {
-    rocking::support::harmonic(condition_.scene) = {.amplitude = 4.2, .frequency_ratio = 6.0, .phase = 0.0};
-    condition_.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
-    condition_.scene.fluctuation = {.static_friction = 0.03,
-                                    .kinetic_friction = 0.03,
-                                    .refreshes_per_period = 20,
-                                    .refresh_slip_m = refresh_slip_m,
-                                    .restitution = 0.02,
-                                    .amplitude = 0.6,
-                                    .laws = laws,
-                                    .friction_correlation = correlation};
-    condition_.horizon = {.transient_periods = 3, .sampled_periods = 5};
-  }
-  [[nodiscard]] BlockModel model() const { return {condition_, {.seed = run_seed, .event = event}}; }
-  [[nodiscard]] Estimate plain() const {
-    constexpr std::uint64_t realisations = 40'000;
-    std::uint64_t count = 0;
-    for (std::uint64_t i = 0; i < realisations; ++i) {
-      count += rocking::realise(condition_, run_seed, i).peaks.tilt > *event.peak_tilt ? 1 : 0;
-    }
-    constexpr auto n = static_cast<double>(realisations);
-    const double share = static_cast<double>(count) / n;
-    return {share, std::sqrt(share * (1.0 - share) / n)};
-  }
-
- private:
-  static constexpr Event event{.peak_tilt = 0.75};
-  Condition condition_;
-};
+Question shaken_block(const rocking::FluctuationLaws& laws = {}, double correlation = 0.0,
+                      std::optional<double> refresh_slip_m = {}) {
+  Question question{.condition = {}, .event = {.peak_tilt = 0.75}};
+  rocking::Scene& scene = question.condition.scene;
+  rocking::support::harmonic(scene) = {.amplitude = 4.2, .frequency_ratio = 6.0, .phase = 0.0};
+  scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
+  scene.fluctuation = {.static_friction = 0.03,
+                       .kinetic_friction = 0.03,
+                       .refreshes_per_period = 20,
+                       .refresh_slip_m = refresh_slip_m,
+                       .restitution = 0.02,
+                       .amplitude = 0.6,
+                       .laws = laws,
+                       .friction_correlation = correlation};
+  question.condition.horizon = {.transient_periods = 3, .sampled_periods = 5};
+  return question;
+}
 
 TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnOnce) {
   FalseAlarms alarms;
   const FreeBlock block;
-  const Estimate found = by_splitting(block.model(), 100, 120);
+  const Estimate found = estimated(block.question(), 100, 120);
   EXPECT_LT(std::abs(score_of(found, FreeBlock::truth())), alarms.score()) << found.mean;
   EXPECT_LT(found.error, 0.1 * found.mean);
 }
@@ -158,7 +151,7 @@ TEST(RareOnBlocks, IsUnbiasedForOtherLaws) {
        part / (0.5 - above(end / 0.33))}};
   for (const auto& [law, probability] : laws) {
     const FreeBlock block(law);
-    const Estimate found = by_splitting(block.model(), 100, 80);
+    const Estimate found = estimated(block.question(), 100, 80);
     EXPECT_LT(std::abs(score_of(found, {probability, 0.0})), alarms.score()) << found.mean << ' ' << probability;
     EXPECT_LT(found.error, 0.25 * found.mean);
   }
@@ -169,23 +162,85 @@ TEST(RareOnBlocks, IsUnbiasedForNumbersThatAreDrawnAlongTheWay) {
   using enum rocking::FluctuationLaw;
   const rocking::FluctuationLaws others{
       .static_friction = lognormal, .kinetic_friction = uniform, .restitution = uniform, .amplitude = lognormal};
-  for (const ShakenBlock& block : {ShakenBlock(), ShakenBlock(others, 0.8), ShakenBlock({}, 0.5, 0.005)}) {
-    const Estimate found = by_splitting(block.model(), 60, 60);
-    const Estimate plain = block.plain();
-    EXPECT_LT(std::abs(score_of(found, plain)), alarms.score()) << found.mean << ' ' << plain.mean;
-    EXPECT_LT(std::hypot(found.error / found.mean, plain.error / plain.mean), 0.15);
+  Question with_size_and_phase = shaken_block();
+  with_size_and_phase.condition.scene.block.width = rocking::Normal{.mean = 1.0, .sigma = 0.05};
+  rocking::support::harmonic(with_size_and_phase.condition.scene).phase = rocking::Uniform{.low = 0.0, .high = 6.28};
+  for (const Question& question :
+       {shaken_block(), shaken_block(others, 0.8), shaken_block({}, 0.5, 0.005), with_size_and_phase}) {
+    const Estimate found = estimated(question, 60, 120);
+    const Estimate other = plain(question);
+    EXPECT_LT(std::abs(score_of(found, other)), alarms.score()) << found.mean << ' ' << other.mean;
+    EXPECT_LT(std::hypot(found.error / found.mean, other.error / other.mean), 0.15);
   }
 }
 
-TEST(RareOnBlocks, IsFoundOutWhereTheKernelPrefersHighScores) {
-  const FreeBlock free;
-  const BlockModel of_free = free.model();
-  const Estimate found = by_splitting(BestOfFour{of_free}, 100, 50);
-  EXPECT_GT(score_of(found, FreeBlock::truth()), largest_score);
-  const ShakenBlock shaken;
-  const BlockModel of_shaken = shaken.model();
-  const Estimate other = by_splitting(BestOfFour{of_shaken}, 60, 30);
-  EXPECT_GT(score_of(other, shaken.plain()), largest_score);
+/// By runs that this guide steers.
+Estimate steered(const Question& question, const Guide& guide, std::uint64_t repetitions) {
+  const BlockPaths paths = question.paths();
+  const TwistedPlan plan{.seed = run_seed, .periods = paths.periods()};
+  std::vector<double> estimates;
+  for (std::uint64_t i = 1; i <= repetitions; ++i) {
+    BlockPopulation population(paths, {.particles = 60, .repetition = i, .guide = &guide});
+    estimates.push_back(TwistedRun(population, plan, i).run().estimate);
+  }
+  return mean_of(estimates);
+}
+
+// A grid with a few nodes, and one that takes motions for other ones: mirrored in Theta alone, and half as fast.
+TEST(RareOnBlocks, IsUnbiasedWhateverTheErrorOfTheGrid) {
+  FalseAlarms alarms;
+  const Question question = shaken_block();
+  const BlockPaths paths = question.paths();
+  const SectionGrid grid({.inner = 0.6, .outer = 0.8, .inner_cells = 2, .outer_cells = 1},
+                         {.inner = 1.0, .outer = 2.0, .inner_cells = 2, .outer_cells = 1});
+  Transitions transitions = rocking::rare::transitions_of(paths, grid, 0, 3, 1);
+  const Guide coarse{.committor = Committor(grid, {&transitions, 1}, paths.periods()), .least = 1e-3};
+  for (Image& image : transitions.images) image.point = {-image.point.tilt, 0.5 * image.point.tilt_rate, 0.0};
+  const Guide wrong{.committor = Committor(grid, {&transitions, 1}, paths.periods()), .least = 1e-3};
+  const Estimate other = plain(question);
+  for (const Guide* guide : {&coarse, &wrong}) {
+    const Estimate found = steered(question, *guide, 200);
+    EXPECT_LT(std::abs(score_of(found, other)), alarms.score()) << found.mean << ' ' << other.mean;
+    EXPECT_LT(std::hypot(found.error / found.mean, other.error / other.mean), 0.2);
+  }
+}
+
+/// A fault: a particle that has the event counts as one from a run that was not steered.
+class Unweighted {
+ public:
+  explicit Unweighted(BlockPopulation& population) : population_(&population) {}
+  [[nodiscard]] std::size_t size() const { return population_->size(); }
+  [[nodiscard]] double likelihood_ratio(std::size_t i) const { return population_->likelihood_ratio(i); }
+  [[nodiscard]] Image::Fate fate(std::size_t i) const { return population_->fate(i); }
+  [[nodiscard]] double work() const { return population_->work(); }
+  /// The offspring are chosen by one score and weighted by another.
+  [[nodiscard]] double score(std::int64_t k, std::size_t i) const { return std::max(0.5, population_->score(k, i)); }
+  void branch(std::size_t i, std::size_t parent, const Stream& stream) { population_->branch(i, best(parent), stream); }
+  void leave(std::size_t i) { population_->leave(i); }
+  void advance() { population_->advance(); }
+
+ private:
+  /// Of two neighbours the one with the larger tilt.
+  [[nodiscard]] std::size_t best(std::size_t parent) const {
+    const std::size_t other = (parent + 1) % population_->size();
+    if (population_->fate(other) != Image::Fate::moves_on) return parent;
+    return std::abs(population_->point(other).tilt) > std::abs(population_->point(parent).tilt) ? other : parent;
+  }
+
+  BlockPopulation* population_;
+};
+
+TEST(RareOnBlocks, IsFoundOutWhereOffspringAreOfOtherParents) {
+  const Question question = shaken_block();
+  const BlockPaths paths = question.paths();
+  const TwistedPlan plan{.seed = run_seed, .periods = paths.periods(), .least_effective = 1.1};
+  std::vector<double> estimates;
+  for (std::uint64_t i = 1; i <= 400; ++i) {
+    BlockPopulation population(paths, {.particles = 60, .repetition = i});
+    Unweighted faulty(population);
+    estimates.push_back(TwistedRun(faulty, plan, i).run().estimate);
+  }
+  EXPECT_GT(score_of(mean_of(estimates), plain(question)), largest_score);
 }
 
 }  // namespace

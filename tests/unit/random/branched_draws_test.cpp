@@ -2,7 +2,6 @@
 
 #include "rocking/random/branched_draws.hpp"
 
-#include <cmath>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -22,34 +21,39 @@ std::vector<Source> all_sources() {
   return sources;
 }
 
-DrawHistory branched(double size) {
-  DrawHistory history;
-  Branch branch{.number = 77, .from = {}, .size = size};
-  branch.from.fill(first);
-  history.branches.push_back(branch);
-  return history;
+Branch branch(std::uint64_t number, std::uint64_t from) {
+  Branch branch{.number = number, .from = {}};
+  branch.from.fill(from);
+  return branch;
 }
 
 TEST(BranchedDraws, ChangeEverySourceThatIsDrawnAlongTheWayFromItsFirstUnusedIndexOn) {
   const Draws draws(1, 2);
   EXPECT_GE(all_sources().size(), 13U);
-  for (const double size : {1.0, 0.6}) {
-    const DrawHistory history = branched(size);
-    const BranchedDraws changed(draws, &history);
-    for (const Source source : all_sources()) {
+  const DrawHistory history{.given = {}, .branches = {branch(77, first), branch(78, first + 2)}};
+  const BranchedDraws changed(draws, &history);
+  for (const Source source : all_sources()) {
+    for (const std::uint64_t from : {std::uint64_t{0}, first, first + 4}) {
       std::vector<double> together(10);
-      changed.standard_normals(source, 0, together);
-      for (std::uint64_t i = 0; i < 10; ++i) {
-        const double before = draws.standard_normal(source, i);
-        const double other = draws.of(77).standard_normal(source, i);
+      changed.standard_normals(source, from, together);
+      for (std::uint64_t i = from; i < from + 10; ++i) {
         const bool changes = is_drawn_along_the_way(source) && i >= first;
-        const double now = changed.standard_normal(source, i);
-        EXPECT_NEAR(now, changes ? std::sqrt(1.0 - size * size) * before + size * other : before, 1e-15)
+        const std::uint64_t number = !changes ? 2 : i < first + 2 ? 77 : 78;
+        EXPECT_EQ(changed.standard_normal(source, i), draws.of(number).standard_normal(source, i))
             << to_string(source) << ' ' << i;
-        EXPECT_EQ(together[i], now) << to_string(source) << ' ' << i;
+        EXPECT_EQ(together[i - from], changed.standard_normal(source, i)) << to_string(source) << ' ' << i;
       }
     }
   }
+}
+
+TEST(BranchedDraws, HaveGivenNumbersInPlaceOfTheFirst) {
+  const Draws draws(1, 2);
+  const DrawHistory history{.given = {{Source::amplitude, 0.25}, {Source::phase, 0.75}}, .branches = {branch(77, 0)}};
+  const BranchedDraws changed(draws, &history);
+  EXPECT_EQ(changed.standard_normal(Source::amplitude, 0), 0.25);
+  EXPECT_EQ(changed.uniform(Source::phase, 0), 0.75);
+  EXPECT_EQ(changed.standard_normal(Source::amplitude, 1), draws.of(77).standard_normal(Source::amplitude, 1));
 }
 
 }  // namespace

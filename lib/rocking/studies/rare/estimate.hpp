@@ -8,29 +8,20 @@
 
 #include "rocking/stats/interval.hpp"
 
-/// What multilevel splitting is asked, and what it estimates (lib/docs/rare.md).
+/// What is asked about a rare event, and what is estimated (lib/docs/rare.md).
 namespace rocking {
 namespace rare {
-
-/// What measures how near a motion is to the event.
-enum class Score : std::uint8_t {
-  tilt,    ///< largest abs(Theta) so far
-  energy,  ///< largest energy of rocking so far, over that at the unstable equilibrium; 0 at rest
-};
-
-[[nodiscard]] std::string_view to_string(Score score);
 
 /// The event: the block overturns, or abs(Theta) exceeds `peak_tilt` (also if it overturns).
 struct Event {
   std::optional<double> peak_tilt;  ///< [-]
 };
 
-/// One repetition: product of the shares of particles that reached each level in turn, and the event. Unbiased.
+/// One unbiased estimate.
 struct Repetition {
   double estimate = 0.0;
-  std::vector<double> reached;  ///< share of the particles at each level, the event last; ends at the first 0
-  std::size_t ancestors = 0;    ///< first trajectories from which those that had the event descend
-  double work = 0.0;
+  std::size_t ancestors = 0;  ///< first trajectories from which those that had the event descend
+  double work = 0.0;          ///< simulated time, in realisations to the horizon
 };
 
 }  // namespace rare
@@ -45,6 +36,7 @@ struct RareQuestion {
 enum class RareEnd : std::uint8_t {
   precise,  ///< the relative error is as small as was asked
   out_of_time,
+  stopped,     ///< it was asked to stop
   never_seen,  ///< the first repetitions have not seen the event
   most_repetitions,
 };
@@ -53,17 +45,16 @@ enum class RareEnd : std::uint8_t {
 /// What stands in the way of trusting an interval.
 enum class RareDiagnosis : std::uint8_t {
   none,
-  no_levels,        ///< the pilot run found no way to the event: the probability is far below what was reached, or 0
-  few_repetitions,  ///< the time was up before 8 were finished: the interval is [0, 1]
-  few_ancestors,    ///< the median repetition's estimate descends from fewer than 10 first trajectories
-  uneven,           ///< repetitions without the event, or one that has more than a third of the sum
+  not_found,        ///< the pilot runs have not seen the event: the repetitions are plain sampling
+  few_repetitions,  ///< fewer than 8 were finished: the interval is [0, 1]
+  uneven,           ///< a tenth of the repetitions or more missed the event, or one has more than a third of the sum
 };
 [[nodiscard]] std::string_view to_string(RareDiagnosis diagnosis);
 
-/// How the random numbers of a condition are changed.
+/// How the probability of a condition is estimated.
 enum class RareMethod : std::uint8_t {
-  markov_chain,  ///< of numbers drawn once
-  both,          ///< a Markov chain of all numbers, then a branch of those drawn along the way
+  twisted_run,          ///< a particle run that the committor steers; numbers are drawn along the way
+  importance_sampling,  ///< of numbers that are all drawn once
 };
 [[nodiscard]] std::string_view to_string(RareMethod method);
 
@@ -71,17 +62,16 @@ enum class RareMethod : std::uint8_t {
 struct RareEstimate {
   std::optional<double> probability;     ///< absent if no repetition was finished when the time was up
   std::optional<double> relative_error;  ///< standard error over the probability; absent for 0, and of few repetitions
-  stats::Interval interval;              ///< for a probability 0: from 0 to the upper end for the highest level
-  RareMethod method = RareMethod::markov_chain;
-  std::vector<double> levels;   ///< of the score, rising
-  std::vector<double> reached;  ///< mean shares of the particles at each level, and the event last
+  stats::Interval interval;              ///< for a probability 0: from 0 to an upper bound
+  RareMethod method = RareMethod::twisted_run;
+  std::vector<double> levels;   ///< of the search for the event, rising; empty for a twisted run
+  std::vector<double> reached;  ///< share of its particles at each level, and the event last
   std::vector<rare::Repetition> repetitions;
   double pilot_work = 0.0;
-  double work = 0.0;  ///< simulated time of what was finished, with the pilot run, in realisations to the horizon
-  /// Realisations for the same relative error by plain sampling, which are cheaper than those of `work`: they have lanes.
-  std::optional<double> crude_work;
-  std::size_t least_ancestors = 0;  ///< of a repetition that has seen the event
-  double median_ancestors = 0.0;    ///< likewise
+  double work = 0.0;  ///< simulated time of what was finished, with the pilot runs, in realisations to the horizon
+  std::optional<double> crude_work;  ///< realisations for the same relative error by plain sampling
+  std::size_t least_ancestors = 0;   ///< of a repetition that has seen the event
+  double median_ancestors = 0.0;     ///< likewise
   RareEnd end = RareEnd::precise;
   RareDiagnosis diagnosis = RareDiagnosis::none;
 };

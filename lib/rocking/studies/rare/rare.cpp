@@ -3,47 +3,32 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/on_threads.hpp"
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/repetitions.hpp"
-#include "rocking/studies/rare/block_model.hpp"
-#include "rocking/studies/rare/splitting.hpp"
+#include "rocking/studies/rare/estimator.hpp"
 
 namespace rocking {
 namespace {
 
-using rare::BlockModel;
+using rare::most_repetitions;
 using rare::Repetition;
 
 /// With fewer repetitions the interval is wide, whatever their spread.
 constexpr std::size_t least_repetitions = 16;
 /// Before the share of a condition in the time counts. An interval from fewer has not been tested.
 constexpr std::size_t repetitions_at_any_rate = 8;
-constexpr std::size_t most_repetitions = 20'000;
 
-RareMethod method_of(const Scene& scene) {
-  return rare::moves_of(scene).along_the_way ? RareMethod::both : RareMethod::markov_chain;
-}
-
-rare::ForEach on(unsigned threads) {
-  return [threads](std::size_t count, const std::function<void(std::size_t)>& work) {
-    std::atomic<std::size_t> next = 0;
-    base::on_threads(
-        threads,
-        [&](unsigned) {
-          for (std::size_t i = next++; i < count; i = next++) work(i);
-        },
-        [&] { next = count; });
-  };
-}
-
-std::vector<double> estimates_of(const std::vector<Repetition>& repetitions) {
+/// Of the first `count`.
+std::vector<double> estimates_of(const std::vector<Repetition>& repetitions, std::size_t count) {
   std::vector<double> estimates;
-  for (const Repetition& repetition : repetitions) estimates.push_back(repetition.estimate);
+  for (std::size_t i = 0; i < count; ++i) estimates.push_back(repetitions[i].estimate);
   return estimates;
 }
 
@@ -55,23 +40,27 @@ class ConditionStudy {
         place_(place),
         question_(&question),
         settings_(&settings),
-        halt_(settings.stop, settings.elapsed_seconds, settings.seconds),
         share_(static_cast<double>(place + 1) / static_cast<double>(experiment.conditions.size())),
-        model_(*condition_, {.seed = experiment.seed, .event = question.event, .score = settings.score}, halt_),
-        plan_{.seed = experiment.seed, .particles = settings.particles} {}
+        paths_{.condition = condition_,
+               .seed = experiment.seed,
+               .event = question.event,
+               .halt = {settings.stop, settings.elapsed_seconds, settings.seconds}} {}
 
   [[nodiscard]] RareEstimate estimate() {
-    result_.method = method_of(condition_->scene);
-    rare::Pilot pilot;
+    result_.method = rare::method_of(condition_->scene);
     try {
-      pilot = rare::find_levels(model_, plan_, on(settings_->threads));
-      levels_ = result_.levels = pilot.levels;
-      result_.pilot_work = pilot.work;
+      estimator_ = estimator_of(paths_, settings_->particles, settings_->threads);
+      result_.levels = estimator_->pilot().levels;
+      result_.reached = estimator_->pilot().reached;
+      result_.pilot_work = estimator_->pilot().work;
+      if (place_ < settings_->earlier.size()) repetitions() = settings_->earlier[place_];
       repeat_until_precise();
     } catch (const rare::TimeIsUp&) {
       result_.end = RareEnd::out_of_time;
+    } catch (const base::Stopped&) {
+      result_.end = RareEnd::stopped;
     }
-    summarise(pilot);
+    summarise();
     return std::move(result_);
   }
 
@@ -81,116 +70,95 @@ class ConditionStudy {
   void repeat_until_precise() {
     std::size_t planned = least_repetitions;
     for (;;) {
-      if (!repeat_up_to(planned)) {
-        result_.end = RareEnd::out_of_time;
-        return;
-      }
-      const auto so_far = stats::mean_of_repetitions(estimates_of(repetitions()), condition_->confidence);
+      if (planned > repetitions().size() && !repeat_up_to(planned)) return;
+      const auto so_far = stats::mean_of_repetitions(estimates_of(repetitions(), planned), condition_->confidence);
       if (!so_far.relative_error) {
         result_.end = RareEnd::never_seen;
         return;
       }
       const double ratio = *so_far.relative_error / question_->relative_error;
       if (ratio <= 1.0) return;
-      if (planned == most_repetitions) {
+      if (planned == most_repetitions - 1) {
         result_.end = RareEnd::most_repetitions;
         return;
       }
-      // The spread is known roughly at first: at most four times as many at once.
-      const double wanted = static_cast<double>(planned) * std::min(4.0, 1.05 * ratio * ratio);
-      planned = std::min(most_repetitions, std::max(planned + 1, static_cast<std::size_t>(std::ceil(wanted))));
+      planned = more_than(planned, ratio);
     }
   }
 
-  /// Makes repetitions until there are `count`; false if the time was up before. Those after one that was not finished
-  /// are left out: long repetitions tend to have large estimates, and without them the mean would be too small.
+  /// The spread is known roughly at first: at most four times as many at once. The numbers do not depend on how many were
+  /// made earlier.
+  [[nodiscard]] static std::size_t more_than(std::size_t planned, double ratio) {
+    const double wanted = static_cast<double>(planned) * std::min(4.0, 1.05 * ratio * ratio);
+    return std::min<std::size_t>(most_repetitions - 1,
+                                 std::max(planned + 1, static_cast<std::size_t>(std::ceil(wanted))));
+  }
+
+  /// Makes repetitions until there are `count`; false if it had to end before. Those after one that was not finished are
+  /// left out: long repetitions tend to have large estimates, and without them the mean would be too small.
   [[nodiscard]] bool repeat_up_to(std::size_t count) {
     const std::size_t from = repetitions().size();
     std::vector<std::optional<Repetition>> slots(count - from);
     std::atomic<std::size_t> next = 0;
     std::size_t done = from;
     std::mutex mutex;
+    result_.end = RareEnd::out_of_time;
+    const rare::Halt& halt = paths_.halt;
     try {
       base::on_threads(
           settings_->threads,
           [&](unsigned) {
             for (std::size_t i = next++; i < slots.size(); i = next++) {
-              if (from + i >= repetitions_at_any_rate && halt_.ends_within(longest_, share_)) return;
-              const double start = halt_.elapsed();
-              slots[i] = rare::repeat(model_, plan_, levels_, from + i + 1, on(1));
+              if (from + i >= repetitions_at_any_rate && halt.ends_within(longest_, share_)) return;
+              const double start = halt.elapsed();
+              slots[i] = estimator_->repeat(from + i + 1);
               const std::lock_guard lock(mutex);
-              longest_ = std::max<double>(longest_, halt_.elapsed() - start);
+              longest_ = std::max<double>(longest_, halt.elapsed() - start);
               if (settings_->on_progress) settings_->on_progress(place_, ++done, count);
             }
           },
           [&] { next = slots.size(); });
     } catch (const rare::TimeIsUp&) {
       // What is finished counts.
+    } catch (const base::Stopped&) {
+      result_.end = RareEnd::stopped;
     }
     for (auto& slot : slots) {
       if (!slot) return false;
       repetitions().push_back(*std::move(slot));
     }
+    result_.end = RareEnd::precise;
     return true;
   }
 
-  void summarise(const rare::Pilot& pilot) {
-    if (repetitions().size() < repetitions_at_any_rate) return summarise_few();
-    const auto estimate = stats::mean_of_repetitions(estimates_of(repetitions()), condition_->confidence);
+  void summarise() {
+    result_.work = result_.pilot_work;
+    for (const Repetition& repetition : repetitions()) result_.work += repetition.work;
+    const bool is_few = repetitions().size() < repetitions_at_any_rate;
+    result_.interval = {0.0, 1.0};
+    if (is_few) result_.diagnosis = RareDiagnosis::few_repetitions;
+    if (repetitions().empty()) return;
+    const auto estimate =
+        stats::mean_of_repetitions(estimates_of(repetitions(), repetitions().size()), condition_->confidence);
     result_.probability = estimate.mean;
+    if (is_few) return;
     result_.relative_error = estimate.relative_error;
-    result_.work = pilot.work;
-    result_.reached.assign(levels_.size() + 1, 0.0);
-    for (const Repetition& repetition : repetitions()) {
-      result_.work += repetition.work;
-      for (std::size_t i = 0; i < repetition.reached.size(); ++i) result_.reached[i] += repetition.reached[i];
-    }
-    for (double& share : result_.reached) share /= static_cast<double>(repetitions().size());
-    if (estimate.interval) {
-      result_.interval = {estimate.interval->low, std::min(1.0, estimate.interval->high)};
-    } else {
-      result_.interval = {0.0, bound_from_levels()};
-    }
+    result_.interval = estimate.interval ? *estimate.interval : interval_of_none();
+    result_.interval.high = std::min(1.0, result_.interval.high);
     if (estimate.relative_error && *estimate.relative_error > 0.0) {
       result_.crude_work =
           (1.0 - estimate.mean) / (estimate.mean * *estimate.relative_error * *estimate.relative_error);
     }
-    diagnose(pilot);
+    diagnose();
   }
 
-  void summarise_few() {
-    result_.diagnosis = RareDiagnosis::few_repetitions;
-    result_.interval = {0.0, 1.0};
-    result_.work = result_.pilot_work;
-    for (const Repetition& repetition : repetitions()) result_.work += repetition.work;
-    if (repetitions().empty()) return;
-    result_.probability = stats::mean_of_repetitions(estimates_of(repetitions()), condition_->confidence).mean;
+  /// As if each particle were a realisation. It is one where the pilot runs have not seen the event.
+  [[nodiscard]] stats::Interval interval_of_none() const {
+    const std::uint64_t trials = result_.repetitions.size() * settings_->particles;
+    return stats::clopper_pearson({.successes = 0, .trials = trials}, condition_->confidence);
   }
 
-  /// Who had the event has reached every level: the upper end of the interval for the highest level that enough
-  /// repetitions have reached. 1 without such a level.
-  [[nodiscard]] double bound_from_levels() {
-    for (std::size_t level = levels_.size(); level > 0; --level) {
-      std::vector<double> estimates;
-      bool all = true;
-      for (const Repetition& repetition : repetitions()) {
-        double estimate = 1.0;
-        for (std::size_t i = 0; i < level; ++i) {
-          estimate *= i < repetition.reached.size() ? repetition.reached[i] : 0.0;
-        }
-        all = all && estimate > 0.0;
-        estimates.push_back(estimate);
-      }
-      const auto bound = stats::mean_of_repetitions(estimates, condition_->confidence);
-      if (all && bound.interval) return std::min(1.0, bound.interval->high);
-    }
-    const double trials = static_cast<double>(repetitions().size() * plan_.particles);
-    return stats::clopper_pearson({.successes = 0, .trials = static_cast<std::uint64_t>(trials)},
-                                  condition_->confidence)
-        .high;
-  }
-
-  void diagnose(const rare::Pilot& pilot) {
+  void diagnose() {
     std::vector<std::size_t> ancestors;
     double largest = 0.0;
     double sum = 0.0;
@@ -200,17 +168,15 @@ class ConditionStudy {
       sum += repetition.estimate;
     }
     std::ranges::sort(ancestors);
-    if (!ancestors.empty()) {
+    const std::size_t n = ancestors.size();
+    if (n > 0) {
       result_.least_ancestors = ancestors.front();
-      const std::size_t n = ancestors.size();
       result_.median_ancestors = 0.5 * static_cast<double>(ancestors[n / 2] + ancestors[(n - 1) / 2]);
     }
-    if (pilot.end != rare::PilotEnd::reached) {
-      result_.diagnosis = RareDiagnosis::no_levels;
-    } else if (ancestors.size() < repetitions().size() || 3.0 * largest > sum) {
+    if (!estimator_->pilot().found_event) {
+      result_.diagnosis = RareDiagnosis::not_found;
+    } else if (10 * n <= 9 * repetitions().size() || 3.0 * largest > sum) {
       result_.diagnosis = RareDiagnosis::uneven;
-    } else if (result_.median_ancestors < 10.0) {
-      result_.diagnosis = RareDiagnosis::few_ancestors;
     }
   }
 
@@ -218,29 +184,20 @@ class ConditionStudy {
   std::size_t place_;
   const RareQuestion* question_;
   const RareSettings* settings_;
-  rare::Halt halt_;
   double share_;  ///< of the time for this condition and those before it
-  BlockModel model_;
-  rare::SplittingPlan plan_;
-  std::vector<double> levels_;
+  rare::BlockPaths paths_;
+  std::unique_ptr<rare::Estimator> estimator_;
   std::atomic<double> longest_ = 0.0;  ///< time of a repetition so far [s]
   RareEstimate result_;
 };
 
 }  // namespace
 
-std::string_view rare::to_string(Score score) {
-  switch (score) {
-    case Score::tilt: return "tilt";
-    case Score::energy: return "energy";
-  }
-  return "";
-}
-
 std::string_view to_string(RareEnd end) {
   switch (end) {
     case RareEnd::precise: return "precise";
     case RareEnd::out_of_time: return "out_of_time";
+    case RareEnd::stopped: return "stopped";
     case RareEnd::never_seen: return "never_seen";
     case RareEnd::most_repetitions: return "most_repetitions";
   }
@@ -250,9 +207,8 @@ std::string_view to_string(RareEnd end) {
 std::string_view to_string(RareDiagnosis diagnosis) {
   switch (diagnosis) {
     case RareDiagnosis::none: return "none";
-    case RareDiagnosis::no_levels: return "no_levels";
+    case RareDiagnosis::not_found: return "not_found";
     case RareDiagnosis::few_repetitions: return "few_repetitions";
-    case RareDiagnosis::few_ancestors: return "few_ancestors";
     case RareDiagnosis::uneven: return "uneven";
   }
   return "";
@@ -260,8 +216,8 @@ std::string_view to_string(RareDiagnosis diagnosis) {
 
 std::string_view to_string(RareMethod method) {
   switch (method) {
-    case RareMethod::markov_chain: return "markov_chain";
-    case RareMethod::both: return "splitting_and_markov_chain";
+    case RareMethod::twisted_run: return "twisted_run";
+    case RareMethod::importance_sampling: return "importance_sampling";
   }
   return "";
 }

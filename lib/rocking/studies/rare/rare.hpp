@@ -9,18 +9,19 @@
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/estimate.hpp"
 
-/// Probabilities of rare overturning, by multilevel splitting (lib/docs/rare.md).
+/// Probabilities of rare overturning, by particle runs or importance sampling (lib/docs/rare.md).
 namespace rocking {
 
 struct RareSettings {
-  std::size_t particles = 500;  ///< of a repetition; 20 to 100000
-  rare::Score score = rare::Score::tilt;
+  std::size_t particles = 1000;  ///< of a repetition; 20 to 100000
   unsigned threads = 1;
   base::StopRequest stop = {};
   /// Time for all conditions together [s], on the clock of `elapsed_seconds`, which several threads call. Absent: no
   /// limit.
   std::optional<double> seconds = {};
   std::function<double()> elapsed_seconds = {};
+  /// Of an earlier call with the same experiment, question and particles, by condition: they are not made again.
+  std::vector<std::vector<rare::Repetition>> earlier = {};
   /// Called by one thread at a time with the number of finished repetitions and that of those planned so far.
   std::function<void(std::size_t condition, std::size_t done, std::size_t planned)> on_progress = {};
 };
@@ -30,7 +31,7 @@ void check_rare(const Experiment& experiment);
 
 /// The estimates for all conditions, in their order. Without a time limit they depend on the experiment, the question
 /// and the number of particles alone. With one, a condition gets its share of the time, but at least 8 repetitions; what
-/// is not finished at the end of the time is left out. Throws as check_rare, and base::Stopped if it is asked to stop.
+/// is not finished at the end of the time, or when it is asked to stop, is left out. Throws as check_rare.
 [[nodiscard]] std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
                                                            const RareSettings& settings);
 

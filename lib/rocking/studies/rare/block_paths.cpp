@@ -1,0 +1,269 @@
+#include "rocking/studies/rare/block_paths.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <utility>
+
+#include "rocking/base/normal_law.hpp"
+#include "rocking/base/on_threads.hpp"
+#include "rocking/studies/rare/importance.hpp"
+
+namespace rocking::rare {
+namespace {
+
+using random::DrawHistory;
+using random::Source;
+
+const lanes::Kernels& fastest_kernels() { return lanes::available_kernels().back(); }
+
+Image::Fate fate_of(const Motion& motion, const Event& event) {
+  const double psi = motion.setting().block.shape_angle;
+  if (motion.termination() == dynamics::Termination::overturned) return Image::Fate::event;
+  if (event.peak_tilt && motion.peaks().tilt / psi > *event.peak_tilt) return Image::Fate::event;
+  const bool goes_on = !motion.ended() || motion.termination() == dynamics::Termination::reached_horizon;
+  return goes_on ? Image::Fate::moves_on : Image::Fate::ends;
+}
+
+SectionPoint point_of(const StrobedMotion& motion) {
+  const double psi = motion.motion().setting().block.shape_angle;
+  const dynamics::State& state = motion.at_strobe();
+  return {.tilt = state.tilt / psi, .tilt_rate = state.tilt_rate / psi, .slip_rate = state.slip_rate};
+}
+
+/// Standard deviations.
+constexpr double amplitude_reach = 6.0;
+
+/// The samples of a transition: their weights, and what each has instead of a draw.
+struct Samples {
+  std::vector<double> weights;
+  std::vector<DrawHistory> given;
+  std::vector<Start> starts;
+};
+
+Samples samples_of(const BlockPaths& paths, std::size_t count) {
+  Samples samples;
+  const Scene& scene = paths.condition->scene;
+  const bool has_amplitude = redraws_amplitude(scene);
+  double sum = 0.0;
+  for (std::size_t j = 0; j < count; ++j) {
+    const double z =
+        count < 2 ? 0.0 : amplitude_reach * (2.0 * static_cast<double>(j) / (static_cast<double>(count) - 1.0) - 1.0);
+    DrawHistory history;
+    if (has_amplitude) history.given.push_back({Source::amplitude, z});
+    samples.given.push_back(std::move(history));
+    samples.weights.push_back(has_amplitude ? base::normal_density(z) : 1.0);
+    sum += samples.weights.back();
+    const Stream stream{.repetition = 0, .stage = stage_limit - 1, .particle = j, .move = 0};
+    Start start = start_of(scene, random::Draws(paths.seed, number_of(stream)));
+    start.phase = 0.0;
+    samples.starts.push_back(std::move(start));
+  }
+  for (double& weight : samples.weights) weight /= sum;
+  return samples;
+}
+
+/// Images of some nodes at a time, on one thread.
+class NodeRuns {
+ public:
+  NodeRuns(const BlockPaths& paths, const SectionGrid& grid, const Samples& samples, std::int64_t k)
+      : paths_(&paths), grid_(&grid), samples_(&samples), k_(k), lanes_(fastest_kernels()) {}
+
+  void run(std::size_t from, std::size_t to, std::vector<Image>& images) {
+    const std::size_t count = samples_->weights.size();
+    std::vector<std::unique_ptr<StrobedMotion>> motions;
+    std::vector<StrobedMotion*> pointers;
+    for (std::size_t i = from * count; i < to * count; ++i) {
+      motions.push_back(begin(i / count, i % count));
+      pointers.push_back(motions.back().get());
+    }
+    lanes_.run(pointers, [this] { paths_->halt.check(); });
+    for (std::size_t i = from * count; i < to * count; ++i) {
+      const StrobedMotion& motion = *motions[i - from * count];
+      images[i] = {.fate = fate_of(motion.motion(), paths_->event), .point = point_of(motion)};
+    }
+  }
+
+ private:
+  [[nodiscard]] std::unique_ptr<StrobedMotion> begin(std::size_t node, std::size_t sample) {
+    const Condition& condition = *paths_->condition;
+    const std::size_t number = node * samples_->weights.size() + sample;
+    const auto period = static_cast<std::uint64_t>(k_);
+    const Stream stream{.repetition = repetition_limit - 1 - period % (repetition_limit / 2),
+                        .stage = number / particle_limit,
+                        .particle = number % particle_limit,
+                        .move = 0};
+    const random::BranchedDraws draws(random::Draws(paths_->seed, number_of(stream)), &samples_->given[sample]);
+    Beginning beginning = begin_realisation(condition, draws, samples_->starts[sample], Strobe::poincare, 1);
+    const SectionPoint at = grid_->node(node);
+    const double psi = beginning.setting.block.shape_angle;
+    beginning.state = {.tilt = psi * at.tilt, .tilt_rate = psi * at.tilt_rate, .slip_rate = at.slip_rate};
+    beginning.clock.set({.period = k_, .time = 0.0});
+    beginning.schedule.first_strobe = {.period = k_ + 1, .time = 0.0};
+    const dynamics::Excitation& excitation = excitation_.of(condition.scene, beginning);
+    auto motion = std::make_unique<StrobedMotion>(
+        [&](dynamics::Observer& observer) { return motion_of(beginning, observer, excitation); });
+    if (!paths_->event.peak_tilt) motion->motion().ignore_peaks();
+    return motion;
+  }
+
+  const BlockPaths* paths_;
+  const SectionGrid* grid_;
+  const Samples* samples_;
+  std::int64_t k_;
+  Lockstep lanes_;
+  SharedExcitation excitation_;
+};
+
+}  // namespace
+
+bool redraws_amplitude(const Scene& scene) {
+  return scene.fluctuation.amplitude > 0.0 && amplitude_draws(scene.excitation) == AmplitudeDraws::each_period;
+}
+
+double Guide::score(std::int64_t k, const SectionPoint& point) const {
+  const double root = std::max(committor.eighth_root(k, point), eighth_root(least));
+  const double square = root * root;
+  return square * square * square * root;
+}
+
+Transitions transitions_of(const BlockPaths& paths, const SectionGrid& grid, std::int64_t k, std::size_t samples,
+                           unsigned threads) {
+  const Samples all = samples_of(paths, samples);
+  Transitions transitions{.weights = all.weights, .images = std::vector<Image>(grid.size() * samples)};
+  constexpr std::size_t nodes_at_once = 64;
+  std::atomic<std::size_t> next = 0;
+  base::on_threads(
+      threads,
+      [&](unsigned) {
+        NodeRuns runs(paths, grid, all, k);
+        for (std::size_t from = next.fetch_add(nodes_at_once); from < grid.size();
+             from = next.fetch_add(nodes_at_once)) {
+          runs.run(from, std::min(from + nodes_at_once, grid.size()), transitions.images);
+        }
+      },
+      [&] { next = grid.size(); });
+  return transitions;
+}
+
+std::vector<double> BlockPoints::scores(const std::vector<Point>& points) const {
+  const Condition& condition = *paths_->condition;
+  constexpr std::size_t at_once = 256;
+  Lockstep lanes(fastest_kernels());
+  SharedExcitation excitation;
+  std::vector<double> scores;
+  for (std::size_t from = 0; from < points.size(); from += at_once) {
+    std::vector<DrawHistory> histories;
+    histories.reserve(at_once);
+    std::vector<std::unique_ptr<StrobedMotion>> motions;
+    std::vector<StrobedMotion*> pointers;
+    for (std::size_t i = from; i < std::min(from + at_once, points.size()); ++i) {
+      histories.push_back(given_draws(condition.scene, paths_->numbers.once, points[i]));
+      const random::BranchedDraws draws(random::Draws(paths_->seed, 0), &histories.back());
+      const Start start = start_of(condition.scene, draws);
+      const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, paths_->periods());
+      const dynamics::Excitation& shaking = excitation.of(condition.scene, beginning);
+      motions.push_back(std::make_unique<StrobedMotion>(
+          [&](dynamics::Observer& observer) { return motion_of(beginning, observer, shaking); }));
+      pointers.push_back(motions.back().get());
+    }
+    lanes.run(pointers, [this] { paths_->halt.check(); });
+    for (const StrobedMotion* motion : pointers) {
+      const bool has_event = fate_of(motion->motion(), paths_->event) == Image::Fate::event;
+      const Motion& ended = motion->motion();
+      scores.push_back(has_event ? event_score : ended.peaks().tilt / ended.setting().block.shape_angle);
+    }
+  }
+  return scores;
+}
+
+BlockPopulation::BlockPopulation(const BlockPaths& paths, const PopulationPlan& plan)
+    : paths_(&paths), plan_(plan), lanes_(fastest_kernels()) {
+  SharedExcitation excitation;
+  std::vector<StrobedMotion*> all;
+  for (std::size_t i = 0; i < plan.particles; ++i) {
+    particles_.push_back(begin(i, excitation));
+    all.push_back(particles_.back().motion.get());
+  }
+  run(all);
+}
+
+BlockPopulation::Particle BlockPopulation::begin(std::size_t i, SharedExcitation& excitation) const {
+  const Condition& condition = *paths_->condition;
+  Particle particle;
+  particle.number = number_of({.repetition = plan_.repetition, .stage = 0, .particle = i, .move = 0});
+  particle.history = std::make_unique<DrawHistory>();
+  const random::Draws own(paths_->seed, particle.number);
+  if (plan_.proposal != nullptr) {
+    particle.drawn_once = plan_.proposal->draw(own);
+    particle.likelihood_ratio = plan_.proposal->likelihood_ratio(particle.drawn_once);
+    *particle.history = given_draws(condition.scene, paths_->numbers.once, particle.drawn_once);
+  }
+  const random::BranchedDraws draws(own, particle.history.get());
+  const Start start = start_of(condition.scene, draws);
+  const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, 1);
+  const dynamics::Excitation& shaking = excitation.of(condition.scene, beginning);
+  particle.motion = std::make_unique<StrobedMotion>(
+      [&](dynamics::Observer& observer) { return motion_of(beginning, observer, shaking); });
+  if (!paths_->event.peak_tilt) particle.motion->motion().ignore_peaks();
+  return particle;
+}
+
+Image::Fate BlockPopulation::fate(std::size_t i) const {
+  return fate_of(particles_[i].motion->motion(), paths_->event);
+}
+
+SectionPoint BlockPopulation::point(std::size_t i) const { return point_of(*particles_[i].motion); }
+
+double BlockPopulation::score(std::int64_t k, std::size_t i) {
+  const SectionPoint at = point(i);
+  constexpr double nearly_sure = 0.9;
+  if (plan_.guide == nullptr || plan_.guide->committor(k, at) < nearly_sure) {
+    reach_.tilt = std::max(reach_.tilt, std::abs(at.tilt));
+    reach_.tilt_rate = std::max(reach_.tilt_rate, std::abs(at.tilt_rate));
+    reach_.slip_rate = std::max(reach_.slip_rate, std::abs(at.slip_rate));
+  }
+  return plan_.guide == nullptr ? 1.0 : plan_.guide->score(k, at);
+}
+
+void BlockPopulation::branch(std::size_t i, std::size_t parent, const Stream& stream) {
+  Particle& child = particles_[i];
+  const Particle& from = particles_[parent];
+  child.motion->become(*from.motion);
+  child.number = from.number;
+  *child.history = *from.history;
+  child.drawn_once = from.drawn_once;
+  child.has_left = false;
+  Motion& motion = child.motion->motion();
+  SceneCoefficients coefficients = motion.coefficients();
+  child.history->branches.push_back({.number = number_of(stream), .from = coefficients.first_unused()});
+  coefficients.continue_with({random::Draws(paths_->seed, child.number), child.history.get()});
+  motion.continue_with(coefficients);
+}
+
+void BlockPopulation::advance() {
+  std::vector<StrobedMotion*> going;
+  for (Particle& particle : particles_) {
+    if (particle.has_left || fate_of(particle.motion->motion(), paths_->event) != Image::Fate::moves_on) continue;
+    particle.likelihood_ratio = 1.0;
+    particle.motion->motion().extend(1);
+    going.push_back(particle.motion.get());
+  }
+  run(going);
+}
+
+void BlockPopulation::run(const std::vector<StrobedMotion*>& motions) {
+  const auto time = [&] {
+    double sum = 0.0;
+    for (const StrobedMotion* motion : motions) {
+      const dynamics::Clock& clock = motion->motion().clock();
+      sum += clock.tau() / clock.period_length();
+    }
+    return sum;
+  };
+  const double before = time();
+  lanes_.run(motions, [this] { paths_->halt.check(); });
+  work_ += (time() - before) / static_cast<double>(paths_->periods());
+}
+
+}  // namespace rocking::rare

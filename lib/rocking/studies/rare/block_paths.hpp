@@ -1,0 +1,117 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "rocking/random/branched_draws.hpp"
+#include "rocking/realisation/lockstep.hpp"
+#include "rocking/realisation/shared_excitation.hpp"
+#include "rocking/scene/experiment.hpp"
+#include "rocking/studies/rare/committor.hpp"
+#include "rocking/studies/rare/drawn_numbers.hpp"
+#include "rocking/studies/rare/estimate.hpp"
+#include "rocking/studies/rare/halt.hpp"
+#include "rocking/studies/rare/proposal.hpp"
+#include "rocking/studies/rare/stream.hpp"
+
+namespace rocking::rare {
+
+/// What steers a run: the committor of a condition.
+struct Guide {
+  Committor committor;
+  double least = 0.0;  ///< > 0: what h is taken to be where it is smaller
+
+  /// max(h, least)^(7/8): a little less than h, since the grid has errors.
+  [[nodiscard]] double score(std::int64_t k, const SectionPoint& point) const;
+};
+
+/// What the trajectories of one condition have in common. The condition must outlive it.
+struct BlockPaths {
+  const Condition* condition;
+  std::uint64_t seed;
+  Event event;
+  Halt halt;
+  DrawnNumbers numbers = drawn_numbers(condition->scene);
+
+  [[nodiscard]] std::int64_t periods() const {
+    return condition->horizon.transient_periods + condition->horizon.sampled_periods;
+  }
+};
+
+/// Whether the amplitude of the excitation is drawn again at each period.
+[[nodiscard]] bool redraws_amplitude(const Scene& scene);
+
+/// Where motions are a period after strobe point k, from each node of the grid, `samples` from each. Where the amplitude
+/// of each period is drawn, a sample has a given one, at equal distances within six standard deviations of its normal
+/// number; all else is drawn.
+/// `k` = 0 stands for every strobe point of a periodic excitation. On several threads.
+[[nodiscard]] Transitions transitions_of(const BlockPaths& paths, const SectionGrid& grid, std::int64_t k,
+                                         std::size_t samples, unsigned threads);
+
+/// The trajectories of a condition in which all is drawn once. Models rare::PointModel.
+class BlockPoints {
+ public:
+  /// Throws as Halt::check.
+  explicit BlockPoints(const BlockPaths& paths) : paths_(&paths) {}
+
+  [[nodiscard]] std::size_t dimensions() const { return paths_->numbers.once.size(); }
+  /// Largest abs(Theta).
+  [[nodiscard]] std::vector<double> scores(const std::vector<Point>& points) const;
+
+ private:
+  const BlockPaths* paths_;
+};
+
+/// How a population is made.
+struct PopulationPlan {
+  std::size_t particles = 0;
+  std::uint64_t repetition = 0;
+  const Guide* guide = nullptr;        ///< null: all scores are 1
+  const Proposal* proposal = nullptr;  ///< of the numbers drawn once; null: their own law
+};
+
+/// Motions of a condition with draws along the way, from their start on. Models rare::Population.
+class BlockPopulation {
+ public:
+  /// At strobe point 1 each. Functions throw as Halt::check. The paths and what the plan refers to must outlive it.
+  BlockPopulation(const BlockPaths& paths, const PopulationPlan& plan);
+
+  [[nodiscard]] std::size_t size() const { return particles_.size(); }
+  [[nodiscard]] double likelihood_ratio(std::size_t i) const { return particles_[i].likelihood_ratio; }
+  [[nodiscard]] Image::Fate fate(std::size_t i) const;
+  [[nodiscard]] double score(std::int64_t k, std::size_t i);
+  [[nodiscard]] double work() const { return work_; }
+  /// The largest abs(Theta), abs(Theta') and abs(V) for which a score was asked while h was below 0.9.
+  [[nodiscard]] const SectionPoint& reach() const { return reach_; }
+  [[nodiscard]] SectionPoint point(std::size_t i) const;
+  /// The numbers drawn once; empty without a proposal.
+  [[nodiscard]] const Point& drawn_once(std::size_t i) const { return particles_[i].drawn_once; }
+  void branch(std::size_t i, std::size_t parent, const Stream& stream);
+  void leave(std::size_t i) { particles_[i].has_left = true; }
+  void advance();
+
+ private:
+  /// The draws of `number`, except those of its history, to which the motion refers.
+  struct Particle {
+    std::uint64_t number = 0;
+    std::unique_ptr<random::DrawHistory> history;
+    std::unique_ptr<StrobedMotion> motion;
+    Point drawn_once;
+    double likelihood_ratio = 1.0;
+    bool has_left = false;
+  };
+
+  [[nodiscard]] Particle begin(std::size_t i, SharedExcitation& excitation) const;
+  void run(const std::vector<StrobedMotion*>& motions);
+
+  const BlockPaths* paths_;
+  PopulationPlan plan_;
+  Lockstep lanes_;
+  std::vector<Particle> particles_;
+  SectionPoint reach_;
+  double work_ = 0.0;
+};
+
+}  // namespace rocking::rare

@@ -1,0 +1,171 @@
+#include "rocking/studies/rare/estimator.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "rocking/studies/rare/importance.hpp"
+#include "rocking/studies/rare/twisted_run.hpp"
+
+namespace rocking::rare {
+namespace {
+
+/// Of numbers that are drawn once.
+class ImportanceEstimator final : public Estimator {
+ public:
+  ImportanceEstimator(const BlockPaths& paths, std::size_t particles)
+      : points_(paths), plan_{.seed = paths.seed, .particles = particles}, search_(search()) {
+    pilot_ = {.levels = search_.levels,
+              .reached = search_.reached,
+              .found_event = search_.end == SearchEnd::reached,
+              .work = search_.work};
+  }
+
+  [[nodiscard]] const Pilot& pilot() const override { return pilot_; }
+  [[nodiscard]] Repetition repeat(std::uint64_t repetition) const override {
+    return repeat_importance(points_, plan_, search_.proposal, repetition);
+  }
+
+ private:
+  [[nodiscard]] Search search() const {
+    constexpr std::size_t least =
+        10'000;  // particles: where the search misses a way to the event, the estimates have large errors
+    ImportancePlan plan = plan_;
+    plan.particles = std::max(plan.particles, least);
+    return find_event(points_, plan, most_repetitions);
+  }
+
+  BlockPoints points_;
+  ImportancePlan plan_;
+  Search search_;
+  Pilot pilot_;
+};
+
+/// Of numbers that are drawn along the way.
+class TwistedEstimator final : public Estimator {
+ public:
+  TwistedEstimator(const BlockPaths& paths, std::size_t particles, unsigned threads)
+      : paths_(&paths),
+        particles_(particles),
+        threads_(threads),
+        plan_{.seed = paths.seed, .periods = paths.periods()} {
+    find_guide();
+  }
+
+  [[nodiscard]] const Pilot& pilot() const override { return pilot_; }
+  [[nodiscard]] Repetition repeat(std::uint64_t repetition) const override {
+    BlockPopulation population(*paths_, plan_of(particles_, repetition));
+    return TwistedRun(population, plan_, repetition).run();
+  }
+
+ private:
+  static constexpr std::size_t pilot_particles = 1000;
+  static constexpr double margin = 1.05;
+
+  [[nodiscard]] PopulationPlan plan_of(std::size_t particles, std::uint64_t repetition) const {
+    return {.particles = particles, .repetition = repetition, .guide = guide_ ? &*guide_ : nullptr};
+  }
+
+  /// The reach of a run, and whether it saw the event.
+  SectionPoint run_pilot(std::uint64_t number) {
+    const std::uint64_t repetition = most_repetitions + number;
+    BlockPopulation population(*paths_, plan_of(pilot_particles, repetition));
+    const Repetition found = TwistedRun(population, plan_, repetition).run();
+    pilot_.work += found.work;
+    pilot_.found_event = found.estimate > 0.0;
+    return population.reach();
+  }
+
+  /// Coarse grids find how far motions go that have the event, a fine one steers the repetitions.
+  void find_guide() {
+    constexpr double least_reach = 0.1;
+    constexpr std::uint64_t coarse_grids = 3;
+    SectionPoint reach = run_pilot(0);
+    reach = {.tilt = std::max(1.3, 1.5 * reach.tilt),
+             .tilt_rate = std::max(least_reach, 1.5 * reach.tilt_rate),
+             .slip_rate = 1.5 * reach.slip_rate};
+    for (std::uint64_t i = 1; i <= coarse_grids; ++i) {
+      make_guide(reach, false);
+      const SectionPoint seen = run_pilot(i);
+      const SectionPoint next{.tilt = std::max(least_reach, margin * seen.tilt),
+                              .tilt_rate = std::max(least_reach, margin * seen.tilt_rate),
+                              .slip_rate = margin * seen.slip_rate};
+      const bool is_found = fits(next.tilt, reach.tilt) && fits(next.tilt_rate, reach.tilt_rate);
+      reach = next;
+      if (is_found) break;
+    }
+    make_guide(reach, true);
+    run_pilot(coarse_grids + 1);
+  }
+
+  /// Fine within the reach, and coarse from there to where a falling block has overturned.
+  [[nodiscard]] SectionGrid grid_of(const SectionPoint& reach, bool is_fine) const {
+    constexpr double half_pi = 0x1.921fb54442d18p+0;
+    const double overturned = half_pi / dynamics::geometry_of(mean_block(paths_->condition->scene)).shape_angle;
+    constexpr double least_slip_rate = 1e-3;
+    const bool slips = reach.slip_rate > least_slip_rate;
+    const std::size_t inner = !is_fine ? 12 : slips ? 17 : 34;
+    const std::size_t outer = !is_fine || slips ? 3 : 6;
+    const double farthest = paths_->event.peak_tilt ? std::min(overturned, *paths_->event.peak_tilt) : overturned;
+    return {{.inner = reach.tilt,
+             .outer = std::max(farthest, 1.2 * reach.tilt),
+             .inner_cells = inner,
+             .outer_cells = outer},
+            {.inner = reach.tilt_rate, .outer = 3.0 * reach.tilt_rate, .inner_cells = inner, .outer_cells = outer},
+            slips ? std::optional(SectionAxis{.inner = reach.slip_rate,
+                                              .outer = 2.0 * reach.slip_rate,
+                                              .inner_cells = is_fine ? 4U : 2U,
+                                              .outer_cells = 1})
+                  : std::nullopt};
+  }
+
+  [[nodiscard]] static bool fits(double wanted, double reach) { return wanted <= reach && wanted >= 0.7 * reach; }
+
+  void make_guide(const SectionPoint& reach, bool is_fine) {
+    const bool is_periodic = rocking::is_periodic(paths_->condition->scene.excitation);
+    const SectionGrid grid = grid_of(reach, is_periodic && is_fine);
+    const std::size_t samples = is_periodic && redraws_amplitude(paths_->condition->scene) ? 17 : 8;
+    std::vector<Transitions> transitions;
+    const std::int64_t last = is_periodic ? 1 : std::max<std::int64_t>(1, paths_->periods() - 1);
+    for (std::int64_t k = 1; k <= last; ++k) {
+      transitions.push_back(transitions_of(*paths_, grid, is_periodic ? 0 : k, samples, threads_));
+    }
+    pilot_.work +=
+        static_cast<double>(grid.size() * samples * transitions.size()) / static_cast<double>(paths_->periods());
+    guide_.reset();
+    guide_.emplace(
+        Guide{.committor = Committor(grid, transitions, paths_->periods(), [this] { paths_->halt.check(); })});
+    guide_->least = least_score();
+  }
+
+  /// A part of the mean of h over the beginnings of trajectories.
+  [[nodiscard]] double least_score() {
+    constexpr double part = 0.03;
+    constexpr double smallest = 1e-30;
+    BlockPopulation population(*paths_, {.particles = pilot_particles, .repetition = most_repetitions});
+    pilot_.work += population.work();
+    double mean = 0.0;
+    for (std::size_t i = 0; i < population.size(); ++i) mean += guide_->committor(1, population.point(i));
+    return std::max(smallest, part * mean / static_cast<double>(population.size()));
+  }
+
+  const BlockPaths* paths_;
+  std::size_t particles_;
+  unsigned threads_;
+  TwistedPlan plan_;
+  std::optional<Guide> guide_;
+  Pilot pilot_;
+};
+
+}  // namespace
+
+RareMethod method_of(const Scene& scene) {
+  return drawn_numbers(scene).along_the_way ? RareMethod::twisted_run : RareMethod::importance_sampling;
+}
+
+std::unique_ptr<Estimator> estimator_of(const BlockPaths& paths, std::size_t particles, unsigned threads) {
+  if (paths.numbers.along_the_way) return std::make_unique<TwistedEstimator>(paths, particles, threads);
+  return std::make_unique<ImportanceEstimator>(paths, particles);
+}
+
+}  // namespace rocking::rare

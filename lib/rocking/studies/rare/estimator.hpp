@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "rocking/studies/rare/block_paths.hpp"
+#include "rocking/studies/rare/estimate.hpp"
+
+namespace rocking::rare {
+
+/// Unbiased, independent estimates of one probability. It may be used by several threads.
+class Estimator {
+ public:
+  /// What was found out before the first repetition.
+  struct Pilot {
+    std::vector<double> levels;   ///< of the search for the event, rising
+    std::vector<double> reached;  ///< share of the particles at each, and the event last
+    bool found_event = true;
+    double work = 0.0;  ///< simulated time, in realisations to the horizon
+  };
+
+  Estimator() = default;
+  Estimator(const Estimator&) = delete;
+  Estimator& operator=(const Estimator&) = delete;
+  virtual ~Estimator() = default;
+
+  [[nodiscard]] virtual const Pilot& pilot() const = 0;
+  /// Number 1 and up, below most_repetitions. Throws as Halt::check.
+  [[nodiscard]] virtual Repetition repeat(std::uint64_t repetition) const = 0;
+};
+
+/// More are never made; numbers from here on belong to pilot runs.
+inline constexpr std::uint64_t most_repetitions = 20'000;
+
+[[nodiscard]] RareMethod method_of(const Scene& scene);
+
+/// The estimator for these paths, with this number of particles, after its pilot runs. The paths must outlive it. Throws
+/// as Halt::check.
+[[nodiscard]] std::unique_ptr<Estimator> estimator_of(const BlockPaths& paths, std::size_t particles, unsigned threads);
+
+}  // namespace rocking::rare

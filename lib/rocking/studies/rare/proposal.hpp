@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "rocking/random/draws.hpp"
+
+namespace rocking::rare {
+
+/// A vector of independent standard normal numbers: what a realisation draws once.
+using Point = std::vector<double>;
+
+struct WeightedPoint {
+  Point point;
+  double weight = 0.0;
+};
+
+/// A law from which such vectors are drawn in place of their own, the standard normal one: with a tenth of the
+/// probability that law itself, else a normal law about one of the `centres`, of a width or of 2.5 times that.
+class Proposal {
+ public:
+  /// Their own law.
+  explicit Proposal(std::size_t dimensions) : dimensions_(dimensions) {}
+
+  /// Fitted to points that are drawn from the law that is wanted, or weighted by their likelihood ratio to it. The width
+  /// in each direction is a multiple of the standard deviation there, under which points that are left out are most
+  /// likely. Their own law if less than two different points have a weight > 0.
+  [[nodiscard]] static Proposal fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions);
+
+  [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
+  /// Uses the draws of Source::rare_choice.
+  [[nodiscard]] Point draw(const random::Draws& draws) const;
+  /// Density of the standard normal law over that of this one; at most 10.
+  [[nodiscard]] double likelihood_ratio(const Point& point) const;
+
+ private:
+  /// Mean over the centres of the normal density of this multiple of the widths, over the density of the standard normal
+  /// law, at a point.
+  [[nodiscard]] double density_ratio(const Point& point, double multiple) const;
+
+  std::size_t dimensions_;
+  std::vector<Point> centres_;
+  Point widths_;
+};
+
+}  // namespace rocking::rare

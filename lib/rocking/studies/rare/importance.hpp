@@ -87,7 +87,8 @@ class Searcher {
       search.levels.push_back(level);
       all = offspring(all, level);
     }
-    if (search.end == SearchEnd::reached) search.proposal = refined(all);
+    // Without a level the event is frequent, and its own law does well.
+    if (search.end == SearchEnd::reached && !search.levels.empty()) search.proposal = refined(all);
     search.work = work_;
     return search;
   }

@@ -21,8 +21,7 @@ std::string warning_about(const RareEstimate& found) {
   switch (found.diagnosis) {
     case RareDiagnosis::none: return "";
     case RareDiagnosis::not_found:
-      return "the pilot runs found no way to the event, and the repetitions are plain sampling. The probability may be "
-             "0";
+      return "the last pilot run has not seen the event; the interval may be far off. Use more --particles";
     case RareDiagnosis::few_repetitions:
       return "finished in time: " + counted(found.repetitions.size(), "repetition") +
              ". An interval needs 8. Give more time, or fewer --particles";

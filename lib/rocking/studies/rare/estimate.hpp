@@ -45,7 +45,7 @@ enum class RareEnd : std::uint8_t {
 /// What stands in the way of trusting an interval.
 enum class RareDiagnosis : std::uint8_t {
   none,
-  not_found,        ///< the pilot runs have not seen the event: the repetitions are plain sampling
+  not_found,        ///< the last pilot run has not seen the event
   few_repetitions,  ///< fewer than 8 were finished: the interval is [0, 1]
   uneven,           ///< a tenth of the repetitions or more missed the event, or one has more than a third of the sum
 };

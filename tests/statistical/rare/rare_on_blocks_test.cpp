@@ -186,17 +186,25 @@ Estimate steered(const Question& question, const Guide& guide, std::uint64_t rep
   return mean_of(estimates);
 }
 
-// A grid with a few nodes, and one that takes motions for other ones: mirrored in Theta alone, and half as fast.
+/// A grid with a few nodes.
+SectionGrid few_nodes() {
+  return {{.inner = 0.6, .outer = 0.8, .inner_cells = 2, .outer_cells = 1},
+          {.inner = 1.0, .outer = 2.0, .inner_cells = 2, .outer_cells = 1}};
+}
+
+Guide guide_of(const Transitions& transitions, const BlockPaths& paths) {
+  return {.committor = Committor(few_nodes(), {&transitions, 1}, paths.periods()), .least = 1e-3};
+}
+
+// Also one that takes motions for other ones: mirrored in Theta alone, and half as fast.
 TEST(RareOnBlocks, IsUnbiasedWhateverTheErrorOfTheGrid) {
   FalseAlarms alarms;
   const Question question = shaken_block();
   const BlockPaths paths = question.paths();
-  const SectionGrid grid({.inner = 0.6, .outer = 0.8, .inner_cells = 2, .outer_cells = 1},
-                         {.inner = 1.0, .outer = 2.0, .inner_cells = 2, .outer_cells = 1});
-  Transitions transitions = rocking::rare::transitions_of(paths, grid, 0, 3, 1);
-  const Guide coarse{.committor = Committor(grid, {&transitions, 1}, paths.periods()), .least = 1e-3};
+  Transitions transitions = rocking::rare::transitions_of(paths, few_nodes(), 0, 3, 1);
+  const Guide coarse = guide_of(transitions, paths);
   for (Image& image : transitions.images) image.point = {-image.point.tilt, 0.5 * image.point.tilt_rate, 0.0};
-  const Guide wrong{.committor = Committor(grid, {&transitions, 1}, paths.periods()), .least = 1e-3};
+  const Guide wrong = guide_of(transitions, paths);
   const Estimate other = plain(question);
   for (const Guide* guide : {&coarse, &wrong}) {
     const Estimate found = steered(question, *guide, 200);
@@ -205,16 +213,15 @@ TEST(RareOnBlocks, IsUnbiasedWhateverTheErrorOfTheGrid) {
   }
 }
 
-/// A fault: a particle that has the event counts as one from a run that was not steered.
-class Unweighted {
+/// A fault: an offspring has another parent than its weight says.
+class ByOtherParents {
  public:
-  explicit Unweighted(BlockPopulation& population) : population_(&population) {}
+  explicit ByOtherParents(BlockPopulation& population) : population_(&population) {}
   [[nodiscard]] std::size_t size() const { return population_->size(); }
   [[nodiscard]] double likelihood_ratio(std::size_t i) const { return population_->likelihood_ratio(i); }
   [[nodiscard]] Image::Fate fate(std::size_t i) const { return population_->fate(i); }
   [[nodiscard]] double work() const { return population_->work(); }
-  /// The offspring are chosen by one score and weighted by another.
-  [[nodiscard]] double score(std::int64_t k, std::size_t i) const { return std::max(0.5, population_->score(k, i)); }
+  [[nodiscard]] double score(std::int64_t k, std::size_t i) const { return population_->score(k, i); }
   void branch(std::size_t i, std::size_t parent, const Stream& stream) { population_->branch(i, best(parent), stream); }
   void leave(std::size_t i) { population_->leave(i); }
   void advance() { population_->advance(); }
@@ -234,10 +241,11 @@ TEST(RareOnBlocks, IsFoundOutWhereOffspringAreOfOtherParents) {
   const Question question = shaken_block();
   const BlockPaths paths = question.paths();
   const TwistedPlan plan{.seed = run_seed, .periods = paths.periods(), .least_effective = 1.1};
+  const Guide guide = guide_of(rocking::rare::transitions_of(paths, few_nodes(), 0, 3, 1), paths);
   std::vector<double> estimates;
-  for (std::uint64_t i = 1; i <= 400; ++i) {
-    BlockPopulation population(paths, {.particles = 60, .repetition = i});
-    Unweighted faulty(population);
+  for (std::uint64_t i = 1; i <= 200; ++i) {
+    BlockPopulation population(paths, {.particles = 60, .repetition = i, .guide = &guide});
+    ByOtherParents faulty(population);
     estimates.push_back(TwistedRun(faulty, plan, i).run().estimate);
   }
   EXPECT_GT(score_of(mean_of(estimates), plain(question)), largest_score);

@@ -215,8 +215,9 @@ template <PointModel Model>
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (scores[i] != event_score) continue;
     ++result.ancestors;
-    result.estimate += proposal.likelihood_ratio(points[i]) / static_cast<double>(points.size());
+    result.estimate += proposal.likelihood_ratio(points[i]);
   }
+  result.estimate /= static_cast<double>(points.size());
   return result;
 }
 

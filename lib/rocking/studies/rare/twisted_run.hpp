@@ -77,7 +77,7 @@ class TwistedRun {
         scores_(population.size()),
         values_(population.size()),
         ancestors_(population.size()) {
-    std::ranges::fill(weights_, 1.0 / static_cast<double>(population.size()));
+    std::ranges::fill(weights_, 1.0);  // sums are divided at the end, so that those of whole numbers are exact
     std::iota(ancestors_.begin(), ancestors_.end(), std::size_t{0});
   }
 
@@ -86,6 +86,7 @@ class TwistedRun {
       if (weigh(k) < plan_->least_effective * static_cast<double>(weights_.size())) resample(k);
       population_->advance();
     }
+    result_.estimate /= static_cast<double>(weights_.size());
     std::ranges::sort(event_ancestors_);
     const auto end = std::unique(event_ancestors_.begin(), event_ancestors_.end());
     result_.ancestors = static_cast<std::size_t>(end - event_ancestors_.begin());

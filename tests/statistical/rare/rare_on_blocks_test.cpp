@@ -227,11 +227,13 @@ class ByOtherParents {
   void advance() { population_->advance(); }
 
  private:
-  /// Of two neighbours the one with the larger tilt.
+  /// Of all that move on the one with the largest tilt.
   [[nodiscard]] std::size_t best(std::size_t parent) const {
-    const std::size_t other = (parent + 1) % population_->size();
-    if (population_->fate(other) != Image::Fate::moves_on) return parent;
-    return std::abs(population_->point(other).tilt) > std::abs(population_->point(parent).tilt) ? other : parent;
+    for (std::size_t i = 0; i < population_->size(); ++i) {
+      if (population_->fate(i) != Image::Fate::moves_on) continue;
+      if (std::abs(population_->point(i).tilt) > std::abs(population_->point(parent).tilt)) parent = i;
+    }
+    return parent;
   }
 
   BlockPopulation* population_;

@@ -1,7 +1,7 @@
-"""The 2^3 design in the published reports: the fluctuating sources of each run and their effects, with intervals."""
+"""The 2^3 design in the published runs: the fluctuating sources of each run and their effects, with intervals."""
 
+import collections
 import itertools
-import json
 import math
 import sys
 from pathlib import Path
@@ -9,6 +9,7 @@ from statistics import NormalDist
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
 from rocking_module import rocking  # noqa: E402
+from runs import decoded  # noqa: E402
 
 SOURCES = ("friction", "restitution", "amplitude")
 COMBINATIONS = [tuple(s for s, on in zip(SOURCES, bits) if on) for bits in itertools.product((0, 1), repeat=3)]
@@ -18,9 +19,12 @@ QUANTITIES = {"(1,1)": lambda mode: mode == "(1,1)", "(1,3)": lambda mode: mode 
               "irregular": lambda mode: mode in ("chaotic", "unresolved")}
 
 
-def path_of(folder, names):
-    """Path of the report of a combination, below reports/beyond_the_paper."""
-    return f"{folder}/{'_'.join(names)}/report.json" if names else "none/report.json"
+MOMENTS = {"at the fixed horizon": "horizon_rows", "in the end": "rows"}
+
+
+def name_of(folder, names):
+    """Name of the run of a combination."""
+    return f"{folder}/{'_'.join(names)}" if names else "none"
 
 
 def mover(terms):
@@ -38,34 +42,41 @@ def mover(terms):
 
 
 class Cell:
-    """One condition of one run: counts of its response modes, and the probability that two realisations differ."""
+    """One condition of one run at one moment: its response modes."""
 
-    def __init__(self, condition):
-        self.n = condition["realisations"]
-        self.counts = condition["counts"]
-        self.probabilities = condition["probabilities"]
-        self.non_recurrence = condition["non_recurrence"]
-        self.reasons = condition["validity"]["unresolved"]
+    def __init__(self, modes):
+        self.modes, self.n = modes, len(modes)
+        self.counts = collections.Counter(modes)
 
     def count(self, quantity):
         return sum(k for mode, k in self.counts.items() if QUANTITIES[quantity](mode))
 
+    def differ(self):
+        """Probability that two realisations differ in response, with its exact interval on disjoint pairs."""
+        pairs = list(zip(self.modes[::2], self.modes[1::2]))
+        estimate = 1 - sum(k * (k - 1) for k in self.counts.values()) / (self.n * (self.n - 1))
+        low, high = rocking.clopper_pearson(sum(a != b for a, b in pairs), len(pairs)).tolist()
+        return estimate, min(low, estimate), max(high, estimate)
+
     def term(self, quantity, weight, confidence):
         if quantity == "non-recurrence":
-            return (weight, self.non_recurrence["differ"], *self.non_recurrence["differ_interval"])
+            return (weight, *self.differ())
         k = self.count(quantity)
         return (weight, k / self.n, *rocking.wilson(k, self.n, confidence).tolist())
 
 
 class Design:
-    """The eight runs at one relative sigma, as cells by combination and amplitude."""
+    """The eight runs at one relative sigma, as cells by combination and amplitude, at one moment."""
 
-    def __init__(self, published, folder):
-        self.reports = {names: json.loads((published / path_of(folder, names)).read_text()) for names in COMBINATIONS}
-        self.cells = {names: {c["parameters"]["/excitation/amplitude"]: Cell(c) for c in report["result"]["conditions"]}
-                      for names, report in self.reports.items()}
+    def __init__(self, runs, folder, moment):
+        self.moment = moment
+        self.runs = {names: runs[name_of(folder, names)] for names in COMBINATIONS}
+        self.cells = {}
+        for names, run in self.runs.items():
+            amplitudes = [condition["/excitation/amplitude"] for condition in run["conditions"]]
+            self.cells[names] = dict(zip(amplitudes, map(Cell, decoded(run, MOMENTS[moment])), strict=True))
         self.amplitudes = sorted(set.intersection(*(set(cells) for cells in self.cells.values())))
-        everything = self.reports[SOURCES]["input"]["experiment"]
+        everything = self.runs[SOURCES]["experiment"]
         self.confidence = everything["confidence"]
         self.relative_sigma = everything["fluctuation"]["amplitude"]["relative_sigma"]
 
@@ -76,19 +87,23 @@ class Design:
         """Confidence of one interval: simultaneous with those of the other tests, or of it alone."""
         return 1 - (1 - self.confidence) / self.tests() if is_simultaneous else self.confidence
 
-    def z(self, is_simultaneous):
-        return NormalDist().inv_cdf(0.5 + self.level(is_simultaneous) / 2)
+    def power(self, effect):
+        """Probability that the simultaneous interval of this effect does not contain 0, if all eight probabilities are near
+        1/2, where their variance is largest."""
+        z = NormalDist().inv_cdf(0.5 + self.level(True) / 2)
+        n = min(cell.n for cells in self.cells.values() for cell in cells.values())
+        return NormalDist().cdf(effect / math.sqrt(0.25 / (2 * n)) - z)
 
     def effect(self, names, quantity, amplitude):
-        """Estimate, low, high. One source: the increase of the probability by the source, mean over the others. Two: the
-        change of the effect of one by the other, mean over the third. Three: the change of that interaction by the third.
+        """Estimate, low, high: the mean over the four combinations with an even number of these sources off, minus that over
+        the other four (Box, Hunter & Hunter 2005, chapter 5). One source: the increase of the probability by the source. Two:
+        half the change of the effect of one by the other. Three: half the change of that interaction by the third.
 
         Simultaneous over all effects and amplitudes, except for non-recurrence, whose intervals are individual.
         """
         level = self.level(is_simultaneous=quantity != "non-recurrence")
-        mean_over = 2 ** (len(SOURCES) - len(names))
         terms = []
         for combination, cells in self.cells.items():
             sign = math.prod(1 if name in combination else -1 for name in names)
-            terms.append(cells[amplitude].term(quantity, sign / mean_over, level))
+            terms.append(cells[amplitude].term(quantity, sign / 4, level))
         return mover(terms)

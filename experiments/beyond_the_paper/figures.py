@@ -1,4 +1,4 @@
-"""Draws the pictures of the design with gnuplot, as PNG. Equal reports give equal bytes."""
+"""Draws the pictures of the design with gnuplot, as PNG. Equal runs give equal bytes."""
 
 import shutil
 import subprocess
@@ -52,7 +52,7 @@ def effects(design):
     amplitudes = design.amplitudes
     step = min(b - a for a, b in zip(amplitudes, amplitudes[1:]))
     text = "set multiplot layout 3,3 margins 0.06,0.98,0.10,0.93 spacing 0.05,0.10\n"
-    text += f"set xrange [{amplitudes[0] - step:g}:{amplitudes[-1] + step:g}]\nset yrange [-1.6:1.6]\n"
+    text += f"set xrange [{amplitudes[0] - step:g}:{amplitudes[-1] + step:g}]\nset yrange [-1.1:1.1]\n"
     text += "unset key\nset ytics 1\nset xzeroaxis lt 1 lc rgb '#404040'\n"
     for number, names in enumerate(EFFECTS):
         layers = []

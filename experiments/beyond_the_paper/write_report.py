@@ -7,18 +7,19 @@ usage: write_report.py [--check]
 """
 
 import json
-import math
+import lzma
 import pathlib
 import re
 import sys
 import textwrap
 
 import figures
-from design import COMBINATIONS, EFFECTS, QUANTITIES, SOURCES, Design
+from design import COMBINATIONS, EFFECTS, MOMENTS, QUANTITIES, SOURCES, Design
+from runs import decoded
 
 HERE = pathlib.Path(__file__).resolve().parent
 PUBLISHED = HERE.parents[1] / "reports" / "beyond_the_paper"
-SHOWN = (4.0, 5.0, 6.0, 8.0, 10.0)  # amplitudes of the tables of responses
+SHOWN = (2.0, 4.0, 5.0, 6.0, 8.0, 10.0)  # amplitudes of the tables of responses
 ALL = (*QUANTITIES, "non-recurrence")
 CURVES = ("harmonic_reference", "harmonic_slender", "recorded_reference", "recorded_slender")
 
@@ -37,14 +38,7 @@ def name(names):
 
 
 def cell_text(design, names, amplitude, quantity):
-    cell = design.cells[names][amplitude]
-    if quantity == "non-recurrence":
-        estimate, (low, high) = cell.non_recurrence["differ"], cell.non_recurrence["differ_interval"]
-    elif quantity in cell.probabilities:
-        found = cell.probabilities[quantity]
-        estimate, (low, high) = found["estimate"], found["simultaneous"]
-    else:
-        _, estimate, low, high = cell.term(quantity, 1, design.level(is_simultaneous=False))
+    _, estimate, low, high = design.cells[names][amplitude].term(quantity, 1, design.level(is_simultaneous=False))
     return f"{per_cent(estimate)} [{per_cent(low)}, {per_cent(high)}]"
 
 
@@ -52,7 +46,7 @@ def response_tables(design):
     parts = []
     for quantity in ALL:
         rows = [[name(names)] + [cell_text(design, names, a, quantity) for a in SHOWN] for names in COMBINATIONS]
-        parts.append(f"**{quantity}**\n\n" + table(["fluctuates"] + [f"A_h = {a:g}" for a in SHOWN], rows))
+        parts.append(f"**{quantity}, {design.moment}**\n\n" + table(["fluctuates"] + [f"A_h = {a:g}" for a in SHOWN], rows))
     return "\n\n".join(parts)
 
 
@@ -62,53 +56,66 @@ def clear_effects(design, names, quantity):
     return sorted(((a, e) for a, e in found if e[1] > 0 or e[2] < 0), key=lambda item: -abs(item[1][0]))
 
 
+def excluded(design, names, quantity):
+    """The largest effect that no interval excludes, over the amplitudes where none is clear."""
+    found = [design.effect(names, quantity, a) for a in design.amplitudes]
+    return max((max(-e[1], e[2]) for e in found if e[1] <= 0 <= e[2]), default=0.0)
+
+
 def effect_table(design):
     rows = []
     for names in EFFECTS:
         row = [" × ".join(names)]
         for quantity in ALL:
             clear = clear_effects(design, names, quantity)
+            rest = f"others below {per_cent(excluded(design, names, quantity), 1)}"
             if not clear:
-                row.append("0")
+                row.append("0; all" + rest[6:])
                 continue
             amplitude, (value, low, high) = clear[0]
-            row.append(f"{len(clear)}; {per_cent(value):s} [{per_cent(low)}, {per_cent(high)}] at {amplitude:g}")
+            row.append(f"{len(clear)}; {per_cent(value, 1)} [{per_cent(low, 1)}, {per_cent(high, 1)}] at {amplitude:g}"
+                       + ("" if len(clear) == len(design.amplitudes) else f"; {rest}"))
         rows.append(row)
     return table(["effect"] + list(ALL), rows)
 
 
-def ranking(design):
-    """Which source has the largest effect, by the number of amplitudes with a significant main effect."""
-    clear = {s: sum(len(clear_effects(design, (s,), q)) for q in QUANTITIES) for s in SOURCES}
-    order = sorted(SOURCES, key=lambda s: -clear[s])
-    told = ", ".join(f"{s} {clear[s]}" for s in order)
+def clear_counts(design, effects):
+    return {names: sum(len(clear_effects(design, names, q)) for q in QUANTITIES) for names in effects}
+
+
+def summary(design):
+    """Which sources and which combinations of sources have effects."""
     of = len(design.amplitudes) * len(QUANTITIES)
-    first = (f"At {per_cent(design.relative_sigma)} %, each source has {of} main effects (responses times amplitudes). The "
-             f"number of significant ones, whose simultaneous interval does not contain 0: {told}.")
-    if clear[order[0]] == 0:
-        return first + " None of the three sources has a detectable effect."
-    if clear[order[0]] == clear[order[1]]:
-        return first + " No source has the largest number alone."
-    return first + f" Fluctuation of the {order[0]} has the largest number."
+    parts = []
+    for title, effects in (("main effects", [names for names in EFFECTS if len(names) == 1]),
+                           ("interactions", [names for names in EFFECTS if len(names) > 1])):
+        clear = clear_counts(design, effects)
+        parts.append(f"{title}: " + ", ".join(f"{' × '.join(names)} {count}" for names, count in clear.items()))
+    words = (f"At {per_cent(design.relative_sigma)} %, {design.moment}, significant effects of the {of} of each (responses times "
+             f"amplitudes): " + "; ".join(parts) + ".")
+    largest = max(((abs(e[0]), names, q, a, e) for names in EFFECTS if len(names) > 1 for q in QUANTITIES
+                   for a, e in clear_effects(design, names, q)), default=None)
+    if not largest:
+        return words + " The effects of the sources add up, as far as these runs show."
+    _, names, quantity, amplitude, (value, low, high) = largest
+    return words + (f" The effects do not add up: the largest interaction is {' × '.join(names)} on {quantity} at A_h = "
+                    f"{amplitude:g}, {per_cent(value, 1)} [{per_cent(low, 1)}, {per_cent(high, 1)}] percentage points.")
 
 
-def interaction(design):
-    clear = {names: sum(len(clear_effects(design, names, q)) for q in QUANTITIES) for names in EFFECTS if len(names) > 1}
-    if not any(clear.values()):
-        return f"At {per_cent(design.relative_sigma)} %, no interaction is significant."
-    told = ", ".join(f"{' × '.join(names)} {count}" for names, count in clear.items())
-    best = max(clear, key=lambda names: clear[names])
-    quantity = max(QUANTITIES, key=lambda q: max((abs(e[0]) for _, e in clear_effects(design, best, q)), default=0))
-    amplitude, (value, low, high) = clear_effects(design, best, quantity)[0]
-    text = (f"At {per_cent(design.relative_sigma)} %, the numbers of significant interactions are: {told}. The effects "
-            f"of the sources are not additive: at A_h = {amplitude:g} {' and '.join(best)} together make {quantity} "
-            f"{'more' if value > 0 else 'less'} probable than the sum of their separate effects, by {per_cent(abs(value))} ")
-    ends = sorted((abs(low), abs(high)))
-    text += f"[{per_cent(ends[0])}, {per_cent(ends[1])}] percentage points. Reasons for unresolved responses there:\n\n"
-    rows = [[name(names), f"{design.cells[names][amplitude].count('irregular')} of {design.cells[names][amplitude].n}",
-             ", ".join(f"{reason} {k}" for reason, k in design.cells[names][amplitude].reasons.items()) or "-"]
-            for names in COMBINATIONS]
-    return text + table(["fluctuates", "irregular", "unresolved, by reason"], rows)
+# The design of the first version of the report had 60 realisations a condition, at the fixed horizon.
+FORMER = {"five_per_cent": "amplitude 30 of 57, friction 6, restitution 0; interactions: friction × amplitude 3, others 0",
+          "one_per_cent": "amplitude 5 of 30, friction 0, restitution 0; no interaction"}
+
+
+def changes(designs):
+    rows = []
+    for folder, found in designs.items():
+        for design in found:
+            clear = clear_counts(design, EFFECTS)
+            now = ", ".join(f"{' × '.join(names)} {count}" for names, count in clear.items())
+            rows.append((f"{per_cent(design.relative_sigma)} %, {design.moment}", FORMER[folder],
+                         f"of {len(design.amplitudes) * len(QUANTITIES)}: {now}"))
+    return table(["significant effects", "before", "now"], rows)
 
 
 def bounded(found, digits=3):
@@ -176,17 +183,17 @@ def spoken_time(seconds):
 
 
 def values():
-    five, one = Design(PUBLISHED, "five_per_cent"), Design(PUBLISHED, "one_per_cent")
+    runs = json.loads(lzma.open(PUBLISHED / "runs.json.xz", "rt").read())
+    designs = {folder: [Design(runs, folder, moment) for moment in MOMENTS] for folder in ("five_per_cent", "one_per_cent")}
+    (five, five_end), (one, one_end) = designs.values()
     curves = json.loads((PUBLISHED / "fragility.json").read_text())["curves"]
     over = {c: json.loads((PUBLISHED / "overturning" / c / "report.json").read_text()) for c in CURVES}
-    in_design = {id(r): r for d in (five, one) for n, r in d.reports.items() if n}.values()
-    in_design = [five.reports[()], *in_design]
-    reports = [*in_design, *over.values()]
-    conditions = [c for r in in_design for c in r["result"]["conditions"]]
-    scene = five.reports[SOURCES]["input"]["experiment"]
+    scene = five.runs[SOURCES]["experiment"]
     harmonic, slender = (over[c]["input"]["experiment"] for c in CURVES[:2])
     block, e = scene["block"], scene["restitution"]
     squared_sine = block["width_m"] ** 2 / (block["width_m"] ** 2 + block["height_m"] ** 2)
+    modes = [mode for run in runs.values() for row in decoded(run) for mode in row]
+    seconds = sum(run["system"]["duration_s"] for run in runs.values()) + sum(r["system"]["duration_s"] for r in over.values())
     return {
         "width": f"{block['width_m']:g}", "height": f"{block['height_m']:g}",
         "frequency_ratio": f"{scene['excitation']['frequency_ratio']:g}",
@@ -194,25 +201,26 @@ def values():
         "first_amplitude": f"{five.amplitudes[0]:g}", "last_amplitude": f"{five.amplitudes[-1]:g}",
         "sigma_five": f"{per_cent(five.relative_sigma)} %", "sigma_one": f"{per_cent(one.relative_sigma)} %",
         "n": scene["realisations"], "transient": scene["horizon"]["transient_periods"],
-        "sampled": scene["horizon"]["sampled_periods"], "restitution": f"{e:g}",
+        "sampled": scene["horizon"]["sampled_periods"],
+        "at_most": scene["horizon"]["until_classified"]["at_most_periods"], "restitution": f"{e:g}",
         "slenderness": f"{slender['block']['height_m'] / slender['block']['width_m']:g}",
         "over_periods": harmonic["horizon"]["sampled_periods"],
         "over_ratio": f"{harmonic['excitation']['frequency_ratio']:g}",
         "over_sigma": f"{per_cent(harmonic['fluctuation']['amplitude']['relative_sigma'])} %",
-        "overturned_in_design": sum(c["counts"]["overturned"] for c in conditions) or "none",
-        "design_realisations": sum(c["realisations"] for c in conditions),
-        "realisations": sum(c["realisations"] for r in reports for c in r["result"]["conditions"]),
-        "duration": spoken_time(sum(r["system"]["duration_s"] for r in reports)), "machine": reports[0]["system"]["machine"],
-        "tests_five": five.tests(), "tests_one": one.tests(), "confidence": f"{per_cent(five.confidence)} %",
-        "tables_five": response_tables(five), "amplitudes_five": len(five.amplitudes), "amplitudes_one": len(one.amplitudes),
-        "effects_five": effect_table(five), "effects_one": effect_table(one), "ranking_five": ranking(five),
-        "ranking_one": ranking(one), "interaction_five": interaction(five), "interaction_one": interaction(one),
+        "overturned_in_design": modes.count("overturned") or "none", "design_realisations": len(modes),
+        "realisations": len(modes) + sum(c["realisations"] for r in over.values() for c in r["result"]["conditions"]),
+        "duration": spoken_time(seconds), "machine": next(iter(runs.values()))["system"]["machine"],
+        "tests": five.tests(), "confidence": f"{per_cent(five.confidence)} %",
+        "power": f"{five.power(0.05):.2f}", "responses_early": response_tables(five), "responses_end": response_tables(five_end),
+        "effects_five": effect_table(five), "effects_five_end": effect_table(five_end),
+        "effects_one": effect_table(one), "effects_one_end": effect_table(one_end),
+        "summaries": "\n".join(f"- {summary(design)}" for found in designs.values() for design in found),
+        "changes": changes(designs),
         "impact_ratio": f"{1 - 1.5 * (1 + e) * squared_sine:.3f}",
         "impact_scatter": f"{1.5 * e * five.relative_sigma * squared_sine:.1g}",
-        "smallest_main": per_cent(five.z(True) * math.sqrt(0.25 / (2 * scene["realisations"]))),
         "fragility_summary": table(["curve", "realisations a level", "median", "dispersion", "levels missed"],
                                    fragility_rows(curves)),
-        "fragility_words": fragility_words(curves), "fragility_tables": fragility_tables(curves)}, five
+        "fragility_words": fragility_words(curves), "fragility_tables": fragility_tables(curves)}, five, five_end
 
 
 def filled(template, found):
@@ -246,7 +254,7 @@ def wrapped(text):
 
 
 def main():
-    found, five = values()
+    found, five, five_end = values()
     text = filled((HERE / "README.template").read_text(), found)
     if "--check" in sys.argv[1:]:
         if (PUBLISHED / "README.md").read_text() != text:
@@ -254,8 +262,8 @@ def main():
                      "run write_report.py without --check")
         return
     (PUBLISHED / "README.md").write_text(text)
-    figures.draw("modes", figures.bands(five), PUBLISHED)
-    figures.draw("effects", figures.effects(five), PUBLISHED)
+    figures.draw("modes", figures.bands(five_end), PUBLISHED)
+    figures.draw("effects", figures.effects(five_end), PUBLISHED)
 
 
 if __name__ == "__main__":

@@ -34,13 +34,40 @@ class BeyondThePaper : public rocking::support::ProgramTest {
 
 TEST_F(BeyondThePaper, AsksQuestionsThatAreValidAndPublishesTheAnswersToThem) {
   EXPECT_EQ(files().size(), 19U);
+  if (shell("python3 -c 'import lzma'").exit_code != 0) GTEST_SKIP() << "skipped: no python3 (Debian: python3)";
+  const auto unpacked = shell("xz=" + (published_reports / "runs.json.xz").string() +
+                              "; python3 -c 'import lzma, sys; print(lzma.open(sys.argv[1], \"rt\").read())' \"$xz\"");
+  ASSERT_EQ(unpacked.exit_code, 0) << unpacked.errors;
+  const auto runs = rocking::Json::parse(unpacked.output);
   for (const fs::path& file : files()) {
     const auto validated = rocking("validate '" + (experiments / file).string() + "' --json");
     EXPECT_EQ(validated.exit_code, 0) << file << validated.errors;
-    fs::path report = published_reports / file;
-    const auto published = rocking::Json::parse(text_of(report.replace_extension() / "report.json"));
-    EXPECT_EQ(published["input"]["sha256"], rocking::Json::parse(validated.output)["sha256"]) << file;
+    const std::string name = fs::path(file).replace_extension().string();
+    const auto sha256 = rocking::Json::parse(validated.output)["sha256"];
+    if (runs.contains(name)) {
+      EXPECT_EQ(runs[name]["sha256"], sha256) << file;
+      continue;
+    }
+    const auto published = rocking::Json::parse(text_of(published_reports / name / "report.json"));
+    EXPECT_EQ(published["input"]["sha256"], sha256) << file;
   }
+}
+
+TEST_F(BeyondThePaper, SeesEffectsOfFivePercentagePointsWithAProbabilityOfNineTenths) {
+  if (python_with_module().empty()) {
+    GTEST_SKIP() << "skipped: the Python module is not built (Debian: python3-dev pybind11-dev python3-numpy)";
+  }
+  const auto outcome = shell("PYTHONPATH='" + experiments.string() + "' " + python_with_module() + R"( -B - <<'END'
+from design import MOMENTS, Design
+import json, lzma
+runs = json.loads(lzma.open(")" +
+                             published_reports.string() +
+                             R"(/runs.json.xz", "rt").read())
+for folder in ("five_per_cent", "one_per_cent"):
+    for moment in MOMENTS:
+        assert Design(runs, folder, moment).power(0.05) >= 0.9
+END)");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 
 TEST_F(BeyondThePaper, IsWrittenUpByTheScriptFromThePublishedReports) {

@@ -1,38 +1,45 @@
 #!/usr/bin/env python3
-"""write.py PUBLISHED [--check]: README.md of the published results, from the template and the results.
+"""write.py PUBLISHED [--check]: README.md, reference.md and windows.md of the published results.
 
-With --check it writes nothing, and fails if README.md differs from the text that would be written."""
+With --check it writes nothing, and fails if a page differs from the text that would be written."""
 
 import argparse
-import math
 import re
 import string
 import sys
 import textwrap
 from pathlib import Path
 
+import figures
 import tables
-from intervals import beyond_half, share
-from measures import SEGMENT, VISIBLE
-from published import FRICTIONS, READINGS, Published
-from tables import result, table
+import windows
+from attractors import POINTS
+from cells import FRICTIONS, READINGS, RUNS, STARTS, experiment
+from claims import ENOUGH, HOLDS, occurrence, is_mode
+from intervals import LEVEL, Share, above
+from published import Published
+
+PAGES = {"README.md": "page.template", "reference.md": "reference.template"}
 
 
 def runs_table(data):
+    """Runs, those of one file in one row."""
     rows = []
-    for name, report in data.reports.items():
-        conditions = report["result"]["conditions"]
-        total = sum(condition["realisations"] for condition in conditions)
-        rows.append((f"`{name}.json`", report["input"]["experiment"]["title"], len(conditions), total,
-                     f"`{report['result']['digest'][:12]}`"))
-    return table(("experiment", "title", "conditions", "realisations", "digest begins"), rows)
+    for kind in dict.fromkeys(name if "_any" not in name and "_rest-" not in name else name.split("_")[0] for name in RUNS):
+        found = [run for name, run in data.runs.items() if name == kind or name.startswith(kind + "_")
+                 and kind in ("regions", "attractors", "diagrams")]
+        sizes = sorted({max(map(len, run["rows"])) for run in found})
+        rows.append((f"`{kind}.json`", found[0]["experiment"]["title"].split(" Reading:")[0], len(found),
+                     sum(len(run["rows"]) for run in found), " to ".join(map(str, dict.fromkeys((sizes[0], sizes[-1])))),
+                     sum(len(row) for run in found for row in run["rows"]),
+                     f"{sum(run['system']['duration_s'] for run in found) / 60:.0f} min"))
+    return tables.table(("experiment", "title", "runs", "conditions", "realisations of each", "realisations", "time"), rows)
 
 
 def skewness_words(check):
     found = check["skewness"]
     near = found["nearness"][0]
-    by_chance = 0.05 < near["probability"] < 0.95
-    sure = ("so this criterion does not distinguish samplers" if by_chance
+    sure = ("so this criterion does not distinguish samplers" if 0.05 < near["probability"] < 0.95
             else "so this criterion distinguishes samplers")
     held = "holds" if abs(found["value"]) < near["distance"] else "fails"
     return (f"This program: {found['value']:+.4f}, standard error {found['standard_error']:.4f}; the claim {held} for this "
@@ -40,120 +47,88 @@ def skewness_words(check):
             f"{near['probability']:.2f}, {sure}.")
 
 
-def answers(data, findings):
-    results = [result(found) for _, found in findings]
+def numbers(findings, reading, verdict):
+    """Claims with this verdict from every start, as text."""
+    found = [str(i) for i, (_, cells) in enumerate(findings, 1)
+             if all(cells[reading, start].verdict == verdict for start in STARTS)]
+    return ", ".join(found) or "none"
 
-    def numbers(first):
-        return [str(i) for i, words in enumerate(results, 1) if words.startswith(first)]
-    def told(first):
-        return f"{len(numbers(first))} ({', '.join(numbers(first)) or 'none'})"
-    lines = [f"Of {len(findings)} claims: hold in all cells that can be judged: {told('holds')}; fail in all of them: "
-             f"{told('fails')}; depend on the reading or the start: {told('depends')}; cannot be judged: "
-             f"{len(numbers('open'))}.", tables.nearest(findings),
-             tables.under(findings, "consistent"), chaos_words(data), energy_words(data),
-             recurrence_words(data)]
+
+def answers(data, findings):
+    lines = []
+    for reading, words in (("consistent", "Under right mechanics"), ("as-printed", "Under the equations as printed"),
+                           ("as-plotted", "Under the reading nearest to the figures")):
+        told = "; ".join(f"{verdict}: {numbers(findings, reading, verdict)}" for verdict in tables.VERDICTS)
+        lines.append(f"{words} (`{reading}`), claims with one verdict from all starts: {told}. The others depend on the start.")
+    lines += [tables.nearest(findings), chaos_words(data), energy_words(data)]
     return "\n".join("- " + line for line in lines)
 
 
 def chaos_words(data):
     """The cause of the chaos at the paper's amplitudes. Starts are the independent trials; the readings share them."""
     right, edge = (tables.attractor_chaos(data, inertia) for inertia in ("centroidal", "edge"))
-    more = sum(b > a for a, b in zip(right, edge))
-    less = sum(b < a for a, b in zip(right, edge))
-    never = sum(count == 0 for count in right)
-    rests = beyond_half(more, more + less) and beyond_half(never, len(right))
+    more, less = (sum(sign * (b - a) > 0 for a, b in zip(right, edge)) for sign in (1, -1))
+    never = Share(sum(count == 0 for count in right), len(right))
+    more = Share(more, more + less)
+    rests = above(more.interval, 0.5) and above(never.interval, 0.5)
     opening = ("The chaos at A_h = 6.6, 8 and 9 is due to the inertia about the edge, with which energy does not balance"
-               if rests else "Whether the chaos at A_h = 6.6, 8 and 9 is due to the inertia about the edge is open")
-    cells = 2 * len(READINGS) // 2 * len(tables.ATTRACTORS)
-    elsewhere = "; ".join(f"{tables.chaos_somewhere(data.series('consistent', 'any', pair))} with {pair}"
+               if rests else "Whether the chaos at A_h = 6.6, 8 and 9 is due to the inertia about the edge is not decided")
+    cells = len(READINGS) * 3
+    elsewhere = "; ".join(f"{occurrence(data.series('consistent', 'any', pair), is_mode('chaotic'))[1]} with {pair}"
                           for pair in FRICTIONS)
-    alone = []
-    for pair in FRICTIONS:
-        series = data.series("edge", "any", pair)
-        alone.append(f"{tables.chaos_somewhere({a: series[a] for a in tables.ATTRACTORS})} with {pair}")
     return (f"{opening}. From any start, {sum(edge)} of {cells * len(edge)} realisations are chaotic with it, and "
             f"{sum(right)} of {cells * len(right)} with the inertia about the centre of mass, over all values of the other "
-            f"two options. Of the starts for which the inertia makes a difference, {share(more, more + less)} have more "
-            f"chaos with the inertia about the edge; {share(never, len(right))} of the starts have no chaos at all with "
-            f"the inertia about the centre of mass. With the inertia about the edge as the only deviation (`edge`), the starts "
-            f"that are chaotic at one of the three amplitudes or more are {'; '.join(alone)}. With consistent mechanics "
-            f"(`consistent`), the starts that are chaotic at one of all amplitudes or more are {elsewhere}.")
+            f"two options. Of the starts for which the inertia makes a difference, {more} have more chaos with the inertia "
+            f"about the edge; {never} have no chaos at all with the inertia about the centre of mass. Under `consistent`, "
+            f"chaos with fixed friction at one of all amplitudes or more: {elsewhere}.")
 
 
 def energy_words(data):
     good = [reading for reading in READINGS if tables.balances(data, reading)]
     bad = [reading for reading in READINGS if reading not in good]
     return (f"Energy balances under {', '.join(f'`{name}`' for name in good)}; it does not under "
-            f"{', '.join(f'`{name}`' for name in bad)} (section 6).")
-
-
-def recurrence_words(data):
-    parts = []
-    for reading in ("consistent", "as-plotted"):
-        for pair in FRICTIONS:
-            friction, start, flipped = tables.recurrence_means(data, reading, pair, 0.03)
-            parts.append(f"`{reading}`, {pair}: {friction} % by friction, {start} % by the initial state; {flipped} modes "
-                         f"changed in reruns at a tighter tolerance")
-    return ("The probability that two runs under equal conditions with sigma 0.03 differ in response, as a mean over the "
-            "amplitudes (section 7): " + ". ".join(parts) + ".")
-
-
-def step_of(data, name):
-    """Between the amplitudes of a run."""
-    entries = data.reports[name]["input"]["experiment"]["sweep"]
-    return next(entry["step"] for entry in entries if entry["parameter"] == "/excitation/amplitude")
+            f"{', '.join(f'`{name}`' for name in bad)}.")
 
 
 def values(data):
     findings = tables.all_findings(data)
-    horizon = data.reports["rest_fixed_friction"]["input"]["experiment"]["horizon"]
-    block = data.reports["rest_fixed_friction"]["input"]["experiment"]["block"]
-    reports = data.reports.values()
-    recurring = data.reports["non_recurrence"]["result"]["conditions"][0]["realisations"]
-    few = min(c["realisations"] for name in ("rest_fluctuating_friction", "any_start_fluctuating_friction")
-              for c in data.reports[name]["result"]["conditions"])
-    starts = data.reports["any_start_fixed_friction"]["result"]["conditions"][0]["realisations"]
-    amplitudes, shaken = (sorted(data.series("consistent", "any", FRICTIONS[0], sigma)) for sigma in (0.0, 0.03))
+    horizon = experiment("regions_consistent_any")["horizon"]
+    counts = tables.tallies(findings)
+    systems = [run["system"] for run in data.runs.values()]
+    flips = [run["tolerance"] for run in data.runs.values() if run["tolerance"]]
     return {
         "answers": answers(data, findings),
-        "jy25": f"{1.0 - 1.5 * math.sin(math.atan2(block['width_m'], block['height_m'])) ** 2:.3f}",
-        "runs_table": runs_table(data),
-        "amplitudes": ", ".join(f"{a:g}" for a in amplitudes),
-        "shaken_amplitudes": ", ".join(f"{a:g}" for a in shaken),
         "claims_table": tables.claims_table(findings),
+        "changes_words": tables.changes_words(findings),
+        "changes_table": tables.changes_table(findings),
+        "runs_table": runs_table(data),
         "skewness": skewness_words(data.measures["normal"]),
         "claim_sections": tables.claim_sections(findings),
         "claim_count": len(findings),
         "tally_table": tables.tally_table(findings),
-        "nearest": tables.nearest(findings),
         "energy_table": tables.energy_table(data),
         "chaos_table": tables.chaos_table(data),
-        "chaos_at_three": tables.chaos_at_three(data),
         "chaos_by_option": tables.chaos_by_option(data),
-        "chaos_words": chaos_words(data),
-        "recurrence_n": recurring,
-        "start_n": starts,
-        "recurrence_summary": tables.recurrence_summary(data),
-        "recurrence_consistent": tables.recurrence_by_amplitude(data, "consistent"),
-        "recurrence_plotted": tables.recurrence_by_amplitude(data, "as-plotted"),
-        "diagrams_by_mode": tables.diagrams_by_mode(data),
-        "diagram_table": tables.diagram_table(data),
-        "visible": VISIBLE,
+        "attractors_table": tables.attractors_table(data),
+        "recurrence_table": tables.recurrence_table(data),
         "between_table": tables.between_table(data),
-        "few": few,
-        "rare": f"{1 - 0.05 ** (1 / few):.2f}",
-        "shaken_count": len(shaken),
-        "steady_count": len(amplitudes),
+        "settling_table": tables.settling_table(data),
+        "level": f"{100 * LEVEL:.2f}",
+        "points": f"{ENOUGH * POINTS:,}".replace(",", " "),
+        "enough": ENOUGH,
+        "segment": POINTS,
         "dropped": horizon["transient_periods"],
         "sampled": horizon["sampled_periods"],
-        **{f"step_of_{name}": step_of(data, name)
-           for name in ("rest_no_sliding", "rest_fixed_friction", "figure_09", "figure_10")},
-        "segment": SEGMENT,
-        "attractor_points": 4 * SEGMENT,
-        "repeats": data.reports["figure_10"]["result"]["conditions"][0]["realisations"],
-        "chaos_windows": tables.chaos_windows(data, "consistent"),
-        "minutes": f"{sum(report['system']['duration_s'] for report in reports) / 60:.0f} min",
-        "threads": max(report["system"]["threads"] for report in reports),
+        "at_most": horizon["until_classified"]["at_most_periods"],
+        "at_most_diagrams": experiment("diagrams_consistent_any")["horizon"]["until_classified"]["at_most_periods"],
+        "at_most_fixed": experiment("rest_fixed_friction")["horizon"]["until_classified"]["at_most_periods"],
+        "undecidable": sum(count[-1] for count in counts.values()),
+        "holding": sum(finding.verdict == HOLDS for _, found in findings for finding in found.values()),
+        "all_verdicts": len(findings) * len(counts),
+        "realisations": f"{sum(len(row) for run in data.runs.values() for row in run['rows']):,}".replace(",", " "),
+        "minutes": f"{sum(system['duration_s'] for system in systems) / 60:.0f}",
+        "machine": systems[0]["machine"],
+        "reruns": f"{sum(each['flips'] for each in flips)} of {sum(each['of'] for each in flips)}",
     }
 
 
@@ -178,13 +153,19 @@ def main():
     parser.add_argument("published", type=Path)
     parser.add_argument("--check", action="store_true")
     arguments = parser.parse_args()
-    template = (Path(__file__).parent / "report.template").read_text(encoding="utf-8")
-    text = wrapped(string.Template(template).substitute(values(Published(arguments.published))))
-    readme = arguments.published / "README.md"
+    data, here = Published(arguments.published), Path(__file__).parent
+    found = values(data)
+    pages = {page: string.Template((here / template).read_text(encoding="utf-8")).substitute(found)
+             for page, template in PAGES.items()}
+    pages["windows.md"] = windows.text(data)
+    for page, text in pages.items():
+        path = arguments.published / page
+        if not arguments.check:
+            path.write_text(wrapped(text), encoding="utf-8")
+        elif not path.exists() or path.read_text(encoding="utf-8") != wrapped(text):
+            sys.exit(f"{path} differs from what write.py writes for the results in its folder: run write.py without --check")
     if not arguments.check:
-        readme.write_text(text, encoding="utf-8")
-    elif not readme.exists() or readme.read_text(encoding="utf-8") != text:
-        sys.exit(f"{readme} differs from what write.py writes for the results in its folder: run write.py without --check")
+        figures.draw_all(data, arguments.published / "figures")
 
 
 if __name__ == "__main__":

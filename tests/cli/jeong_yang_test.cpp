@@ -1,8 +1,6 @@
 // experiments/jeong_yang_2012 and reports/jeong_yang_2012: the published text follows from the published results, and
 // these from the files.
 
-#include <algorithm>
-
 #include <gtest/gtest.h>
 
 #include "cli/program.hpp"
@@ -48,7 +46,7 @@ TEST_F(JeongYang, ScriptsSayHowToBuildTheModuleThatTheyLack) {
 
 TEST_F(JeongYang, ExperimentFilesAreAllValid) {
   int files = 0;
-  for (const auto& entry : fs::directory_iterator(questions)) {
+  for (const auto& entry : fs::recursive_directory_iterator(questions)) {
     if (entry.path().extension() != ".json") continue;
     ++files;
     const auto outcome = rocking("validate -q '" + entry.path().string() + "'");
@@ -57,47 +55,99 @@ TEST_F(JeongYang, ExperimentFilesAreAllValid) {
   EXPECT_GE(files, 15);
 }
 
-TEST_F(JeongYang, IntervalsOfTheScriptAreThoseOfTheProgram) {
+TEST_F(JeongYang, EachClaimIsDecidedInEachCellOrTheReasonIsGiven) {
   if (python_with_module().empty()) GTEST_SKIP() << no_module;
   const auto outcome = python(R"(
-from intervals import clopper_pearson
-from published import read
-report = read(")" + published +
-                                  R"(/any_start_fixed_friction.json.xz")
-seen = {}
-for condition in report["result"]["conditions"]:
-    for mode, found in condition["probabilities"].items():
-        seen[condition["counts"][mode], condition["realisations"]] = found["clopper_pearson"]
-assert len(seen) > 20
-for (k, n), expected in seen.items():
-    assert all(abs(a - b) < 1e-9 for a, b in zip(clopper_pearson(k, n), expected)), (k, n)
+from claims import CLAIMS, UNDECIDABLE
+from published import Published
+data = Published(")" + published +
+                                  R"(")
+assert len(CLAIMS) == 18
+for claim in CLAIMS:
+    found = claim.findings(data)
+    assert len(found) == 24, claim.words
+    assert all(each.verdict in ("holds", "fails", "no such regime", UNDECIDABLE) for each in found.values())
+    assert all(each.reason for each in found.values() if each.verdict == UNDECIDABLE), claim.words
 )",
                               python_with_module());
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 
-TEST_F(JeongYang, PublishedReportIsWhatANewRunGives) {
-  const auto unpacked = python(
-      "import lzma, os\nos.mkdir('run')\n"
-      "open('run/report.json', 'wb').write(lzma.open('" +
-      published + "/rest_no_sliding.json.xz').read())");
-  ASSERT_EQ(unpacked.exit_code, 0) << unpacked.errors;
-  const auto verified = rocking("verify run -q");
-  EXPECT_EQ(verified.exit_code, 0) << verified.output << verified.errors;
+TEST_F(JeongYang, PairedDifferencesCoverTheTruthAtTheirLevel) {
+  if (python_with_module().empty()) GTEST_SKIP() << no_module;
+  const auto outcome = python(R"(
+from math import comb
+from intervals import paired_difference
+n, p_up, p_down = 12, 0.3, 0.1  # exact, over every outcome
+missed = 0.0
+for up in range(n + 1):
+    for down in range(n + 1 - up):
+        low, high = paired_difference(up, down, n, 0.9)
+        chance = comb(n, up) * comb(n - up, down) * p_up**up * p_down**down * (1 - p_up - p_down)**(n - up - down)
+        missed += chance * (not low <= p_up - p_down <= high)
+assert missed <= 0.1, missed
+)",
+                              python_with_module());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }
 
-TEST_F(JeongYang, RunsOfThePublishedReportsAreThoseOfTheFiles) {
+TEST_F(JeongYang, IntervalsOfTheScriptAreThoseOfTheProgram) {
+  if (python_with_module().empty()) GTEST_SKIP() << no_module;
+  const auto outcome =
+      python(R"(
+import subprocess, sys
+from published import read
+subprocess.run([")" ROCKING_PROGRAM R"(", "run", ")" +
+                 questions + R"(/regions.json", "-o", "run", "--realisations", "30", "--no-page", "-q"],
+               check=True, stdout=subprocess.DEVNULL)
+from intervals import clopper_pearson
+seen = 0
+for condition in read("run/report.json")["result"]["conditions"]:
+    for mode, found in condition["probabilities"].items():
+        seen += 1
+        asked = clopper_pearson(condition["counts"][mode], condition["realisations"], 0.95)
+        assert all(abs(a - b) < 1e-9 for a, b in zip(asked, found["clopper_pearson"])), (mode, asked)
+assert seen > 5
+)",
+             python_with_module());
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+}
+
+// Of two runs, one of them random: its first realisations have the digest and the responses that are published.
+TEST_F(JeongYang, PublishedRunsAreWhatNewRunsGive) {
+  const auto outcome = python(R"(
+import json, sys
+from pathlib import Path
+from cells import experiment
+from published import read
+from runs import Folder, differs
+published = read(")" + published +
+                              R"(/runs.json.xz")
+folder = Folder(")" ROCKING_PROGRAM R"(", Path("again"))
+for name in ("rest_no_sliding", "regions_as-plotted_any"):
+    assert not differs(folder, name, published[name], json.dumps(experiment(name))), name
+changed = dict(published["rest_no_sliding"], first={"realisations": 1, "digest": "0"})
+assert differs(folder, "rest_no_sliding", changed, json.dumps(experiment("rest_no_sliding")))
+)");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+}
+
+TEST_F(JeongYang, PublishedRunsAreThoseOfTheFiles) {
   const auto outcome = python(R"(
 import json, subprocess
-from published import RUNS, read
+from cells import RUNS, experiment
+from published import read
+published = read(")" + published +
+                              R"(/runs.json.xz")
+assert sorted(published) == sorted(RUNS)
 for name in RUNS:
-    text = subprocess.run([")" ROCKING_PROGRAM R"(", "validate", ")" +
-                              questions + R"(/" + name + ".json", "--json"],
-                          capture_output=True, check=True).stdout
+    text = subprocess.run([")" ROCKING_PROGRAM R"(", "validate", "-", "--json"], input=json.dumps(experiment(name)),
+                          capture_output=True, check=True, text=True).stdout
     asked = json.loads(text)
     asked = asked.get("experiment", asked)
-    assert asked == read(")" + published +
-                              R"(/" + name + ".json.xz")["input"]["experiment"], name
+    found = dict(published[name]["experiment"])
+    assert found.pop("realisations") >= asked.pop("realisations"), name
+    assert found == asked, name
 )");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
 }

@@ -1,9 +1,7 @@
-// Rare overturning: populations of motions, the committor, and probabilities. With no false alarm: compared are bits, and
+// Rare overturning: populations of motions, the committor, and proposals. With no false alarm: compared are bits, and
 // numbers that are equal up to a known error.
 
 #include "rocking/studies/rare/rare.hpp"
-
-#include <atomic>
 
 #include <gtest/gtest.h>
 
@@ -17,9 +15,7 @@
 namespace {
 
 using rocking::Condition;
-using rocking::Experiment;
 using rocking::rare_probabilities;
-using rocking::RareEstimate;
 using rocking::random::Source;
 using rocking::rare::BlockPaths;
 using rocking::rare::BlockPoints;
@@ -192,88 +188,12 @@ TEST(Proposal, HasADensityThatIsOneInAll) {
   EXPECT_NEAR(inverse / count, 1.0, 0.3);  // and back
 }
 
-Experiment experiment_of(const Condition& condition) {
-  return {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"};
-}
-
-TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
-  const Experiment experiment = experiment_of(fluctuating());
-  const auto on = [&](unsigned threads) {
-    return rare_probabilities(experiment, {.event = {.peak_tilt = 0.4}, .relative_error = 0.5},
-                              {.particles = 20, .threads = threads})
-        .front();
-  };
-  const RareEstimate one = on(1);
-  const RareEstimate three = on(3);
-  EXPECT_EQ(one.probability, three.probability);
-  EXPECT_EQ(one.work, three.work);
-}
-
-// A block that always reaches the tilt: 1, and no error.
-TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
-  const auto found = rare_probabilities(experiment_of(drawn_once()), {.event = {.peak_tilt = 0.0}}, {.particles = 20});
-  EXPECT_EQ(found.front().probability, 1.0);
-  EXPECT_EQ(found.front().interval.high, 1.0);
-}
-
-// A clock that advances at each look.
-struct Looks {
-  std::atomic<int> count{0};
-  rocking::RareSettings settings(double seconds, unsigned threads) {
-    return {.particles = 20, .threads = threads, .seconds = seconds, .elapsed_seconds = [this] {
-              return static_cast<double>(count++);
-            }};
-  }
-};
-
-TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
-  Experiment experiment = experiment_of(fluctuating());
-  experiment.conditions.assign(3, experiment.conditions.front());
-  const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.05};
-  Looks unhurried;
-  const auto all = rare_probabilities(experiment, question, unhurried.settings(1e9, 1));
-  for (const unsigned threads : {1U, 3U}) {
-    for (const double share : {0.0, 0.001, 0.01, 0.1, 0.3, 0.5, 0.9}) {
-      Looks looks;
-      const double seconds = share * unhurried.count;
-      const auto found = rare_probabilities(experiment, question, looks.settings(seconds, threads));
-      // Each thread sees the end a few times in each condition.
-      EXPECT_LE(looks.count, seconds + 1.0 + 4.0 * 3.0 * threads) << share;
-      ASSERT_EQ(found.size(), 3U);
-      // Several threads may look a tenth less often in all, and then finish.
-      if (threads == 1 || share < 0.9) EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
-      for (std::size_t i = 0; i < found.size(); ++i) {
-        const auto& repetitions = found[i].repetitions;
-        for (std::size_t k = 0; k < repetitions.size(); ++k) {
-          EXPECT_EQ(repetitions[k].estimate, all[i].repetitions.at(k).estimate) << share << ", condition " << i;
-        }
-        EXPECT_EQ(found[i].probability.has_value(), !repetitions.empty()) << share;
-        const bool is_whole = found[i].interval.low == 0.0 && found[i].interval.high == 1.0;
-        EXPECT_EQ(is_whole, repetitions.size() < 8) << share << ", " << repetitions.size();
-        EXPECT_EQ(found[i].diagnosis == rocking::RareDiagnosis::few_repetitions, repetitions.size() < 8) << share;
-      }
-    }
-  }
-}
-
 TEST(RareProbabilities, AreRefusedWhereNothingIsRandom) {
   Condition condition = fluctuating();
   condition.scene.fluctuation = {};
-  EXPECT_THROW(static_cast<void>(rare_probabilities(experiment_of(condition), {}, {})), rocking::base::InputError);
-}
-
-TEST(RareProbabilities, GoOnFromEarlierRepetitions) {
-  for (const Condition& condition : {fluctuating(), drawn_once()}) {
-    const Experiment experiment = experiment_of(condition);
-    const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 0.05};
-    const RareEstimate all = rare_probabilities(experiment, question, {.particles = 20}).front();
-    rocking::RareSettings settings{.particles = 20};
-    settings.earlier = {{all.repetitions.begin(), all.repetitions.begin() + 5}};
-    const RareEstimate resumed = rare_probabilities(experiment, question, settings).front();
-    EXPECT_EQ(resumed.probability, all.probability);
-    EXPECT_EQ(resumed.repetitions.size(), all.repetitions.size());
-    EXPECT_EQ(resumed.work, all.work);
-  }
+  EXPECT_THROW(static_cast<void>(rare_probabilities(
+                   {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"}, {}, {})),
+               rocking::base::InputError);
 }
 
 TEST(DrawnNumbers, FollowFromWhatTheSceneDraws) {

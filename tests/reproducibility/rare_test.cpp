@@ -1,0 +1,122 @@
+// Probabilities of rare overturning: the same on any number of threads, cut off by time, and resumed.
+
+#include "rocking/studies/rare/rare.hpp"
+
+#include <atomic>
+#include <cstdint>
+
+#include <gtest/gtest.h>
+
+namespace {
+
+using rocking::Condition;
+using rocking::Experiment;
+using rocking::rare_probabilities;
+using rocking::RareEstimate;
+
+constexpr std::uint64_t rare_seed = 0x2012;
+
+Condition fluctuating() {
+  Condition condition;
+  rocking::Harmonic shaking;
+  shaking.amplitude = 4.2;
+  shaking.frequency_ratio = 6.0;
+  condition.scene.excitation = shaking;
+  condition.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
+  condition.scene.fluctuation = {.static_friction = 0.03,
+                                 .kinetic_friction = 0.03,
+                                 .refreshes_per_period = 20,
+                                 .restitution = 0.02,
+                                 .amplitude = 0.6};
+  condition.horizon = {.transient_periods = 5, .sampled_periods = 10};
+  return condition;
+}
+
+Condition drawn_once() {
+  Condition condition = fluctuating();
+  condition.scene.friction.reset();
+  condition.scene.fluctuation = {};
+  condition.scene.block.width = rocking::Normal{.mean = 1.0, .sigma = 0.05};
+  condition.scene.initial.tilt = rocking::Uniform{.low = -0.3, .high = 0.3};
+  return condition;
+}
+
+Experiment experiment_of(const Condition& condition) {
+  return {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"};
+}
+
+TEST(RareProbabilities, AreTheSameOnAnyNumberOfThreads) {
+  const Experiment experiment = experiment_of(fluctuating());
+  const auto on = [&](unsigned threads) {
+    return rare_probabilities(experiment, {.event = {.peak_tilt = 0.4}, .relative_error = 0.5},
+                              {.particles = 20, .threads = threads})
+        .front();
+  };
+  const RareEstimate one = on(1);
+  const RareEstimate three = on(3);
+  EXPECT_EQ(one.probability, three.probability);
+  EXPECT_EQ(one.work, three.work);
+}
+
+// A block that always reaches the tilt: 1, and no error.
+TEST(RareProbabilities, AreOneWhereTheEventIsCertain) {
+  const auto found = rare_probabilities(experiment_of(drawn_once()), {.event = {.peak_tilt = 0.0}}, {.particles = 20});
+  EXPECT_EQ(found.front().probability, 1.0);
+  EXPECT_EQ(found.front().interval.high, 1.0);
+}
+
+// A clock that advances at each look.
+struct Looks {
+  std::atomic<int> count{0};
+  rocking::RareSettings settings(double seconds, unsigned threads) {
+    return {.particles = 20, .threads = threads, .seconds = seconds, .elapsed_seconds = [this] {
+              return static_cast<double>(count++);
+            }};
+  }
+};
+
+TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
+  Experiment experiment = experiment_of(fluctuating());
+  experiment.conditions.assign(3, experiment.conditions.front());
+  const rocking::RareQuestion question{.event = {.peak_tilt = 0.4}, .relative_error = 0.05};
+  Looks unhurried;
+  const auto all = rare_probabilities(experiment, question, unhurried.settings(1e9, 1));
+  for (const unsigned threads : {1U, 3U}) {
+    for (const double share : {0.0, 0.001, 0.01, 0.1, 0.3, 0.9}) {
+      Looks looks;
+      const double seconds = share * unhurried.count;
+      const auto found = rare_probabilities(experiment, question, looks.settings(seconds, threads));
+      // Each thread sees the end a few times in each condition.
+      EXPECT_LE(looks.count, seconds + 1.0 + 4.0 * 3.0 * threads) << share;
+      ASSERT_EQ(found.size(), 3U);
+      // Several threads may look a tenth less often in all, and then finish.
+      if (threads == 1 || share < 0.9) EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
+      for (std::size_t i = 0; i < found.size(); ++i) {
+        const auto& repetitions = found[i].repetitions;
+        for (std::size_t k = 0; k < repetitions.size(); ++k) {
+          EXPECT_EQ(repetitions[k].estimate, all[i].repetitions.at(k).estimate) << share << ", condition " << i;
+        }
+        EXPECT_EQ(found[i].probability.has_value(), !repetitions.empty()) << share;
+        const bool is_whole = found[i].interval.low == 0.0 && found[i].interval.high == 1.0;
+        EXPECT_EQ(is_whole, repetitions.size() < 8) << share << ", " << repetitions.size();
+        EXPECT_EQ(found[i].diagnosis == rocking::RareDiagnosis::few_repetitions, repetitions.size() < 8) << share;
+      }
+    }
+  }
+}
+
+TEST(RareProbabilities, GoOnFromEarlierRepetitions) {
+  for (const Condition& condition : {fluctuating(), drawn_once()}) {
+    const Experiment experiment = experiment_of(condition);
+    const rocking::RareQuestion question{.event = {.peak_tilt = 0.6}, .relative_error = 0.05};
+    const RareEstimate all = rare_probabilities(experiment, question, {.particles = 20}).front();
+    rocking::RareSettings settings{.particles = 20};
+    settings.earlier = {{all.repetitions.begin(), all.repetitions.begin() + 5}};
+    const RareEstimate resumed = rare_probabilities(experiment, question, settings).front();
+    EXPECT_EQ(resumed.probability, all.probability);
+    EXPECT_EQ(resumed.repetitions.size(), all.repetitions.size());
+    EXPECT_EQ(resumed.work, all.work);
+  }
+}
+
+}  // namespace

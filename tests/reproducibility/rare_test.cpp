@@ -90,7 +90,9 @@ TEST(RareTimeLimit, HoldsForAllConditionsTogetherAndKeepsWhatIsFinished) {
       EXPECT_LE(looks.count, seconds + 1.0 + 4.0 * 3.0 * threads) << share;
       ASSERT_EQ(found.size(), 3U);
       // Several threads may look a tenth less often in all, and then finish.
-      if (threads == 1 || share < 0.9) EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
+      if (threads == 1 || share < 0.9) {
+        EXPECT_EQ(found.back().end, rocking::RareEnd::out_of_time) << share;
+      }
       for (std::size_t i = 0; i < found.size(); ++i) {
         const auto& repetitions = found[i].repetitions;
         for (std::size_t k = 0; k < repetitions.size(); ++k) {

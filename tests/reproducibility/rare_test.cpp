@@ -7,39 +7,18 @@
 
 #include <gtest/gtest.h>
 
+#include "support/rare_scenes.hpp"
+
 namespace {
 
 using rocking::Condition;
 using rocking::Experiment;
 using rocking::rare_probabilities;
 using rocking::RareEstimate;
+using rocking::support::rare::drawn_once;
+using rocking::support::rare::fluctuating;
 
 constexpr std::uint64_t rare_seed = 0x2012;
-
-Condition fluctuating() {
-  Condition condition;
-  rocking::Harmonic shaking;
-  shaking.amplitude = 4.2;
-  shaking.frequency_ratio = 6.0;
-  condition.scene.excitation = shaking;
-  condition.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
-  condition.scene.fluctuation = {.static_friction = 0.03,
-                                 .kinetic_friction = 0.03,
-                                 .refreshes_per_period = 20,
-                                 .restitution = 0.02,
-                                 .amplitude = 0.6};
-  condition.horizon = {.transient_periods = 5, .sampled_periods = 10};
-  return condition;
-}
-
-Condition drawn_once() {
-  Condition condition = fluctuating();
-  condition.scene.friction.reset();
-  condition.scene.fluctuation = {};
-  condition.scene.block.width = rocking::Normal{.mean = 1.0, .sigma = 0.05};
-  condition.scene.initial.tilt = rocking::Uniform{.low = -0.3, .high = 0.3};
-  return condition;
-}
 
 Experiment experiment_of(const Condition& condition) {
   return {.title = "", .seed = rare_seed, .conditions = {condition}, .canonical_text = "{}"};

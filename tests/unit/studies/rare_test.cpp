@@ -11,6 +11,7 @@
 #include "rocking/studies/rare/block_paths.hpp"
 #include "rocking/studies/rare/committor.hpp"
 #include "rocking/studies/rare/importance.hpp"
+#include "support/rare_scenes.hpp"
 
 namespace {
 
@@ -27,33 +28,10 @@ using rocking::rare::number_of;
 using rocking::rare::SectionGrid;
 using rocking::rare::SectionPoint;
 using rocking::rare::Transitions;
+using rocking::support::rare::drawn_once;
+using rocking::support::rare::fluctuating;
 
 constexpr std::uint64_t rare_seed = 0x2012;
-
-Condition fluctuating() {
-  Condition condition;
-  rocking::Harmonic shaking;
-  shaking.amplitude = 4.2;
-  shaking.frequency_ratio = 6.0;
-  condition.scene.excitation = shaking;
-  condition.scene.friction = {.static_coefficient = 0.35, .kinetic_coefficient = 0.30};
-  condition.scene.fluctuation = {.static_friction = 0.03,
-                                 .kinetic_friction = 0.03,
-                                 .refreshes_per_period = 20,
-                                 .restitution = 0.02,
-                                 .amplitude = 0.6};
-  condition.horizon = {.transient_periods = 5, .sampled_periods = 10};
-  return condition;
-}
-
-Condition drawn_once() {
-  Condition condition = fluctuating();
-  condition.scene.friction.reset();
-  condition.scene.fluctuation = {};
-  condition.scene.block.width = rocking::Normal{.mean = 1.0, .sigma = 0.05};
-  condition.scene.initial.tilt = rocking::Uniform{.low = -0.3, .high = 0.3};
-  return condition;
-}
 
 BlockPaths paths_of(const Condition& condition) {
   return {.condition = &condition, .seed = rare_seed, .event = {.peak_tilt = 0.9}, .halt = {}};

@@ -52,7 +52,8 @@ inline void rest_until_breakpoint(MotionCourse<Coefficients>& course) {
   arrive_at_rest(course, *progress.breakpoint(), Contact::to_be_checked);
 }
 
-/// As many steps as there are samples, none of which the block leaves full contact at or passes a strobe instant before.
+/// As many steps as there are samples, none of which the block leaves full contact at or passes a strobe instant
+/// before.
 template <CoefficientSource Coefficients>
 inline void rest_over(MotionCourse<Coefficients>& course, const SamplesPassed& samples) {
   StrobeSchedule& strobes = course.progress.strobes;

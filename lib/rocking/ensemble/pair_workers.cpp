@@ -67,8 +67,8 @@ class PairWorkers {
     changed_.notify_all();
   }
 
-  /// The next pair of a thread that has `open` ones. A pair in progress may lead to more pairs: an idle thread waits for
-  /// that.
+  /// The next pair of a thread that has `open` ones. A pair in progress may lead to more pairs: an idle thread waits
+  /// for that.
   [[nodiscard]] std::optional<Pair> next(std::size_t open) {
     std::unique_lock lock(mutex_);
     while (true) {

@@ -30,8 +30,9 @@ struct NotDifferentiable {
 ///
 /// Between events a vector obeys the variational equations (dynamics/tangent_series.hpp), at an event it is multiplied
 /// by the saltation matrix (dynamics/saltation.hpp). The guards have gradients where they depend on the state: impact,
-/// end of slip, friction limit, end of a cell of the friction, N = 0. Where full contact begins, the tilt and its rate are lost. At instants that are
-/// fixed in time (breakpoints, a threshold of the base acceleration) vectors do not change, except by a reset.
+/// end of slip, friction limit, end of a cell of the friction, N = 0. Where full contact begins, the tilt and its rate
+/// are lost. At instants that are fixed in time (breakpoints, a threshold of the base acceleration) vectors do not
+/// change, except by a reset.
 ///
 /// A guard with a rate below its rounding error has no usable derivative: it is counted, the event is taken as fixed in
 /// time, and the vectors have no meaning from then on. The bound is the tolerance of Theta' for an impact that does not

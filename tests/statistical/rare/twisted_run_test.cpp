@@ -1,5 +1,5 @@
-// Particle runs that a score steers, and importance sampling, on chains whose probabilities are known: unbiased, whatever
-// the score or the proposal, and with intervals that cover.
+// Particle runs that a score steers, and importance sampling, on chains whose probabilities are known: unbiased,
+// whatever the score or the proposal, and with intervals that cover.
 
 #include "rocking/studies/rare/twisted_run.hpp"
 
@@ -80,8 +80,8 @@ class Walk final : public Chain {
   std::vector<std::vector<double>> h_;
 };
 
-/// Ornstein and Uhlenbeck's process at equal intervals, x' = memory x + sqrt(1 - memory^2) z. The probabilities are sums
-/// over a fine grid below the barrier.
+/// Ornstein and Uhlenbeck's process at equal intervals, x' = memory x + sqrt(1 - memory^2) z. The probabilities are
+/// sums over a fine grid below the barrier.
 class Process final : public Chain {
  public:
   Process(double barrier, std::int64_t steps) : Chain(barrier, steps) {

@@ -43,10 +43,10 @@ struct BlockPaths {
 /// Whether the amplitude of the excitation is drawn again at each period.
 [[nodiscard]] bool redraws_amplitude(const Scene& scene);
 
-/// Where motions are a period after strobe point k, from each node of the grid, `samples` from each. Where the amplitude
-/// of each period is drawn, a sample has a given one, at equal distances within six standard deviations of its normal
-/// number; all else is drawn.
-/// `k` = 0 stands for every strobe point of a periodic excitation. On several threads.
+/// Where motions are a period after strobe point k, from each node of the grid, `samples` from each. Where the
+/// amplitude of each period is drawn, a sample has a given one, at equal distances within six standard deviations of
+/// its normal number; all else is drawn. `k` = 0 stands for every strobe point of a periodic excitation. On several
+/// threads.
 [[nodiscard]] Transitions transitions_of(const BlockPaths& paths, const SectionGrid& grid, std::int64_t k,
                                          std::size_t samples, unsigned threads);
 

@@ -30,7 +30,8 @@ struct SectionAxis {
   [[nodiscard]] double cells_to(double coordinate) const;
 };
 
-/// A grid of nodes, one of which is the state of rest. What lies outside has the place of the nearest point on the edge.
+/// A grid of nodes, one of which is the state of rest. What lies outside has the place of the nearest point on the
+/// edge.
 class SectionGrid {
  public:
   /// Without `slip_rate` all nodes have V = 0, and the place of a point does not depend on its V.

@@ -62,7 +62,7 @@ enum class RareMethod : std::uint8_t {
 struct RareEstimate {
   std::optional<double> probability;     ///< absent if no repetition was finished when the time was up
   std::optional<double> relative_error;  ///< standard error over the probability; absent for 0, and of few repetitions
-  stats::Interval interval;              ///< for a probability 0: from 0 to an upper bound
+  stats::Interval interval;              ///< for a probability 0: see rare.md
   RareMethod method = RareMethod::twisted_run;
   std::vector<double> levels;   ///< of the search for the event, rising; empty for a twisted run
   std::vector<double> reached;  ///< share of its particles at each level, and the event last

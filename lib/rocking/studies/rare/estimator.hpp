@@ -35,8 +35,8 @@ inline constexpr std::uint64_t most_repetitions = 20'000;
 
 [[nodiscard]] RareMethod method_of(const Scene& scene);
 
-/// The estimator for these paths, with this number of particles, after its pilot runs. The paths must outlive it. Throws
-/// as Halt::check.
+/// The estimator for these paths, with this number of particles, after its pilot runs. The paths must outlive it.
+/// Throws as Halt::check.
 [[nodiscard]] std::unique_ptr<Estimator> estimator_of(const BlockPaths& paths, std::size_t particles, unsigned threads);
 
 }  // namespace rocking::rare

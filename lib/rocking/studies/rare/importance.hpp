@@ -15,15 +15,15 @@
 #include "rocking/studies/rare/proposal.hpp"
 #include "rocking/studies/rare/stream.hpp"
 
-/// Importance sampling of numbers that are drawn once, over any model: a subset simulation finds where the event happens,
-/// repetitions draw from a law fitted to that. lib/docs/rare.md.
+/// Importance sampling of numbers that are drawn once, over any model: a subset simulation finds where the event
+/// happens, repetitions draw from a law fitted to that. lib/docs/rare.md.
 namespace rocking::rare {
 
 /// The score of a trajectory that had the event.
 inline constexpr double event_score = std::numeric_limits<double>::infinity();
 
-/// scores: of the trajectories with these numbers, each to its horizon: how near it came to the event, event_score if it
-/// had it. They depend on the point alone.
+/// scores: of the trajectories with these numbers, each to its horizon: how near it came to the event, event_score if
+/// it had it. They depend on the point alone.
 template <class Model>
 concept PointModel = requires(const Model& model, const std::vector<Point>& points) {
   { model.dimensions() } -> std::same_as<std::size_t>;
@@ -199,8 +199,8 @@ template <PointModel Model>
   return importance::Searcher<Model>(model, plan, repetition).search();
 }
 
-/// One repetition: the mean likelihood ratio of those drawn from the proposal that have the event. Unbiased, whatever the
-/// proposal.
+/// One repetition: the mean likelihood ratio of those drawn from the proposal that have the event. Unbiased, whatever
+/// the proposal.
 template <PointModel Model>
 [[nodiscard]] Repetition repeat_importance(const Model& model, const ImportancePlan& plan, const Proposal& proposal,
                                            std::uint64_t repetition) {

@@ -22,9 +22,9 @@ class Proposal {
   /// Their own law.
   explicit Proposal(std::size_t dimensions) : dimensions_(dimensions) {}
 
-  /// Fitted to points that are drawn from the law that is wanted, or weighted by their likelihood ratio to it. The width
-  /// in each direction is a multiple of the standard deviation there, under which points that are left out are most
-  /// likely. Their own law if less than two different points have a weight > 0.
+  /// Fitted to points that are drawn from the law that is wanted, or weighted by their likelihood ratio to it. The
+  /// width in each direction is a multiple of the standard deviation there, under which points that are left out are
+  /// most likely. Their own law if less than two different points have a weight > 0.
   [[nodiscard]] static Proposal fitted_to(std::vector<WeightedPoint> points, std::size_t dimensions);
 
   [[nodiscard]] std::size_t dimensions() const { return dimensions_; }
@@ -34,8 +34,8 @@ class Proposal {
   [[nodiscard]] double likelihood_ratio(const Point& point) const;
 
  private:
-  /// Mean over the centres of the normal density of this multiple of the widths, over the density of the standard normal
-  /// law, at a point.
+  /// Mean over the centres of the normal density of this multiple of the widths, over the density of the standard
+  /// normal law, at a point.
   [[nodiscard]] double density_ratio(const Point& point, double multiple) const;
 
   std::size_t dimensions_;

@@ -86,16 +86,16 @@ class ConditionStudy {
     }
   }
 
-  /// The spread is known roughly at first: at most four times as many at once. The numbers do not depend on how many were
-  /// made earlier.
+  /// The spread is known roughly at first: at most four times as many at once. The numbers do not depend on how many
+  /// were made earlier.
   [[nodiscard]] static std::size_t more_than(std::size_t planned, double ratio) {
     const double wanted = static_cast<double>(planned) * std::min(4.0, 1.05 * ratio * ratio);
     return std::min<std::size_t>(most_repetitions - 1,
                                  std::max(planned + 1, static_cast<std::size_t>(std::ceil(wanted))));
   }
 
-  /// Makes repetitions until there are `count`; false if it had to end before. Those after one that was not finished are
-  /// left out: long repetitions tend to have large estimates, and without them the mean would be too small.
+  /// Makes repetitions until there are `count`; false if it had to end before. Those after one that was not finished
+  /// are left out: long repetitions tend to have large estimates, and without them the mean would be too small.
   [[nodiscard]] bool repeat_up_to(std::size_t count) {
     const std::size_t from = repetitions().size();
     std::vector<std::optional<Repetition>> slots(count - from);

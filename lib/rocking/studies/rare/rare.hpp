@@ -30,8 +30,8 @@ struct RareSettings {
 void check_rare(const Experiment& experiment);
 
 /// The estimates for all conditions, in their order. Without a time limit they depend on the experiment, the question
-/// and the number of particles alone. With one, a condition gets its share of the time, but at least 8 repetitions; what
-/// is not finished at the end of the time, or when it is asked to stop, is left out. Throws as check_rare.
+/// and the number of particles alone. With one, a condition gets its share of the time, but at least 8 repetitions;
+/// what is not finished at the end of the time, or when it is asked to stop, is left out. Throws as check_rare.
 [[nodiscard]] std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
                                                            const RareSettings& settings);
 

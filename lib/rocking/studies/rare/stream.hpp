@@ -21,8 +21,8 @@ inline constexpr std::uint64_t repetition_limit = std::uint64_t{1} << 20U;
 /// No particle has this number: what a stage draws by itself.
 inline constexpr std::uint64_t last_particle = particle_limit - 1;
 
-/// The realisation number of a stream (lib/docs/draws.md): bit 55 is set, which no realisation of a run has in practice;
-/// below it 20 bits of the repetition, 9 of the stage, 17 of the particle, 9 of the move.
+/// The realisation number of a stream (lib/docs/draws.md): bit 55 is set, which no realisation of a run has in
+/// practice; below it 20 bits of the repetition, 9 of the stage, 17 of the particle, 9 of the move.
 [[nodiscard]] constexpr std::uint64_t number_of(const Stream& stream) {
   ROCKING_EXPECT(stream.repetition < repetition_limit && stream.stage < stage_limit);
   ROCKING_EXPECT(stream.particle < particle_limit && stream.move < move_limit);

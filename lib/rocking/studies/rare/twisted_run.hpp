@@ -16,11 +16,11 @@
 /// lib/docs/rare.md.
 namespace rocking::rare {
 
-/// Trajectories that stand at strobe point 1 at first. likelihood_ratio: of what particle i has drawn in the start or the
-/// last advance; 1 where that is drawn by its own law. fate: what has happened to it up to now. score: > 0, how likely the event still is
-/// from strobe point k on; any function of the past leaves the estimate unbiased. branch: particle i becomes another
-/// future of `parent`, with new random numbers. leave: it is not advanced any more. advance: one period, of all that have
-/// neither ended nor left. work: simulated time so far, a full trajectory being 1.
+/// Trajectories that stand at strobe point 1 at first. likelihood_ratio: of what particle i has drawn in the start or
+/// the last advance; 1 where that is drawn by its own law. fate: what has happened to it up to now. score: > 0, how
+/// likely the event still is from strobe point k on; any function of the past leaves the estimate unbiased. branch:
+/// particle i becomes another future of `parent`, with new random numbers. leave: it is not advanced any more. advance:
+/// one period, of all that have neither ended nor left. work: simulated time so far, a full trajectory being 1.
 template <class P>
 concept Population = requires(P& population, const P& constant, std::size_t i, std::int64_t k, const Stream& stream) {
   { constant.size() } -> std::same_as<std::size_t>;
@@ -39,8 +39,8 @@ struct TwistedPlan {
   double least_effective = 0.7;  ///< of the particles; with fewer they are resampled
 };
 
-/// Offspring of particles with these scores times weights, `count` in all: systematic resampling, by which particle i has
-/// count v_i/sum(v) of them in the mean. `u` from [0, 1).
+/// Offspring of particles with these scores times weights, `count` in all: systematic resampling, by which particle i
+/// has count v_i/sum(v) of them in the mean. `u` from [0, 1).
 [[nodiscard]] inline std::vector<std::uint32_t> systematic_offspring(const std::vector<double>& values,
                                                                      std::size_t count, double u) {
   double total = 0.0;
@@ -62,10 +62,10 @@ struct TwistedPlan {
   return offspring;
 }
 
-/// One repetition. The weight w_i of a particle is such that sum w_i f(path i) is an unbiased estimate of E f; particles
-/// that have the event leave with their weight, and the estimate is the sum of these. Where the effective number of
-/// particles by v_i = w_i score_i, (sum v)^2/sum v^2, falls below a share of them, they are resampled in proportion to v.
-/// Sources: Del Moral (2004); Whiteley & Lee (2014), Annals of Statistics 42, 115-141.
+/// One repetition. The weight w_i of a particle is such that sum w_i f(path i) is an unbiased estimate of E f;
+/// particles that have the event leave with their weight, and the estimate is the sum of these. Where the effective
+/// number of particles by v_i = w_i score_i, (sum v)^2/sum v^2, falls below a share of them, they are resampled in
+/// proportion to v. Sources: Del Moral (2004); Whiteley & Lee (2014), Annals of Statistics 42, 115-141.
 template <Population P>
 class TwistedRun {
  public:

@@ -29,10 +29,12 @@ enum class Source : std::uint8_t {
   mean_restitution = 16,
   excitation_size = 17,
   excitation_frequency = 18,
+  inference_shares = 19,
+  inference_counts = 20,
 };
 
 /// Names of the sources, in the order of their numbers, of which the first is 1.
-inline constexpr std::array<std::string_view, 18> source_names{"static_friction",
+inline constexpr std::array<std::string_view, 20> source_names{"static_friction",
                                                                "kinetic_friction",
                                                                "restitution",
                                                                "amplitude",
@@ -49,7 +51,9 @@ inline constexpr std::array<std::string_view, 18> source_names{"static_friction"
                                                                "mean_kinetic_friction",
                                                                "mean_restitution",
                                                                "excitation_size",
-                                                               "excitation_frequency"};
+                                                               "excitation_frequency",
+                                                               "inference_shares",
+                                                               "inference_counts"};
 
 /// Empty of a number that no source has.
 [[nodiscard]] constexpr std::string_view to_string(Source source) {

@@ -35,7 +35,9 @@ TEST(Source, KeepsItsNumber) {
                                                 {16, "mean_restitution"},
                                                 {17, "excitation_size"},
                                                 {18, "excitation_frequency"},
-                                                {19, ""}};
+                                                {19, "inference_shares"},
+                                                {20, "inference_counts"},
+                                                {21, ""}};
   for (const auto& [number, name] : numbers) EXPECT_EQ(to_string(static_cast<Source>(number)), name);
 }
 

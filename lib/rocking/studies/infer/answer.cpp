@@ -1,0 +1,199 @@
+#include "rocking/studies/infer/answer.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <numeric>
+#include <span>
+
+#include "rocking/base/on_threads.hpp"
+#include "rocking/studies/infer/candidates.hpp"
+#include "rocking/studies/infer/made_up_tests.hpp"
+#include "rocking/studies/infer/profile.hpp"
+
+namespace rocking::infer {
+namespace {
+
+constexpr std::size_t sets_for_limits = 399;
+constexpr std::size_t sets_for_fit = 999;
+
+std::vector<std::vector<std::uint64_t>> counts_of(const CountedTests& tests) {
+  std::vector<std::vector<std::uint64_t>> counts;
+  for (const TestedCondition& condition : tests.conditions) counts.push_back(condition.counts);
+  return counts;
+}
+
+class Answering {
+ public:
+  Answering(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found)
+      : question_(&question),
+        models_(&models),
+        found_(&found),
+        scale_(question.unknowns),
+        counts_(counts_of(question.tests)) {
+    for (const auto& counts : counts_) {
+      tests_.push_back(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
+    }
+    best_ = best_point(lattice(), found.logarithms);
+  }
+
+  [[nodiscard]] InferenceAnswer answer(unsigned threads) const {
+    InferenceAnswer answer;
+    answer.unknowns.resize(question_->unknowns.size());
+    answer.candidates.resize(question_->tests.candidates.size());
+    answer.log_likelihood = found_->logarithms[static_cast<Eigen::Index>(best_)] + log_coefficients(counts_);
+    answer.predicted = predicted();
+    std::vector<std::function<void()>> parts;
+    for (std::size_t k = 0; k < answer.unknowns.size(); ++k) {
+      parts.emplace_back([&, k] { answer.unknowns[k] = of_unknown(k); });
+    }
+    for (std::size_t i = 0; i < answer.candidates.size(); ++i) {
+      parts.emplace_back([&, i] {
+        answer.candidates[i] =
+            gain_of((*models_)[tests_.size() + i], question_->next_tests, lattice(), found_->weights, question_->seed);
+      });
+    }
+    parts.emplace_back([&] { fit_and_region(answer); });
+    run(parts, threads);
+    return answer;
+  }
+
+ private:
+  static void run(const std::vector<std::function<void()>>& parts, unsigned threads) {
+    std::atomic<std::size_t> next = 0;
+    base::on_threads(
+        std::min<unsigned>(threads, static_cast<unsigned>(parts.size())),
+        [&](unsigned) {
+          for (std::size_t i = next++; i < parts.size(); i = next++) parts[i]();
+        },
+        [&] { next = parts.size(); });
+  }
+
+  [[nodiscard]] const Lattice& lattice() const { return found_->likelihood.lattice(); }
+  [[nodiscard]] std::span<const ShareModel> tested() const { return {models_->data(), tests_.size()}; }
+
+  [[nodiscard]] Eigen::MatrixXd make_up(const Eigen::VectorXd& point, std::size_t sets) const {
+    return made_up_tests(tested(), tests_, point, question_->seed, 0, sets);
+  }
+
+  [[nodiscard]] UnknownAnswer of_unknown(std::size_t k) const {
+    const Eigen::VectorXd limits = profile_limits(
+        found_->likelihood, k, found_->deviances,
+        [this](const Eigen::VectorXd& point) { return make_up(point, sets_for_limits); }, question_->confidence);
+    const stats::Interval inside = interval_below(lattice(), k, profile_on(lattice(), k, found_->deviances), limits);
+    UnknownAnswer answer{.estimate = scale_.value(k, lattice().coordinate(lattice().place(best_, k), k)),
+                         .interval = {.low = scale_.value(k, inside.low), .high = scale_.value(k, inside.high)}};
+    const bool reaches_from = inside.low <= 0.0;
+    const bool reaches_to = inside.high >= 1.0;
+    if (reaches_from && reaches_to)
+      answer.reaches = ReachedBound::both;
+    else if (reaches_from)
+      answer.reaches = ReachedBound::from;
+    else if (reaches_to)
+      answer.reaches = ReachedBound::to;
+    const bool has_prior =
+        std::ranges::any_of(question_->unknowns, [](const Unknown& u) { return u.prior.has_value(); });
+    if (has_prior) answer.posterior = posterior(k);
+    return answer;
+  }
+
+  [[nodiscard]] UnknownPosterior posterior(std::size_t k) const {
+    std::vector<double> weights(lattice().points_on_axis());
+    for (std::size_t i = 0; i < lattice().size(); ++i) {
+      weights[lattice().place(i, k)] += found_->weights[static_cast<Eigen::Index>(i)];
+    }
+    UnknownPosterior posterior;
+    for (std::size_t i = 0; i < weights.size(); ++i) {
+      posterior.mean += weights[i] * scale_.value(k, lattice().coordinate(i, k));
+    }
+    /// Each weight is spread evenly over the cell of its place.
+    const auto quantile = [&](double level) {
+      double sum = 0.0;
+      for (std::size_t i = 0; i < weights.size(); ++i) {
+        if (sum + weights[i] >= level && weights[i] > 0.0) {
+          const double half = 0.5 * (lattice().coordinate(1, k) - lattice().coordinate(0, k));
+          const double in_cell = (2.0 * (level - sum) / weights[i] - 1.0) * half;
+          return scale_.value(k, std::clamp(lattice().coordinate(i, k) + in_cell, 0.0, 1.0));
+        }
+        sum += weights[i];
+      }
+      return scale_.value(k, lattice().coordinate(weights.size() - 1, k));
+    };
+    const double tail = 0.5 * (1.0 - question_->confidence);
+    posterior.median = quantile(0.5);
+    posterior.interval = {.low = quantile(tail), .high = quantile(1.0 - tail)};
+    return posterior;
+  }
+
+  [[nodiscard]] std::vector<PredictedShares> predicted() const {
+    std::vector<PredictedShares> all;
+    const Eigen::VectorXd point = lattice().point(best_);
+    for (std::size_t c = 0; c < tests_.size(); ++c) {
+      PredictedShares of_condition;
+      const Eigen::VectorXd shares = (*models_)[c].log_shares(point).array().exp();
+      of_condition.shares.assign(shares.begin(), shares.end());
+      for (const std::uint64_t count : counts_[c]) {
+        of_condition.intervals.push_back(
+            stats::clopper_pearson({.successes = count, .trials = tests_[c]}, question_->confidence));
+      }
+      all.push_back(std::move(of_condition));
+    }
+    return all;
+  }
+
+  void fit_and_region(InferenceAnswer& answer) const {
+    const Eigen::MatrixXd sets = make_up(lattice().point(best_), sets_for_fit);
+    answer.fit.statistic = statistic(in_one_row(counts_), found_->logarithms.maxCoeff());
+    const Eigen::MatrixXd logarithms = found_->likelihood.logarithms_of_sets(sets);
+    std::size_t larger = 1;
+    std::vector<double> deviances;
+    for (Eigen::Index set = 0; set < sets.cols(); ++set) {
+      const double most = logarithms.col(set).maxCoeff();
+      if (statistic(sets.col(set), most) >= answer.fit.statistic) ++larger;
+    }
+    answer.fit.p_value = static_cast<double>(larger) / static_cast<double>(sets_for_fit + 1);
+    const double limit = region_limit(found_->likelihood, best_, sets, question_->confidence);
+    answer.region_limit = std::exp(-0.5 * limit);
+    add_region(limit, answer.region);
+  }
+
+  /// The deviance of a data set whose largest log-likelihood is `most`.
+  [[nodiscard]] double statistic(const Counts& counts, double most) const {
+    double saturated = 0.0;
+    const auto groups = counts.size() / static_cast<Eigen::Index>(tests_.size());
+    for (Eigen::Index i = 0; i < counts.size(); ++i) {
+      const auto tests = static_cast<double>(tests_[static_cast<std::size_t>(i / groups)]);
+      if (counts[i] > 0.0) saturated += counts[i] * std::log(counts[i] / tests);
+    }
+    return 2.0 * (saturated - most);
+  }
+
+  /// Points of every second or so place of the lattice, and the best one.
+  void add_region(double limit, std::vector<RegionPoint>& region) const {
+    const std::size_t step = lattice().axes() == 1 ? 4 : 2;
+    for (std::size_t i = 0; i < lattice().size(); ++i) {
+      bool is_shown = true;
+      for (std::size_t axis = 0; axis < lattice().axes(); ++axis) is_shown &= lattice().place(i, axis) % step == 0;
+      const double deviance = found_->deviances[static_cast<Eigen::Index>(i)];
+      if ((!is_shown && i != best_) || deviance > limit) continue;
+      region.push_back({.at = scale_.values(lattice().point(i)), .likelihood_ratio = std::exp(-0.5 * deviance)});
+    }
+  }
+
+  const InferenceQuestion* question_;
+  const std::vector<ShareModel>* models_;
+  const Survey* found_;
+  Scale scale_;
+  std::vector<std::vector<std::uint64_t>> counts_;
+  std::vector<std::uint64_t> tests_;  ///< by tested condition
+  std::size_t best_ = 0;
+};
+
+}  // namespace
+
+InferenceAnswer answer_of(const InferenceQuestion& question, const std::vector<ShareModel>& models, const Survey& found,
+                          unsigned threads) {
+  return Answering(question, models, found).answer(threads);
+}
+
+}  // namespace rocking::infer

@@ -1,0 +1,201 @@
+#include "rocking/studies/infer/infer.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include <boost/math/distributions/chi_squared.hpp>
+
+#include "rocking/base/on_threads.hpp"
+#include "rocking/studies/infer/answer.hpp"
+#include "rocking/studies/infer/design.hpp"
+#include "rocking/studies/infer/profile.hpp"
+#include "rocking/studies/infer/survey.hpp"
+
+namespace rocking {
+namespace infer {
+namespace {
+
+/// Simulated at once: what an interruption loses at most.
+constexpr std::size_t points_at_once = 8;
+/// Of the width of an interval: how far an end may move when points are added.
+constexpr double small_move = 0.1;
+
+class Study {
+ public:
+  Study(const InferenceQuestion& question, const InferenceSettings& settings)
+      : question_(&question), settings_(&settings), scale_(question.unknowns) {
+    std::vector<std::vector<std::uint64_t>> counts;
+    for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
+    counts_ = in_one_row(counts);
+  }
+
+  [[nodiscard]] Inference inference() {
+    if (extend(first_design(question_->unknowns.size()))) refine();
+    if (found_) result_.answer = answer_of(*question_, models_, *found_, settings_->threads);
+    for (const DesignPoint& point : result_.design) {
+      for (const auto& of_condition : point.counts) {
+        for (const std::uint64_t count : of_condition) result_.realisations += count;
+      }
+    }
+    return std::move(result_);
+  }
+
+ private:
+  /// Adds points until the intervals have settled.
+  void refine() {
+    int settled = 0;
+    look();
+    for (;;) {
+      const std::vector<stats::Interval> before = intervals();
+      if (points_.size() >= most_points(question_->unknowns.size())) {
+        result_.end = InferEnd::most_points;
+        return;
+      }
+      if (!extend(further_points(points_, found_->likelihood.lattice(), found_->deviances))) return;
+      look();
+      settled = largest_move(before, intervals()) <= small_move ? settled + 1 : 0;
+      if (settled == 2) return;
+    }
+  }
+
+  /// Simulates points; false if it had to end before all were finished.
+  [[nodiscard]] bool extend(const std::vector<Eigen::VectorXd>& points) {
+    std::vector<std::vector<double>> values;
+    for (const Eigen::VectorXd& point : points) values.push_back(scale_.short_values(point));
+    for (std::size_t first = 0; first < values.size(); first += points_at_once) {
+      const std::size_t end = std::min(values.size(), first + points_at_once);
+      if (!simulate(
+              {values.begin() + static_cast<std::ptrdiff_t>(first), values.begin() + static_cast<std::ptrdiff_t>(end)}))
+        return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool simulate(const std::vector<std::vector<double>>& values) {
+    std::vector<std::vector<double>> missing;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      if (!is_known(result_.design.size() + i, values[i])) missing.push_back(values[i]);
+    }
+    CountsAtPoints found;
+    if (!missing.empty()) {
+      if (settings_->stop.is_made())
+        result_.end = InferEnd::stopped;
+      else if (!has_time())
+        result_.end = InferEnd::out_of_time;
+      if (result_.end != InferEnd::settled) return false;
+      try {
+        const double start = elapsed();
+        found = question_->simulate(missing);
+        longest_ = std::max(longest_, elapsed() - start);
+      } catch (const base::Stopped&) {
+        result_.end = InferEnd::stopped;
+        return false;
+      }
+    }
+    auto next = found.begin();
+    for (const std::vector<double>& at : values) {
+      const std::size_t place = result_.design.size();
+      result_.design.push_back({.at = at, .counts = is_known(place, at) ? settings_->earlier[place].counts : *next++});
+      points_.push_back(scale_.point(at));
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_known(std::size_t place, const std::vector<double>& at) const {
+    return place < settings_->earlier.size() && settings_->earlier[place].at == at;
+  }
+
+  [[nodiscard]] double elapsed() const { return settings_->elapsed_seconds ? settings_->elapsed_seconds() : 0.0; }
+
+  [[nodiscard]] bool has_time() const { return !settings_->seconds || elapsed() + longest_ < *settings_->seconds; }
+
+  /// Fits the models to the design.
+  void look() {
+    const std::size_t conditions = result_.design.front().counts.size();
+    Eigen::MatrixXd points(static_cast<Eigen::Index>(points_.size()), points_.front().size());
+    for (std::size_t i = 0; i < points_.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = points_[i].transpose();
+    std::vector<std::unique_ptr<ShareModel>> fitted(conditions);
+    std::atomic<std::size_t> next = 0;
+    base::on_threads(
+        std::min(settings_->threads, static_cast<unsigned>(conditions)),
+        [&](unsigned) {
+          for (std::size_t c = next++; c < conditions; c = next++) {
+            std::vector<std::vector<std::uint64_t>> counts;
+            for (const DesignPoint& point : result_.design) counts.push_back(point.counts[c]);
+            const ShareModel* former = c < models_.size() ? &models_[c] : nullptr;
+            fitted[c] = std::make_unique<ShareModel>(points, counts, former);
+          }
+        },
+        [&] { next = conditions; });
+    models_.clear();
+    for (auto& model : fitted) models_.push_back(std::move(*model));
+    const auto tested = static_cast<std::ptrdiff_t>(question_->tests.conditions.size());
+    found_.emplace(survey({models_.begin(), models_.begin() + tested}, counts_, question_->unknowns));
+  }
+
+  /// In the unit cube, by the asymptotic limit.
+  [[nodiscard]] std::vector<stats::Interval> intervals() const {
+    const Lattice& lattice = found_->likelihood.lattice();
+    const double limit = boost::math::quantile(boost::math::chi_squared(1.0), question_->confidence);
+    const Eigen::VectorXd limits =
+        Eigen::VectorXd::Constant(static_cast<Eigen::Index>(lattice.points_on_axis()), limit);
+    std::vector<stats::Interval> intervals;
+    for (std::size_t axis = 0; axis < lattice.axes(); ++axis) {
+      intervals.push_back(interval_below(lattice, axis, profile_on(lattice, axis, found_->deviances), limits));
+    }
+    return intervals;
+  }
+
+  /// Of an end, over the width of the interval.
+  [[nodiscard]] static double largest_move(const std::vector<stats::Interval>& before,
+                                           const std::vector<stats::Interval>& after) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      const double move = std::max(std::abs(after[i].low - before[i].low), std::abs(after[i].high - before[i].high));
+      largest = std::max(largest, move / std::max(after[i].high - after[i].low, 1e-12));
+    }
+    return largest;
+  }
+
+  const InferenceQuestion* question_;
+  const InferenceSettings* settings_;
+  Scale scale_;
+  Counts counts_;
+  std::vector<Eigen::VectorXd> points_;  ///< of the design, in the unit cube
+  std::vector<ShareModel> models_;       ///< by condition
+  std::optional<Survey> found_;
+  double longest_ = 0.0;  ///< time of a simulation so far [s]
+  Inference result_;
+};
+
+}  // namespace
+}  // namespace infer
+
+std::string_view to_string(ReachedBound bound) {
+  switch (bound) {
+    case ReachedBound::none: return "none";
+    case ReachedBound::from: return "from";
+    case ReachedBound::to: return "to";
+    case ReachedBound::both: return "both";
+  }
+  return "";
+}
+
+std::string_view to_string(InferEnd end) {
+  switch (end) {
+    case InferEnd::settled: return "settled";
+    case InferEnd::most_points: return "most_points";
+    case InferEnd::out_of_time: return "out_of_time";
+    case InferEnd::stopped: return "stopped";
+  }
+  return "";
+}
+
+Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings) {
+  return infer::Study(question, settings).inference();
+}
+
+}  // namespace rocking

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "rocking/base/stop_request.hpp"
+#include "rocking/scene/unknown.hpp"
+#include "rocking/studies/infer/inference.hpp"
+
+/// From counted tests back to the numbers that explain them (lib/docs/infer.md).
+namespace rocking {
+
+/// Counts by point, by condition (candidates last) and by group.
+using CountsAtPoints = std::vector<std::vector<std::vector<std::uint64_t>>>;
+
+struct InferenceQuestion {
+  std::vector<Unknown> unknowns;  ///< one to three
+  CountedTests tests;
+  double confidence = 0.95;      ///< of the intervals and of the region
+  std::uint64_t seed = 0;        ///< of the experiment
+  std::uint64_t next_tests = 5;  ///< tests of a candidate
+  /// Counts of realisations at some values of the unknowns; every point and condition has as many.
+  std::function<CountsAtPoints(const std::vector<std::vector<double>>& points)> simulate;
+};
+
+struct InferenceSettings {
+  unsigned threads = 1;
+  /// Time [s] on the clock of `elapsed_seconds`, after which no points are added. Absent: no limit.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
+  /// Points of an earlier call with the same question, in its order: they are not simulated again.
+  std::vector<infer::DesignPoint> earlier = {};
+  base::StopRequest stop = {};
+};
+
+/// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width. It
+/// does not depend on the number of threads. When it is asked to stop, it answers from the points that are finished.
+[[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
+
+}  // namespace rocking

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "rocking/scene/experiment.hpp"
+#include "rocking/section/response_mode.hpp"
+#include "rocking/stats/interval.hpp"
+
+/// What counted tests say of unknown numbers (lib/docs/infer.md).
+namespace rocking {
+
+/// Response modes that the tester counts together.
+struct ModeGroup {
+  std::string name;
+  std::vector<section::ResponseMode> modes;  ///< none: all that no other group has
+};
+
+/// Tests under one condition.
+struct TestedCondition {
+  std::vector<Parameter> parameters;  ///< in which it differs from the experiment
+  std::vector<std::uint64_t> counts;  ///< of tests by group; none of a candidate
+};
+
+/// Tests that were counted, and conditions of which one may be tested next.
+struct CountedTests {
+  std::vector<ModeGroup> groups;  ///< the last one has all modes that no other has
+  std::vector<TestedCondition> conditions;
+  std::vector<TestedCondition> candidates = {};
+};
+
+namespace infer {
+
+/// Realisations at one value of the unknowns.
+struct DesignPoint {
+  std::vector<double> at;                          ///< values of the unknowns
+  std::vector<std::vector<std::uint64_t>> counts;  ///< by condition, candidates last, and by group
+};
+
+/// A point of the joint region.
+struct RegionPoint {
+  std::vector<double> at;         ///< values of the unknowns
+  double likelihood_ratio = 1.0;  ///< over the largest likelihood
+};
+
+}  // namespace infer
+
+/// Which ends of its range the interval of an unknown reaches.
+enum class ReachedBound : std::uint8_t { none, from, to, both };
+[[nodiscard]] std::string_view to_string(ReachedBound bound);
+
+/// Bayesian answer for one unknown.
+struct UnknownPosterior {
+  double mean = 0.0;
+  double median = 0.0;
+  stats::Interval interval;  ///< with equal tails
+};
+
+/// What the tests say of one unknown, in its unit.
+struct UnknownAnswer {
+  double estimate = 0.0;     ///< where the likelihood is largest
+  stats::Interval interval;  ///< by the profile likelihood
+  ReachedBound reaches = ReachedBound::none;
+  std::optional<UnknownPosterior> posterior = std::nullopt;  ///< present if some unknown has a prior
+};
+
+/// Predicted against counted tests of a condition, at the estimate.
+struct PredictedShares {
+  std::vector<double> shares;              ///< by group
+  std::vector<stats::Interval> intervals;  ///< of the counted shares: Clopper-Pearson
+};
+
+/// Whether the estimate explains the counts.
+struct InferenceFit {
+  double statistic = 0.0;  ///< deviance: 2 sum y ln(y/(N p))
+  double p_value = 1.0;    ///< share of made-up data sets with a larger one, by parametric bootstrap
+};
+
+/// What is expected of further tests under a candidate condition.
+struct CandidateGain {
+  double region = 1.0;             ///< expected size of the region over the present one, geometric mean
+  std::vector<double> deviations;  ///< by unknown: expected standard deviation over the present one
+};
+
+/// Why no more points were added to the design.
+enum class InferEnd : std::uint8_t {
+  settled,      ///< no end of an interval moved by more than a tenth of its width, twice
+  most_points,  ///< the largest number of points was reached
+  out_of_time,
+  stopped,  ///< it was asked to stop
+};
+[[nodiscard]] std::string_view to_string(InferEnd end);
+
+/// The answer, once the first design is finished.
+struct InferenceAnswer {
+  std::vector<UnknownAnswer> unknowns;
+  std::vector<infer::RegionPoint> region;  ///< points of a grid in the joint region
+  double region_limit = 0.0;               ///< least likelihood ratio in the region
+  double log_likelihood = 0.0;             ///< of the counts, at the estimate
+  InferenceFit fit;
+  std::vector<PredictedShares> predicted;  ///< by tested condition
+  std::vector<CandidateGain> candidates;
+};
+
+struct Inference {
+  std::vector<infer::DesignPoint> design;
+  std::optional<InferenceAnswer> answer;  ///< absent if the first design was not finished
+  std::uint64_t realisations = 0;         ///< of all points and conditions
+  InferEnd end = InferEnd::settled;
+};
+
+}  // namespace rocking

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include <Eigen/Core>
+
+#include "rocking/studies/infer/infer.hpp"
+#include "rocking/studies/infer/inference.hpp"
+#include "rocking/studies/infer/likelihood.hpp"
+#include "rocking/studies/infer/share_model.hpp"
+
+namespace rocking::infer {
+
+/// The unknowns in the unit cube.
+class Scale {
+ public:
+  explicit Scale(const std::vector<Unknown>& unknowns) : unknowns_(&unknowns) {}
+
+  [[nodiscard]] double value(std::size_t unknown, double coordinate) const {
+    const Unknown& range = (*unknowns_)[unknown];
+    return range.from + coordinate * (range.to - range.from);
+  }
+  [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& point) const;
+  /// The same with six significant digits, within the range.
+  [[nodiscard]] std::vector<double> short_values(const Eigen::VectorXd& point) const;
+  [[nodiscard]] Eigen::VectorXd point(const std::vector<double>& values) const;
+
+ private:
+  const std::vector<Unknown>* unknowns_;
+};
+
+/// The likelihood of the counts on the smallest lattice around all points of any likelihood.
+struct Survey {
+  Likelihood likelihood;
+  Eigen::VectorXd logarithms;  ///< by point of the lattice
+  Eigen::VectorXd deviances;
+  Eigen::VectorXd weights;  ///< likelihood times prior, with sum 1
+};
+
+/// `models`: of the tested conditions.
+[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts,
+                            const std::vector<Unknown>& unknowns);
+
+}  // namespace rocking::infer

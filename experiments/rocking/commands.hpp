@@ -24,6 +24,7 @@ void add_verify(CLI::App& app, Action& action);
 void add_compare(CLI::App& app, Action& action);
 void add_bifurcation(CLI::App& app, Action& action);
 void add_orbits(CLI::App& app, Action& action);
+void add_infer(CLI::App& app, Action& action);
 void add_rare(CLI::App& app, Action& action);
 void add_cost(CLI::App& app, Action& action);
 void add_fragility(CLI::App& app, Action& action);

@@ -37,7 +37,7 @@ struct NamedCommand {
 };
 
 /// In the order of `rocking --help`.
-constexpr std::array<NamedCommand, 21> commands{{{"run", add_run},
+constexpr std::array<NamedCommand, 22> commands{{{"run", add_run},
                                                  {"resume", add_resume},
                                                  {"status", alone<add_status>},
                                                  {"merge", alone<add_merge>},
@@ -46,6 +46,7 @@ constexpr std::array<NamedCommand, 21> commands{{{"run", add_run},
                                                  {"bifurcation", alone<add_bifurcation>},
                                                  {"orbits", alone<add_orbits>},
                                                  {"rare", alone<add_rare>},
+                                                 {"infer", alone<add_infer>},
                                                  {"cost", alone<add_cost>},
                                                  {"fragility", alone<add_fragility>},
                                                  {"motion", alone<add_motion>},

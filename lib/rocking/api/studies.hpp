@@ -11,17 +11,19 @@
 #include "rocking/api/export.hpp"
 #include "rocking/api/run.hpp"
 #include "rocking/realisation/trajectory.hpp"
+#include "rocking/scene/counted_tests.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/comparison.hpp"
 #include "rocking/studies/cost/cost.hpp"
 #include "rocking/studies/diagram.hpp"
+#include "rocking/studies/infer/inference.hpp"
 #include "rocking/studies/motion/motion.hpp"
 #include "rocking/studies/orbits/orbit_study.hpp"
 #include "rocking/studies/rare/estimate.hpp"
 #include "rocking/studies/run_fragility.hpp"
 
-/// What is asked of an experiment beside its probabilities, and of ground motions. NAME(...) gives a struct, NAME_text(...)
-/// the JSON text of it that the program writes.
+/// What is asked of an experiment beside its probabilities, and of ground motions. NAME(...) gives a struct,
+/// NAME_text(...) the JSON text of it that the program writes.
 namespace rocking {
 
 /// One realisation of an experiment, and how long it is followed.
@@ -46,10 +48,10 @@ struct TrajectoryRequest {
 [[nodiscard]] ROCKING_API std::string trajectory_csv(const TrajectoryRequest& request, const Trajectory& trajectory,
                                                      TrajectoryUnits units = TrajectoryUnits::normalised);
 
-/// Probability of overturning as a function of the swept intensity, and what else is asked. Throws base::InputError if the
-/// experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out of range,
-/// and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts
-/// parts of about equal work.
+/// Probability of overturning as a function of the swept intensity, and what else is asked. Throws base::InputError if
+/// the experiment sweeps no intensity, has no fixed number of realisations, or is not finished, or if a number is out
+/// of range, and base::Stopped if it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution;
+/// progress counts parts of about equal work.
 [[nodiscard]] ROCKING_API RunFragility fragility(const Experiment& experiment, const RunResult& run,
                                                  const FragilityQuestion& question = {},
                                                  const Execution& execution = {});
@@ -67,8 +69,8 @@ struct TrajectoryRequest {
 [[nodiscard]] ROCKING_API std::vector<RecordMetadata> record_metadata(const std::filesystem::path& file);
 
 /// Compares two runs of the same seed, realisation by realisation with common random numbers: the settings that differ
-/// and one entry for each condition, with the confidence of the first run's. Realisations that only one run has are left
-/// out. Throws base::InputError if the seeds or the numbers of conditions differ.
+/// and one entry for each condition, with the confidence of the first run's. Realisations that only one run has are
+/// left out. Throws base::InputError if the seeds or the numbers of conditions differ.
 [[nodiscard]] ROCKING_API Comparison compare(const StoredRun& first, const StoredRun& second);
 
 /// The same as JSON text (`rocking.comparison/1`).
@@ -111,8 +113,8 @@ struct OrbitsRequest {
 /// branches or curves are asked for and nothing can be followed.
 ROCKING_API void check_request(const Experiment& experiment, const OrbitsRequest& request);
 
-/// Periodic orbits, their branches and the curves of their bifurcations. Throws as check_request, and base::Stopped if it
-/// is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions.
+/// Periodic orbits, their branches and the curves of their bifurcations. Throws as check_request, and base::Stopped if
+/// it is asked to stop. Uses `threads`, `on_progress` and `stop` of the execution; progress counts conditions.
 [[nodiscard]] ROCKING_API OrbitStudy orbits(const Experiment& experiment, const OrbitsRequest& request = {},
                                             const Execution& execution = {});
 
@@ -139,9 +141,10 @@ struct RareRequest {
 /// Throws base::InputError if nothing in a condition is random or a number is out of range.
 ROCKING_API void check_request(const Experiment& experiment, const RareRequest& request);
 
-/// Estimates the probability of overturning, or of a large tilt, one entry for each condition, by a particle run
-/// that the committor steers or by importance sampling. Uses `threads`, `on_progress` and `stop` of the execution; progress counts repetitions, and their number grows while
-/// the precision is not reached. Throws as check_request, and base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
+/// Estimates the probability of overturning, or of a large tilt, one entry for each condition, by a particle run that
+/// the committor steers or by importance sampling. Uses `threads`, `on_progress` and `stop` of the execution; progress
+/// counts repetitions, and their number grows while the precision is not reached. Throws as check_request, and
+/// base::Stopped if it is asked to stop. Source: lib/docs/rare.md.
 [[nodiscard]] ROCKING_API std::vector<RareEstimate> rare_probabilities(const Experiment& experiment,
                                                                        const RareRequest& request,
                                                                        const Execution& execution = {});
@@ -149,6 +152,40 @@ ROCKING_API void check_request(const Experiment& experiment, const RareRequest& 
 /// The same as JSON text (`rocking.rare/1`).
 [[nodiscard]] ROCKING_API std::string rare_probabilities_text(const Experiment& experiment, const RareRequest& request,
                                                               const std::vector<RareEstimate>& found);
+
+/// Counted tests of an experiment's block, and how its unknowns are inferred from them.
+struct InferRequest {
+  CountedTests tests;
+  std::uint64_t next_tests = 5;        ///< tests of a candidate condition; 1 to 1000
+  std::filesystem::path folder = ".";  ///< from which the files of the experiment are seen
+  /// Time [s] on the clock of `elapsed_seconds`, after which no points are added. Absent: no limit.
+  std::optional<double> seconds = {};
+  std::function<double()> elapsed_seconds = {};
+  std::vector<infer::DesignPoint> earlier = {};  ///< of an earlier answer to the same question; not simulated again
+  /// When it is asked to stop, it returns what is finished. Else it throws.
+  bool keeps_when_stopped = false;
+};
+
+/// Reads a file of counted tests and one of candidate conditions (lib/docs/formats.md). Files of the experiment are
+/// seen from `folder`. Throws base::InputError with the line of each fault, and std::system_error where a file cannot
+/// be read.
+[[nodiscard]] ROCKING_API CountedTests counted_tests(const Experiment& experiment, const std::filesystem::path& tests,
+                                                     const std::optional<std::filesystem::path>& candidates = {},
+                                                     const std::filesystem::path& folder = ".");
+
+/// Throws base::InputError if the experiment has no unknowns, no fixed number of realisations, or a suite.
+ROCKING_API void check_infer(const Experiment& experiment);
+
+/// Estimates the unknowns of an experiment from counted tests, with intervals and a joint region. Uses `threads`,
+/// `on_progress` and `stop` of the execution; progress counts realisations, and their number grows until the intervals
+/// settle. Throws as check_infer, base::InputError for a number out of range, and base::Stopped if it is asked to stop.
+/// Source: lib/docs/infer.md.
+[[nodiscard]] ROCKING_API Inference infer_unknowns(const Experiment& experiment, const InferRequest& request,
+                                                   const Execution& execution = {});
+
+/// The same as JSON text (`rocking.infer/1`).
+[[nodiscard]] ROCKING_API std::string infer_unknowns_text(const Experiment& experiment, const InferRequest& request,
+                                                          const Inference& found);
 
 /// How the cost of an experiment's accuracy is measured.
 struct CostRequest {
@@ -168,8 +205,8 @@ struct CostRequest {
 /// Throws base::InputError for a number out of range or too few tolerances, std::invalid_argument without clocks.
 ROCKING_API void check_request(const Experiment& experiment, const CostRequest& request);
 
-/// Runs a sample of the realisations at several tolerances with common random numbers: error, changed response modes and
-/// processor time by tolerance, half-widths and time by number of realisations, and a recommended tolerance. Uses
+/// Runs a sample of the realisations at several tolerances with common random numbers: error, changed response modes
+/// and processor time by tolerance, half-widths and time by number of realisations, and a recommended tolerance. Uses
 /// `threads`, `on_progress` and `stop` of the execution; progress counts realisations of the sample. Throws as
 /// check_request, and base::Stopped if it is asked to stop.
 [[nodiscard]] ROCKING_API Cost cost(const Experiment& experiment, const CostRequest& request,

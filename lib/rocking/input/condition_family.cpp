@@ -19,6 +19,7 @@ std::optional<Condition> condition_of(const Json& document) {
 Json document_without_sweep(const Experiment& experiment) {
   Json document = Json::parse(experiment.canonical_text);
   document.erase("sweep");
+  document.erase("unknown");
   return document;
 }
 
@@ -82,6 +83,19 @@ std::function<std::optional<Condition>(double, double)> condition_plane(const Ex
       number = &text == &second.pointers.front() ? at_second : number.get<double>() * (at_second / second.value);
     }
     return condition_of(one);
+  };
+}
+
+std::function<Condition(const std::vector<Parameter>&)> condition_maker(const Experiment& experiment,
+                                                                        const std::filesystem::path& folder) {
+  return [document = document_without_sweep(experiment), folder](const std::vector<Parameter>& values) {
+    Json one = document;
+    for (const Parameter& value : values) one[Json::json_pointer(value.pointer)] = Json::parse(value.value);
+    Condition condition =
+        read_experiment(one.dump(), {}, {.files = files_seen_from(folder), .matches = matches_seen_from(folder)})
+            .conditions.front();
+    condition.parameters = values;
+    return condition;
   };
 }
 

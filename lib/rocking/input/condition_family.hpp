@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -36,5 +37,10 @@ struct SecondParameter {
 /// not allowed.
 [[nodiscard]] std::function<std::optional<Condition>(double first, double second)> condition_plane(
     const Experiment& experiment, const std::string& pointer, const SecondParameter& second);
+
+/// The experiment's only condition with other values at some places: a JSON pointer and a JSON text each. Its sweep is
+/// left aside. Files that it names are seen from `folder`. Throws base::InputError where a value is not allowed.
+[[nodiscard]] std::function<Condition(const std::vector<Parameter>& values)> condition_maker(
+    const Experiment& experiment, const std::filesystem::path& folder);
 
 }  // namespace rocking

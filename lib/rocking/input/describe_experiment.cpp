@@ -134,6 +134,15 @@ class DescribingKeys final : public Keys {
     add(key, {{"type", "array"}, {"minItems", 1}, {"items", {{"oneOf", Json::array({stepped, listed})}}}},
         "list of entries, below", Absent::omitted, "");
   }
+  void unknowns(const Key& key) override {
+    const Json pointer = {{"type", "string"}, {"pattern", "^/"}, {"description", "JSON pointer into this file"}};
+    const Json number = {{"type", "number"}};
+    const Json entry =
+        closed_object({{"parameter", pointer}, {"from", number}, {"to", number}, {"prior", {{"type", "object"}}}},
+                      Json::array({"parameter", "from", "to"}));
+    add(key, {{"type", "array"}, {"minItems", 1}, {"maxItems", most_unknowns}, {"items", entry}},
+        "list of entries, below", Absent::omitted, "");
+  }
   void scatter(std::initializer_list<Scatter>) override {
     Key sigma{"sigma", "standard deviation, in the unit in which the mean is given; or relative_sigma"};
     Key relative{"relative_sigma", "in place of sigma: over the absolute value of the mean"};

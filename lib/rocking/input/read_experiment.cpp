@@ -9,6 +9,7 @@
 #include "rocking/input/read_question.hpp"
 #include "rocking/input/suite.hpp"
 #include "rocking/input/sweep.hpp"
+#include "rocking/input/unknowns.hpp"
 #include "rocking/scene/relations.hpp"
 #include "rocking/text/locate.hpp"
 #include "rocking/text/parse_json.hpp"
@@ -72,6 +73,9 @@ class ExperimentBuilder {
     const bool is_hopeless = found.size() > enough_problems;
     const bool swept = !is_hopeless && document_.is_object() && document_.contains("sweep");
     if (swept) read_axes(base.canonical, overrides, found);
+    if (!is_hopeless && document_.is_object() && document_.contains("unknown")) {
+      unknowns_ = read_unknowns(document_["unknown"], base.canonical, axes_, found);
+    }
     merge(found, "");
     if (has_suite()) {
       axes_.insert(axes_.begin(), SweepAxis{.pointer = std::string(suite_place), .values = suite_.records});
@@ -92,7 +96,8 @@ class ExperimentBuilder {
             .seed = base.question.seed,
             .conditions = std::move(conditions_),
             .canonical_text = base.canonical.dump(),
-            .sweep_sizes = sweep_sizes()};
+            .sweep_sizes = sweep_sizes(),
+            .unknowns = std::move(unknowns_)};
   }
 
  private:
@@ -297,6 +302,7 @@ class ExperimentBuilder {
   std::vector<SweepAxis> axes_;
   std::vector<Json::json_pointer> places_;  ///< of the axes
   std::vector<Condition> conditions_;
+  std::vector<Unknown> unknowns_;
 };
 
 }  // namespace

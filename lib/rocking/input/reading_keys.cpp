@@ -7,7 +7,7 @@
 #include "rocking/input/read_recorded.hpp"
 #include "rocking/input/read_scatter.hpp"
 #include "rocking/input/record_formats.hpp"
-#include "rocking/input/sweep.hpp"
+#include "rocking/input/swept_place.hpp"
 #include "rocking/scene/law_keys.hpp"
 #include "rocking/scene/rules.hpp"
 #include "rocking/text/seed_text.hpp"
@@ -196,6 +196,10 @@ void ReadingKeys::seed(const Key& key, std::uint64_t& value) {
 }
 
 void ReadingKeys::sweep(const Key& key) {
+  if (const Json* found = in_.value(key.name)) in_.write(key.name, *found);
+}
+
+void ReadingKeys::unknowns(const Key& key) {
   if (const Json* found = in_.value(key.name)) in_.write(key.name, *found);
 }
 

@@ -29,6 +29,7 @@ class ReadingKeys final : public Keys {
   void mode(const Key& key, std::optional<section::ResponseMode>& value) override;
   void seed(const Key& key, std::uint64_t& value) override;
   void sweep(const Key& key) override;
+  void unknowns(const Key& key) override;
   void scatter(std::initializer_list<Scatter> of) override;
   bool one_of(std::span<const UnitKey> units, QuantityInUnit& value, Absent absent) override;
   void record_format(const Key& key, std::optional<RecordFormat>& value) override;

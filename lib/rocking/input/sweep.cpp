@@ -4,11 +4,8 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <string_view>
 
-#include "rocking/scene/excitation.hpp"
-#include "rocking/text/spelling.hpp"
+#include "rocking/input/swept_place.hpp"
 
 namespace rocking {
 namespace {
@@ -28,47 +25,6 @@ double to_twelve_digits(double number) {
   return rounded;
 }
 
-std::vector<std::string> pointers_into(const Json& document) {
-  std::vector<std::string> pointers;
-  for (const auto& [key, value] : document.items()) {
-    if (key == "format" || key == "title" || key == "seed" || key == "sweep") continue;
-    const std::string place = child_pointer("", key);
-    pointers.push_back(place);
-    if (!value.is_object()) continue;
-    for (const std::string& inner : pointers_into(value)) pointers.push_back(place + inner);
-  }
-  return pointers;
-}
-
-/// Keys of which a file has one, in different units.
-const std::vector<std::vector<std::string>>& alternatives() {
-  static const std::vector<std::vector<std::string>> places = [] {
-    std::vector<std::string> strengths;
-    for (const std::string_view key : all_strengths) strengths.push_back("/excitation/" + std::string(key));
-    return std::vector<std::vector<std::string>>{
-        {"/excitation/amplitude", "/excitation/amplitude_g", "/excitation/amplitude_m_s2"},
-        std::move(strengths),
-        {"/excitation/frequency_ratio", "/excitation/frequency_hz", "/excitation/period_s"}};
-  }();
-  return places;
-}
-
-/// What to do about a place that the file has in another form: the other unit of a number, or a restitution.
-std::optional<std::string> advice_on_form(const std::string& pointer, const Json& document) {
-  const auto advice = [](std::string_view has, const std::string& instead) {
-    return "the file has \"" + std::string(has) + "\": sweep that, or write " + instead + " in its place";
-  };
-  if (pointer == "/restitution/rate_ratio" && document.contains("restitution"))
-    return advice("/restitution", "{\"rate_ratio\": 0.93}");
-  for (const auto& places : alternatives()) {
-    if (std::ranges::find(places, pointer) == places.end()) continue;
-    for (const std::string& place : places) {
-      if (document.contains(Json::json_pointer(place))) return advice(place, '"' + last_key(pointer) + '"');
-    }
-  }
-  return std::nullopt;
-}
-
 constexpr std::size_t most_axes = 100;
 
 class AxisReader {
@@ -77,7 +33,7 @@ class AxisReader {
 
   SweepAxis read() {
     SweepAxis axis;
-    axis.pointer = read_pointer();
+    axis.pointer = read_swept_place(in_, base_);
     const bool listed = in_.has("values");
     const bool stepped = in_.has("from") || in_.has("to") || in_.has("step");
     if (listed && stepped) {
@@ -92,41 +48,6 @@ class AxisReader {
   }
 
  private:
-  std::string read_pointer() {
-    if (!in_.has("parameter")) {
-      in_.reject("parameter", "is missing",
-                 "give the swept parameter, for example \"parameter\": \"/excitation/amplitude\"");
-      return {};
-    }
-    std::string pointer = in_.text("parameter", "");
-    const bool is_text = in_.value("parameter")->is_string();
-    if (is_text && (pointer.empty() || !leads_somewhere(pointer))) {
-      const auto known = pointers_into(base_);
-      const auto nearest = nearest_word(pointer, known);
-      const std::string otherwise =
-          nearest ? "did you mean \"" + *nearest + "\"?" : "give a place such as \"/excitation/amplitude\"";
-      in_.reject("parameter", "is not a value of this file that a sweep may change",
-                 advice_on_form(pointer, base_).value_or(otherwise));
-    }
-    if (pointer == "/excitation/file" || pointer == "/excitation/vertical_file") {
-      in_.reject("parameter", "changes a file without its digest, by which a report identifies it",
-                 "give the files as a \"suite\", or sweep \"/excitation\" with one object for each ground motion");
-    }
-    return pointer;
-  }
-
-  bool leads_somewhere(const std::string& pointer) const {
-    for (const std::string_view fixed : {"/format", "/title", "/seed", "/sweep", "/excitation/suite",
-                                         "/excitation/sha256", "/excitation/vertical_sha256"}) {
-      if (is_within(pointer, fixed)) return false;
-    }
-    try {
-      return base_.contains(Json::json_pointer(pointer));
-    } catch (const Json::exception&) {  // not a pointer at all
-      return false;
-    }
-  }
-
   std::vector<Json> read_values() {
     const Json& values = *in_.value("values");
     if (!values.is_array() || values.empty()) {
@@ -193,10 +114,6 @@ void check_disjoint(const std::vector<SweepAxis>& axes, Problems& problems) {
 }
 
 }  // namespace
-
-bool is_within(std::string_view inner, std::string_view outer) {
-  return inner == outer || (inner.starts_with(outer) && inner[outer.size()] == '/');
-}
 
 std::vector<SweepAxis> read_sweep(const Json& sweep, const Json& base, std::size_t most, Problems& problems) {
   std::vector<SweepAxis> axes;

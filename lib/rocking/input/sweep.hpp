@@ -20,9 +20,6 @@ struct SweepAxis {
 /// Most conditions that one experiment may have.
 inline constexpr std::size_t most_conditions = 1'000'000;
 
-/// Whether the JSON pointer `inner` is `outer` or leads into what stands there.
-[[nodiscard]] bool is_within(std::string_view inner, std::string_view outer);
-
 /// The entries of `sweep`. `base` is the experiment in canonical form: a pointer must lead to something in it.
 /// Points are from + i step, i = 0, 1, ..., never a running sum, rounded to 12 significant decimal digits; the two ends
 /// are as they were written. `most`: conditions, all entries together.

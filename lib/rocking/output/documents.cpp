@@ -6,6 +6,7 @@
 #include "rocking/output/comparison.hpp"
 #include "rocking/output/cost_report.hpp"
 #include "rocking/output/fragility_report.hpp"
+#include "rocking/output/infer_report.hpp"
 #include "rocking/output/motion_report.hpp"
 #include "rocking/output/orbits_report.hpp"
 #include "rocking/output/rare_report.hpp"
@@ -27,8 +28,8 @@ const Document* document_named(std::string_view name) {
 
 std::vector<const Document*> documents() {
   return {&bifurcation_document(), &check_normal_document(), &comparison_document(), &cost_document(),
-          &fragility_document(),   &motion_document(),       &orbits_document(),     &rare_document(),
-          &report_document(),      &trajectory_document()};
+          &fragility_document(),   &infer_document(),        &motion_document(),     &orbits_document(),
+          &rare_document(),        &report_document(),       &trajectory_document()};
 }
 
 std::string name_of(const Document& document) {

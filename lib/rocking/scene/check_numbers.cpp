@@ -21,6 +21,7 @@ class CheckingKeys final : public Keys {
   void mode(const Key&, std::optional<section::ResponseMode>&) override {}
   void seed(const Key&, std::uint64_t&) override {}
   void sweep(const Key&) override {}
+  void unknowns(const Key&) override {}
   void record_format(const Key&, std::optional<RecordFormat>&) override {}
   void file(const Key&, const Key&, std::string&) override {}
   bool suite(const Key&) override { return true; }

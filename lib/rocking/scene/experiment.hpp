@@ -12,6 +12,7 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/scene/excitation.hpp"
+#include "rocking/scene/unknown.hpp"
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking {
@@ -71,8 +72,8 @@ struct Friction {
 [[nodiscard]] double mean_static(const Friction& friction);
 [[nodiscard]] double mean_kinetic(const Friction& friction);
 
-/// Law of a number that is drawn again along the way. All are functions of a normal number z: mean + sigma z; lognormal;
-/// uniform, from mean - sqrt(3) sigma to mean + sqrt(3) sigma at the probability Phi(z).
+/// Law of a number that is drawn again along the way. All are functions of a normal number z: mean + sigma z;
+/// lognormal; uniform, from mean - sqrt(3) sigma to mean + sqrt(3) sigma at the probability Phi(z).
 enum class FluctuationLaw : std::uint8_t { normal, lognormal, uniform };
 inline constexpr std::array<std::string_view, 3> fluctuation_law_names{"normal", "lognormal", "uniform"};
 
@@ -177,6 +178,7 @@ struct Experiment {
   std::vector<Condition> conditions;          ///< grid of the sweep; its last entry varies fastest
   std::string canonical_text;                 ///< the file with all defaults, as JSON text: equal for equal experiments
   std::vector<std::size_t> sweep_sizes = {};  ///< number of values of each entry of the sweep
+  std::vector<Unknown> unknowns = {};         ///< of `rocking infer`; no run looks at them
 };
 
 /// The block that stands for all blocks of a scene where only one can: in tables and sketches, in the horizon and the

@@ -268,6 +268,7 @@ void keys_of(Keys& in, Question& question) {
         condition.rerun_every, rules::rerun_every, Absent::standard);
   });
   in.sweep({"sweep", "several entries form a grid; the last varies fastest"});
+  in.unknowns({"unknown", "one to three numbers that counted tests are to determine; of `rocking infer` alone"});
   keys_of_realisations(in, condition);
   in.optional("check_labels", condition.label_check, [&](LabelCheck& check) {
     in.object({"check_labels",

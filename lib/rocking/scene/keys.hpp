@@ -90,6 +90,7 @@ class Keys {
   virtual void mode(const Key& key, std::optional<section::ResponseMode>& value) = 0;
   virtual void seed(const Key& key, std::uint64_t& value) = 0;
   virtual void sweep(const Key& key) = 0;
+  virtual void unknowns(const Key& key) = 0;
 
   /// `sigma`, in the unit of the mean, or `relative_sigma`, for all of these.
   virtual void scatter(std::initializer_list<Scatter> of) = 0;
@@ -116,8 +117,8 @@ class Keys {
   virtual bool stands(std::string_view key, bool is_given) = 0;
   /// Whether the values come from a file, so that defaults which follow from others are set.
   [[nodiscard]] virtual bool is_reading() const { return false; }
-  /// How a default is written that follows from the values at these places of a file: not at all where the sweep changes
-  /// one of them, for what is written would override it.
+  /// How a default is written that follows from the values at these places of a file: not at all where the sweep
+  /// changes one of them, for what is written would override it.
   [[nodiscard]] virtual Absent follows_from(std::span<const std::string_view>) const { return Absent::omitted; }
   /// Refuses what a file has at this key; of an empty key, the object itself.
   virtual void reject(std::string_view, Refusal) {}

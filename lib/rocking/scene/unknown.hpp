@@ -1,11 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 #include "rocking/scene/quantity.hpp"
 
 namespace rocking {
+
+/// Most unknowns of an experiment.
+inline constexpr std::size_t most_unknowns = 3;
 
 /// A number of the experiment that counted tests are to determine.
 struct Unknown {

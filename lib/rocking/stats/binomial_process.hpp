@@ -24,10 +24,10 @@ struct LogOdds {
 
 /// A probability as a smooth function over the unit cube, from counts at some of its points.
 ///
-/// A Gaussian process of the log-odds with a constant of large variance, a Matern covariance with nu = 5/2 and one length
-/// for each coordinate, and an independent part for what is rough; binomial likelihood; Laplace's approximation. The
-/// scales maximise the approximate marginal likelihood times a weak prior. Source: Rasmussen & Williams (2006), Gaussian
-/// Processes for Machine Learning, sections 3.4, 4.2 and 5.5.
+/// A Gaussian process of the log-odds with a constant of large variance, a Matern covariance with nu = 5/2 and one
+/// length for each coordinate, and an independent part for what is rough; binomial likelihood; Laplace's approximation.
+/// The scales maximise the approximate marginal likelihood times a weak prior. Source: Rasmussen & Williams (2006),
+/// Gaussian Processes for Machine Learning, sections 3.4, 4.2 and 5.5.
 class BinomialProcess {
  public:
   /// `points`: a row each; `counts`: of the rows; points without trials are permitted. `start`: scales from which the

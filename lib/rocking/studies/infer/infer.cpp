@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <memory>
+#include <optional>
 #include <utility>
 
 #include <boost/math/distributions/chi_squared.hpp>
@@ -23,18 +23,44 @@ constexpr std::size_t points_at_once = 8;
 /// Of the width of an interval: how far an end may move when points are added.
 constexpr double small_move = 0.1;
 
+/// Of the conditions, candidates last. `former`: of a part of the design; may be empty.
+std::vector<ShareModel> models_of(const std::vector<Eigen::VectorXd>& points, const std::vector<DesignPoint>& design,
+                                  const std::vector<ShareModel>& former, unsigned threads) {
+  const std::size_t conditions = design.front().counts.size();
+  Eigen::MatrixXd rows(static_cast<Eigen::Index>(points.size()), points.front().size());
+  for (std::size_t i = 0; i < points.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+  std::vector<std::optional<ShareModel>> fitted(conditions);
+  std::atomic<std::size_t> next = 0;
+  base::on_threads(
+      std::min(threads, static_cast<unsigned>(conditions)),
+      [&](unsigned) {
+        for (std::size_t c = next++; c < conditions; c = next++) {
+          std::vector<std::vector<std::uint64_t>> counts;
+          for (const DesignPoint& point : design) counts.push_back(point.counts[c]);
+          fitted[c].emplace(rows, counts, former.empty() ? nullptr : &former[c]);
+        }
+      },
+      [&] { next = conditions; });
+  std::vector<ShareModel> models;
+  for (auto& model : fitted) models.push_back(*std::move(model));
+  return models;
+}
+
+Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel>& models) {
+  const auto tested = static_cast<std::ptrdiff_t>(question.tests.conditions.size());
+  std::vector<std::vector<std::uint64_t>> counts;
+  for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
+  return survey({models.begin(), models.begin() + tested}, in_one_row(counts), question.unknowns);
+}
+
 class Study {
  public:
   Study(const InferenceQuestion& question, const InferenceSettings& settings)
-      : question_(&question), settings_(&settings), scale_(question.unknowns) {
-    std::vector<std::vector<std::uint64_t>> counts;
-    for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
-    counts_ = in_one_row(counts);
-  }
+      : question_(&question), settings_(&settings), scale_(question.unknowns) {}
 
   [[nodiscard]] Inference inference() {
     if (extend(first_design(question_->unknowns.size()))) refine();
-    if (found_) result_.answer = answer_of(*question_, models_, *found_, settings_->threads);
+    if (found_) result_.answer = answer_from(*question_, result_.design, settings_->threads);
     for (const DesignPoint& point : result_.design) {
       for (const auto& of_condition : point.counts) {
         for (const std::uint64_t count : of_condition) result_.realisations += count;
@@ -114,26 +140,8 @@ class Study {
 
   /// Fits the models to the design.
   void look() {
-    const std::size_t conditions = result_.design.front().counts.size();
-    Eigen::MatrixXd points(static_cast<Eigen::Index>(points_.size()), points_.front().size());
-    for (std::size_t i = 0; i < points_.size(); ++i) points.row(static_cast<Eigen::Index>(i)) = points_[i].transpose();
-    std::vector<std::unique_ptr<ShareModel>> fitted(conditions);
-    std::atomic<std::size_t> next = 0;
-    base::on_threads(
-        std::min(settings_->threads, static_cast<unsigned>(conditions)),
-        [&](unsigned) {
-          for (std::size_t c = next++; c < conditions; c = next++) {
-            std::vector<std::vector<std::uint64_t>> counts;
-            for (const DesignPoint& point : result_.design) counts.push_back(point.counts[c]);
-            const ShareModel* former = c < models_.size() ? &models_[c] : nullptr;
-            fitted[c] = std::make_unique<ShareModel>(points, counts, former);
-          }
-        },
-        [&] { next = conditions; });
-    models_.clear();
-    for (auto& model : fitted) models_.push_back(std::move(*model));
-    const auto tested = static_cast<std::ptrdiff_t>(question_->tests.conditions.size());
-    found_.emplace(survey({models_.begin(), models_.begin() + tested}, counts_, question_->unknowns));
+    models_ = models_of(points_, result_.design, models_, settings_->threads);
+    found_.emplace(survey_of(*question_, models_));
   }
 
   /// In the unit cube, by the asymptotic limit.
@@ -163,7 +171,6 @@ class Study {
   const InferenceQuestion* question_;
   const InferenceSettings* settings_;
   Scale scale_;
-  Counts counts_;
   std::vector<Eigen::VectorXd> points_;  ///< of the design, in the unit cube
   std::vector<ShareModel> models_;       ///< by condition
   std::optional<Survey> found_;
@@ -192,6 +199,15 @@ std::string_view to_string(InferEnd end) {
     case InferEnd::stopped: return "stopped";
   }
   return "";
+}
+
+InferenceAnswer answer_from(const InferenceQuestion& question, const std::vector<infer::DesignPoint>& design,
+                            unsigned threads) {
+  const infer::Scale scale(question.unknowns);
+  std::vector<Eigen::VectorXd> points;
+  for (const infer::DesignPoint& point : design) points.push_back(scale.point(point.at));
+  const std::vector<infer::ShareModel> models = infer::models_of(points, design, {}, threads);
+  return infer::answer_of(question, models, infer::survey_of(question, models), threads);
 }
 
 Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings) {

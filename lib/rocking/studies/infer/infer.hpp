@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "rocking/base/stop_request.hpp"
+#include "rocking/scene/counted_tests.hpp"
 #include "rocking/scene/unknown.hpp"
 #include "rocking/studies/infer/inference.hpp"
 
@@ -36,8 +37,13 @@ struct InferenceSettings {
   base::StopRequest stop = {};
 };
 
-/// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width. It
-/// does not depend on the number of threads. When it is asked to stop, it answers from the points that are finished.
+/// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width.
+/// It does not depend on the number of threads. When it is asked to stop, it answers from the points that are finished.
 [[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
+
+/// The answer from the counts of a design, which must have the first design in it. It depends on the question and the
+/// design alone. Runs on `threads`.
+[[nodiscard]] InferenceAnswer answer_from(const InferenceQuestion& question,
+                                          const std::vector<infer::DesignPoint>& design, unsigned threads);
 
 }  // namespace rocking

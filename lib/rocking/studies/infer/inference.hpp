@@ -3,35 +3,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <string_view>
 #include <vector>
 
-#include "rocking/scene/experiment.hpp"
-#include "rocking/section/response_mode.hpp"
 #include "rocking/stats/interval.hpp"
 
 /// What counted tests say of unknown numbers (lib/docs/infer.md).
 namespace rocking {
-
-/// Response modes that the tester counts together.
-struct ModeGroup {
-  std::string name;
-  std::vector<section::ResponseMode> modes;  ///< none: all that no other group has
-};
-
-/// Tests under one condition.
-struct TestedCondition {
-  std::vector<Parameter> parameters;  ///< in which it differs from the experiment
-  std::vector<std::uint64_t> counts;  ///< of tests by group; none of a candidate
-};
-
-/// Tests that were counted, and conditions of which one may be tested next.
-struct CountedTests {
-  std::vector<ModeGroup> groups;  ///< the last one has all modes that no other has
-  std::vector<TestedCondition> conditions;
-  std::vector<TestedCondition> candidates = {};
-};
 
 namespace infer {
 

@@ -11,8 +11,8 @@
 
 namespace rocking::infer {
 
-/// Data sets as they would be counted if the unknowns were at a point of the unit cube, one in each column: as many tests
-/// of each condition as there were. Each set has shares of its own, within the error of the realisations.
+/// Data sets as they would be counted if the unknowns were at a point of the unit cube, one in each column: as many
+/// tests of each condition as there were. Each set has shares of its own, within the error of the realisations.
 ///
 /// Random numbers: set number `first` + column of the sources `inference_shares` and `inference_counts`.
 [[nodiscard]] Eigen::MatrixXd made_up_tests(std::span<const ShareModel> models, const std::vector<std::uint64_t>& tests,

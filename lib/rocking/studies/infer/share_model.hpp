@@ -13,12 +13,12 @@ namespace rocking::infer {
 
 /// The shares of the groups of response modes under one condition, as functions of the unknowns.
 ///
-/// Groups are taken one after the other, from the most frequent one on: each has a probability among those that are left
-/// (stats::BinomialProcess). The last one takes what is left.
+/// Groups are taken one after the other, from the most frequent one on: each has a probability among those that are
+/// left (stats::BinomialProcess). The last one takes what is left.
 class ShareModel {
  public:
-  /// `points`: a row each, in the unit cube; `counts`: of the rows by group. `former`: a model of fewer points, from whose
-  /// scales the search begins; may be null.
+  /// `points`: a row each, in the unit cube; `counts`: of the rows by group. `former`: a model of fewer points, from
+  /// whose scales the search begins; may be null.
   ShareModel(const Eigen::MatrixXd& points, const std::vector<std::vector<std::uint64_t>>& counts,
              const ShareModel* former);
 

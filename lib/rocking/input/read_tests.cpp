@@ -1,0 +1,175 @@
+#include "rocking/input/read_tests.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <functional>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/condition_family.hpp"
+#include "rocking/input/line_problems.hpp"
+#include "rocking/input/test_columns.hpp"
+
+namespace rocking {
+namespace {
+
+/// Of one condition: more would take the memory of numbers, not of a laboratory.
+constexpr std::uint64_t most_tests = 1'000'000;
+
+/// The field as a JSON value: a number, `true`, an object; else text.
+std::string json_of(const std::string& field) {
+  const Json value = Json::parse(field, nullptr, false);
+  return value.is_discarded() ? Json(field).dump() : value.dump();
+}
+
+bool are_equal(const std::vector<Parameter>& a, const std::vector<Parameter>& b) {
+  return std::ranges::equal(a, b, {}, &Parameter::value, &Parameter::value);
+}
+
+/// All combinations of the ends of the unknowns.
+std::vector<std::vector<Parameter>> corners(const std::vector<Unknown>& unknowns) {
+  std::vector<std::vector<Parameter>> all;
+  for (unsigned corner = 0; corner < (1U << unknowns.size()); ++corner) {
+    std::vector<Parameter> at;
+    for (std::size_t k = 0; k < unknowns.size(); ++k) {
+      at.push_back({unknowns[k].pointer, Json((corner >> k) & 1U ? unknowns[k].to : unknowns[k].from).dump()});
+    }
+    all.push_back(std::move(at));
+  }
+  return all;
+}
+
+class TestReader {
+ public:
+  TestReader(const std::string& name, const Experiment& experiment, const std::filesystem::path& folder)
+      : experiment_(&experiment), condition_at_(condition_maker(experiment, folder)), lines_(name, problems_) {}
+
+  /// `has_counts`: of tests; else of candidates.
+  void read(std::string_view text, bool has_counts) {
+    if (text.size() > most_tests_bytes) lines_.reject_file("is longer than 1 MB", "give one line for each condition");
+    text = without_byte_order_mark(text);
+    std::optional<std::size_t> columns;
+    while (!text.empty() && !lines_.enough() && !(lines_.any() && !columns)) {
+      const std::vector<std::string> fields = test_fields(lines_.next_line(text));
+      if (fields.empty()) continue;
+      if (!columns) {
+        columns_ = read_test_columns(fields, *experiment_, lines_);
+        check_columns(has_counts);
+        if (lines_.any()) break;
+        columns = fields.size();
+      } else if (fields.size() != *columns) {
+        lines_.reject_line(std::to_string(fields.size()) + " fields", "has not as many fields as there are columns",
+                           "give " + std::to_string(*columns) + " fields");
+      } else {
+        read_condition(fields, has_counts);
+      }
+    }
+    if (!lines_.any() && conditions_.empty()) {
+      lines_.reject_file("has no conditions", "write the names of the columns, and a line for each condition");
+    }
+    if (!problems_.empty()) throw base::InputError(std::move(problems_));
+  }
+
+  [[nodiscard]] std::vector<ModeGroup>& groups() { return columns_.groups; }
+  [[nodiscard]] std::vector<TestedCondition>& conditions() { return conditions_; }
+
+ private:
+  void check_columns(bool has_counts) {
+    if (has_counts && columns_.groups.empty()) {
+      lines_.reject_file("has no column of a response mode", "add columns such as \"(1,1)\" with the counts of tests");
+    }
+    if (!has_counts && !columns_.groups.empty()) {
+      lines_.reject_line(columns_.groups.front().name, "is a column of counts",
+                         "give the parameters of candidates alone");
+    }
+  }
+
+  void read_condition(const std::vector<std::string>& fields, bool has_counts) {
+    TestedCondition condition;
+    for (std::size_t i = 0; i < columns_.parameters.size(); ++i) {
+      condition.parameters.push_back({columns_.parameters[i], json_of(fields[i])});
+    }
+    for (std::size_t i = columns_.parameters.size(); i < fields.size(); ++i)
+      condition.counts.push_back(count(fields[i]));
+    const auto same = std::ranges::find_if(
+        conditions_, [&](const TestedCondition& other) { return are_equal(other.parameters, condition.parameters); });
+    if (same != conditions_.end()) {
+      lines_.reject_line("", "has the same parameters as an earlier line", "add up the counts in one line");
+    }
+    if (has_counts && std::accumulate(condition.counts.begin(), condition.counts.end(), std::uint64_t{0}) == 0) {
+      lines_.reject_line("", "has no tests", "omit the line, or give the condition among the candidates");
+    }
+    if (!lines_.any()) check_values(condition.parameters);
+    conditions_.push_back(std::move(condition));
+  }
+
+  std::uint64_t count(const std::string& field) {
+    std::uint64_t value = 0;
+    const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+    if (error == std::errc() && end == field.data() + field.size() && value <= most_tests) return value;
+    lines_.reject_line(field, "is not a number of tests", "give a whole number, 0 where there was none");
+    return 0;
+  }
+
+  /// Whether the experiment allows them, wherever the unknowns are.
+  void check_values(const std::vector<Parameter>& values) {
+    for (const std::vector<Parameter>& corner : corners(experiment_->unknowns)) {
+      std::vector<Parameter> all = values;
+      all.insert(all.end(), corner.begin(), corner.end());
+      try {
+        static_cast<void>(condition_at_(all));
+      } catch (const base::InputError& error) {
+        const base::Problem& first = error.problems().front();
+        std::string setting;
+        for (const Parameter& each : corner)
+          setting += (setting.empty() ? "" : ", ") + each.pointer + " = " + each.value;
+        lines_.reject_line(first.value, first.place + " " + first.reason + " (with " + setting + ")", first.remedy);
+        return;
+      }
+    }
+  }
+
+  const Experiment* experiment_;
+  std::function<Condition(const std::vector<Parameter>&)> condition_at_;
+  Problems problems_;
+  LineProblems lines_;
+  TestColumns columns_;
+  std::vector<TestedCondition> conditions_;
+};
+
+/// The group of all modes that no other has comes last.
+void put_others_last(CountedTests& tests) {
+  const auto others = std::ranges::find_if(tests.groups, [](const ModeGroup& group) { return group.modes.empty(); });
+  const auto place = others - tests.groups.begin();
+  if (others == tests.groups.end()) {
+    tests.groups.push_back({.name = "other", .modes = {}});
+    for (TestedCondition& condition : tests.conditions) condition.counts.push_back(0);
+    return;
+  }
+  std::rotate(others, others + 1, tests.groups.end());
+  for (TestedCondition& condition : tests.conditions) {
+    std::rotate(condition.counts.begin() + place, condition.counts.begin() + place + 1, condition.counts.end());
+  }
+}
+
+}  // namespace
+
+CountedTests read_tests(std::string_view text, const std::string& name, const Experiment& experiment,
+                        const std::filesystem::path& folder) {
+  TestReader reader(name, experiment, folder);
+  reader.read(text, true);
+  CountedTests tests{.groups = std::move(reader.groups()), .conditions = std::move(reader.conditions())};
+  put_others_last(tests);
+  return tests;
+}
+
+void read_candidates(std::string_view text, const std::string& name, const Experiment& experiment,
+                     const std::filesystem::path& folder, CountedTests& tests) {
+  TestReader reader(name, experiment, folder);
+  reader.read(text, false);
+  tests.candidates = std::move(reader.conditions());
+}
+
+}  // namespace rocking

@@ -1,0 +1,143 @@
+#include "rocking/input/test_columns.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "rocking/base/error.hpp"
+#include "rocking/input/swept_place.hpp"
+#include "rocking/text/spelling.hpp"
+
+namespace rocking {
+namespace {
+
+std::string without_blanks(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+class ColumnReader {
+ public:
+  ColumnReader(const Experiment& experiment, LineProblems& problems)
+      : experiment_(&experiment), places_(swept_places(Json::parse(experiment.canonical_text))), problems_(&problems) {}
+
+  TestColumns read(const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
+      if (const auto pointer = parameter_named(name)) {
+        add_parameter(name, *pointer);
+      } else {
+        columns_.groups.push_back({.name = name, .modes = modes_named(name)});
+      }
+    }
+    refuse_missing_parameters();
+    return std::move(columns_);
+  }
+
+ private:
+  /// Absent where the name is that of response modes.
+  std::optional<std::string> parameter_named(const std::string& name) {
+    if (name.starts_with('/')) {
+      if (std::ranges::find(places_, name) != places_.end()) return name;
+      const auto nearest = nearest_word(name, places_);
+      problems_->reject_line(name, "is not a value of the experiment that a sweep may change",
+                             nearest ? "did you mean \"" + *nearest + "\"?" : "give a place of the experiment file");
+      return name;
+    }
+    std::vector<std::string> found;
+    for (const std::string& place : places_) {
+      if (last_key(place) == name) found.push_back(place);
+    }
+    // What the experiment sweeps is meant where several have the name.
+    for (const Parameter& swept : experiment_->conditions.front().parameters) {
+      if (last_key(swept.pointer) == name) found = {swept.pointer};
+    }
+    if (found.size() > 1) {
+      problems_->reject_line(name, "is the last key of several places of the experiment",
+                             "write the whole pointer, " + found[0] + " or " + found[1]);
+    }
+    if (found.empty()) return std::nullopt;
+    return found.front();
+  }
+
+  void add_parameter(const std::string& name, const std::string& pointer) {
+    if (!columns_.groups.empty()) {
+      problems_->reject_line(name, "stands after a column of counts", "write the parameters before the response modes");
+    }
+    const auto overlaps = [&pointer](const std::string& other) {
+      return is_within(pointer, other) || is_within(other, pointer);
+    };
+    if (std::ranges::any_of(columns_.parameters, overlaps)) {
+      problems_->reject_line(name, "is set by another column too", "keep one of them");
+    }
+    if (std::ranges::any_of(experiment_->unknowns, overlaps, &Unknown::pointer)) {
+      problems_->reject_line(name, "is an unknown of the experiment", "omit the column, or the unknown");
+    }
+    columns_.parameters.push_back(pointer);
+  }
+
+  std::vector<section::ResponseMode> modes_named(const std::string& name) {
+    std::vector<section::ResponseMode> modes;
+    try {
+      modes = modes_in_group(name, "");
+    } catch (const base::InputError& error) {
+      const base::Problem& problem = error.problems().front();
+      problems_->reject_line(problem.value, "is neither a value of the experiment nor a response mode", problem.remedy);
+      return modes;
+    }
+    const auto is_seen = [this](const section::ResponseMode& mode) {
+      return std::ranges::any_of(columns_.groups, [&mode](const ModeGroup& group) {
+        return std::ranges::find(group.modes, mode) != group.modes.end();
+      });
+    };
+    const bool has_other =
+        std::ranges::any_of(columns_.groups, [](const ModeGroup& group) { return group.modes.empty(); });
+    if (std::ranges::any_of(modes, is_seen) || (modes.empty() && has_other)) {
+      problems_->reject_line(name, "has a mode that stands in an earlier column", "keep one of them");
+    }
+    return modes;
+  }
+
+  void refuse_missing_parameters() {
+    for (const Parameter& swept : experiment_->conditions.front().parameters) {
+      if (std::ranges::find(columns_.parameters, swept.pointer) != columns_.parameters.end()) continue;
+      problems_->reject_line(swept.pointer, "is swept by the experiment and has no column",
+                             "add a column with its value in each condition, or omit the sweep");
+    }
+  }
+
+  const Experiment* experiment_;
+  std::vector<std::string> places_;
+  LineProblems* problems_;
+  TestColumns columns_;
+};
+
+}  // namespace
+
+std::vector<std::string> test_fields(std::string_view line) {
+  std::vector<std::string> fields(1);
+  bool is_quoted = false;
+  int depth = 0;
+  for (const char c : line) {
+    if (c == '"') {
+      is_quoted = !is_quoted;
+    } else if (!is_quoted && c == '#') {
+      break;
+    } else if (!is_quoted && depth == 0 && (c == ',' || c == ';' || c == '\t')) {
+      fields.emplace_back();
+    } else {
+      if (c == '(') ++depth;
+      if (c == ')' && depth > 0) --depth;
+      fields.back() += c;
+    }
+  }
+  for (std::string& field : fields) field = without_blanks(field);
+  if (fields.size() == 1 && fields.front().empty()) fields.clear();
+  return fields;
+}
+
+TestColumns read_test_columns(const std::vector<std::string>& names, const Experiment& experiment,
+                              LineProblems& problems) {
+  return ColumnReader(experiment, problems).read(names);
+}
+
+}  // namespace rocking

@@ -80,6 +80,47 @@ TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
   EXPECT_THAT(other.errors, HasSubstr("/input: is not that of the earlier estimate"));
 }
 
+TEST_F(Rare, IsVerifiedFromItsRepetitions) {
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
+  const auto outcome = rocking("verify out -j 2");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("8 repetitions and the pilot runs run again"));
+  EXPECT_EQ(Json::parse(rocking("verify out --json --sample 11").output)["repetitions_run_again"], 12);
+}
+
+// What --resume makes of a file with a changed repetition is consistent: only a new repetition tells.
+TEST_F(Rare, IsNotVerifiedWithAChangedRepetition) {
+  const std::string options = std::string("rare quick.json -q -o out") + quickly;
+  ASSERT_EQ(rocking(options).exit_code, 0);
+  Json json = Json::parse(read("out/rare.json"));
+  Json& estimate = json["conditions"][1]["repetitions"][5][0];
+  estimate = 1.25 * estimate.get<double>();
+  write("out/rare.json", json.dump());
+  EXPECT_THAT(rocking("verify out").output, HasSubstr("/conditions/1/probability is"));
+  ASSERT_EQ(rocking(options + "--resume").exit_code, 0);
+  const auto outcome = rocking("verify out --json --sample 32");
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.output, HasSubstr("/conditions/1/repetitions/5/0 is"));
+}
+
+TEST_F(Rare, IsNotVerifiedWithOtherNumbersOrWithoutSense) {
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
+  const Json json = Json::parse(read("out/rare.json"));
+  const auto changed = [&](const char* pointer, const Json& value) {
+    Json other = json;
+    other[Json::json_pointer(pointer)] = value;
+    write("out/rare.json", other.dump());
+    return rocking("verify out");
+  };
+  EXPECT_EQ(changed("/conditions/0/work", 3.5).exit_code, 1);
+  EXPECT_EQ(changed("/conditions/0/ended", "out_of_time").exit_code, 1);
+  EXPECT_EQ(changed("/settings/particles", 41).exit_code, 1);
+  EXPECT_THAT(changed("/input/experiment/block/width_m", 1.5).output, HasSubstr("digest of input.sha256"));
+  EXPECT_THAT(changed("/conditions", Json::array()).output, HasSubstr("one estimate for each condition"));
+  EXPECT_EQ(changed("/conditions/0/ended", "soon").exit_code, 65);
+  EXPECT_EQ(rocking("verify nowhere").exit_code, 66);
+}
+
 TEST_F(Rare, ReplacesAFileOnlyWhenTold) {
   ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
   const auto refusal = rocking(std::string("rare quick.json -q -o out --seed 6") + quickly);

@@ -24,9 +24,9 @@ class DifferentBits : public std::runtime_error {
 
 /// What a check of a run has found.
 struct RunCheck {
-  std::uint64_t checked = 0;    ///< realisations that were run again
+  std::uint64_t checked = 0;    ///< realisations, or repetitions, that were run again
   std::uint64_t different = 0;  ///< of them
-  /// What differs, in words: of the first few realisations.
+  /// What differs, in words: of the first few.
   std::vector<std::string> findings;
 };
 
@@ -54,6 +54,13 @@ struct RunCheck {
 /// asked to stop.
 [[nodiscard]] ROCKING_API RunCheck verify_report(std::string_view report, const std::filesystem::path& files = ".",
                                                  const Execution& execution = {});
+
+/// Checks the `rare.json` of a folder, which must follow from its repetitions: makes the pilot runs and about `sample`
+/// repetitions again, evenly spaced, at least one of each condition; absent: four of each. `checked` and `different`
+/// count repetitions. Uses the execution as verify() and throws as it does.
+[[nodiscard]] ROCKING_API RunCheck verify_rare(const std::filesystem::path& folder,
+                                               std::optional<std::uint64_t> sample = {},
+                                               const Execution& execution = {});
 
 /// The trajectory of a realisation of a run, checked against its digest. Throws base::InputError if the run has no such
 /// realisation, DifferentBits if this version gives it another result, and otherwise as trajectory().

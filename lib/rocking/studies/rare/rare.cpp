@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "rocking/base/error.hpp"
 #include "rocking/base/on_threads.hpp"
@@ -47,14 +48,12 @@ class ConditionStudy {
                .halt = {settings.stop, settings.elapsed_seconds, settings.seconds}} {}
 
   [[nodiscard]] RareEstimate estimate() {
-    result_.method = rare::method_of(condition_->scene);
     try {
-      estimator_ = estimator_of(paths_, settings_->particles, settings_->threads);
-      result_.levels = estimator_->pilot().levels;
-      result_.reached = estimator_->pilot().reached;
-      result_.pilot_work = estimator_->pilot().work;
+      begin();
       if (place_ < settings_->earlier.size()) repetitions() = settings_->earlier[place_];
-      repeat_until_precise();
+      for (std::size_t planned = least_repetitions; planned > 0; planned = planned_after(planned)) {
+        if (planned > repetitions().size() && !repeat_up_to(planned)) break;
+      }
     } catch (const rare::TimeIsUp&) {
       result_.end = RareEnd::out_of_time;
     } catch (const base::Stopped&) {
@@ -64,26 +63,47 @@ class ConditionStudy {
     return std::move(result_);
   }
 
+  /// What follows from the repetitions of `earlier`, of which about `sample` are made again; their number.
+  [[nodiscard]] std::pair<RareEstimate, std::size_t> again(const RareEstimate& earlier, std::size_t sample) {
+    begin();
+    repetitions() = earlier.repetitions;
+    const std::size_t count = std::min(sample, repetitions().size());
+    std::atomic<std::size_t> next = 0;
+    base::on_threads(
+        settings_->threads,
+        [&](unsigned) {
+          for (std::size_t i = next++; i < count; i = next++) {
+            const std::size_t place = i * repetitions().size() / count;
+            repetitions()[place] = estimator_->repeat(place + 1);
+          }
+        },
+        [&] { next = count; });
+    std::size_t planned = least_repetitions;
+    while (planned > 0 && planned <= repetitions().size()) planned = planned_after(planned);
+    if (planned > 0) result_.end = earlier.end == RareEnd::stopped ? RareEnd::stopped : RareEnd::out_of_time;
+    summarise();
+    return {std::move(result_), count};
+  }
+
  private:
   [[nodiscard]] std::vector<Repetition>& repetitions() { return result_.repetitions; }
 
-  void repeat_until_precise() {
-    std::size_t planned = least_repetitions;
-    for (;;) {
-      if (planned > repetitions().size() && !repeat_up_to(planned)) return;
-      const auto so_far = stats::mean_of_repetitions(estimates_of(repetitions(), planned), condition_->confidence);
-      if (!so_far.relative_error) {
-        result_.end = RareEnd::never_seen;
-        return;
-      }
-      const double ratio = *so_far.relative_error / question_->relative_error;
-      if (ratio <= 1.0) return;
-      if (planned == most_repetitions - 1) {
-        result_.end = RareEnd::most_repetitions;
-        return;
-      }
-      planned = more_than(planned, ratio);
-    }
+  void begin() {
+    result_.method = rare::method_of(condition_->scene);
+    estimator_ = estimator_of(paths_, settings_->particles, settings_->threads);
+    result_.levels = estimator_->pilot().levels;
+    result_.reached = estimator_->pilot().reached;
+    result_.pilot_work = estimator_->pilot().work;
+  }
+
+  /// How many repetitions are wanted after the first `planned`; 0 if no more are, for the reason that it notes.
+  [[nodiscard]] std::size_t planned_after(std::size_t planned) {
+    const auto so_far = stats::mean_of_repetitions(estimates_of(repetitions(), planned), condition_->confidence);
+    const double ratio = so_far.relative_error.value_or(0.0) / question_->relative_error;
+    result_.end = !so_far.relative_error ? RareEnd::never_seen : RareEnd::precise;
+    if (ratio <= 1.0) return 0;
+    result_.end = RareEnd::most_repetitions;
+    return planned == most_repetitions - 1 ? 0 : more_than(planned, ratio);
   }
 
   /// The spread is known roughly at first: at most four times as many at once. The numbers do not depend on how many
@@ -127,7 +147,6 @@ class ConditionStudy {
       if (!slot) return false;
       repetitions().push_back(*std::move(slot));
     }
-    result_.end = RareEnd::precise;
     return true;
   }
 
@@ -241,6 +260,26 @@ std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const
     estimates.push_back(ConditionStudy(experiment, i, question, settings).estimate());
   }
   return estimates;
+}
+
+RareRerun rare_probabilities_again(const Experiment& experiment, const RareQuestion& question,
+                                   const RareSettings& settings, const std::vector<RareEstimate>& earlier,
+                                   std::size_t sample) {
+  check_rare(experiment);
+  ROCKING_EXPECT(earlier.size() == experiment.conditions.size());
+  const std::size_t of_each = (sample + earlier.size() - 1) / earlier.size();
+  RareRerun all;
+  for (std::size_t i = 0; i < earlier.size(); ++i) {
+    if (earlier[i].repetitions.empty()) {
+      all.estimates.push_back(earlier[i]);
+      continue;
+    }
+    auto [estimate, count] = ConditionStudy(experiment, i, question, settings).again(earlier[i], of_each);
+    all.estimates.push_back(std::move(estimate));
+    all.repetitions += count;
+    if (settings.on_progress) settings.on_progress(i, all.repetitions, of_each * earlier.size());
+  }
+  return all;
 }
 
 }  // namespace rocking

@@ -35,4 +35,18 @@ void check_rare(const Experiment& experiment);
 [[nodiscard]] std::vector<RareEstimate> rare_probabilities(const Experiment& experiment, const RareQuestion& question,
                                                            const RareSettings& settings);
 
+/// An earlier study, of which a part is made again.
+struct RareRerun {
+  std::vector<RareEstimate> estimates;  ///< of the conditions; equal to the earlier ones if nothing has changed
+  std::size_t repetitions = 0;          ///< that were made again
+};
+
+/// What follows from the repetitions of an earlier study with the same experiment, question and particles, of which
+/// about `sample` are made again, the same number in each condition, evenly spaced. The pilot runs are made again, too.
+/// A condition without finished repetitions stays as it is. Uses the threads, the progress and the stop of the
+/// settings. Throws as check_rare, and base::Stopped.
+[[nodiscard]] RareRerun rare_probabilities_again(const Experiment& experiment, const RareQuestion& question,
+                                                 const RareSettings& settings, const std::vector<RareEstimate>& earlier,
+                                                 std::size_t sample);
+
 }  // namespace rocking

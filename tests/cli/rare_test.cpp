@@ -1,5 +1,7 @@
 // `rocking rare`: probabilities of rare overturning.
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "cli/program.hpp"
@@ -78,6 +80,33 @@ TEST_F(Rare, GoesOnFromWhatAnEarlierCallHasFinished) {
   const auto other = rocking("rare quick.json -q -o part --seed 6" + more);
   EXPECT_EQ(other.exit_code, 65);
   EXPECT_THAT(other.errors, HasSubstr("/input: is not that of the earlier estimate"));
+}
+
+TEST_F(Rare, HasOneProbabilityForASuiteOfRecords) {
+  for (const double strength : {2.0, 3.0}) {
+    std::string record;
+    for (int i = 0; i < 80; ++i) record += std::to_string(strength * std::sin(0.06 * i)) + "\n";
+    write("record" + std::to_string(static_cast<int>(strength)) + ".txt", record);
+  }
+  Json experiment = quick_experiment();
+  experiment.erase("friction");
+  experiment["fluctuation"] = {{"restitution", {{"sigma", 0.05}}}};
+  experiment["excitation"] = {{"kind", "recorded"}, {"suite", "record*.txt"}, {"time_step_s", 0.01}};
+  experiment["horizon"] = {{"transient_periods", 0}, {"sampled_periods", 3}};
+  experiment.erase("sweep");
+  write("suite.json", experiment.dump());
+  const auto outcome = rocking("rare suite.json -o out --particles 100 --relative-error 0.5 --peak-tilt 0.7");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_THAT(outcome.output, HasSubstr("Under one of the records of the suite"));
+  EXPECT_EQ(objections("rare", read("out/rare.json")), "");
+  const Json json = Json::parse(read("out/rare.json"));
+  ASSERT_EQ(json["suites"].size(), 1U);
+  const Json& suite = json["suites"][0];
+  EXPECT_EQ(suite["records"], 2);
+  const double mean =
+      0.5 * (json["conditions"][0]["probability"].get<double>() + json["conditions"][1]["probability"].get<double>());
+  EXPECT_NEAR(suite["probability"].get<double>(), mean, 1e-15);
+  EXPECT_EQ(rocking("verify out").exit_code, 0);
 }
 
 TEST_F(Rare, IsVerifiedFromItsRepetitions) {

@@ -44,6 +44,18 @@ std::uint64_t differing_repetitions(const std::vector<RareEstimate>& first, cons
   return count;
 }
 
+/// Ground motions, which may be beside the experiment, and that beside the folder: in the folder, the one around it, or
+/// the current one. An experiment has the digests of their contents.
+FileSource files_near(const std::filesystem::path& folder) {
+  return [folder](const std::string& name, std::size_t most) {
+    const std::filesystem::path around = std::filesystem::absolute(folder / "..").lexically_normal();
+    for (const std::filesystem::path& place : {folder, around}) {
+      if (std::filesystem::exists(place / name)) return files_seen_from(place)(name, most);
+    }
+    return files_seen_from(".")(name, most);
+  };
+}
+
 /// Experiments that were made in C++ have no text.
 bool has_stated_digest(const RareReport& report) {
   return !report.input.experiment.is_null() &&
@@ -65,8 +77,7 @@ RunCheck verify_rare(const std::filesystem::path& folder, std::optional<std::uin
     check.findings = {"rare.json: " + std::string(wrong_digest_of_experiment)};
     return check;
   }
-  const Experiment experiment =
-      read_experiment(claimed.input.experiment.dump(), {}, {.files = files_seen_from(folder)});
+  const Experiment experiment = read_experiment(claimed.input.experiment.dump(), {}, {.files = files_near(folder)});
   const std::size_t conditions = experiment.conditions.size();
   if (claimed.conditions.size() != conditions) {
     check.findings = {"rare.json: does not have one estimate for each condition of its experiment"};

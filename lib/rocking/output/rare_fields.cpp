@@ -110,6 +110,20 @@ static const StructType& fields_of(const ReportedRare*) {
   return fields;
 }
 
+static const StructType& fields_of(const RareSuite*) {
+  static const StructType fields{
+      "RareSuite",
+      field<&RareSuite::parameters>("parameters", "JSON pointer to value, for the rest of the sweep"),
+      field<&RareSuite::records>("records", "number of records, each of which is equally likely"),
+      field<&RareSuite::probability>("probability", "mean over the records; null: that of a record is", rule::share),
+      field<&RareSuite::interval>("interval", "of the probability under one of these records", rule::share),
+      field<&RareSuite::confidence>("confidence", "of the interval", rule::confidence),
+      field<&RareSuite::relative_error>("relative_error", "standard error over the probability; null: unknown",
+                                        rule::not_negative),
+  };
+  return fields;
+}
+
 namespace {
 
 const StructType& question_fields() {
@@ -149,6 +163,7 @@ const StructType& fields_of(const RareReport*) {
       derived<[](const File& report) { return report.digest(); }>("digest",
                                                                   "SHA-256 over the levels and the repetitions"),
       field<&File::conditions>("conditions", "of the experiment"),
+      field<&File::suites>("suites", "probability over the records of a suite; empty if no ground motion is swept"),
   };
   return fields;
 }
@@ -190,11 +205,13 @@ RareReport rare_report(const Experiment& experiment, const RareMeans& means, con
                     .question = means.question,
                     .seed = experiment.seed,
                     .particles = means.particles,
-                    .conditions = {}};
+                    .conditions = {},
+                    .suites = {}};
   for (std::size_t i = 0; i < found.size(); ++i) {
     const Condition& condition = experiment.conditions[i];
     report.conditions.push_back({condition.parameters, condition.confidence, found[i]});
   }
+  if (found.size() == experiment.conditions.size()) report.suites = rare_suites(experiment.conditions, found);
   return report;
 }
 

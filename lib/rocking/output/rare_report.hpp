@@ -10,6 +10,7 @@
 #include "rocking/output/provenance.hpp"
 #include "rocking/scene/experiment.hpp"
 #include "rocking/studies/rare/rare.hpp"
+#include "rocking/studies/rare/suite_probability.hpp"
 
 namespace rocking {
 
@@ -27,6 +28,7 @@ struct RareReport {
   std::uint64_t seed = 0;
   std::uint64_t particles = 0;  ///< of a repetition
   std::vector<ReportedRare> conditions;
+  std::vector<RareSuite> suites;
 
   /// Over the bits of the levels and of every repetition's estimate and work, in order.
   [[nodiscard]] base::Sha256 digest() const;

@@ -45,6 +45,24 @@ std::string end_of(const RareEstimate& found) {
   return "";
 }
 
+/// A row for each suite; empty without any.
+std::string suite_rows(const std::vector<RareSuite>& suites) {
+  if (suites.empty()) return "";
+  TextRow heading;
+  for (const Parameter& parameter : suites.front().parameters) heading.push_back(last_key(parameter.pointer));
+  for (const char* name : {"records", "probability", "from", "to", "error"}) heading.emplace_back(name);
+  std::vector<TextRow> rows{heading};
+  for (const RareSuite& suite : suites) {
+    TextRow row;
+    for (const Parameter& parameter : suite.parameters) row.push_back(short_value(parameter));
+    row.insert(row.end(), {std::to_string(suite.records), suite.probability ? significant(*suite.probability, 3) : "-",
+                           significant(suite.interval.low, 3), significant(suite.interval.high, 3),
+                           percentage(suite.relative_error)});
+    rows.push_back(std::move(row));
+  }
+  return "\nUnder one of the records of the suite, each of which is equally likely:\n\n" + aligned(rows);
+}
+
 }  // namespace
 
 std::string rare_table(const RareReport& report) {
@@ -77,7 +95,7 @@ std::string rare_table(const RareReport& report) {
          level_text(highest) +
          " % confidence; error: standard error over the probability; work, plain sampling: simulated\ntime in "
          "realisations to the horizon, by this method and by plain sampling for the same error.\n" +
-         notes;
+         notes + suite_rows(report.suites);
 }
 
 }  // namespace rocking

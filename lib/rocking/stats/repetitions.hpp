@@ -23,4 +23,15 @@ struct RepeatedEstimate {
 /// lib/docs/rare.md. `confidence` in (0, 1). Requires an estimate.
 [[nodiscard]] RepeatedEstimate mean_of_repetitions(std::span<const double> estimates, double confidence);
 
+/// An independent estimate of a number > 0.
+struct Stratum {
+  double mean = 0.0;                ///< > 0
+  double standard_error = 0.0;      ///< >= 0
+  double degrees_of_freedom = 1.0;  ///< of the standard error, > 0
+};
+
+/// The sum of the strata, in the same way: the variance is the sum of theirs, with the degrees of freedom of Welch and
+/// Satterthwaite, (sum v)^2/sum(v^2/degrees). Source: Welch (1947), Biometrika 34, 28-35. Requires a stratum.
+[[nodiscard]] RepeatedEstimate sum_of_strata(std::span<const Stratum> strata, double confidence);
+
 }  // namespace rocking::stats

@@ -30,7 +30,7 @@ struct Table {
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;
   std::optional<Grid> grid = std::nullopt;
-  bool only_drawn = false;  ///< contains nothing that the tables before it do not; not shown to readers
+  bool only_drawn = false;  ///< its numbers stand elsewhere; not shown to readers
 };
 
 struct Tick {

@@ -13,6 +13,7 @@
 #include "analysis/incremental_figure.hpp"
 #include "analysis/motion_figure.hpp"
 #include "analysis/output_file.hpp"
+#include "analysis/rare_figures.hpp"
 #include "analysis/trajectory_figures.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/output/check_normal_fields.hpp"
@@ -77,6 +78,15 @@ void collect(const OutputFile& file, Collection& found) {
                               .remedy = "write the file with `rocking motion --json --series`"});
     }
     for (Figure& figure : figures) found.figures.push_back(std::move(figure));
+  } else if (format == "rocking.rare/1") {
+    std::vector<Figure> figures = rare_figures(rare_document().read(output));
+    if (figures.empty()) {
+      throw base::InputError({.place = "/conditions/0/paths",
+                              .value = "",
+                              .reason = "are missing: a figure shows how the event happens",
+                              .remedy = "give `rocking rare` more time"});
+    }
+    for (Figure& figure : figures) found.figures.push_back(std::move(figure));
   } else if (format == "rocking.check_normal/1") {
     found.figures.push_back(normal_histogram(check_normal_document().read(output)));
   } else {
@@ -84,7 +94,7 @@ void collect(const OutputFile& file, Collection& found) {
                             .value = '"' + format + '"',
                             .reason = "has no figure in this command",
                             .remedy = "give a trajectory, a bifurcation, orbits with branches, a cost, a fragility, a "
-                                      "motion or a check-normal; "
+                                      "motion, rare events or a check-normal; "
                                       "`rocking report DIR` draws a run"});
   }
 }

@@ -32,6 +32,7 @@ const std::vector<Part>& parts() {
                                      {"by-when", "Which response, and by when?", {"incidence"}},
                                      {"extent", "How far does the block move?", {"peak_", "final_"}},
                                      {"recurrence", "Is the response repeatable?", {"non_recurrence", "divergence"}},
+                                     {"rare", "How does the rare event happen?", {"rare_"}},
                                      {"question", "What was simulated?", {"scene"}},
                                      {"more", "More figures", {""}}};
   return all;

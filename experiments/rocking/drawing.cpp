@@ -1,18 +1,24 @@
 #include "drawing.hpp"
 
 #include <exception>
+#include <filesystem>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/draw.hpp"
+#include "analysis/rare_figures.hpp"
 #include "analysis/run_figures.hpp"
 #include "interrupt.hpp"
 #include "machine.hpp"
 #include "output.hpp"
 #include "pages/suite_figures.hpp"
 #include "rocking/base/error.hpp"
+#include "rocking/output/rare_report.hpp"
 #include "rocking/text/files.hpp"
+#include "rocking/text/locate.hpp"
+#include "rocking/text/parse_json.hpp"
 
 namespace rocking::program {
 namespace {
@@ -35,14 +41,36 @@ void add_suite(const Store& store, const std::optional<HazardCurve>& hazard, std
   }
 }
 
+/// Those of the `rare.json` beside the report, if there is one about the same block and shaking.
+void add_rare(const RunFolder& folder, const Report& report, std::vector<analysis::Figure>& figures) {
+  const std::filesystem::path path = std::filesystem::path(folder.name()) / "rare.json";
+  if (!std::filesystem::exists(path)) return;
+  const std::string text = input_of([&] { return read_file(path); });
+  try {
+    const RareReport rare = rare_document().read(parse_json(text));
+    if (rare.input.sha256 != report.input.sha256) {
+      print_notice(path.string() + ": is about another experiment than the run, and is not drawn");
+      return;
+    }
+    for (analysis::Figure& figure : analysis::rare_figures(rare)) figures.push_back(std::move(figure));
+  } catch (const base::InputError& error) {
+    throw located(error, text, path.string());
+  }
+}
+
 }  // namespace
 
 std::vector<analysis::Figure> figures_of(const RunFolder& folder, const Report& report,
                                          const std::optional<HazardCurve>& hazard) {
-  if (!folder.has_store()) return analysis::run_figures(report);
-  const Store store = folder.open_valid_store();
-  std::vector<analysis::Figure> figures = analysis::run_figures(report, &store);
-  if (pages::is_suite(report.swept)) add_suite(store, hazard, figures);
+  std::vector<analysis::Figure> figures;
+  if (folder.has_store()) {
+    const Store store = folder.open_valid_store();
+    figures = analysis::run_figures(report, &store);
+    if (pages::is_suite(report.swept)) add_suite(store, hazard, figures);
+  } else {
+    figures = analysis::run_figures(report);
+  }
+  add_rare(folder, report, figures);
   return figures;
 }
 

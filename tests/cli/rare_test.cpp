@@ -109,6 +109,20 @@ TEST_F(Rare, HasOneProbabilityForASuiteOfRecords) {
   EXPECT_EQ(rocking("verify out").exit_code, 0);
 }
 
+TEST_F(Rare, IsDrawnAlsoOnThePageOfItsRun) {
+  ASSERT_EQ(rocking("run quick.json -o out -q --no-page").exit_code, 0);
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
+  EXPECT_EQ(rocking("figure out/rare.json -o drawn").exit_code, 0);
+  EXPECT_TRUE(exists("drawn/rare_paths.tsv"));
+  EXPECT_THAT(read("drawn/rare_committor.tsv"), HasSubstr("tilt_from"));
+  EXPECT_EQ(rocking("report out --format html -q").exit_code, 0);
+  EXPECT_THAT(read("out/report.html"), AllOf(HasSubstr("id=\"rare_committor\""), HasSubstr("id=\"rare_paths\"")));
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o out --overwrite --seed 5") + quickly).exit_code, 0);
+  const auto other = rocking("report out --format html");
+  EXPECT_THAT(other.errors, HasSubstr("another experiment"));
+  EXPECT_THAT(read("out/report.html"), ::testing::Not(HasSubstr("rare_committor")));
+}
+
 TEST_F(Rare, IsVerifiedFromItsRepetitions) {
   ASSERT_EQ(rocking(std::string("rare quick.json -q -o out") + quickly).exit_code, 0);
   const auto outcome = rocking("verify out -j 2");

@@ -21,6 +21,10 @@ struct TypeOf<std::optional<T>> {
       const auto& held = *static_cast<const std::optional<T>*>(value);
       return held ? type_of<T>().json(&*held) : Json();
     }
+    void write(const void* value, std::string_view key, JsonWriter& out) const override {
+      const auto& held = *static_cast<const std::optional<T>*>(value);
+      held ? type_of<T>().write(&*held, key, out) : out.member(key, Json());
+    }
     void read(const Json& json, const ReadingPlace& place, void* value) const override {
       auto& held = *static_cast<std::optional<T>*>(value);
       if (json.is_null()) return held.reset();

@@ -1,11 +1,14 @@
 #include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "rocking/fields/container_types.hpp"
 #include "rocking/fields/named_type.hpp"
 #include "rocking/output/provenance_fields.hpp"
 #include "rocking/output/rare_report.hpp"
 #include "rocking/output/stats_fields.hpp"
+#include "rocking/text/number_text.hpp"
 
 namespace rocking {
 
@@ -60,6 +63,109 @@ struct TypeOf<rare::Repetition> {
 
 namespace {
 
+/// What a figure shows, and no more.
+double rounded(double number) {
+  constexpr int digits = 4;
+  return std::stod(significant(number, digits));
+}
+
+Json rounded_list(const std::vector<double>& numbers) {
+  Json list = Json::array();
+  for (const double number : numbers) list.push_back(rounded(number));
+  return list;
+}
+
+/// A list of numbers for figures.
+class RoundedType final : public ValueType {
+ public:
+  [[nodiscard]] Json json(const void* value) const override {
+    return rounded_list(*static_cast<const std::vector<double>*>(value));
+  }
+  void read(const Json& json, const ReadingPlace& place, void* value) const override {
+    type_of<std::vector<double>>().read(json, place, value);
+  }
+  [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<std::vector<double>>().schema(rule); }
+};
+const ValueType& rounded_type() { return the_only<RoundedType>(); }
+
+/// A line for each list.
+const ValueType& rounded_lines_type() { return the_only<LinesType<std::vector<std::vector<double>>, rounded_type>>(); }
+
+}  // namespace
+
+/// `[Theta, Theta']`.
+template <>
+struct TypeOf<rare::StrobeState> {
+  class Type final : public ValueType {
+   public:
+    [[nodiscard]] Json json(const void* value) const override {
+      const auto& state = *static_cast<const rare::StrobeState*>(value);
+      return rounded_list({state.tilt, state.tilt_rate});
+    }
+    void read(const Json& json, const ReadingPlace& place, void* value) const override {
+      std::array<double, 2> numbers{};
+      type_of<std::array<double, 2>>().read(json, place, &numbers);
+      *static_cast<rare::StrobeState*>(value) = {numbers[0], numbers[1]};
+    }
+    [[nodiscard]] Json schema(const Rule& rule) const override { return type_of<std::array<double, 2>>().schema(rule); }
+  };
+  static const ValueType& get() { return the_only<Type>(); }
+};
+
+// Found beside their structs.
+namespace rare {
+
+static const StructType& fields_of(const Path::Given*) {
+  using Given = Path::Given;
+  static const StructType fields{
+      "RareGiven",
+      field<&Given::source>("source", "name of the source"),
+      field<&Given::number>("number", "in place of its draw 0"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Path::Branch*) {
+  using Branch = Path::Branch;
+  static const StructType fields{
+      "RareBranch",
+      field<&Branch::number>("number", "realisation number of its draws along the way", seed_type()),
+      field<&Branch::from>("from", "by the number of the source: the index of the first draw that is its own"),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const Path*) {
+  static const StructType fields{
+      "RarePath",
+      field<&Path::number>("number", "realisation number of its draws", seed_type()),
+      field<&Path::given>("given", "numbers in place of draws"),
+      field<&Path::branches>("branches", "where it goes on with the draws of other numbers, in order",
+                             the_only<LinesType<std::vector<Path::Branch>>>()),
+      field<&Path::samples_per_period>("samples_per_period", "of `tilts`", Rule{.least = 1.0}),
+      field<&Path::tilts>("tilts", "Theta from tau = 0 to the event, a list for each period, to 4 digits",
+                          rounded_lines_type()),
+      field<&Path::strobe>("strobe", "[Theta, Theta'] at each strobe point, to 4 digits",
+                           the_only<LinesType<std::vector<StrobeState>>>()),
+  };
+  return fields;
+}
+
+static const StructType& fields_of(const CommittorMap*) {
+  using Map = CommittorMap;
+  static const StructType fields{
+      "RareCommittor",
+      field<&Map::tilt>("tilt", "columns are at even distances of Theta from -tilt to tilt", rule::not_negative),
+      field<&Map::tilt_rate>("tilt_rate", "rows, likewise of Theta'", rule::not_negative),
+      field<&Map::rows>("rows", "probability of the event, to 4 digits, by rising Theta'", rounded_lines_type()),
+  };
+  return fields;
+}
+
+}  // namespace rare
+
+namespace {
+
 const StructType& ancestor_fields() {
   static const StructType fields{
       "Ancestors",
@@ -106,6 +212,11 @@ static const StructType& fields_of(const ReportedRare*) {
       field<estimate, &Found::pilot_work>("pilot_work", "part of `work` before the first repetition",
                                           rule::not_negative),
       field<estimate, &Found::repetitions>("repetitions", "[estimate, work, ancestors] of each"),
+      field<estimate, &Found::committor>("committor",
+                                         "estimate of the probability of the event from points of the Poincare section "
+                                         "at strobe point 1, with V = 0; null: of importance sampling"),
+      field<estimate, &Found::paths>("paths",
+                                     "trajectories with the event, drawn by their weights; empty if there was no time"),
   };
   return fields;
 }

@@ -11,6 +11,7 @@
 #include "rocking/studies/rare/block_paths.hpp"
 #include "rocking/studies/rare/committor.hpp"
 #include "rocking/studies/rare/importance.hpp"
+#include "rocking/studies/rare/typical_paths.hpp"
 #include "support/rare_scenes.hpp"
 
 namespace {
@@ -144,6 +145,27 @@ TEST(Committor, IsTheProbabilityOfTheEventByTheHorizon) {
       const double kept = periods == 3000 ? 3.0 * std::floor(remaining / 3.0) : remaining;
       EXPECT_NEAR(committor(k, {0.4, -0.2}), 1.0 - std::pow(0.75, kept), 1e-5) << periods << ' ' << k;
     }
+  }
+}
+
+// The event is certain where Theta' is near its upper end, and impossible elsewhere.
+TEST(CommittorMap, HasRowsByRisingTiltRate) {
+  const rocking::rare::SectionAxis axis{.inner = 1.0, .outer = 2.0, .inner_cells = 10, .outer_cells = 2};
+  const SectionGrid grid(axis, axis);
+  Transitions ends{.weights = {1.0}, .images = {}};
+  for (std::size_t i = 0; i < grid.size(); ++i) {
+    const bool has_event = grid.node(i).tilt_rate > 0.45;
+    ends.images.push_back({.fate = has_event ? Image::Fate::event : Image::Fate::ends, .point = {}});
+  }
+  const rocking::rare::CommittorMap map = rocking::rare::map_of(Committor(grid, {&ends, 1}, 4));
+  EXPECT_DOUBLE_EQ(map.tilt, 1.15);
+  EXPECT_NEAR(map.tilt_rate, 1.15, 1e-12);
+  ASSERT_EQ(map.rows.size(), 61U);
+  for (std::size_t row = 0; row < map.rows.size(); ++row) {
+    const double tilt_rate = map.tilt_rate * (static_cast<double>(row) / 30.0 - 1.0);
+    ASSERT_EQ(map.rows[row].size(), 61U);
+    if (tilt_rate > 0.4 && tilt_rate < 0.5) continue;  // within a cell
+    for (const double h : map.rows[row]) EXPECT_EQ(h, tilt_rate > 0.45 ? 1.0 : 0.0) << row;
   }
 }
 

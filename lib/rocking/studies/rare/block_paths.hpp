@@ -64,12 +64,20 @@ class BlockPoints {
   const BlockPaths* paths_;
 };
 
+/// What makes a trajectory with the event again, and its weight.
+struct KeptPath {
+  std::uint64_t number = 0;
+  random::DrawHistory draws;
+  double weight = 0.0;
+};
+
 /// How a population is made.
 struct PopulationPlan {
   std::size_t particles = 0;
   std::uint64_t repetition = 0;
   const Guide* guide = nullptr;        ///< null: all scores are 1
   const Proposal* proposal = nullptr;  ///< of the numbers drawn once; null: their own law
+  bool keeps_paths = false;
 };
 
 /// Motions of a condition with draws along the way, from their start on. Models rare::Population.
@@ -90,6 +98,11 @@ class BlockPopulation {
   [[nodiscard]] const Point& drawn_once(std::size_t i) const { return particles_[i].drawn_once; }
   void branch(std::size_t i, std::size_t parent, const Stream& stream);
   void leave(std::size_t i) { particles_[i].has_left = true; }
+  void note_event(std::size_t i, double weight) {
+    if (plan_.keeps_paths) kept_.push_back({particles_[i].number, *particles_[i].history, weight});
+  }
+  /// Those that had the event, in the order in which they left.
+  [[nodiscard]] const std::vector<KeptPath>& kept() const { return kept_; }
   void advance();
 
  private:
@@ -110,6 +123,7 @@ class BlockPopulation {
   PopulationPlan plan_;
   Lockstep lanes_;
   std::vector<Particle> particles_;
+  std::vector<KeptPath> kept_;
   SectionPoint reach_;
   double work_ = 0.0;
 };

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -22,6 +23,39 @@ struct Repetition {
   double estimate = 0.0;
   std::size_t ancestors = 0;  ///< first trajectories from which those that had the event descend
   double work = 0.0;          ///< simulated time, in realisations to the horizon
+};
+
+/// A point of the Poincare section of a path.
+struct StrobeState {
+  double tilt = 0.0;       ///< Theta [-]
+  double tilt_rate = 0.0;  ///< Theta' [-]
+};
+
+/// A trajectory that has the event, and the random numbers that make it again (lib/docs/draws.md).
+struct Path {
+  /// In place of draw 0 of a source, by the name of the source.
+  struct Given {
+    std::string source;
+    double number = 0.0;
+  };
+  /// From these indices on, by the number of the source, the normal draws along the way are those of this number.
+  struct Branch {
+    std::uint64_t number = 0;
+    std::vector<std::uint64_t> from;
+  };
+  std::uint64_t number = 0;  ///< realisation number of its draws
+  std::vector<Given> given;
+  std::vector<Branch> branches;  ///< in the order in which they were made
+  int samples_per_period = 0;
+  std::vector<std::vector<double>> tilts;  ///< Theta from the start to the event, by periods
+  std::vector<StrobeState> strobe;         ///< from strobe point 1 on
+};
+
+/// The probability of the event from points of the Poincare section with all of the horizon ahead, and V = 0.
+struct CommittorMap {
+  double tilt = 0.0;                      ///< columns are at even distances from -tilt to tilt
+  double tilt_rate = 0.0;                 ///< rows, likewise
+  std::vector<std::vector<double>> rows;  ///< by rising Theta'
 };
 
 }  // namespace rare
@@ -69,9 +103,11 @@ struct RareEstimate {
   std::vector<rare::Repetition> repetitions;
   double pilot_work = 0.0;
   double work = 0.0;  ///< simulated time of what was finished, with the pilot runs, in realisations to the horizon
-  std::optional<double> crude_work;  ///< realisations for the same relative error by plain sampling
-  std::size_t least_ancestors = 0;   ///< of a repetition that has seen the event
-  double median_ancestors = 0.0;     ///< likewise
+  std::optional<double> crude_work;             ///< realisations for the same relative error by plain sampling
+  std::size_t least_ancestors = 0;              ///< of a repetition that has seen the event
+  double median_ancestors = 0.0;                ///< likewise
+  std::optional<rare::CommittorMap> committor;  ///< of a twisted run
+  std::vector<rare::Path> paths;  ///< drawn from those with the event, by their weights; none if the time was up
   RareEnd end = RareEnd::precise;
   RareDiagnosis diagnosis = RareDiagnosis::none;
 };

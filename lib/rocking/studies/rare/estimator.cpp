@@ -6,6 +6,7 @@
 
 #include "rocking/studies/rare/importance.hpp"
 #include "rocking/studies/rare/twisted_run.hpp"
+#include "rocking/studies/rare/typical_paths.hpp"
 
 namespace rocking::rare {
 namespace {
@@ -14,7 +15,7 @@ namespace {
 class ImportanceEstimator final : public Estimator {
  public:
   ImportanceEstimator(const BlockPaths& paths, std::size_t particles)
-      : points_(paths), plan_{.seed = paths.seed, .particles = particles}, search_(search()) {
+      : paths_(&paths), points_(paths), plan_{.seed = paths.seed, .particles = particles}, search_(search()) {
     pilot_ = {.levels = search_.levels,
               .reached = search_.reached,
               .found_event = search_.end == SearchEnd::reached,
@@ -24,6 +25,18 @@ class ImportanceEstimator final : public Estimator {
   [[nodiscard]] const Pilot& pilot() const override { return pilot_; }
   [[nodiscard]] Repetition repeat(std::uint64_t repetition) const override {
     return repeat_importance(points_, plan_, search_.proposal, repetition);
+  }
+  [[nodiscard]] std::vector<KeptPath> paths_of(std::uint64_t repetition) const override {
+    const std::vector<Point> points = points_of_repetition(plan_, search_.proposal, repetition);
+    const std::vector<double> scores = points_.scores(points);
+    std::vector<KeptPath> kept;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      if (scores[i] != event_score) continue;
+      kept.push_back({.number = 0,
+                      .draws = given_draws(paths_->condition->scene, paths_->numbers.once, points[i]),
+                      .weight = search_.proposal.likelihood_ratio(points[i])});
+    }
+    return kept;
   }
 
  private:
@@ -35,6 +48,7 @@ class ImportanceEstimator final : public Estimator {
     return find_event(points_, plan, most_repetitions);
   }
 
+  const BlockPaths* paths_;
   BlockPoints points_;
   ImportancePlan plan_;
   Search search_;
@@ -57,6 +71,14 @@ class TwistedEstimator final : public Estimator {
     BlockPopulation population(*paths_, plan_of(particles_, repetition));
     return TwistedRun(population, plan_, repetition).run();
   }
+  [[nodiscard]] std::vector<KeptPath> paths_of(std::uint64_t repetition) const override {
+    PopulationPlan keeping = plan_of(particles_, repetition);
+    keeping.keeps_paths = true;
+    BlockPopulation population(*paths_, keeping);
+    static_cast<void>(TwistedRun(population, plan_, repetition).run());
+    return population.kept();
+  }
+  [[nodiscard]] std::optional<CommittorMap> committor() const override { return map_of(guide_->committor); }
 
  private:
   static constexpr std::size_t pilot_particles = 1000;

@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "rocking/studies/rare/block_paths.hpp"
 #include "rocking/studies/rare/estimate.hpp"
@@ -26,6 +28,9 @@ class Estimator {
   virtual ~Estimator() = default;
 
   [[nodiscard]] virtual const Pilot& pilot() const = 0;
+  /// The trajectories with the event of a repetition, with weights whose sum is in proportion to its estimate.
+  [[nodiscard]] virtual std::vector<KeptPath> paths_of(std::uint64_t repetition) const = 0;
+  [[nodiscard]] virtual std::optional<CommittorMap> committor() const { return std::nullopt; }
   /// Number 1 and up, below most_repetitions. Throws as Halt::check.
   [[nodiscard]] virtual Repetition repeat(std::uint64_t repetition) const = 0;
 };

@@ -199,16 +199,23 @@ template <PointModel Model>
   return importance::Searcher<Model>(model, plan, repetition).search();
 }
 
-/// One repetition: the mean likelihood ratio of those drawn from the proposal that have the event. Unbiased, whatever
-/// the proposal.
-template <PointModel Model>
-[[nodiscard]] Repetition repeat_importance(const Model& model, const ImportancePlan& plan, const Proposal& proposal,
-                                           std::uint64_t repetition) {
+/// What a repetition draws from the proposal.
+[[nodiscard]] inline std::vector<Point> points_of_repetition(const ImportancePlan& plan, const Proposal& proposal,
+                                                             std::uint64_t repetition) {
   std::vector<Point> points;
   for (std::size_t i = 0; i < plan.particles; ++i) {
     points.push_back(
         proposal.draw({plan.seed, number_of({.repetition = repetition, .stage = 0, .particle = i, .move = 0})}));
   }
+  return points;
+}
+
+/// One repetition: the mean likelihood ratio of those drawn from the proposal that have the event. Unbiased, whatever
+/// the proposal.
+template <PointModel Model>
+[[nodiscard]] Repetition repeat_importance(const Model& model, const ImportancePlan& plan, const Proposal& proposal,
+                                           std::uint64_t repetition) {
+  const std::vector<Point> points = points_of_repetition(plan, proposal, repetition);
   const std::vector<double> scores = model.scores(points);
   Repetition result;
   result.work = static_cast<double>(points.size());

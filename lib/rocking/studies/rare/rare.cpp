@@ -14,6 +14,7 @@
 #include "rocking/scene/check_condition.hpp"
 #include "rocking/stats/repetitions.hpp"
 #include "rocking/studies/rare/estimator.hpp"
+#include "rocking/studies/rare/typical_paths.hpp"
 
 namespace rocking {
 namespace {
@@ -59,6 +60,7 @@ class ConditionStudy {
     } catch (const base::Stopped&) {
       result_.end = RareEnd::stopped;
     }
+    find_paths();
     summarise();
     return std::move(result_);
   }
@@ -81,6 +83,7 @@ class ConditionStudy {
     std::size_t planned = least_repetitions;
     while (planned > 0 && planned <= repetitions().size()) planned = planned_after(planned);
     if (planned > 0) result_.end = earlier.end == RareEnd::stopped ? RareEnd::stopped : RareEnd::out_of_time;
+    if (!earlier.paths.empty()) find_paths();
     summarise();
     return {std::move(result_), count};
   }
@@ -94,6 +97,19 @@ class ConditionStudy {
     result_.levels = estimator_->pilot().levels;
     result_.reached = estimator_->pilot().reached;
     result_.pilot_work = estimator_->pilot().work;
+    result_.committor = estimator_->committor();
+  }
+
+  /// If there is time.
+  void find_paths() {
+    if (result_.end != RareEnd::precise && result_.end != RareEnd::most_repetitions) return;
+    try {
+      result_.paths = rare::typical_paths(paths_, *estimator_, repetitions());
+    } catch (const rare::TimeIsUp&) {
+      // They are left out.
+    } catch (const base::Stopped&) {
+      result_.end = RareEnd::stopped;
+    }
   }
 
   /// How many repetitions are wanted after the first `planned`; 0 if no more are, for the reason that it notes.

@@ -107,6 +107,7 @@ class TwistedRun {
         continue;
       }
       if (fate == Image::Fate::event) {
+        if constexpr (requires { population_->note_event(i, weights_[i]); }) population_->note_event(i, weights_[i]);
         result_.estimate += weights_[i];
         event_ancestors_.push_back(ancestors_[i]);
       }

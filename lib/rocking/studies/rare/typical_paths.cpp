@@ -1,0 +1,187 @@
+#include "rocking/studies/rare/typical_paths.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <string>
+
+#include "rocking/base/error.hpp"
+#include "rocking/integrate/hybrid.hpp"
+#include "rocking/studies/rare/twisted_run.hpp"
+
+namespace rocking::rare {
+namespace {
+
+/// How many paths are taken from each of two repetitions.
+constexpr std::array<std::size_t, 2> shares{3, 2};
+
+/// A motion with the same bits that samples the tilt at even distances in time, from tau = 0 on.
+class TiltSampler {
+ public:
+  TiltSampler(Motion& motion, double distance) : motion_(&motion), distance_(distance) {}
+
+  [[nodiscard]] bool ended() const { return motion_->ended(); }
+  [[nodiscard]] double time_resolution() const { return motion_->time_resolution(); }
+  [[nodiscard]] double time_to_breakpoint() const { return motion_->time_to_breakpoint(); }
+  [[nodiscard]] double time_to_strobe() const { return motion_->time_to_strobe(); }
+  [[nodiscard]] double expand(double reach) { return motion_->expand(reach); }
+  template <class Guards, class Visitor>
+  void for_each_guard(const Guards& wanted, Visitor&& visit) const {
+    motion_->for_each_guard(wanted, visit);
+  }
+  void strobe(double x) { motion_->strobe(x); }
+  void move(double x) {
+    const double tau = motion_->clock().tau();
+    for (;;) {
+      const double instant = static_cast<double>(tilts_.size()) * distance_ - tau;
+      if (!(instant < x)) break;
+      tilts_.push_back(motion_->state_at(std::max(0.0, instant)).tilt);
+    }
+    motion_->move(x);
+  }
+  template <class Fired>
+  void reset(const Fired& fired, bool at_breakpoint) {
+    motion_->reset(fired, at_breakpoint);
+  }
+
+  [[nodiscard]] const std::vector<double>& tilts() const { return tilts_; }
+
+ private:
+  Motion* motion_;
+  double distance_;
+  std::vector<double> tilts_;
+};
+
+/// Keeps the points of the Poincare section.
+class SectionKeeper final : public dynamics::Observer {
+ public:
+  explicit SectionKeeper(double shape_angle) : shape_angle_(shape_angle) {}
+  void event(dynamics::EventKind, double, const dynamics::State&) override {}
+  void strobe(const dynamics::State& state) override {
+    points_.push_back({state.tilt / shape_angle_, state.tilt_rate / shape_angle_});
+  }
+  [[nodiscard]] const std::vector<StrobeState>& points() const { return points_; }
+
+ private:
+  double shape_angle_;
+  std::vector<StrobeState> points_;
+};
+
+/// A smooth curve, and of a long horizon no more than a figure can show.
+int samples_per_period(std::int64_t periods) {
+  constexpr std::int64_t most = 1000;  // of a path
+  return static_cast<int>(std::clamp<std::int64_t>(most / std::max<std::int64_t>(1, periods), 4, 20));
+}
+
+std::vector<double> estimates_of(const std::vector<Repetition>& repetitions) {
+  std::vector<double> estimates;
+  for (const Repetition& repetition : repetitions) estimates.push_back(repetition.estimate);
+  return estimates;
+}
+
+constexpr double middle = 0.5;
+
+}  // namespace
+
+std::vector<Path> typical_paths(const BlockPaths& paths, const Estimator& estimator,
+                                const std::vector<Repetition>& repetitions) {
+  const std::vector<double> estimates = estimates_of(repetitions);
+  if (!std::ranges::any_of(estimates, [](double estimate) { return estimate > 0.0; })) return {};
+  const auto chosen = systematic_offspring(estimates, shares.size(), middle);
+  std::vector<Path> all;
+  std::size_t next = 0;
+  for (std::size_t r = 0; r < chosen.size(); ++r) {
+    if (chosen[r] == 0) continue;
+    std::size_t wanted = 0;
+    for (std::uint32_t copy = 0; copy < chosen[r]; ++copy) wanted += shares.at(next++);
+    const std::vector<KeptPath> kept = estimator.paths_of(r + 1);
+    std::vector<double> weights;
+    for (const KeptPath& path : kept) weights.push_back(path.weight);
+    const auto copies = systematic_offspring(weights, wanted, middle);
+    for (std::size_t i = 0; i < kept.size(); ++i) {
+      // One of a large weight is shown once.
+      if (copies[i] > 0) all.push_back(path_of(paths, kept[i].number, kept[i].draws));
+    }
+  }
+  return all;
+}
+
+random::DrawHistory draws_of(const Path& path) {
+  random::DrawHistory draws;
+  for (const Path::Given& given : path.given) {
+    const auto found = std::ranges::find(random::source_names, given.source);
+    ROCKING_EXPECT(found != random::source_names.end());
+    const auto place = static_cast<std::size_t>(found - random::source_names.begin());
+    draws.given.push_back({static_cast<random::Source>(place + 1), given.number});
+  }
+  for (const Path::Branch& branch : path.branches) {
+    random::FirstUnused from{};
+    ROCKING_EXPECT(branch.from.size() == from.size());
+    std::ranges::copy(branch.from, from.begin());
+    draws.branches.push_back({.number = branch.number, .from = from});
+  }
+  return draws;
+}
+
+Path path_of(const BlockPaths& paths, std::uint64_t number, const random::DrawHistory& history) {
+  const Condition& condition = *paths.condition;
+  Path path;
+  path.number = number;
+  for (const random::GivenDraw& draw : history.given) {
+    path.given.push_back({std::string(to_string(draw.source)), draw.number});
+  }
+  for (const random::Branch& branch : history.branches) {
+    path.branches.push_back({.number = branch.number, .from = {branch.from.begin(), branch.from.end()}});
+  }
+  const random::BranchedDraws draws(random::Draws(paths.seed, number), &history);
+  const Start start = start_of(condition.scene, draws);
+  const double psi = start.geometry.shape_angle;
+  const Beginning beginning = begin_realisation(condition, draws, start, Strobe::poincare, paths.periods());
+  SectionKeeper section(psi);
+  const dynamics::Excitation shaking = excitation_of(condition.scene, beginning);
+  Motion motion = motion_of(beginning, section, shaking);
+  path.samples_per_period = samples_per_period(paths.periods());
+  TiltSampler sampler(motion, beginning.clock.period_length() / path.samples_per_period);
+  for (integrate::LoopCounts counts; !sampler.ended(); integrate::step(sampler, counts)) {
+    paths.halt.check();
+    if (paths.event.peak_tilt && motion.peaks().tilt / psi > *paths.event.peak_tilt) break;
+  }
+  for (const double tilt : sampler.tilts()) {
+    const bool is_full = path.tilts.empty() || std::ssize(path.tilts.back()) == path.samples_per_period;
+    if (is_full) path.tilts.emplace_back();
+    path.tilts.back().push_back(tilt / psi);
+  }
+  path.strobe = section.points();
+  return path;
+}
+
+CommittorMap map_of(const Committor& committor) {
+  constexpr std::size_t half = 30;  // cells on each side of 0
+  constexpr double beyond = 1.15;   // what is nearly sure to have the event
+  constexpr double farthest = 1.3;  // beyond it a block seldom comes back
+  constexpr double sure = 0.5;
+  const auto at = [](std::size_t i) { return static_cast<double>(i) / static_cast<double>(half) - 1.0; };
+  const SectionGrid& grid = committor.grid();
+  CommittorMap map{.tilt = std::min(farthest, beyond * grid.tilt().inner), .tilt_rate = 0.0, .rows = {}};
+  const auto value = [&](double tilt_rate, std::size_t column) {
+    return committor(1, {.tilt = map.tilt * at(column), .tilt_rate = tilt_rate, .slip_rate = 0.0});
+  };
+  for (std::size_t row = 0; row <= 2 * half; ++row) {
+    const double tilt_rate = grid.tilt_rate().inner * at(row);
+    for (std::size_t column = 0; column <= 2 * half; ++column) {
+      if (value(tilt_rate, column) < sure) map.tilt_rate = std::max(map.tilt_rate, beyond * std::abs(tilt_rate));
+    }
+  }
+  if (map.tilt_rate == 0.0) map.tilt_rate = grid.tilt_rate().inner;
+  for (std::size_t row = 0; row <= 2 * half; ++row) {
+    map.rows.emplace_back();
+    for (std::size_t column = 0; column <= 2 * half; ++column) {
+      map.rows.back().push_back(value(map.tilt_rate * at(row), column));
+    }
+  }
+  return map;
+}
+
+}  // namespace rocking::rare

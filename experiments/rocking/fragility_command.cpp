@@ -32,6 +32,7 @@ struct FragilityCommand {
   std::vector<std::string> folders;
   FragilityQuestion question;
   std::string hazard;    ///< file of a hazard curve; empty: none
+  std::string rare;      ///< folder of rare.json, or the file; empty: none
   std::string metadata;  ///< file of magnitudes and distances; empty: none
   StudyFile file{"fragility.json"};
   std::string figures;          ///< folder; empty: nothing is drawn
@@ -48,7 +49,17 @@ struct Curves {
   RunFragility found;
 };
 
-Curves curves_of(const std::string& folder, const FragilityQuestion& question, const ExecutionOptions& execution) {
+/// The question about a run, with the rare estimates of its curves.
+FragilityQuestion with_rare(FragilityQuestion question, const std::filesystem::path& rare,
+                            const Experiment& experiment) {
+  if (rare.empty()) return question;
+  const std::filesystem::path file = std::filesystem::is_directory(rare) ? rare / "rare.json" : rare;
+  question.rare = input_of([&] { return rare_levels(file, experiment); });
+  return question;
+}
+
+Curves curves_of(const std::string& folder, const FragilityCommand& command, const FragilityQuestion& asked) {
+  const ExecutionOptions& execution = command.execution;
   RunFolder(folder).expect_installed();
   StoredRun stored = input_of([&] { return open_run(folder); });
   if (stored.run.done < stored.run.all || !stored.run.is_complete()) {
@@ -56,6 +67,7 @@ Curves curves_of(const std::string& folder, const FragilityQuestion& question, c
         "{0}: has {1} of {2} realisations; `rocking resume {0}`, or `rocking merge` of all parts, completes it", folder,
         stored.run.done, stored.run.all));
   }
+  const FragilityQuestion question = with_rare(asked, command.rare, stored.experiment);
   Progress progress(suitable_progress_style(execution.loudness), "parts of the fit");
   try {
     RunFragility found = rocking::fragility(stored.experiment, stored.run, question, watched(execution, progress));
@@ -124,7 +136,7 @@ ExitCode fragility(const FragilityCommand& command) {
   std::vector<Curves> curves;
   std::vector<RunFragility> runs;
   for (const std::string& folder : command.folders) {
-    curves.push_back(curves_of(folder, question, command.execution));
+    curves.push_back(curves_of(folder, command, question));
     runs.push_back(curves.back().found);
   }
   const FragilityReport report = fragility_report(runs);
@@ -180,6 +192,12 @@ void add_fragility(CLI::App& app, Action& action) {
           "Magnitudes and distances of the records (CSV: file, magnitude, distance_km): says which measures of "
           "intensity are sufficient")
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--rare", request->rare,
+          "Folder with the rare.json of `rocking rare` for lower intensities of the same block and motion: the "
+          "annual rate takes its probabilities below the levels with ten events")
+      ->type_name("DIR");
   command->add_flag("--suggest", request->suggests,
                     "Print only the intensities that would settle the rate of a suite, as a command");
   command

@@ -173,6 +173,36 @@ TEST_F(Rare, ReplacesAFileOnlyWhenTold) {
   EXPECT_EQ(Json::parse(read("out/rare.json"))["settings"]["seed"], "0x6");
 }
 
+TEST_F(Rare, IsTheLowerTailOfAnAnnualRate) {
+  Json strong = Json::parse(read("quick.json"));
+  strong["sweep"][0]["values"] = {6.0, 9.0, 12.0};
+  strong["realisations"] = 40;
+  write("strong.json", strong.dump());
+  write("hazard.csv", "amplitude, annual_rate\n1, 1e-2\n6, 1e-4\n12, 1e-6\n");
+  ASSERT_EQ(rocking("run strong.json -o run -q --no-page").exit_code, 0);
+  ASSERT_EQ(rocking(std::string("rare quick.json -q -o tail") + quickly).exit_code, 0);
+  const std::string ask = "fragility run --hazard hazard.csv --rare ";
+  const auto outcome = rocking(ask + "tail --peak-tilt 0.5 --json");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.errors;
+  EXPECT_EQ(objections("fragility", outcome.output), "");
+  const Json json = Json::parse(outcome.output);
+  const Json& curve = json["curves"][1];
+  const Json rare = Json::parse(read("tail/rare.json"))["conditions"];
+  ASSERT_EQ(curve["rare"].size(), 2U);
+  EXPECT_EQ(curve["rare"][0]["intensity"], 4.2);
+  EXPECT_EQ(curve["rare"][1]["probability"], rare[1]["probability"]);
+  EXPECT_EQ(curve["annual_rate"]["rare_below"], 9.0) << "the lowest level with ten events";
+  EXPECT_FALSE(json["curves"][0].contains("rare")) << "another event";
+  EXPECT_THAT(rocking(ask + "tail/rare.json --peak-tilt 0.5").output, HasSubstr("rare estimates"));
+  EXPECT_THAT(rocking(ask + "tail").errors, HasSubstr("no estimate of an event"));
+  EXPECT_EQ(rocking(ask + "nowhere").exit_code, 66);
+  Json other = Json::parse(read("quick.json"));
+  other["block"]["width_m"] = 1.1;
+  write("other.json", other.dump());
+  ASSERT_EQ(rocking(std::string("rare other.json -q -o other") + quickly).exit_code, 0);
+  EXPECT_THAT(rocking(ask + "other --peak-tilt 0.5").errors, HasSubstr("same block"));
+}
+
 TEST_F(Rare, IsRefusedWhereNothingIsRandom) {
   Json experiment = quick_experiment();
   experiment.erase("fluctuation");

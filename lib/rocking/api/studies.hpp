@@ -63,6 +63,13 @@ struct TrajectoryRequest {
 /// line of a fault, and std::system_error where the file cannot be read.
 [[nodiscard]] ROCKING_API HazardCurve hazard_curve(const std::filesystem::path& file);
 
+/// The probabilities of a `rare.json` that belong to curves of a run of this experiment, for `FragilityQuestion::rare`:
+/// those > 0 with the same block, motion, horizon and accuracy, at any intensity. Throws base::InputError if there are
+/// none, if the experiment has no text, or if the file is none or about a suite, and std::system_error where it cannot
+/// be read.
+[[nodiscard]] ROCKING_API std::vector<RareOfCurve> rare_levels(const std::filesystem::path& file,
+                                                               const Experiment& experiment);
+
 /// Reads magnitudes and distances of records, for `FragilityQuestion::metadata`: lines of `file`, `magnitude`,
 /// `distance_km`, of which the first names the columns. Throws base::InputError with the place of each fault, and
 /// std::system_error where the file cannot be read.

@@ -51,6 +51,9 @@ const StructType& fields_of(const AnnualRate*) {
                                          "at the lowest intensity of the hazard curve, below which nothing is counted; "
                                          "0: the block is not lifted there",
                                          rule::share),
+      field<&Rate::rare_below>("rare_below",
+                               "below this intensity the rare estimates give the probabilities; absent: there are none",
+                               rule::not_negative, WithoutValue::omitted),
       field<&Rate::is_measure_assumed>("measure_assumed",
                                        "whether the hazard file does not name its intensity measure"),
       field<&Rate::by_level>("by_level", "disaggregation by intensity"),

@@ -112,6 +112,7 @@ std::string annual_rate_in_words(const AnnualRate& rate, const FragilityEvent& e
         "no function is fitted: the rate is that of the levels, interpolated; its interval assumes that the "
         "probability does not decrease\n";
   }
+  if (rate.rare_below) text += "below " + significant(*rate.rare_below, 6) + " by the rare estimates\n";
   if (rate.source == RateSource::isotonic) text += "no law holds: the rate is that of the isotonic shares\n";
   return text;
 }

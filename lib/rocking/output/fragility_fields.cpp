@@ -200,6 +200,18 @@ static const StructType& fields_of(const FragilityLevel*) {
   return fields;
 }
 
+static const StructType& fields_of(const RareLevel*) {
+  static const StructType fields{
+      "RareLevel",
+      field<&RareLevel::intensity>("intensity", "of the excitation", Rule{.above = 0.0}),
+      field<&RareLevel::probability>("probability", "of the event", rule::share),
+      field<&RareLevel::interval>("interval", "of it", rule::share),
+      field<&RareLevel::relative_error>("relative_error", "standard error over the probability", rule::not_negative),
+      field<&RareLevel::degrees_of_freedom>("degrees_of_freedom", "of the error", rule::not_negative),
+  };
+  return fields;
+}
+
 const StructType& fields_of(const FragilityCurve*) {
   using Curve = FragilityCurve;
   static const StructType fields{
@@ -211,6 +223,8 @@ const StructType& fields_of(const FragilityCurve*) {
         return curve.law ? std::optional<std::uint64_t>(curve.missed_levels()) : std::nullopt;
       }>("missed_levels", "at which the function lies outside the simultaneous interval; null: no function"),
       field<&Curve::levels>("levels", "by increasing intensity"),
+      field<&Curve::rare>("rare", "with `--rare`: estimates of small probabilities, by increasing intensity", {},
+                          WithoutValue::omitted),
   };
   return fields;
 }

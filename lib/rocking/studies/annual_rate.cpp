@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "rocking/base/error.hpp"
 #include "rocking/stats/student_law.hpp"
 #include "rocking/studies/counted_hazard.hpp"
+#include "rocking/studies/rare_tail.hpp"
 
 namespace rocking {
 namespace {
@@ -15,31 +18,74 @@ LognormalCapacity capacity_of(const stats::LognormalFragility& law) {
   return {.centre = law.centre - law.intercept / law.slope, .dispersion = 1.0 / law.slope};
 }
 
-AnnualRate rate_by_law(const FragilityCurve& curve, const CountedHazard& counted) {
+/// Rare estimates of the lower tail and what they add to a rate.
+struct Tail {
+  std::vector<double> y;             ///< ln x of its nodes, of which the last belongs to the levels; empty: no tail
+  std::vector<RareLevel> estimates;  ///< at the nodes but the last
+
+  explicit Tail(const FragilityCurve& curve) : estimates(rare_below_levels(curve)) {
+    if (estimates.empty()) return;
+    for (const RareLevel& level : estimates) y.push_back(std::log(level.intensity));
+    y.push_back(std::log(lowest_sure_level(curve)->intensity));
+  }
+
+  /// The probabilities, after a change of one.
+  template <class Get>
+  [[nodiscard]] std::vector<double> probabilities(Get&& get) const {
+    std::vector<double> all;
+    for (std::size_t i = 0; i < estimates.size(); ++i) all.push_back(get(i));
+    return all;
+  }
+  [[nodiscard]] std::vector<double> probabilities() const {
+    return probabilities([this](std::size_t i) { return estimates[i].probability; });
+  }
+};
+
+AnnualRate rate_by_law(const FragilityCurve& curve, const CountedHazard& counted, const Tail& tail) {
   const stats::LognormalFragility& law = curve.law.value().function;
-  AnnualRate found = disaggregated(counted, capacity_of(law));
+  AnnualRate found = disaggregated(counted, WithTail(tail.y, tail.probabilities(), capacity_of(law)));
   const std::vector<HazardPiece> pieces = pieces_between(counted.hazard, counted.start);
   // Derivatives of ln rate by (a, b), from central differences of a hundredth of a standard error.
+  const auto log_rate = [&](const stats::LognormalFragility& with, const std::vector<double>& probabilities) {
+    return std::log(rate_of(WithTail(tail.y, probabilities, capacity_of(with)), pieces));
+  };
   const auto derivative = [&](double stats::LognormalFragility::*parameter, double variance) {
     const double step = 0.01 * std::sqrt(variance);
     stats::LognormalFragility low = law;
     stats::LognormalFragility high = law;
     low.*parameter -= step;
     high.*parameter += step;
-    return (std::log(rate_of(capacity_of(high), pieces)) - std::log(rate_of(capacity_of(low), pieces))) / (2.0 * step);
+    return (log_rate(high, tail.probabilities()) - log_rate(low, tail.probabilities())) / (2.0 * step);
   };
   const double by_a = derivative(&stats::LognormalFragility::intercept, law.covariance.aa);
   const double by_b = derivative(&stats::LognormalFragility::slope, law.covariance.bb);
-  const double variance =
+  const double of_law =
       by_a * by_a * law.covariance.aa + 2.0 * by_a * by_b * law.covariance.ab + by_b * by_b * law.covariance.bb;
-  if (!std::isfinite(variance)) return found;  // the rate is too small for a double
-  const double reach = stats::two_sided_t_quantile(curve.subject.confidence, law.degrees_of_freedom);
-  const double factor = std::exp(reach * std::sqrt(std::max(0.0, variance)));
+  if (!std::isfinite(of_law)) return found;  // the rate is too small for a double
+  double variance = std::max(0.0, of_law);
+  double of_variance = variance * variance / law.degrees_of_freedom;
+  for (std::size_t r = 0; r < tail.estimates.size(); ++r) {
+    // The same by the logarithm of an estimate; they are independent of each other and of the run.
+    constexpr double step = 0.01;
+    const double error = tail.estimates[r].relative_error;
+    const auto moved = [&](double sign) {
+      return log_rate(law, tail.probabilities([&](std::size_t i) {
+        return tail.estimates[i].probability * (i == r ? 1.0 + sign * step * error : 1.0);
+      }));
+    };
+    const double part = (moved(1.0) - moved(-1.0)) / (2.0 * step);
+    variance += part * part;
+    of_variance += part * part * part * part / tail.estimates[r].degrees_of_freedom;
+  }
+  const double degrees =
+      tail.y.empty() || !(of_variance > 0.0) ? law.degrees_of_freedom : variance * variance / of_variance;
+  const double reach = stats::two_sided_t_quantile(curve.subject.confidence, degrees);
+  const double factor = std::exp(reach * std::sqrt(variance));
   found.interval = stats::Interval{.low = found.value / factor, .high = found.value * factor};
   return found;
 }
 
-AnnualRate rate_by_levels(const FragilityCurve& curve, const CountedHazard& counted) {
+AnnualRate rate_by_levels(const FragilityCurve& curve, const CountedHazard& counted, const Tail& tail) {
   using enum KnownProbabilities::Between;
   std::vector<double> y, estimates, lows, highs;
   for (const FragilityLevel& level : curve.levels) {
@@ -50,11 +96,15 @@ AnnualRate rate_by_levels(const FragilityCurve& curve, const CountedHazard& coun
     highs.push_back(level.simultaneous.high);
   }
   for (std::size_t i = highs.size() - 1; i-- > 0;) highs[i] = std::min(highs[i], highs[i + 1]);
-  AnnualRate found = disaggregated(counted, KnownProbabilities{y, std::move(estimates), linear});
+  AnnualRate found = disaggregated(
+      counted, WithTail(tail.y, tail.probabilities(), KnownProbabilities{y, std::move(estimates), linear}));
   found.source = RateSource::levels;
   const std::vector<HazardPiece> pieces = pieces_between(counted.hazard, counted.start);
-  found.interval = stats::Interval{.low = rate_of(KnownProbabilities{y, std::move(lows), last_known}, pieces),
-                                   .high = rate_of(KnownProbabilities{y, std::move(highs), next_known}, pieces)};
+  const auto low = tail.probabilities([&](std::size_t i) { return tail.estimates[i].interval.low; });
+  const auto high = tail.probabilities([&](std::size_t i) { return tail.estimates[i].interval.high; });
+  found.interval = stats::Interval{
+      .low = rate_of(WithTail(tail.y, low, KnownProbabilities{y, std::move(lows), last_known}), pieces),
+      .high = rate_of(WithTail(tail.y, high, KnownProbabilities{y, std::move(highs), next_known}), pieces)};
   return found;
 }
 
@@ -62,8 +112,16 @@ AnnualRate rate_by_levels(const FragilityCurve& curve, const CountedHazard& coun
 
 AnnualRate annual_rate(const FragilityCurve& curve, const HazardCurve& hazard) {
   ROCKING_EXPECT(!curve.levels.empty());
-  const CountedHazard what = counted_hazard(hazard, curve.levels, curve.subject.least_uplift);
-  return curve.law ? rate_by_law(curve, what) : rate_by_levels(curve, what);
+  const Tail tail(curve);
+  CountedHazard what = counted_hazard(hazard, curve.levels, curve.subject.least_uplift);
+  if (!tail.estimates.empty()) {
+    const CountedHazard rare = counted_hazard(hazard, tail.estimates, curve.subject.least_uplift);
+    what.levels.insert(what.levels.end(), rare.levels.begin(), rare.levels.end());
+    std::ranges::sort(what.levels);
+  }
+  AnnualRate found = curve.law ? rate_by_law(curve, what, tail) : rate_by_levels(curve, what, tail);
+  if (!tail.y.empty()) found.rare_below = lowest_sure_level(curve)->intensity;
+  return found;
 }
 
 }  // namespace rocking

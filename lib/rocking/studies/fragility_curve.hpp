@@ -32,6 +32,15 @@ struct FragilityLevel {
   [[nodiscard]] bool is_missed() const;
 };
 
+/// A small probability of the event at an intensity, by `rocking rare` (lib/docs/rare.md).
+struct RareLevel {
+  double intensity = 0.0;
+  double probability = 0.0;         ///< in (0, 1)
+  stats::Interval interval;         ///< at its own confidence
+  double relative_error = 0.0;      ///< standard error over the probability
+  double degrees_of_freedom = 1.0;  ///< of the error
+};
+
 /// The fitted function of a curve, and what follows from it at the curve's confidence and levels.
 struct FittedLaw {
   stats::LognormalFragility function;
@@ -47,6 +56,7 @@ struct FragilityCurve {
   std::optional<FittedLaw> law;          ///< present if and only if the outcome is `fitted`
   std::optional<stats::LackOfFit> test;  ///< of the fitted function; absent where none could be fitted
   std::vector<FragilityLevel> levels;    ///< by growing intensity
+  std::vector<RareLevel> rare;           ///< likewise; the function is not fitted to them
 
   /// Levels at which the fitted function lies outside the simultaneous interval.
   [[nodiscard]] std::size_t missed_levels() const;

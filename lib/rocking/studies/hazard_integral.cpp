@@ -94,6 +94,16 @@ std::vector<HazardPiece> pieces_between(const HazardCurve& hazard, double from, 
   return pieces;
 }
 
+std::vector<HazardPiece> pieces_within(const std::vector<HazardPiece>& pieces, double low, double high) {
+  std::vector<HazardPiece> within;
+  for (HazardPiece piece : pieces) {
+    if (!(piece.low < high && low < piece.high)) continue;
+    cut(piece, low, high);
+    within.push_back(piece);
+  }
+  return within;
+}
+
 double LognormalCapacity::probability(double y) const { return normal_cdf((y - centre) / dispersion); }
 
 double rate_of(const LognormalCapacity& capacity, const std::vector<HazardPiece>& pieces) {

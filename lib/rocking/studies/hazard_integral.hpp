@@ -23,6 +23,9 @@ struct HazardPiece {
 [[nodiscard]] std::vector<HazardPiece> pieces_between(const HazardCurve& hazard, double from,
                                                       std::optional<double> to = std::nullopt);
 
+/// The parts of pieces between two values of y = ln x.
+[[nodiscard]] std::vector<HazardPiece> pieces_within(const std::vector<HazardPiece>& pieces, double low, double high);
+
 /// ln of the median of a lognormal capacity, and its dispersion, > 0.
 struct LognormalCapacity {
   double centre = 0.0;

@@ -101,6 +101,17 @@ void compare(const HazardCurve& hazard, RunFragility& run) {
   }
 }
 
+std::vector<RareLevel> rare_of(const CurveSubject& subject, const std::vector<RareOfCurve>& all) {
+  std::vector<RareLevel> levels;
+  for (const RareOfCurve& one : all) {
+    const bool is_same = one.event == subject.event &&
+                         std::ranges::equal(one.others, subject.others, {}, &Parameter::value, &Parameter::value);
+    if (is_same) levels.push_back(one.level);
+  }
+  std::ranges::sort(levels, {}, &RareLevel::intensity);
+  return levels;
+}
+
 void add_curve(const StripeGroup& group, const FragilityEvent& event, const FragilityQuestion& question,
                const base::ManyParts& how, RunFragility& run) {
   if (group.is_suite()) {
@@ -109,6 +120,7 @@ void add_curve(const StripeGroup& group, const FragilityEvent& event, const Frag
     if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   } else {
     ShownCurve& shown = run.curves.emplace_back(ShownCurve{.curve = fragility(group, event, run.experiment.seed, how)});
+    shown.curve.rare = rare_of(shown.curve.subject, question.rare);
     if (question.hazard) shown.rate = annual_rate(shown.curve, *question.hazard);
   }
 }
@@ -131,6 +143,11 @@ RunFragility run_fragility(const Experiment& experiment, const std::vector<Strip
       progress.finish(group);
     }
     if (question.incremental) run.incremental.push_back(incremental_analysis(group));
+  }
+  const auto has_rare = [](const ShownCurve& shown) { return !shown.curve.rare.empty(); };
+  if (!question.rare.empty() && std::ranges::none_of(run.curves, has_rare)) {
+    throw base::InputError({"rare", "", "has no estimate of an event that is asked for",
+                            "ask for the same --peak-tilt, and give a run of one motion"});
   }
   if (question.hazard) compare(*question.hazard, run);
   if (!question.metadata.empty() && run.suites.empty()) {

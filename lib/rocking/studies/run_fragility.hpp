@@ -46,7 +46,9 @@ struct AnnualRate {
   std::vector<RateInRange> by_level;  ///< between neighbouring levels, and beyond them; by growing intensity
   double untested_share = 0.0;        ///< of the ranges that are not tested
   double probability_at_first = 0.0;  ///< at the lowest intensity of the hazard curve, below which nothing is counted
-  bool is_measure_assumed = false;    ///< the hazard curve does not name its intensity measure
+  /// Below this intensity rare estimates give the probabilities, on a probit scale linear in ln x; absent: nowhere.
+  std::optional<double> rare_below;
+  bool is_measure_assumed = false;  ///< the hazard curve does not name its intensity measure
 };
 
 /// A rate of a suite by one way of taking the probabilities from its outcomes.
@@ -130,10 +132,18 @@ struct RunFragility {
   std::vector<RateComparison> comparisons = {};  ///< of suites with a hazard curve, with the first of each event
 };
 
+/// A rare estimate, and the curve to which it belongs.
+struct RareOfCurve {
+  std::vector<Parameter> others;  ///< CurveSubject::others
+  FragilityEvent event;
+  RareLevel level;
+};
+
 /// What is asked of a run beside the probability of overturning.
 struct FragilityQuestion {
   std::vector<double> peak_tilts = {};        ///< also the probability that abs(Theta) exceeds each; > 0
   std::optional<HazardCurve> hazard = {};     ///< gives the mean annual rates
+  std::vector<RareOfCurve> rare = {};         ///< small probabilities of the same blocks under the same motions
   bool incremental = false;                   ///< also the peak tilt against intensity for each record
   std::vector<RecordMetadata> metadata = {};  ///< of the records of suites; gives how sufficient measures are
 };

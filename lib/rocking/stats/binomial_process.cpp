@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include <Eigen/Cholesky>
@@ -18,10 +17,17 @@ double matern(double distance) {
   return (1.0 + r + r * r / 3.0) * std::exp(-r);
 }
 
-/// Between two different points.
-double covariance(const ProcessScales& scales, const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
-  const double distance = (a - b).cwiseQuotient(scales.lengths).norm();
-  return constant_variance + scales.amplitude * scales.amplitude * matern(distance);
+/// A column for each row of `points`, counted in lengths.
+Eigen::MatrixXd scaled(const ProcessScales& scales, const Eigen::MatrixXd& points) {
+  return scales.lengths.cwiseInverse().asDiagonal() * points.transpose();
+}
+
+/// Between two different points, whose coordinates are counted in lengths.
+template <class Column>
+double covariance(const ProcessScales& scales, const Column& a, const Column& b) {
+  double squares = 0.0;
+  for (Eigen::Index i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+  return constant_variance + scales.amplitude * scales.amplitude * matern(std::sqrt(squares));
 }
 
 double variance(const ProcessScales& scales) {
@@ -29,11 +35,12 @@ double variance(const ProcessScales& scales) {
 }
 
 Eigen::MatrixXd covariances(const ProcessScales& scales, const Eigen::MatrixXd& points) {
+  const Eigen::MatrixXd columns = scaled(scales, points);
   const Eigen::Index n = points.rows();
   Eigen::MatrixXd k(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     k(i, i) = variance(scales);
-    for (Eigen::Index j = 0; j < i; ++j) k(i, j) = k(j, i) = covariance(scales, points.row(i), points.row(j));
+    for (Eigen::Index j = 0; j < i; ++j) k(i, j) = k(j, i) = covariance(scales, columns.col(i), columns.col(j));
   }
   return k;
 }
@@ -196,8 +203,8 @@ BinomialProcess BinomialProcess::fit(const Eigen::MatrixXd& points, const std::v
   ProcessScales first = start;
   if (first.lengths.size() == 0) first.lengths = Eigen::VectorXd::Constant(points.cols(), 0.5);
   BinomialProcess process;
-  process.points_ = points;
   process.scales_ = scales_of(best_logarithms(points, counts, logarithms(first)));
+  process.columns_ = scaled(process.scales_, points);
   Mode mode = Laplace(covariances(process.scales_, points), counts).mode();
   process.weights_ = std::move(mode.weights);
   process.root_ = std::move(mode.root);
@@ -205,15 +212,17 @@ BinomialProcess BinomialProcess::fit(const Eigen::MatrixXd& points, const std::v
   return process;
 }
 
-double BinomialProcess::mean_at(const Eigen::VectorXd& point) const {
-  double mean = 0.0;
-  for (Eigen::Index i = 0; i < points_.rows(); ++i) mean += weights_[i] * covariance(scales_, point, points_.row(i));
-  return mean;
+Eigen::VectorXd BinomialProcess::covariances_with(const Eigen::VectorXd& point) const {
+  const Eigen::MatrixXd column = scaled(scales_, point.transpose());
+  Eigen::VectorXd between(columns_.cols());
+  for (Eigen::Index i = 0; i < between.size(); ++i) between[i] = covariance(scales_, column.col(0), columns_.col(i));
+  return between;
 }
 
+double BinomialProcess::mean_at(const Eigen::VectorXd& point) const { return weights_.dot(covariances_with(point)); }
+
 LogOdds BinomialProcess::at(const Eigen::VectorXd& point) const {
-  Eigen::VectorXd between(points_.rows());
-  for (Eigen::Index i = 0; i < between.size(); ++i) between[i] = covariance(scales_, point, points_.row(i));
+  const Eigen::VectorXd between = covariances_with(point);
   Eigen::VectorXd reduced = root_.cwiseProduct(between);
   factor_.triangularView<Eigen::Lower>().solveInPlace(reduced);
   const double left = variance(scales_) - reduced.squaredNorm();

@@ -41,8 +41,9 @@ class BinomialProcess {
 
  private:
   BinomialProcess() = default;
+  [[nodiscard]] Eigen::VectorXd covariances_with(const Eigen::VectorXd& point) const;
 
-  Eigen::MatrixXd points_;
+  Eigen::MatrixXd columns_;  ///< the points, counted in lengths
   ProcessScales scales_;
   Eigen::VectorXd weights_;  ///< of the covariances with the points, whose sum is the mean
   Eigen::VectorXd root_;     ///< square roots of the curvature of the likelihood

@@ -9,6 +9,7 @@
 #include "rocking/base/on_threads.hpp"
 #include "rocking/studies/infer/candidates.hpp"
 #include "rocking/studies/infer/made_up_tests.hpp"
+#include "rocking/studies/infer/posterior.hpp"
 #include "rocking/studies/infer/profile.hpp"
 
 namespace rocking::infer {
@@ -30,7 +31,9 @@ class Answering {
         models_(&models),
         found_(&found),
         scale_(question.unknowns),
-        counts_(counts_of(question.tests)) {
+        counts_(counts_of(question.tests)),
+        posterior_(posterior_of({models.begin(), models.begin() + static_cast<std::ptrdiff_t>(counts_.size())},
+                                in_one_row(counts_), question.unknowns, found)) {
     for (const auto& counts : counts_) {
       tests_.push_back(std::accumulate(counts.begin(), counts.end(), std::uint64_t{0}));
     }
@@ -50,7 +53,7 @@ class Answering {
     for (std::size_t i = 0; i < answer.candidates.size(); ++i) {
       parts.emplace_back([&, i] {
         answer.candidates[i] =
-            gain_of((*models_)[tests_.size() + i], question_->next_tests, lattice(), found_->weights, question_->seed);
+            gain_of((*models_)[tests_.size() + i], question_->next_tests, posterior_, question_->seed);
       });
     }
     parts.emplace_back([&] { fit_and_region(answer); });
@@ -93,36 +96,8 @@ class Answering {
       answer.reaches = ReachedBound::to;
     const bool has_prior =
         std::ranges::any_of(question_->unknowns, [](const Unknown& u) { return u.prior.has_value(); });
-    if (has_prior) answer.posterior = posterior(k);
+    if (has_prior) answer.posterior = summary(posterior_, question_->unknowns, k, question_->confidence);
     return answer;
-  }
-
-  [[nodiscard]] UnknownPosterior posterior(std::size_t k) const {
-    std::vector<double> weights(lattice().points_on_axis());
-    for (std::size_t i = 0; i < lattice().size(); ++i) {
-      weights[lattice().place(i, k)] += found_->weights[static_cast<Eigen::Index>(i)];
-    }
-    UnknownPosterior posterior;
-    for (std::size_t i = 0; i < weights.size(); ++i) {
-      posterior.mean += weights[i] * scale_.value(k, lattice().coordinate(i, k));
-    }
-    /// Each weight is spread evenly over the cell of its place.
-    const auto quantile = [&](double level) {
-      double sum = 0.0;
-      for (std::size_t i = 0; i < weights.size(); ++i) {
-        if (sum + weights[i] >= level && weights[i] > 0.0) {
-          const double half = 0.5 * (lattice().coordinate(1, k) - lattice().coordinate(0, k));
-          const double in_cell = (2.0 * (level - sum) / weights[i] - 1.0) * half;
-          return scale_.value(k, std::clamp(lattice().coordinate(i, k) + in_cell, 0.0, 1.0));
-        }
-        sum += weights[i];
-      }
-      return scale_.value(k, lattice().coordinate(weights.size() - 1, k));
-    };
-    const double tail = 0.5 * (1.0 - question_->confidence);
-    posterior.median = quantile(0.5);
-    posterior.interval = {.low = quantile(tail), .high = quantile(1.0 - tail)};
-    return posterior;
   }
 
   [[nodiscard]] std::vector<PredictedShares> predicted() const {
@@ -145,14 +120,15 @@ class Answering {
     const Eigen::MatrixXd sets = make_up(lattice().point(best_), sets_for_fit);
     answer.fit.statistic = statistic(in_one_row(counts_), found_->logarithms.maxCoeff());
     const Eigen::MatrixXd logarithms = found_->likelihood.logarithms_of_sets(sets);
+    const double rounding =
+        1e-9 * (1.0 + std::abs(answer.fit.statistic));  // sets with the counts of the tests are ties
     std::size_t larger = 1;
-    std::vector<double> deviances;
     for (Eigen::Index set = 0; set < sets.cols(); ++set) {
       const double most = logarithms.col(set).maxCoeff();
-      if (statistic(sets.col(set), most) >= answer.fit.statistic) ++larger;
+      if (statistic(sets.col(set), most) >= answer.fit.statistic - rounding) ++larger;
     }
     answer.fit.p_value = static_cast<double>(larger) / static_cast<double>(sets_for_fit + 1);
-    const double limit = region_limit(found_->likelihood, best_, sets, question_->confidence);
+    const double limit = region_limit(logarithms, best_, question_->confidence);
     answer.region_limit = std::exp(-0.5 * limit);
     add_region(limit, answer.region);
   }
@@ -185,6 +161,7 @@ class Answering {
   const Survey* found_;
   Scale scale_;
   std::vector<std::vector<std::uint64_t>> counts_;
+  Posterior posterior_;
   std::vector<std::uint64_t> tests_;  ///< by tested condition
   std::size_t best_ = 0;
 };

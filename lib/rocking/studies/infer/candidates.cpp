@@ -62,9 +62,9 @@ Eigen::Index place_at(const Eigen::VectorXd& weights, double u) {
 
 }  // namespace
 
-CandidateGain gain_of(const ShareModel& candidate, std::uint64_t tests, const Lattice& lattice,
-                      const Eigen::VectorXd& weights, std::uint64_t seed) {
-  const Support support = support_of(candidate, lattice, weights);
+CandidateGain gain_of(const ShareModel& candidate, std::uint64_t tests, const Posterior& posterior,
+                      std::uint64_t seed) {
+  const Support support = support_of(candidate, posterior.lattice, posterior.weights);
   const Eigen::VectorXd present = deviations(support.points, support.weights);
   double entropies = 0.0;
   Eigen::VectorXd expected = Eigen::VectorXd::Zero(present.size());

@@ -50,11 +50,11 @@ std::vector<Eigen::VectorXd> first_design(std::size_t unknowns) {
 std::vector<Eigen::VectorXd> further_points(const std::vector<Eigen::VectorXd>& design, const Lattice& lattice,
                                             const Eigen::VectorXd& deviances) {
   const Eigen::VectorXd unit = lattice.window().high - lattice.window().low;
-  std::vector<Eigen::VectorXd> all = design;
   std::vector<double> distances;
   for (std::size_t i = 0; i < lattice.size(); ++i) distances.push_back(distance_to(design, lattice.point(i), unit));
   std::vector<Eigen::VectorXd> added;
-  while (added.size() < sizes_of.at(lattice.axes()).added) {
+  const auto [of_sequence, most_added, most] = sizes_of.at(lattice.axes());
+  while (added.size() < most_added && design.size() + added.size() < most) {
     std::size_t best = 0;
     double largest = -1.0;
     for (std::size_t i = 0; i < lattice.size(); ++i) {

@@ -15,7 +15,7 @@ namespace rocking::infer {
 
 /// Points of a lattice to add to a design, where the likelihood is high and the design is thin: one after the other,
 /// each with the largest product of the fourth root of the likelihood and the distance to the nearest point, where
-/// distances are counted in the size of the lattice.
+/// distances are counted in the size of the lattice. No more than `most_points` are in the design then.
 [[nodiscard]] std::vector<Eigen::VectorXd> further_points(const std::vector<Eigen::VectorXd>& design,
                                                           const Lattice& lattice, const Eigen::VectorXd& deviances);
 

@@ -11,6 +11,7 @@
 #include "rocking/base/on_threads.hpp"
 #include "rocking/studies/infer/answer.hpp"
 #include "rocking/studies/infer/design.hpp"
+#include "rocking/studies/infer/posterior.hpp"
 #include "rocking/studies/infer/profile.hpp"
 #include "rocking/studies/infer/survey.hpp"
 
@@ -50,7 +51,7 @@ Survey survey_of(const InferenceQuestion& question, const std::vector<ShareModel
   const auto tested = static_cast<std::ptrdiff_t>(question.tests.conditions.size());
   std::vector<std::vector<std::uint64_t>> counts;
   for (const TestedCondition& condition : question.tests.conditions) counts.push_back(condition.counts);
-  return survey({models.begin(), models.begin() + tested}, in_one_row(counts), question.unknowns);
+  return survey({models.begin(), models.begin() + tested}, in_one_row(counts));
 }
 
 class Study {
@@ -211,6 +212,7 @@ InferenceAnswer answer_from(const InferenceQuestion& question, const std::vector
 }
 
 Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings) {
+  static_cast<void>(infer::reach_of_priors(question.unknowns));  // throws before anything is simulated
   return infer::Study(question, settings).inference();
 }
 

@@ -39,6 +39,8 @@ struct InferenceSettings {
 
 /// The answer of the tests. Points are added to the design until no interval moves by more than a tenth of its width.
 /// It does not depend on the number of threads. When it is asked to stop, it answers from the points that are finished.
+///
+/// Throws std::invalid_argument if a prior has no weight in the range of its unknown.
 [[nodiscard]] Inference infer_unknowns(const InferenceQuestion& question, const InferenceSettings& settings);
 
 /// The answer from the counts of a design, which must have the first design in it. It depends on the question and the

@@ -1,6 +1,7 @@
 #include "rocking/studies/infer/lattice.hpp"
 
 #include <array>
+#include <cmath>
 #include <utility>
 
 namespace rocking::infer {
@@ -26,7 +27,7 @@ Eigen::VectorXd Lattice::point(std::size_t index) const {
 double Lattice::coordinate(std::size_t place, std::size_t axis) const {
   const auto a = static_cast<Eigen::Index>(axis);
   const double part = static_cast<double>(place) / static_cast<double>(points_on_axis_ - 1);
-  return window_.low[a] + part * (window_.high[a] - window_.low[a]);
+  return std::lerp(window_.low[a], window_.high[a], part);
 }
 
 }  // namespace rocking::infer

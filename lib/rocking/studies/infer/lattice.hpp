@@ -27,6 +27,7 @@ class Lattice {
   [[nodiscard]] std::size_t place(std::size_t index, std::size_t axis) const {
     return index / strides_[axis] % points_on_axis_;
   }
+  /// At the first and the last place exactly those of the window.
   [[nodiscard]] double coordinate(std::size_t place, std::size_t axis) const;
   [[nodiscard]] const Window& window() const { return window_; }
 

@@ -1,5 +1,7 @@
 #include "rocking/studies/infer/made_up_tests.hpp"
 
+#include <cmath>
+
 #include "rocking/random/draws.hpp"
 
 namespace rocking::infer {
@@ -24,11 +26,13 @@ Eigen::MatrixXd made_up_tests(std::span<const ShareModel> models, const std::vec
   Eigen::MatrixXd counts =
       Eigen::MatrixXd::Zero(all_groups * static_cast<Eigen::Index>(models.size()), static_cast<Eigen::Index>(sets));
   std::vector<double> numbers(groups);
+  const double widening = std::sqrt(static_cast<double>(models.size()));
   for (std::size_t set = 0; set < sets; ++set) {
     const random::Draws draws(seed, first + set);
     std::uint64_t next = 0;
     for (std::size_t m = 0; m < models.size(); ++m) {
       draws.standard_normals(random::Source::inference_shares, m * groups, numbers);
+      for (double& number : numbers) number *= widening;
       const Eigen::VectorXd shares = models[m].uncertain_shares(point, numbers);
       for (std::uint64_t test = 0; test < tests[m]; ++test) {
         const double u = draws.uniform(random::Source::inference_counts, next++);

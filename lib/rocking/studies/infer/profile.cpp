@@ -17,7 +17,7 @@ double upper_quantile(std::vector<double> numbers, double level) {
 }
 
 double limit_on_bound(double confidence) {
-  return boost::math::quantile(boost::math::chi_squared(1.0), 2.0 * confidence - 1.0);
+  return boost::math::quantile(boost::math::chi_squared(1.0), std::max(2.0 * confidence - 1.0, 0.0));
 }
 
 /// The point with the least deviance of those with this place.
@@ -36,12 +36,14 @@ double limit_at(const Likelihood& likelihood, std::size_t axis, std::size_t plac
   const Lattice& lattice = likelihood.lattice();
   const std::size_t best = best_at(lattice, axis, place, deviances);
   const Eigen::MatrixXd logarithms = likelihood.logarithms_of_sets(make_up(lattice.point(best)));
+  std::vector<Eigen::Index> at_place;
+  for (std::size_t i = 0; i < lattice.size(); ++i) {
+    if (lattice.place(i, axis) == place) at_place.push_back(static_cast<Eigen::Index>(i));
+  }
   std::vector<double> values;
   for (Eigen::Index set = 0; set < logarithms.cols(); ++set) {
     double inside = -std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < lattice.size(); ++i) {
-      if (lattice.place(i, axis) == place) inside = std::max(inside, logarithms(static_cast<Eigen::Index>(i), set));
-    }
+    for (const Eigen::Index i : at_place) inside = std::max(inside, logarithms(i, set));
     values.push_back(2.0 * (logarithms.col(set).maxCoeff() - inside));
   }
   return std::max(limit_on_bound(confidence), upper_quantile(std::move(values), confidence));
@@ -95,8 +97,7 @@ Eigen::VectorXd profile_limits(const Likelihood& likelihood, std::size_t axis, c
   return limits;
 }
 
-double region_limit(const Likelihood& likelihood, std::size_t point, const Eigen::MatrixXd& sets, double confidence) {
-  const Eigen::MatrixXd logarithms = likelihood.logarithms_of_sets(sets);
+double region_limit(const Eigen::MatrixXd& logarithms, std::size_t point, double confidence) {
   std::vector<double> values;
   for (Eigen::Index set = 0; set < logarithms.cols(); ++set) {
     values.push_back(2.0 * (logarithms.col(set).maxCoeff() - logarithms(static_cast<Eigen::Index>(point), set)));

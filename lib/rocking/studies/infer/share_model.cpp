@@ -26,7 +26,7 @@ double log_share(double log_odds) { return std::min(log_odds, 0.0) - std::log1p(
 
 ShareModel::ShareModel(const Eigen::MatrixXd& points, const std::vector<std::vector<std::uint64_t>>& counts,
                        const ShareModel* former)
-    : order_(by_frequency(counts)) {
+    : order_(by_frequency(counts)), unknowns_(static_cast<std::size_t>(points.cols())) {
   std::vector<std::uint64_t> left;
   for (const auto& at_point : counts) {
     left.push_back(std::accumulate(at_point.begin(), at_point.end(), std::uint64_t{0}));

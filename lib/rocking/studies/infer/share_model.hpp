@@ -33,11 +33,15 @@ class ShareModel {
   [[nodiscard]] Eigen::VectorXd uncertain_shares(const Eigen::VectorXd& point, std::span<const double> numbers) const;
 
   [[nodiscard]] std::size_t groups() const { return order_.size(); }
+  [[nodiscard]] std::size_t unknowns() const { return unknowns_; }
+  /// Of a point.
+  [[nodiscard]] double realisations() const { return realisations_; }
 
  private:
   std::vector<std::size_t> order_;                 ///< groups, the most frequent first
   std::vector<stats::BinomialProcess> processes_;  ///< of all but the last of them
-  double realisations_ = 0.0;                      ///< of a point
+  std::size_t unknowns_;
+  double realisations_ = 0.0;
 };
 
 }  // namespace rocking::infer

@@ -4,8 +4,6 @@
 #include <charconv>
 #include <utility>
 
-#include "rocking/studies/infer/prior.hpp"
-
 namespace rocking::infer {
 namespace {
 
@@ -18,29 +16,22 @@ double to_six_digits(double number) {
   return rounded;
 }
 
-/// Without a prior it is 0.
-double log_prior(const std::vector<Unknown>& unknowns, const std::vector<double>& values) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < unknowns.size(); ++k) {
-    if (unknowns[k].prior) sum += log_density(*unknowns[k].prior, values[k]);
-  }
-  return sum;
-}
-
-Survey on_lattice(const std::vector<ShareModel>& models, const Counts& counts, const std::vector<Unknown>& unknowns,
-                  Lattice lattice) {
-  Survey found{.likelihood = Likelihood(models, std::move(lattice)), .logarithms = {}, .deviances = {}, .weights = {}};
+Survey on_window(const std::vector<ShareModel>& models, const Counts& counts, Window window) {
+  Survey found{.likelihood = Likelihood(models, Lattice(std::move(window))), .logarithms = {}, .deviances = {}};
   found.logarithms = found.likelihood.logarithms(counts);
   found.deviances = deviances(found.logarithms);
-  const Scale scale(unknowns);
-  found.weights = found.logarithms;
-  for (Eigen::Index i = 0; i < found.weights.size(); ++i) {
-    found.weights[i] +=
-        log_prior(unknowns, scale.values(found.likelihood.lattice().point(static_cast<std::size_t>(i))));
-  }
-  found.weights = (found.weights.array() - found.weights.maxCoeff()).exp().matrix();
-  found.weights /= found.weights.sum();
   return found;
+}
+
+/// Beyond this deviance a value is unlikely. The realisations have an error, too: it counts as their tests would.
+double unlikely(const std::vector<ShareModel>& models, const Counts& counts) {
+  const auto groups = static_cast<Eigen::Index>(models.front().groups());
+  double largest = 0.0;
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    const double tests = counts.segment(static_cast<Eigen::Index>(m) * groups, groups).sum();
+    largest = std::max(largest, tests / models[m].realisations());
+  }
+  return 20.0 * (1.0 + largest);
 }
 
 }  // namespace
@@ -68,22 +59,21 @@ Eigen::VectorXd Scale::point(const std::vector<double>& values) const {
   return point;
 }
 
-Survey survey(const std::vector<ShareModel>& models, const Counts& counts, const std::vector<Unknown>& unknowns) {
-  const auto axes = static_cast<Eigen::Index>(unknowns.size());
-  Survey found = on_lattice(models, counts, unknowns,
-                            Lattice({.low = Eigen::VectorXd::Zero(axes), .high = Eigen::VectorXd::Ones(axes)}));
+bool is_much_smaller(const Window& window, const Window& present) {
+  return (window.high - window.low).cwiseQuotient(present.high - present.low).minCoeff() <= 0.7;
+}
+
+Survey survey(const std::vector<ShareModel>& models, const Counts& counts) {
+  const auto axes = static_cast<Eigen::Index>(models.front().unknowns());
+  Survey found = on_window(models, counts, {.low = Eigen::VectorXd::Zero(axes), .high = Eigen::VectorXd::Ones(axes)});
+  const double most = unlikely(models, counts);
   constexpr int most_windows = 4;
   for (int i = 1; i < most_windows; ++i) {
-    constexpr double unlikely = 20.0;  // of a deviance
-    const double least_weight = 1e-4 * found.weights.maxCoeff();
     const Window window = window_around(found.likelihood.lattice(), [&](std::size_t point) {
-      const auto place = static_cast<Eigen::Index>(point);
-      return found.deviances[place] <= unlikely || found.weights[place] >= least_weight;
+      return found.deviances[static_cast<Eigen::Index>(point)] <= most;
     });
-    const Window& present = found.likelihood.lattice().window();
-    const Eigen::VectorXd smaller = (window.high - window.low).cwiseQuotient(present.high - present.low);
-    if (smaller.minCoeff() > 0.7) break;
-    found = on_lattice(models, counts, unknowns, Lattice(window));
+    if (!is_much_smaller(window, found.likelihood.lattice().window())) break;
+    found = on_window(models, counts, window);
   }
   return found;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -19,7 +20,7 @@ class Scale {
 
   [[nodiscard]] double value(std::size_t unknown, double coordinate) const {
     const Unknown& range = (*unknowns_)[unknown];
-    return range.from + coordinate * (range.to - range.from);
+    return std::lerp(range.from, range.to, coordinate);
   }
   [[nodiscard]] std::vector<double> values(const Eigen::VectorXd& point) const;
   /// The same with six significant digits, within the range.
@@ -35,11 +36,12 @@ struct Survey {
   Likelihood likelihood;
   Eigen::VectorXd logarithms;  ///< by point of the lattice
   Eigen::VectorXd deviances;
-  Eigen::VectorXd weights;  ///< likelihood times prior, with sum 1
 };
 
 /// `models`: of the tested conditions.
-[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts,
-                            const std::vector<Unknown>& unknowns);
+[[nodiscard]] Survey survey(const std::vector<ShareModel>& models, const Counts& counts);
+
+/// Whether a smaller window is worth another lattice.
+[[nodiscard]] bool is_much_smaller(const Window& window, const Window& present);
 
 }  // namespace rocking::infer

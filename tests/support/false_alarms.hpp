@@ -63,6 +63,9 @@ inline constexpr std::array allowances{
     Allowance{"CorrelatedFriction.HasTheCorrelationThatIsAskedFor", 1, 3},
     Allowance{"RandomNumbers.OfLawsAlongTheWayAreTested", 1, 8},
     Allowance{"MeanShare.CoversTheShareOfSemiMarkovProcessesAsOftenAsTheDocumentsSay", 1, 3},
+    Allowance{"InferredIntervals.CoverTheTruthAsOftenAsTheySay", 1, 4},
+    Allowance{"InferredIntervals.CoverTheTruthAlsoWhereTestsAreAsManyAsRealisations", 1, 1},
+    Allowance{"InferredFit.HasAPValueThatIsAboutUniform", 1, 4},
 };
 
 constexpr int all_comparisons() {

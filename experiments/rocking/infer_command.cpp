@@ -13,7 +13,7 @@
 #include "experiment_argument.hpp"
 #include "machine.hpp"
 #include "output.hpp"
-#include "rocking/api/studies.hpp"
+#include "rocking/api/infer.hpp"
 #include "rocking/output/infer_report.hpp"
 #include "rocking/text/files.hpp"
 #include "rocking/text/parse_json.hpp"

@@ -3,9 +3,9 @@
 #include <filesystem>
 #include <utility>
 
+#include "rocking/api/infer.hpp"
 #include "rocking/api/refuse.hpp"
 #include "rocking/api/run_options.hpp"
-#include "rocking/api/studies.hpp"
 #include "rocking/base/error.hpp"
 #include "rocking/base/number_text.hpp"
 #include "rocking/base/stop_request.hpp"

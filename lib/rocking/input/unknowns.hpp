@@ -4,7 +4,7 @@
 
 #include "rocking/input/object_reader.hpp"
 #include "rocking/input/sweep.hpp"
-#include "rocking/scene/unknown.hpp"
+#include "rocking/scene/experiment.hpp"
 
 namespace rocking {
 

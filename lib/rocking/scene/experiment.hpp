@@ -12,7 +12,6 @@
 #include "rocking/dynamics/block.hpp"
 #include "rocking/dynamics/formulation.hpp"
 #include "rocking/scene/excitation.hpp"
-#include "rocking/scene/unknown.hpp"
 #include "rocking/section/response_mode.hpp"
 
 namespace rocking {
@@ -169,6 +168,17 @@ struct Condition {
   std::optional<Until> until;
   std::optional<LabelCheck> label_check;  ///< absent: none
   double confidence = 0.95;
+};
+
+/// Most unknowns of an experiment.
+inline constexpr std::size_t most_unknowns = 3;
+
+/// A number of the experiment that counted tests are to determine.
+struct Unknown {
+  std::string pointer;                           ///< JSON pointer to it
+  double from = 0.0;                             ///< smallest value, in the unit of the number
+  double to = 1.0;                               ///< largest value, above `from`
+  std::optional<Quantity> prior = std::nullopt;  ///< a law with a density; absent: none, or uniform beside others
 };
 
 /// The input that a user declared.

@@ -8,7 +8,6 @@
 
 #include "rocking/base/stop_request.hpp"
 #include "rocking/scene/counted_tests.hpp"
-#include "rocking/scene/unknown.hpp"
 #include "rocking/studies/infer/inference.hpp"
 
 /// From counted tests back to the numbers that explain them (lib/docs/infer.md).
